@@ -14,6 +14,7 @@
 #include "effects/inlet_shear_heating.h"
 #include "effects/interference_fit.h"
 #include "effects/load_calibration.h"
+#include "effects/load_cell_drift.h"
 #include "effects/load_exponent.h"
 #include "effects/load_offset.h"
 #include "effects/lubricant_drag.h"
@@ -21,6 +22,7 @@
 #include "effects/mixed_lubrication.h"
 #include "effects/mounting.h"
 #include "effects/oil_card.h"
+#include "effects/preload_calibration.h"
 #include "effects/preload_growth.h"
 #include "effects/replenishment_starvation.h"
 #include "effects/rig_viscous_drag.h"
@@ -28,6 +30,7 @@
 #include "effects/sensor_drift.h"
 #include "effects/sensor_gain.h"
 #include "effects/sensor_offset.h"
+#include "effects/set_preload.h"
 #include "effects/shaft_contraction.h"
 #include "effects/shear_thinning.h"
 #include "effects/spin_friction.h"
@@ -35,9 +38,11 @@
 #include "effects/spindle_factor.h"
 #include "effects/spindle_heat.h"
 #include "effects/structure_temperature.h"
+#include "effects/support_bearings.h"
 #include "effects/temperature_sensor.h"
 #include "effects/thermal_preload.h"
 #include "effects/thermal_ring_growth.h"
+#include "effects/torque_course.h"
 #include "effects/viscous_exponent.h"
 #include "effects/windage.h"
 
@@ -48,6 +53,7 @@ namespace raceway::effects {
 /// in this order: the film finds its temperature before shares of the viscous moment are taken.
 using Catalogue = std::tuple<
     LubricantViscosity, ViscositySlope, TemperatureGain, TemperatureOffset, LoadCalibration,
+    LoadCellDrift, SetPreload, SupportBearings, TorqueCreep, SpeedHysteresis, PreloadCalibration,
     ViscousExponent, LoadExponent, SpinFriction, DifferentialSlip, ElasticHysteresis,
     GyroscopicSlip, FilmSelfHeating, InletShearHeating, ReplenishmentStarvation, ShearThinning,
     MixedLubrication, SealFriction, LoadOffset, LubricantDrag, Churning, Windage, CageFriction,

@@ -36,6 +36,8 @@ constexpr Description describe() {
   if constexpr (requires { E::size_power; }) d.size_power = E::size_power;
   if constexpr (requires { E::follows_heat; }) d.follows_heat = E::follows_heat;
   if constexpr (requires { E::datum; }) d.datum = E::datum;
+  if constexpr (requires { &E::correction; }) d.correction = &E::correction;
+  if constexpr (requires { E::settled_by; }) d.settled_by = E::settled_by;
   if constexpr (requires { &E::entry; }) d.entry = &E::entry;
   if constexpr (requires { &E::condition; }) d.condition = &E::condition;
   if constexpr (requires { &E::lubricant; }) d.lubricant = &E::lubricant;
@@ -134,6 +136,10 @@ std::string_view text(Need need) {
       return "inner_ring_temperature_C and outer_ring_temperature_C of every row";
     case Need::loads:
       return "a load on every row, to solve for the balls";
+    case Need::several_bearings:
+      return "bearings = 2 or more under [rig]: a set that has a preload";
+    case Need::rising_and_falling:
+      return "speeds that were reached from below and from above, with time_s";
     case Need::ball_load_law:
       return "the contact law, or an effect in the model that uses ball loads, as spin-friction "
              "does: the other base laws see the entered load only";
@@ -173,7 +179,8 @@ double Record::value(const record::Channel& channel) const {
 
 bool Condition::finite() const {
   return std::isfinite(extra_axial_load) && std::isfinite(radial_growth) && std::isfinite(tilt) &&
-         std::isfinite(other_balls) && std::isfinite(other_mounting);
+         std::isfinite(other_balls) && std::isfinite(other_mounting) &&
+         std::isfinite(preload_error);
 }
 
 bool Description::works_with(std::optional<friction::Supply> supply) const {

@@ -26,6 +26,7 @@ struct Churning {
   static constexpr std::string_view source = "exponents of the SKF drag moment, second term";
   static constexpr std::array<std::string_view, 3> confused_with{"f0", "viscous-exponent",
                                                                  "cage-friction"};
+  static constexpr std::string_view settled_by = "the torque with less oil in the bearing";
   static constexpr std::array parameters{Parameter{.name = "torque_at_10000_rpm_Nmm",
                                                    .unit = "N mm",
                                                    .initial = 20.0,

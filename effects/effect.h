@@ -35,18 +35,20 @@ using Parameter = record::NumberCard;
 
 /// What a model and its data must offer before an effect can be tested or fitted.
 enum class Need {
-  speed_levels,       ///< more than one speed
-  load_levels,        ///< more than one load
-  preload_levels,     ///< more than one preload of the sets
-  viscosity_levels,   ///< more than one temperature
-  time,               ///< a time of every row
-  ring_temperatures,  ///< of inner and outer ring
-  loads,              ///< loads above zero, so that the balls can be solved for
-  ball_load_law,      ///< another effect that uses ball loads: base laws see the entered load only
-  palmgren_law,       ///< the SKF law contains this already
-  opposed_sets,       ///< bearings at both ends of the shaft
-  torque_standard,    ///< something beside the torque itself that fixes its scale
-  cold_friction       ///< a spindle whose friction goes by the forces of its cold sets
+  speed_levels,        ///< more than one speed
+  load_levels,         ///< more than one load
+  preload_levels,      ///< more than one preload of the sets
+  viscosity_levels,    ///< more than one temperature
+  time,                ///< a time of every row
+  ring_temperatures,   ///< of inner and outer ring
+  loads,               ///< loads above zero, so that the balls can be solved for
+  several_bearings,    ///< a rig that reads the torque of two bearings or more
+  rising_and_falling,  ///< speeds that were reached from below and from above
+  ball_load_law,       ///< another effect that uses ball loads: base laws see the entered load only
+  palmgren_law,        ///< the SKF law contains this already
+  opposed_sets,        ///< bearings at both ends of the shaft
+  torque_standard,     ///< something beside the torque itself that fixes its scale
+  cold_friction        ///< a spindle whose friction goes by the forces of its cold sets
 };
 
 /// What the data lack: "time_s of every row".
@@ -63,6 +65,8 @@ struct Record {
   double inner_ring_temperature = unset;  ///< [K]
   double outer_ring_temperature = unset;  ///< [K]
   int run = -1;
+  double since_start = unset;  ///< time since the day or the passage through the loads began [s]
+  double direction = unset;    ///< 1 where the speed was reached from below, -1 from above
   const record::Record* rows = nullptr;  ///< all that was recorded; null where nobody has it
   std::size_t row = 0;                   ///< which of them this is
 
@@ -110,6 +114,7 @@ struct Condition {
                                   ///< one of steel and silicon nitride [1]
   double other_mounting = 0.0;    ///< of the sets on a shaft: share of the way from the entered
                                   ///< mounting to the other one of rigid and spring [1]
+  double preload_error = 0.0;     ///< of a force of preload: real over entered, less one [1]
   [[nodiscard]] bool operator==(const Condition&) const = default;
   [[nodiscard]] bool finite() const;
   [[nodiscard]] bool changes_bearing() const { return radial_growth != 0.0 || other_balls != 0.0; }
@@ -193,6 +198,10 @@ struct Description {
   /// What is wrong where this explains a misfit: a datum rather than missing physics, in words
   /// ("the oil card"); empty for physics.
   std::string_view datum = {};
+  /// That datum at these values, in words; null where `entry` says it.
+  std::string (*correction)(std::span<const double> values) = nullptr;
+  /// A measurement that shows whether it is at work, in words: "the torque without seals".
+  std::string_view settled_by = {};
 
   /// Corrects what was entered or read.
   void (*entry)(Entry&, std::span<const double> values) = nullptr;

@@ -31,6 +31,8 @@ struct FilmSelfHeating {
   static constexpr std::string_view source = "heat balance with one resistance; range assumed";
   static constexpr std::array<std::string_view, 4> confused_with{
       "inlet-shear-heating", "replenishment-starvation", "shear-thinning", "viscous-exponent"};
+  static constexpr std::string_view settled_by =
+      "the temperature by a second sensor nearer the film, as at the outer ring";
   static constexpr std::array parameters{Parameter{.name = "resistance_K_per_kW",
                                                    .unit = "K/kW",
                                                    .initial = 15.0,

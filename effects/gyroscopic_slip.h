@@ -39,6 +39,7 @@ struct GyroscopicSlip {
       "empirical, without a source";
   static constexpr std::array<std::string_view, 3> confused_with{"lubricant-drag", "spin-friction",
                                                                  "windage"};
+  static constexpr std::string_view settled_by = "the same points with ceramic balls";
   static constexpr std::array parameters{Parameter{.name = "share",
                                                    .unit = "1",
                                                    .initial = 0.5,

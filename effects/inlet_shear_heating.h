@@ -29,6 +29,7 @@ struct InletShearHeating {
   static constexpr std::string_view source = "SKF general catalogue (2006), p. 91-101";
   static constexpr std::array<std::string_view, 4> confused_with{
       "film-self-heating", "shear-thinning", "replenishment-starvation", "viscous-exponent"};
+  static constexpr std::string_view settled_by = "the same points with a second oil";
   static constexpr std::array parameters{Parameter{.name = "strength",
                                                    .unit = "1",
                                                    .initial = 1.0,

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <array>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "effects/effect.h"
@@ -28,6 +31,7 @@ struct LoadCalibration {
   static constexpr std::string_view source = "definition; range assumed";
   static constexpr std::array<std::string_view, 3> confused_with{"z", "load-offset",
                                                                  "load-exponent"};
+  static constexpr std::string_view settled_by = "the load cell under a known weight";
   static constexpr std::array parameters{Parameter{.name = "share_read",
                                                    .unit = "1",
                                                    .initial = 1.0,
@@ -40,6 +44,10 @@ struct LoadCalibration {
 
   static void condition(const ConditionInputs& in, std::span<const double> values, Condition& c) {
     c.extra_axial_load += in.point.axial_load * (1.0 / values[0] - 1.0);
+  }
+
+  static std::string correction(std::span<const double> values) {
+    return fmt::format("axial loads are {:.3g} times those of the record", 1.0 / values[0]);
   }
 };
 

@@ -26,6 +26,8 @@ struct LubricantDrag {
   static constexpr std::string_view source = "form of the SKF drag moment, first term";
   static constexpr std::array<std::string_view, 4> confused_with{
       "windage", "centrifugal-ring-growth", "gyroscopic-slip", "cage-friction"};
+  static constexpr std::string_view settled_by =
+      "the torque with the supply of oil shut off for a minute";
   static constexpr std::array parameters{Parameter{.name = "torque_at_10000_rpm_Nmm",
                                                    .unit = "N mm",
                                                    .initial = 20.0,

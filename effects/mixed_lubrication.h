@@ -33,6 +33,7 @@ struct MixedLubrication {
       "sliding moment of the SKF general catalogue (2006), p. 91-101";
   static constexpr std::array<std::string_view, 3> confused_with{"seal-friction", "z",
                                                                  "load-exponent"};
+  static constexpr std::string_view settled_by = "the same points with a second oil";
   static constexpr std::array parameters{Parameter{.name = "friction_coefficient",
                                                    .unit = "1",
                                                    .initial = 0.07,

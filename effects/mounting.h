@@ -36,6 +36,8 @@ struct OtherMounting {
   static constexpr std::string_view source = "springs in series, derived";
   static constexpr std::array<std::string_view, 4> confused_with{
       "preload_N", "shaft-contraction", "centrifugal-ring-growth", "thermal-preload"};
+  static constexpr std::string_view settled_by =
+      "the axial deflection of the shaft under a known load";
   static constexpr std::array parameters{Parameter{.name = "share",
                                                    .unit = "1",
                                                    .initial = 0.5,

@@ -27,6 +27,8 @@ struct LubricantViscosity {
   static constexpr std::string_view formula = "nu40 -> k nu40, nu100 -> k nu100";
   static constexpr std::string_view source = "definition; grades of ISO 3448";
   static constexpr std::array<std::string_view, 2> confused_with{"f0", "viscosity-slope"};
+  static constexpr std::string_view settled_by =
+      "the viscosity of the oil in use at 40 and 100 C, or the same points with a second oil";
   static constexpr std::array parameters{Parameter{.name = "factor_at_40_C",
                                                    .unit = "1",
                                                    .initial = 1.0,
@@ -62,6 +64,8 @@ struct ViscositySlope {
   static constexpr std::string_view source = "definition; viscosity index of ISO 2909";
   static constexpr std::array<std::string_view, 4> confused_with{
       "temperature-offset", "temperature-gain", "churning", "cage-friction"};
+  static constexpr std::string_view settled_by =
+      "the viscosity of the oil in use at 40 and 100 C, or the same points with a second oil";
   static constexpr std::array parameters{Parameter{.name = "factor_at_100_C",
                                                    .unit = "1",
                                                    .initial = 1.0,

@@ -31,6 +31,7 @@ struct ReplenishmentStarvation {
   static constexpr std::string_view source = "SKF general catalogue (2006), p. 91-101";
   static constexpr std::array<std::string_view, 4> confused_with{
       "inlet-shear-heating", "film-self-heating", "shear-thinning", "viscous-exponent"};
+  static constexpr std::string_view settled_by = "the same points with more oil";
   static constexpr std::array parameters{Parameter{.name = "K_rs",
                                                    .unit = "1",
                                                    .initial = 3e-8,

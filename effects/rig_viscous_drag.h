@@ -25,6 +25,7 @@ struct RigViscousDrag {
   static constexpr std::string_view source = "shear of a film of constant height, derived";
   static constexpr std::array<std::string_view, 3> confused_with{"cage-friction", "lubricant-drag",
                                                                  "windage"};
+  static constexpr std::string_view settled_by = "the torque of the rig without the bearing";
   static constexpr std::array parameters{Parameter{.name = "torque_at_10000_rpm_Nmm",
                                                    .unit = "N mm",
                                                    .initial = 10.0,

@@ -27,6 +27,7 @@ struct SealFriction {
       "seal moment of the SKF general catalogue (2006); fall with temperature assumed";
   static constexpr std::array<std::string_view, 4> confused_with{
       "torque-offset", "load-offset", "torque-temperature-drift", "mixed-lubrication"};
+  static constexpr std::string_view settled_by = "the torque with the seals taken out";
   static constexpr std::array parameters{Parameter{.name = "torque_at_45_C_Nmm",
                                                    .unit = "N mm",
                                                    .initial = 10.0,

@@ -19,6 +19,7 @@ struct SensorCard {
   Parameter size;
   bool follows_heat = false;
   double size_power = 0.0;  ///< Description::size_power
+  std::string_view settled_by = {};
 };
 
 /// What an effect has from its card.
@@ -34,6 +35,7 @@ struct SensorFault {
   static constexpr std::array parameters{card.size};
   static constexpr bool follows_heat = card.follows_heat;
   static constexpr double size_power = card.size_power;
+  static constexpr std::string_view settled_by = card.settled_by;
 };
 
 }  // namespace raceway::effects

@@ -63,7 +63,8 @@ inline constexpr SensorCard<3> torque_temperature_drift{
              .upper = 1e5,
              .plausible_lower = -20.0,
              .plausible_upper = 20.0},
-    .size_power = 3.0};
+    .size_power = 3.0,
+    .settled_by = "the torque of the standing shaft, cold and warm"};
 
 inline constexpr SensorCard<1> torque_time_drift{
     .channel = record::friction_torque,
@@ -80,7 +81,8 @@ inline constexpr SensorCard<1> torque_time_drift{
              .upper = 1e5,
              .plausible_lower = -20.0,
              .plausible_upper = 20.0},
-    .size_power = 3.0};
+    .size_power = 3.0,
+    .settled_by = "the first points once more at the end"};
 
 /// Eddy-current transducers drift by 0.02 to 0.05 % of full scale per kelvin [lit], 1 to 5 um per
 /// 10 K at 1 mm. Ring temperatures act through the balance of the sets, not through this.

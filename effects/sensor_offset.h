@@ -39,7 +39,8 @@ inline constexpr SensorCard<3> torque_offset{
              .upper = 1e5,
              .plausible_lower = -100.0,
              .plausible_upper = 100.0},
-    .size_power = 3.0};
+    .size_power = 3.0,
+    .settled_by = "the torque of the standing shaft, or in both directions of rotation"};
 
 /// Of a transducer that was zeroed on a warm or turning shaft, or before it had settled in its
 /// seats.

@@ -27,6 +27,7 @@ struct ShearThinning {
   static constexpr std::string_view source = "Carreau's law, shear rate in proportion to speed";
   static constexpr std::array<std::string_view, 4> confused_with{
       "inlet-shear-heating", "replenishment-starvation", "film-self-heating", "viscous-exponent"};
+  static constexpr std::string_view settled_by = "the same points with a second oil";
   static constexpr std::array parameters{Parameter{.name = "exponent",
                                                    .unit = "1",
                                                    .initial = 0.08,

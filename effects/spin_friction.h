@@ -30,6 +30,8 @@ struct SpinFriction {
       "[CaseStudy, eq. 23]; Harris and Kotzalas, Rolling Bearing Analysis, vol. 2, ch. 5";
   static constexpr std::array<std::string_view, 3> confused_with{"z", "gyroscopic-slip",
                                                                  "thermal-preload"};
+  static constexpr std::string_view settled_by =
+      "the same points with a bearing of another contact angle";
   static constexpr std::array parameters{Parameter{.name = "friction_coefficient",
                                                    .unit = "1",
                                                    .initial = 0.06,

@@ -25,6 +25,8 @@ struct TemperatureOffset {
   static constexpr std::string_view source = "definition; IEC 60584 for thermocouples";
   static constexpr std::array<std::string_view, 3> confused_with{"f0", "viscosity-slope",
                                                                  "temperature-gain"};
+  static constexpr std::string_view settled_by =
+      "the temperature of the standing rig by a second sensor, at two room temperatures";
   static constexpr std::array parameters{Parameter{.name = "offset_K",
                                                    .unit = "K",
                                                    .initial = 0.0,
@@ -57,6 +59,8 @@ struct TemperatureGain {
   static constexpr std::string_view source = "steady conduction past the sensor; range assumed";
   static constexpr std::array<std::string_view, 4> confused_with{
       "viscosity-slope", "temperature-offset", "film-self-heating", "viscous-exponent"};
+  static constexpr std::string_view settled_by =
+      "the temperature by a second sensor nearer the film, as at the outer ring";
   static constexpr std::array parameters{Parameter{.name = "share_seen",
                                                    .unit = "1",
                                                    .initial = 1.0,

@@ -32,6 +32,7 @@ struct ViscousExponent {
       "form of Palmgren's law, Ball and Roller Bearing Engineering, 3rd ed.; range assumed";
   static constexpr std::array<std::string_view, 4> confused_with{
       "f0", "cage-friction", "inlet-shear-heating", "replenishment-starvation"};
+  static constexpr std::string_view settled_by = "the same points with a second oil";
   static constexpr std::array parameters{Parameter{.name = "exponent_change",
                                                    .unit = "1",
                                                    .initial = 0.0,

@@ -68,19 +68,37 @@ class Screening {
         screened_.scores.col(count++) = column;
     }
     screened_.scores.conservativeResize(Eigen::NoChange, count);
+    if (count == 0 && screened_.not_testable.empty()) score_by_most();
   }
 
   /// What the most that is met in practice changes.
   void find_most() {
-    const Parameter& p = screened_.size();
-    Eigen::VectorXd x = neutral_;
-    x[at(candidate_.size)] = std::clamp(
-        screened_.unit_size > 0.0 ? p.plausible_upper : p.plausible_lower, p.lower, p.upper);
-    const Eigen::VectorXd change = response_.readings(x) - without_;
+    const Eigen::VectorXd change = response_.readings(most()) - without_;
     if (change.allFinite()) screened_.most = change;
   }
 
  private:
+  /// The neutral point with the largest size that is met.
+  [[nodiscard]] Eigen::VectorXd most() const {
+    const Parameter& p = screened_.size();
+    Eigen::VectorXd x = neutral_;
+    x[at(candidate_.size)] = std::clamp(
+        screened_.unit_size > 0.0 ? p.plausible_upper : p.plausible_lower, p.lower, p.upper);
+    return x;
+  }
+
+  /// A small size may change nothing where a large one does, as one below a threshold.
+  void score_by_most() {
+    const Eigen::VectorXd x = most();
+    const double units =
+        (x[at(candidate_.size)] - neutral_[at(candidate_.size)]) / screened_.unit_size;
+    const Eigen::VectorXd column = (response_.readings(x) - without_) / units;
+    if (!column.allFinite() ||
+        !(column.cwiseAbs().maxCoeff() > no_change * without_.cwiseAbs().maxCoeff()))
+      return;
+    screened_.scores = column;
+  }
+
   [[nodiscard]] Eigen::Index at(std::size_t parameter) const {
     return bases_ + static_cast<Eigen::Index>(parameter);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "effects/catalogue.h"
 #include "model/parameters.h"
 
 namespace raceway::model {
@@ -66,6 +67,20 @@ std::optional<fit::Candidate> candidate_of(const effects::Description& effect, c
   if (size == effect.parameters.end()) return std::nullopt;
   c.size = static_cast<std::size_t>(size - effect.parameters.begin());
   return c;
+}
+
+std::vector<std::string> settling_records(effects::Form form,
+                                          const std::vector<std::vector<std::string>>& rivals) {
+  std::vector<std::string> records;
+  for (const effects::Description& d : effects::catalogue(form)) {
+    const bool named = std::any_of(rivals.begin(), rivals.end(), [&](const auto& set) {
+      return std::find(set.begin(), set.end(), d.id) != set.end();
+    });
+    if (named && !d.settled_by.empty() &&
+        std::find(records.begin(), records.end(), d.settled_by) == records.end())
+      records.emplace_back(d.settled_by);
+  }
+  return records;
 }
 
 }  // namespace raceway::model

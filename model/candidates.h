@@ -21,4 +21,9 @@ namespace raceway::model {
 [[nodiscard]] std::optional<fit::Candidate> candidate_of(const effects::Description& effect,
                                                          const Model& model);
 
+/// Measurements that show which of some rivals is at work, as the catalogue has them for each, in
+/// its order and every one once.
+[[nodiscard]] std::vector<std::string> settling_records(
+    effects::Form form, const std::vector<std::vector<std::string>>& rivals);
+
 }  // namespace raceway::model

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <vector>
 
-#include "effects/load_calibration.h"
-
 namespace raceway::model {
 namespace {
 
@@ -54,9 +52,7 @@ Model with_corrected_data(Model model) {
 }
 
 std::string correction_text(const Model& model, const effects::Effect& effect) {
-  if (effect.description->id == effects::LoadCalibration::id)
-    return fmt::format("axial loads are {:.3g} times those of the record",
-                       1.0 / effect.values.front());
+  if (effect.description->correction) return effect.description->correction(effect.values);
   if (!effect.description->entry) return {};
   const double warm = kelvin(60);
   const effects::Entry before = entry_of(model, warm);

@@ -189,6 +189,8 @@ effects::Effect ModelSubject::from_catalogue(const std::string& id) const {
   const effects::Form form = model_.form();
   if (find_effect(model_, id))
     throw std::invalid_argument(fmt::format("{}: the model has this effect already", id));
+  if (id == fmt::format("law:{}", friction::name(model_.law)))
+    throw std::invalid_argument(fmt::format("{}: the model has this law already", id));
   const effects::Description* const d = effects::find(id, form);
   if (!d) {
     std::vector<std::string> known = waiting_;

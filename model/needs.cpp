@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "effects/lubricant_drag.h"
+#include "model/course.h"
 #include "model/steps.h"
 
 namespace raceway::model {
@@ -47,6 +48,17 @@ bool has_levels(const record::Channel& channel, const record::Record& record) {
                        : vary(record.values(channel), 0.0, other_temperature);
 }
 
+/// Whether rows of both directions are at least a tenth each.
+bool goes_both_ways(const record::Record& record) {
+  std::size_t falling = 0, known = 0;
+  for (const Course& c : course_of(record)) {
+    if (std::isnan(c.direction)) continue;
+    ++known;
+    falling += c.direction < 0.0 ? 1 : 0;
+  }
+  return 10 * falling >= known && 10 * (known - falling) >= known && falling > 0;
+}
+
 bool is_met(Need need, const Model& model, const record::Record& record) {
   switch (need) {
     case Need::speed_levels:
@@ -64,6 +76,10 @@ bool is_met(Need need, const Model& model, const record::Record& record) {
              record.complete(record::outer_ring_temperature);
     case Need::loads:
       return model.shaft || every_row_is_loaded(record);  // the sets load each other
+    case Need::several_bearings:
+      return !model.shaft && model.rig.bearings > 1;
+    case Need::rising_and_falling:
+      return goes_both_ways(record);
     case Need::ball_load_law:
       return model.shaft || needs_equilibrium(model);
     case Need::opposed_sets:

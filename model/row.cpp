@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <span>
 
+#include "model/course.h"
+
 namespace raceway::model {
 
 std::vector<Row> rows_of(const record::Record& record) {
@@ -23,8 +25,11 @@ std::vector<Row> rows_of(const record::Record& record) {
   fill(record::outer_ring_temperature,
        [](Row& r) -> double& { return r.record.outer_ring_temperature; });
   fill(record::preload, [](Row& r) -> double& { return r.preload; });
+  const std::vector<Course> course = course_of(record);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].record.run = record.run_of(i);
+    rows[i].record.since_start = course[i].since_start;
+    rows[i].record.direction = course[i].direction;
     rows[i].record.rows = &record;
     rows[i].record.row = i;
   }

@@ -8,11 +8,9 @@
 #include <stdexcept>
 
 #include "bearing/contact_pressure.h"
-#include "effects/catalogue.h"
-#include "effects/oil_card.h"
-#include "effects/temperature_sensor.h"
 #include "fit/grid.h"
 #include "model/base_laws.h"
+#include "model/candidates.h"
 #include "model/prediction.h"
 #include "model/row.h"
 #include "rig/rig_predictor.h"
@@ -211,22 +209,7 @@ std::string RigSubject::words(std::span<const fit::Setting> point) const {
 std::vector<std::string> RigSubject::records_needed(
     const fit::Record&, const std::vector<std::vector<std::string>>& rivals,
     const std::vector<std::string>&) const {
-  std::vector<std::string> needed;
-  const auto add = [&](std::string_view datum, std::string_view what) {
-    for (const std::vector<std::string>& set : rivals)
-      for (const std::string& id : set)
-        if (const auto* d = effects::find(id); d && d->datum == datum) {
-          needed.emplace_back(what);
-          return;
-        }
-  };
-  add(effects::LubricantViscosity::datum,
-      "the viscosity of the oil in use at 40 and 100 C, or the same points with a second oil");
-  add(effects::TemperatureOffset::datum,
-      "the temperature of the standing rig by a second sensor, at two room temperatures");
-  add(effects::TemperatureGain::datum,
-      "the temperature by a second sensor nearer the film, as at the outer ring");
-  return needed;
+  return model::settling_records(model().form(), rivals);
 }
 
 std::vector<fit::OtherBase> RigSubject::other_bases() const {

@@ -78,6 +78,8 @@ bool ShaftBalance::mount(const Model& model, const Steps& steps) {
   for (const MountedBearing& m : entered.bearings())
     mounted.push_back(
         condition_of(model, steps, entered_state(model, *m.bearing, rest), rest, record));
+  if (auto* force = std::get_if<bearing::PreloadForce>(&design.preload))
+    force->force *= 1.0 + mounted.front().preload_error;
   if (version_ > 0 && design == entered_ && mounted == at_rest_) return arrangement_.has_value();
 
   ++version_;

@@ -9,7 +9,6 @@
 
 #include "bearing/hertz.h"
 #include "effects/elastic_hysteresis.h"
-#include "effects/load_calibration.h"
 #include "model/corrected_data.h"
 #include "tests/support/bearing_data.h"
 #include "tests/support/loop.h"
@@ -116,6 +115,12 @@ TEST(Catalogue, IsComplete) {
                                           "mixed-lubrication",
                                           "seal-friction",
                                           "load-calibration",
+                                          "load-cell-drift",
+                                          "set-preload",
+                                          "support-bearings",
+                                          "torque-creep",
+                                          "speed-hysteresis",
+                                          "preload-calibration",
                                           "load-offset",
                                           "lubricant-drag",
                                           "churning",
@@ -166,8 +171,11 @@ TEST(Catalogue, IsComplete) {
     EXPECT_FALSE(d.confused_with.empty());
     for (const auto other : d.confused_with) EXPECT_EQ(names.count(other), 1U) << other;
     for (const Need need : d.needs) EXPECT_FALSE(effects::text(need).empty());
-    // A load is corrected where loads are.
-    EXPECT_EQ(d.entry != nullptr || d.id == effects::LoadCalibration::id, !d.datum.empty());
+    // What corrects an entry is a datum; loads and readings are corrected where they are. Each says
+    // what it means in words, and what would show it.
+    EXPECT_TRUE(d.entry == nullptr || !d.datum.empty());
+    EXPECT_EQ(!d.datum.empty(), d.entry != nullptr || d.correction != nullptr);
+    EXPECT_TRUE(d.datum.empty() || !d.settled_by.empty());
     EXPECT_EQ((d.entry != nullptr) + (d.condition != nullptr) + (d.lubricant != nullptr) +
                   d.has_moment() + (d.reading != nullptr) + (d.spindle != nullptr),
               1);
@@ -224,8 +232,8 @@ TEST(Catalogue, SaysWhatMovesAShaft) {
   }
   EXPECT_EQ(moving, (std::set<std::string_view>{
                         "centrifugal-ring-growth", "thermal-ring-growth", "thermal-preload",
-                        "shaft-contraction", "interference-fit", "mounting", "ball-material",
-                        "displacement-offset", "displacement-temperature-drift"}));
+                        "preload-calibration", "shaft-contraction", "interference-fit", "mounting",
+                        "ball-material", "displacement-offset", "displacement-temperature-drift"}));
   for (const auto* id : {"spin-friction", "viscous-exponent", "film-self-heating", "misalignment"})
     EXPECT_EQ(friction.count(id), 1u) << id;
   for (const auto* id : {"torque-offset", "load-offset", "torque-gain"}) {
@@ -605,6 +613,25 @@ TEST(Catalogue, ConditionsGoThroughTheEquilibrium) {
       model::correction_text(fit::synthetic_model(),
                              {.description = effects::find("load-calibration"), .values = {0.8}}),
       "axial loads are 1.25 times those of the record");
+  // A preload of 900 N, of which 600 N relieve a quarter of themselves: 750 N and 1350 N. z counts
+  // the sum of both load moments as that of one bearing.
+  const auto load_moment = [&](double load) {
+    bearing::OperatingPoint alone = p;
+    alone.axial_load = load;
+    return model::predict_friction(fit::synthetic_model(), alone).load;
+  };
+  const auto pair_of = [&](double preload) {
+    return model::predict_friction(model_with(*effects::find("set-preload"), {preload, 0.75}), p)
+        .load;
+  };
+  EXPECT_NEAR(pair_of(900.0), load_moment(750.0) + load_moment(1350.0), 0.005 * pair_of(900.0));
+  EXPECT_EQ(pair_of(150.0), plain.load);  // 600 N have lifted the other off
+  // The cell is right at 20 C, and 0.4 % per kelvin off from there.
+  EXPECT_NEAR(with("load-cell-drift", 100.0 / 600.0 / 0.2).torque, direct.torque, 1e-12);
+  EXPECT_EQ(
+      model::correction_text(fit::synthetic_model(),
+                             {.description = effects::find("load-cell-drift"), .values = {0.4}}),
+      "the real load changes by +0.4 % per kelvin against that of the record");
   // Ceramic balls press less on the outer race.
   const auto ceramic = with("ball-material", 1.0);
   EXPECT_NEAR(ceramic.equilibrium->balls[0].centrifugal_force / ball.centrifugal_force,
@@ -643,6 +670,7 @@ TEST(Catalogue, OrderInTheModelChangesNothing) {
 
 TEST(Catalogue, IsRecoveredFromItsOwnData) {
   const std::map<std::string_view, std::string_view> skipped{
+      {"speed-hysteresis", "the rows of this plan are in random order"},
       {"torque-gain", "acts like a common factor on f0 and z"},
       {"load-calibration", "acts like a factor on z in pure thrust"}};
   for (const Description& d : torque_effects()) {

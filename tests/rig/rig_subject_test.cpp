@@ -205,6 +205,7 @@ TEST(RigSubject, RefusesWhatIsNoCandidate) {
   const RigSubject subject(with_effect(synthetic_model(), "spin-friction", {0.06}));
   EXPECT_EQ(refusal(subject, {"spin-friction"}),
             "spin-friction: the model has this effect already");
+  EXPECT_EQ(refusal(subject, {"law:palmgren"}), "law:palmgren: the model has this law already");
   EXPECT_EQ(refusal(subject, {"windage", "windage"}), "windage is listed twice");
   EXPECT_EQ(refusal(subject, {"shaft-contraction"}),
             "shaft-contraction: does not change the friction torque, which is measured");

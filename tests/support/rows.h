@@ -81,12 +81,15 @@ struct DataSet {
   }
 };
 
-/// What was recorded with a row, for a prediction of this row alone.
+/// What was recorded with a row, for a prediction of this row alone, the clock at its start when
+/// the day began and the speed reached from below.
 inline effects::Record record_of(const Row& row) {
   return {.time = row.time,
           .inner_ring_temperature = row.inner_ring_temperature,
           .outer_ring_temperature = row.outer_ring_temperature,
-          .run = row.run};
+          .run = row.run,
+          .since_start = row.time,
+          .direction = std::isnan(row.time) ? unset : 1.0};
 }
 
 /// The rows of a record of one measured channel.

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "effects/effect.h"
+
+namespace raceway::effects {
+
+/// A force of preload that is another one than the entered or recorded.
+///
+///   P -> k P
+///
+/// Source:   definition. Makers grind their preload classes to some 20 %, and a force that was set
+///           by the torque of a nut is less sure.
+/// Domain:   k > 0, of sets that are preloaded by a force; an offset ground into the faces is none.
+struct PreloadCalibration {
+  static constexpr std::string_view id = "preload-calibration";
+  static constexpr Form form = Form::shaft;
+  static constexpr bool for_spindle = false;
+  static constexpr std::string_view title = "the preload is another one than entered";
+  static constexpr std::string_view datum = "the preload";
+  static constexpr std::string_view mechanism =
+      "Not physics but a datum: every force of preload, of the model or of the record, is off by "
+      "the same factor.";
+  static constexpr std::string_view formula = "k P in place of P";
+  static constexpr std::string_view source = "definition; range assumed";
+  static constexpr std::array<std::string_view, 4> confused_with{"ball-material", "mounting",
+                                                                 "interference-fit", "preload_N"};
+  static constexpr std::string_view settled_by =
+      "the preload, by the axial deflection under a known load";
+  static constexpr std::array parameters{Parameter{.name = "factor",
+                                                   .unit = "1",
+                                                   .initial = 1.0,
+                                                   .lower = 0.2,
+                                                   .upper = 5.0,
+                                                   .plausible_lower = 0.6,
+                                                   .plausible_upper = 1.6,
+                                                   .neutral = 1.0}};
+  static constexpr std::array<Need, 0> needs{};
+
+  static void condition(const ConditionInputs&, std::span<const double> values, Condition& c) {
+    c.preload_error += values[0] - 1.0;
+  }
+
+  static std::string correction(std::span<const double> values) {
+    return fmt::format("it is {:.3g} times the entered one", values[0]);
+  }
+};
+
+}  // namespace raceway::effects

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "effects/effect.h"
+
+// Faults of a torque sensor that follow the course of the measurement.
+namespace raceway::effects {
+
+/// A zero that creeps from the start of each day [N m].
+///
+///   M_read = M + c t/1 h
+///
+/// Source:   definition: an amplifier that warms up, a sensor that is zeroed each morning.
+/// Domain:   a time of every row; t counts from the start of the day, or of each passage through
+///           the loads where the clock shows no pause (Record::since_start).
+struct TorqueCreep {
+  static constexpr std::string_view id = "torque-creep";
+  static constexpr std::string_view title = "zero of the torque sensor creeps over each day";
+  static constexpr std::string_view datum = "the zero of the torque sensor over the day";
+  static constexpr std::string_view mechanism =
+      "Not physics but a datum: the zero of the sensor moves from the start of each day on. Loads "
+      "that are measured in one order look like a change with the load.";
+  static constexpr std::string_view formula = "M_read = M + c (t - t_start)/1 h";
+  static constexpr std::string_view source = "definition";
+  static constexpr std::array<std::string_view, 3> confused_with{"load-exponent", "load-offset",
+                                                                 "torque-time-drift"};
+  static constexpr std::string_view settled_by =
+      "the torque of the standing shaft at the start and the end of each day";
+  static constexpr std::array parameters{Parameter{.name = "torque_per_hour_Nmm",
+                                                   .unit = "N mm",
+                                                   .initial = 0.0,
+                                                   .lower = -1e5,
+                                                   .upper = 1e5,
+                                                   .plausible_lower = -20.0,
+                                                   .plausible_upper = 20.0}};
+  static constexpr double size_power = 3.0;
+  static constexpr std::array needs{Need::time};
+  static constexpr const record::Channel& channel = record::friction_torque;
+
+  static double reading(const ReadingInputs& in, std::span<const double> values) {
+    return values[0] * N_mm * in.record.since_start / 3600.0;
+  }
+
+  static std::string correction(std::span<const double> values) {
+    return fmt::format("it moves by {:+.3g} N mm per hour", values[0]);
+  }
+};
+
+/// Readings that depend on the direction in which a speed was reached [N m].
+///
+///   M_read = M + c/2  from below,   M - c/2  from above
+///
+/// Source:   definition: a sensor with hysteresis, a support that sticks.
+/// Domain:   a time of every row; the first speed of a run counts as reached from below
+///           (Record::direction).
+struct SpeedHysteresis {
+  static constexpr std::string_view id = "speed-hysteresis";
+  static constexpr std::string_view title = "readings differ between rising and falling speed";
+  static constexpr std::string_view datum = "the hysteresis of the torque sensor";
+  static constexpr std::string_view mechanism =
+      "Not physics but a datum: at one speed the sensor reads more on the way up than on the way "
+      "down, or less.";
+  static constexpr std::string_view formula = "M_read = M + c/2 from below, M - c/2 from above";
+  static constexpr std::string_view source = "definition";
+  static constexpr std::array<std::string_view, 2> confused_with{"torque-time-drift",
+                                                                 "grease-churning"};
+  static constexpr std::string_view settled_by =
+      "each speed once from below and once from above, at one temperature";
+  static constexpr std::array parameters{Parameter{.name = "torque_Nmm",
+                                                   .unit = "N mm",
+                                                   .initial = 0.0,
+                                                   .lower = -1e5,
+                                                   .upper = 1e5,
+                                                   .plausible_lower = -40.0,
+                                                   .plausible_upper = 40.0}};
+  static constexpr double size_power = 3.0;
+  static constexpr std::array needs{Need::time, Need::rising_and_falling};
+  static constexpr const record::Channel& channel = record::friction_torque;
+
+  static double reading(const ReadingInputs& in, std::span<const double> values) {
+    return 0.5 * values[0] * N_mm * in.record.direction;
+  }
+
+  static std::string correction(std::span<const double> values) {
+    return fmt::format("it reads {:.3g} N mm {} at rising than at falling speed",
+                       std::abs(values[0]), values[0] > 0.0 ? "more" : "less");
+  }
+};
+
+}  // namespace raceway::effects
