@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "fit/detail/noise_search.h"
@@ -78,11 +79,19 @@ void NoiseSearch::find_blocks() {
   }
   noise_.correlation = 0.0;
   find_memory();
-  if (misfit(noise_.correlation, noise_.run_share, shares_) < before - blocks_found) {
+  const double with = misfit(noise_.correlation, noise_.run_share, shares_);
+  // Passages at a level each may be runs where nothing tells how much they differ.
+  const bool cautious = order.own_levels && noise_.unknown_runs;
+  if (with < before - blocks_found || cautious) {
     noise_.undeclared_blocks = true;
     return;
   }
+  double factor = 1.0;
+  std::optional<Whitening> allowed;
+  if (with < before - within_the_likely)
+    allowed = scaled(noise_.correlation, noise_.run_share, shares_, factor);
   noise_ = without;
+  if (allowed) noise_.allowed.push_back(*std::move(allowed));
   order_ = order;
   some_order_ = some;
 }

@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "fit/dwells.h"
 #include "record/levels.h"
@@ -18,38 +19,70 @@ namespace {
 constexpr std::size_t fewest_blocks = 3, shortest_block = 4;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// Where blocks of rows begin that look like runs nobody declared: a setting goes one way, as in a
-/// run-up, and starts again. Of several settings the one with most blocks; nothing where blocks are
-/// as short as chance makes them.
-std::vector<bool> undeclared_blocks(const Record& record, std::span<const std::size_t> rows) {
-  std::vector<bool> best;
-  if (rows.empty()) return best;
-  std::size_t most = fewest_blocks - 1;
-  for (const record::Column& column : record.columns) {
-    if (column.channel->role != record::Role::setting) continue;
-    std::vector<double> values;
-    for (const std::size_t row : rows) values.push_back(column.values[row]);
-    const double step = record::step_of(*column.channel, values);
-    std::vector<bool> begins(rows.size(), false);
-    std::size_t blocks = 1;
-    double direction = 0.0;
-    for (std::size_t i = 1; i < values.size(); ++i) {
-      const double change = values[i] - values[i - 1];
-      if (!(std::abs(change) > step)) continue;
-      if (change * direction < 0.0) {
-        begins[i] = true;
-        ++blocks;
-        direction = 0.0;
-      } else {
-        direction = change;
-      }
+/// Where blocks of rows begin in which a setting goes one way, as in a run-up, and starts again;
+/// nothing where blocks are as short as chance makes them.
+std::vector<bool> blocks_of(const record::Column& column, std::span<const std::size_t> rows) {
+  std::vector<double> values;
+  for (const std::size_t row : rows) values.push_back(column.values[row]);
+  const double step = record::step_of(*column.channel, values);
+  std::vector<bool> begins(rows.size(), false);
+  std::size_t blocks = 1;
+  double direction = 0.0;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double change = values[i] - values[i - 1];
+    if (!(std::abs(change) > step)) continue;
+    if (change * direction < 0.0) {
+      begins[i] = true;
+      ++blocks;
+      direction = 0.0;
+    } else {
+      direction = change;
     }
-    begins[0] = true;
-    if (blocks <= most || rows.size() < shortest_block * blocks) continue;
-    most = blocks;
-    best = std::move(begins);
   }
-  return best;
+  begins[0] = true;
+  if (blocks < fewest_blocks || rows.size() < shortest_block * blocks) begins.clear();
+  return begins;
+}
+
+/// Whether each block has a level of its own of a setting that stays within it.
+bool has_own_levels(const Record& record, std::span<const std::size_t> rows,
+                    const std::vector<bool>& begins) {
+  for (const record::Column& column : record.columns) {
+    if (column.channel->role != record::Role::setting || !column.channel->ratio) continue;
+    const double step = record::step_of(*column.channel, column.values);
+    std::vector<double> levels;
+    bool stays = true;
+    for (std::size_t i = 0; i < rows.size() && stays; ++i) {
+      const double value = column.values[rows[i]];
+      if (begins[i]) levels.push_back(value);
+      stays = std::abs(value - levels.back()) <= step;
+    }
+    std::sort(levels.begin(), levels.end());
+    const auto alike = [&](double a, double b) { return b - a <= step; };
+    if (stays && std::adjacent_find(levels.begin(), levels.end(), alike) == levels.end())
+      return true;
+  }
+  return false;
+}
+
+/// Blocks that look like runs nobody declared. Of several settings the one with most blocks;
+/// temperature, which follows the others and jitters, only where no other setting has any.
+void find_blocks(const Record& record, std::span<const std::size_t> rows, RowOrder& order) {
+  if (rows.empty()) return;
+  std::ptrdiff_t most = 0;
+  bool first = true;
+  for (const bool follows : {false, true})
+    for (const record::Column& column : record.columns) {
+      if (column.channel->role != record::Role::setting || column.channel->ratio == follows)
+        continue;
+      std::vector<bool> begins = blocks_of(column, rows);
+      const auto count = std::count(begins.begin(), begins.end(), true);
+      const bool swept = std::exchange(first, false);
+      if (count <= most || (follows && !order.new_block.empty())) continue;
+      most = count;
+      order.new_block = std::move(begins);
+      order.own_levels = swept && has_own_levels(record, rows, order.new_block);
+    }
 }
 
 /// True where a run begins before one that began earlier has ended.
@@ -83,6 +116,12 @@ std::vector<std::size_t> order_of_rows(const Record& record) {
       if (c.channel->role == role) keys.emplace_back(c.values);
   std::vector<std::size_t> order(record.rows());
   std::iota(order.begin(), order.end(), std::size_t{0});
+  // Without clock and runs the file may still show how the rig was driven.
+  if (!timed && !record.has(record::run) && record.parts.empty()) {
+    RowOrder as_written;
+    find_blocks(record, order, as_written);
+    if (as_written.own_levels) return order;
+  }
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     for (const std::span<const double> key : keys) {
       const double x = std::isnan(key[a]) ? -unlimited : key[a];
@@ -143,8 +182,7 @@ RowOrder row_order(const Record& record, std::span<const std::size_t> rows) {
   if (steps.empty()) order.has_time = false;
   const double middle = order.has_time ? record::median(steps) : 1.0;
   order.median_step = middle;
-  if (!order.has_runs && !record.has(record::run))
-    order.new_block = undeclared_blocks(record, rows);
+  if (!order.has_runs && !record.has(record::run)) find_blocks(record, rows, order);
   for (double& step : order.step) step = order.has_time ? std::max(step / middle, 0.05) : unlimited;
   return order;
 }

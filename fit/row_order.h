@@ -17,7 +17,8 @@ namespace raceway::fit {
 
 /// Rows in the one order that all of the diagnosis uses, whatever order a record has: by time where
 /// all rows have one (within runs, if runs overlap in time), then by settings. Joined records stay
-/// apart.
+/// apart. A record without time and runs keeps its order where its rows pass through the swept
+/// input at one level of another setting after the other.
 [[nodiscard]] std::vector<std::size_t> order_of_rows(const Record& record);
 
 /// Time since the reading before, whether a run begins, and blocks that may be runs, of readings at

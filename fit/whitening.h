@@ -14,6 +14,9 @@ struct RowOrder {
   std::vector<bool> new_state;  ///< it belongs to another dwell than the row before
   /// The row begins a block that may be a run which nobody declared; empty where nothing looks so.
   std::vector<bool> new_block;
+  /// In each such block the swept input, the first setting, goes one way at a level of another
+  /// setting that no other block has.
+  bool own_levels = false;
   double median_step = 1.0;  ///< the unit of the steps [s]
   bool has_time = false;     ///< steps mean something
   bool has_runs = false;     ///< two or more runs

@@ -148,10 +148,17 @@ void Investigation::tell_declared_noise() {
 
 /// Runs that coincide with levels of the plan: what differs between them is told by nothing.
 void Investigation::tell_of_runs() {
-  if (std::none_of(result_.channels.begin(), result_.channels.end(),
-                   [](const ChannelDiagnosis& d) { return d.noise.unknown_runs; }))
-    return;
+  bool runs = false, blocks = false;
+  for (const ChannelDiagnosis& d : result_.channels)
+    if (d.noise.unknown_runs) (d.noise.undeclared_blocks ? blocks : runs) = true;
+  if (blocks)
+    result_.messages.emplace_back(
+        "nothing tells how much these blocks differ by themselves: what changes from block to "
+        "block "
+        "was not looked for; measure each of them twice, or say with run_id which rows are a run");
   const std::string nested = fit::nested_settings(*problem_.record);
+  // Where levels were measured in two runs it is no plan that lacks anything.
+  if (!runs || (!nested.empty() && fit::nested_settings(*problem_.record, true).empty())) return;
   result_.messages.push_back(fmt::format(
       "nothing tells how much runs differ by themselves{}: what depends on {} cannot be told from "
       "a rig that was set up anew, and was not looked for between runs; measure each level in two "
@@ -240,12 +247,17 @@ void Investigation::describe_base() {
          " cannot all be told apart on these data: their values mean little; free fewer of them "
          "under [calibration]");
   for (const ChannelDiagnosis& d : result_.channels)
-    if (d.noise.undeclared_blocks)
+    if (d.noise.undeclared_blocks && !d.noise.unknown_runs)
       tell(fmt::format(
           "{}: offsets of {} follow blocks of rows in which a setting rises or falls and starts "
           "again, as if each were clamped anew; they count as runs (run_id says which rows are)",
           d.channel().words,
           reading_text(d.channel(), d.noise.rms * std::sqrt(d.noise.run_share))));
+    else if (d.noise.undeclared_blocks)
+      tell(
+          fmt::format("{}: the rows stand in blocks in which a setting rises or falls and starts "
+                      "again; they count as runs",
+                      d.channel().words));
   tell_of_runs();
   tell_of_records();
   tell_of_growth();

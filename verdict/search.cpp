@@ -143,11 +143,20 @@ double Search::gain_beyond(const Ranked& smaller, int choices) const {
          (smaller.front().fit.converged ? std::max(0.0, smaller.front().gain) : 0.0);
 }
 
+/// A size that nobody would believe explains nothing where a believable one does.
+void Search::drop_implausible(Ranked& list) const {
+  Ranked plausible;
+  for (Explanation& e : list)
+    if (sizes_plausible(problem_, e)) plausible.push_back(std::move(e));
+  if (!plausible.empty()) list = std::move(plausible);
+}
+
 std::optional<Finding> Search::two_candidates() {
   if (!limits_.pairs || singles_.size() < 2) return std::nullopt;
   limits_.step(0.5, "refitting with pairs of effects");
   pairs_ = attribution_.pairs(singles_, limits_.cancelled);
   limits_.step(0.8, "checking what is left");
+  drop_implausible(pairs_);
   const std::vector<const Explanation*> two =
       within_reach_of_best(pairs_, gain_beyond(singles_, limits_.tried - 1));
   if (!any_passes(pairs_, two)) return std::nullopt;

@@ -75,6 +75,7 @@ class Search {
   [[nodiscard]] bool is_base_law(const Explanation& single) const;
   [[nodiscard]] std::vector<const Explanation*> within_reach_of_best(const Ranked& list,
                                                                      double needed) const;
+  void drop_implausible(Ranked& list) const;
   [[nodiscard]] bool any_passes(Ranked& list, const std::vector<const Explanation*>& set) const;
   [[nodiscard]] std::optional<Finding> one_candidate();
   [[nodiscard]] std::optional<Finding> both_base_laws();

@@ -129,6 +129,34 @@ TEST(Diagnose, SeldomRaisesAFalseAlarmWhateverTheNoise) {
   EXPECT_LE(alarm_rate(absolute), 0.05);
 }
 
+/// A single pass, load by load, each set up anew; neither clock nor runs in the file.
+DataSet single_pass(unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> gauss;
+  DataSet data = factorial_plan({600, 900, 1360, 2060, 3100, 4670, 7040, 10600, 16000},
+                                {250, 570, 1310, 3000}, {40});
+  measure(synthetic_model(), 0.0, random, data);
+  double offset = 0.0;
+  for (std::size_t i = 0; i < data.rows.size(); ++i) {
+    if (i % 9 == 0) offset = 0.03 * gauss(random);
+    data.rows[i].measured *= 1.0 + offset + 0.005 * gauss(random);
+  }
+  return data;
+}
+
+TEST(Diagnose, BlocksThatNobodyDeclaredAreRunsWhereNothingTells) {
+  int alarms = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const verdict::Diagnosis d = diagnose(belief(), single_pass(seed));
+    alarms += d.verdict != verdict::Verdict::nothing_missing ? 1 : 0;
+    EXPECT_TRUE(d.channels.front().noise.unknown_runs);
+    EXPECT_TRUE(std::any_of(d.messages.begin(), d.messages.end(), [](const std::string& m) {
+      return m.find("measure each of them twice") != m.npos;
+    }));
+  }
+  EXPECT_LE(alarms, 1);
+}
+
 TEST(Diagnose, WouldRaiseManyWithoutItsModelOfTheNoise) {
   // The remedies are needed, and the test above can fail.
   EXPECT_GT(alarm_rate(autoregressive, {.correlation = false, .runs = false}), 0.15);
