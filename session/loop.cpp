@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fit/dwells.h"
+#include "fit/isolated_readings.h"
 #include "model/model_changes.h"
 #include "report/record_report.h"
 #include "results/diagnosis_results.h"
@@ -33,6 +34,17 @@ fit::Averaged dwells_of(const LoopModel& model, const record::Record& data) {
   return fit::average_dwells(data);
 }
 
+/// Readings over time that leave and return take no part; the record says so.
+void leave_out_isolated(Messages& messages, const LoopModel& model, record::Record& data) {
+  if (!model.as_written()->approximates()) return;
+  fit::Isolated isolated = fit::without_isolated_readings(data);
+  if (!isolated.any()) return;
+  const std::string statement = isolated.statement();
+  messages.note(statement);
+  data = std::move(isolated.record);
+  data.notes.push_back(statement);
+}
+
 /// Rows of a logger become dwells, unless `rows` are to stay apart; the record says so.
 void average(Messages& messages, const LoopModel& model, record::Record& data, bool rows) {
   if (rows) return;
@@ -50,6 +62,7 @@ LoopQuestion ask(Messages& messages, const Source& model, const std::vector<Sour
                  const LoopOptions& options) {
   LoopQuestion asked{.model = open_loop_model(messages, model, options)};
   asked.data = asked.model->read(messages, data, options.reading);
+  leave_out_isolated(messages, *asked.model, asked.data);
   average(messages, *asked.model, asked.data, options.rows);
   asked.subject = asked.model->for_fit(messages, asked.data, options.per_record);
   return asked;
@@ -149,6 +162,7 @@ ComparedModels compare(Messages& messages, const std::vector<Source>& models,
     opened.back()->stand_beside(messages, *opened.front());
   }
   ComparedModels result{.data = opened.front()->read(messages, data, options.reading, opened)};
+  leave_out_isolated(messages, *opened.front(), result.data);
   average(messages, *opened.front(), result.data, options.rows);
   for (const auto& model : opened) {
     const std::string& source = model->about().source;

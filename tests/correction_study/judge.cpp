@@ -21,6 +21,7 @@
 #include "correction/simulation.h"
 #include "files/correction_file.h"
 #include "files/series_file.h"
+#include "fit/isolated_readings.h"
 #include "loop/loop.h"
 
 namespace correction_study {
@@ -55,7 +56,10 @@ double seconds_of_thread() {
 }
 
 record::Record open(const std::filesystem::path& file, const correction::Model& model) {
-  return files::read_series(file.string(), {model.displacement}, correction::inputs_of(model));
+  // As the program does it before any question.
+  return fit::without_isolated_readings(
+             files::read_series(file.string(), {model.displacement}, correction::inputs_of(model)))
+      .record;
 }
 
 /// The model refitted, with effects where there are any.

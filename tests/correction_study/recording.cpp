@@ -14,6 +14,7 @@ namespace correction_study {
 namespace {
 
 constexpr double temperature_noise = 0.02;  // [K]
+constexpr double least_stray = 2.5;         // [um], more than noise ever is
 
 double to_lattice(double value, double quantum) { return quantum * std::round(value / quantum); }
 
@@ -110,7 +111,9 @@ Recording record(const Setup& setup, bool later, std::uint64_t seed) {
   if (has.coolant)
     w.add("coolant_on", 0, [&](std::size_t i) { return plan[i].setting.coolant_on ? 1.0 : 0.0; });
   w.add("displacement_z_um", 2, [&](std::size_t i) {
-    const double measured = course.displacement[i] + setup.noise * random.normal();
+    double measured = course.displacement[i] + setup.noise * random.normal();
+    if (setup.strays > 0.0 && !later && random.chance(setup.strays))
+      measured -= random.between(2.0 * least_stray, 40.0);
     return plan[i].read ? 0.01 * std::round(100.0 * measured)
                         : std::numeric_limits<double>::quiet_NaN();
   });
@@ -138,6 +141,10 @@ Signals signals(const Setup& setup, const Recording& recording) {
   Signals s;
   s.time = recording.column("time_s");
   s.displacement = recording.column("displacement_z_um");
+  // What a chip falsifies is no part of what a model can reach.
+  for (std::size_t i = 0; setup.strays > 0.0 && i < s.displacement.size(); ++i)
+    if (s.displacement[i] < recording.clean[i] - least_stray)
+      s.displacement[i] = recording.clean[i];
   s.speed = recording.column("speed_rpm");
   s.run.assign(s.time.size(), 1);
   if (recording.has("run_id"))

@@ -41,6 +41,7 @@ struct Setup {
   double noise = 0.25;       ///< standard deviation of a displacement [um]
   double table_scale = 1.0;  ///< the friction table is another spindle's
   double table_exponent = 0.6;
+  double strays = 0.0;  ///< share of the readings that a chip under the probe falsifies
   bool noise_declared = true;
   std::vector<PlannedRow> train{}, test{};
   /// The machine of the second record: what only a reading suffers does not happen again.

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "record/record.h"
+
+/// Readings over time that cannot be true.
+namespace raceway::fit {
+
+/// A record over time without its isolated readings, and which they are.
+struct Isolated {
+  record::Record record{};                   ///< NaN in their place
+  std::vector<std::size_t> rows{};           ///< of isolated readings, rising
+  const record::Channel* channel = nullptr;  ///< of which they are; null where there are none
+
+  [[nodiscard]] bool any() const { return !rows.empty(); }
+  /// "56 readings of axial displacement leave and return ...", for people.
+  [[nodiscard]] std::string statement() const;
+};
+
+/// Takes out readings of the first measured channel that leave and return while the speed and the
+/// loads are steady, one or two rows in succession, as where a chip touches the probe.
+///
+/// Both neighbours must be on the same side, at least 6 robust standard deviations away, and three
+/// times as far away as they are from each other. The standard deviation is that of the readings
+/// about the middle of their four neighbours (1.4826 of the median), at least 0.3 % of the range
+/// that nine in ten readings have. A rise after a standstill, a peak at a change of speed and a
+/// jump that stays are no isolated readings. Nothing is taken out where more than a tenth would be.
+[[nodiscard]] Isolated without_isolated_readings(const record::Record& record);
+
+}  // namespace raceway::fit
