@@ -6,6 +6,7 @@
 
 #include "algebra/detail/decompositions.h"
 #include "fit/distributions.h"
+#include "record/repeats.h"
 
 namespace raceway::fit {
 

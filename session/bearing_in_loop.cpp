@@ -14,6 +14,7 @@
 #include "model/row.h"
 #include "report/record_report.h"
 #include "rig/torque_sensor.h"
+#include "spindle/spindle_subject.h"
 #include "text/error.h"
 #include "text/names.h"
 
@@ -140,6 +141,16 @@ std::shared_ptr<const fit::Subject> subject_of(const model::Model& model,
   }
 }
 
+/// Says which runs of a spindle begin warm.
+std::vector<std::string> tell_of_warm_starts(Messages& messages, const fit::Subject& subject,
+                                             const record::Record& data) {
+  const auto* const spindle = dynamic_cast<const spindle::SpindleSubject*>(&subject);
+  std::vector<std::string> statements;
+  if (spindle) statements = spindle->warm_starts(data);
+  for (const std::string& statement : statements) messages.note(statement);
+  return statements;
+}
+
 bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 class BearingInLoop final : public LoopModel {
@@ -161,8 +172,10 @@ class BearingInLoop final : public LoopModel {
     return open_records(messages, data, file_.source, *written_, reading.options(file_));
   }
 
-  std::shared_ptr<const fit::Subject> for_fit(Messages&, record::Record& data,
+  std::shared_ptr<const fit::Subject> for_fit(Messages& messages, record::Record& data,
                                               const Names& per_record) const override {
+    for (std::string& note : tell_of_warm_starts(messages, *written_, data))
+      data.notes.push_back(std::move(note));
     return subject_of(file_.model, data, per_record);
   }
 
@@ -191,6 +204,7 @@ class BearingInLoop final : public LoopModel {
     for (const std::string& own : per_record)
       if (std::find(names.begin(), names.end(), own) == names.end()) names.push_back(own);
     if (!names.empty()) wanted.free = names;
+    (void)tell_of_warm_starts(messages, *written_, data);
     ComparedModel result{.subject = subject_of(wanted, data, per_record)};
     int fitted = 0;
     if (!names.empty()) {

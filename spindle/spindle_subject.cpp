@@ -13,6 +13,7 @@
 #include "record/spindle_channel.h"
 #include "spindle/record_rows.h"
 #include "spindle/spindle.h"
+#include "spindle/warm_start.h"
 
 namespace raceway::spindle {
 namespace {
@@ -28,6 +29,7 @@ bool acts_on_reading(const effects::Effect& effect) {
 struct RunRows {
   std::vector<std::size_t> rows{};
   std::vector<ProfileRow> profile{};
+  std::optional<WarmStart> past{};  ///< where the run begins warm
 };
 
 /// A run behind others of its record begins one row before its first: what lies between was not
@@ -38,6 +40,17 @@ void begin_soon(RunRows& run, const fit::Record& record) {
     return;
   const double begin = 2.0 * run.profile[0].time - run.profile[1].time;
   for (ProfileRow& row : run.profile) row.time -= begin;
+}
+
+/// Simulates a run from rest, or from the state in which its past left the spindle.
+Run simulated(Simulator& simulator, const RunRows& run, std::span<const double> step_ends = {}) {
+  if (!run.past) return simulator.simulate(run.profile, nullptr, step_ends);
+  const State start = state_after(simulator, *run.past, run.profile);
+  Run result = simulator.simulate(run.profile, &start, step_ends);
+  if (!run.past->zeroed || result.moments.empty()) return result;
+  const double zero = result.moments.front().displacement;
+  for (Moment& moment : result.moments) moment.displacement -= zero;
+  return result;
 }
 
 /// Runs in their order, each from rest at its first row.
@@ -57,6 +70,18 @@ std::vector<RunRows> runs_of(const fit::Record& record) {
   return runs;
 }
 
+/// Fills in the past of the first run of each part of a record. A later run begins where nobody
+/// knows what lies between.
+void find_pasts(const model::Model& model, const fit::Record& record, std::vector<RunRows>& runs) {
+  if (model.spindle->network) return;
+  for (RunRows& run : runs) {
+    const std::size_t first = run.rows.front();
+    if (first > 0 && record.part_of(first) == record.part_of(first - 1)) continue;
+    run.past =
+        find_warm_start(model, runs.size() > 1 ? record.picked(run.rows) : record, run.profile);
+  }
+}
+
 /// What all simulations of a record share: its runs, and the time steps of the model as it was.
 struct SpindleSeries {
   std::vector<RunRows> runs{};
@@ -67,8 +92,10 @@ std::shared_ptr<const SpindleSeries> series_of(const model::Model& model,
                                                const fit::Record& record) {
   auto series = std::make_shared<SpindleSeries>();
   series->runs = runs_of(record);
+  find_pasts(model, record, series->runs);
   for (const RunRows& run : series->runs) {
-    Run first = Simulator(model).simulate(run.profile);
+    Simulator simulator(model);
+    Run first = simulated(simulator, run);
     series->step_ends.push_back(first.report.converged() ? std::move(first.step_ends)
                                                          : std::vector<double>());
   }
@@ -120,9 +147,9 @@ class SpindlePredictor : public fit::Predictor {
     Simulator simulator(model_);
     for (std::size_t r = 0; r < series_->runs.size(); ++r) {
       const RunRows& run = series_->runs[r];
-      Run result = simulator.simulate(run.profile, nullptr, series_->step_ends[r]);
+      Run result = simulated(simulator, run, series_->step_ends[r]);
       if (!result.report.converged() && !series_->step_ends[r].empty())
-        result = simulator.simulate(run.profile);  // too large a step for these values
+        result = simulated(simulator, run);  // too large a step for these values
       for (std::size_t i = 0; i < std::min(result.moments.size(), run.rows.size()); ++i) {
         const Moment& moment = result.moments[i];
         all[run.rows[i]] = moment.displacement;
@@ -198,10 +225,20 @@ std::unique_ptr<fit::Predictor> SpindleSubject::predictor(
   if (!series) {
     auto alone = std::make_shared<SpindleSeries>();
     alone->runs = runs_of(record);
+    find_pasts(active(), record, alone->runs);
     alone->step_ends.resize(alone->runs.size());
     series = std::move(alone);
   }
   return std::make_unique<SpindlePredictor>(active(), record, std::move(series), places(names));
+}
+
+std::vector<std::string> SpindleSubject::warm_starts(const fit::Record& record) const {
+  std::vector<RunRows> runs = runs_of(record);
+  find_pasts(active(), record, runs);
+  std::vector<std::string> statements;
+  for (const RunRows& run : runs)
+    if (run.past) statements.push_back(run.past->statement());
+  return statements;
 }
 
 std::vector<fit::Candidate> SpindleSubject::candidates() const {

@@ -20,10 +20,14 @@ class SpindleSubject : public model::ModelSubject {
   [[nodiscard]] bool is_costly() const override { return true; }
   /// The time steps of the model as it is, which fits keep to.
   [[nodiscard]] std::shared_ptr<const void> prepare(const fit::Record& record) const override;
-  /// Every run is simulated by itself, from the temperature of its room throughout.
+  /// Every run is simulated by itself, from the temperature of its room throughout; the first one
+  /// from a past at speed where its thermometers say so (find_warm_start()).
   [[nodiscard]] std::unique_ptr<fit::Predictor> predictor(
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
+
+  /// The runs of a record that start warm, a sentence each.
+  [[nodiscard]] std::vector<std::string> warm_starts(const fit::Record& record) const;
 
   /// Without numbers of the bearings: in a spindle they do what friction and preload do.
   [[nodiscard]] std::vector<fit::Candidate> candidates() const override;
