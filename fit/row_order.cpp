@@ -17,6 +17,7 @@ namespace raceway::fit {
 namespace {
 
 constexpr std::size_t fewest_blocks = 3, shortest_block = 4;
+constexpr double a_pause = 3.0;  // of the usual time between rows
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /// Where blocks of rows begin in which a setting goes one way, as in a run-up, and starts again;
@@ -44,11 +45,23 @@ std::vector<bool> blocks_of(const record::Column& column, std::span<const std::s
   return begins;
 }
 
-/// Whether each block has a level of its own of a setting that stays within it.
+/// Whether a rig may have been set up anew before each block: the clock, where there is one, shows
+/// the time that it took.
+bool may_be_set_up_anew(const Record& record, std::span<const std::size_t> rows,
+                        const std::vector<bool>& begins) {
+  if (!record.complete(record::time)) return true;
+  std::vector<double> within, between;
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    (begins[i] ? between : within)
+        .push_back(record.value(record::time, rows[i]) - record.value(record::time, rows[i - 1]));
+  return record::median(between) > a_pause * record::median(within);
+}
+
+/// Whether each block has a level of its own of a load that stays within it.
 bool has_own_levels(const Record& record, std::span<const std::size_t> rows,
                     const std::vector<bool>& begins) {
   for (const record::Column& column : record.columns) {
-    if (column.channel->role != record::Role::setting || !column.channel->ratio) continue;
+    if (column.channel->role != record::Role::setting || column.channel->kind != "load") continue;
     const double step = record::step_of(*column.channel, column.values);
     std::vector<double> levels;
     bool stays = true;
@@ -81,7 +94,8 @@ void find_blocks(const Record& record, std::span<const std::size_t> rows, RowOrd
       if (count <= most || (follows && !order.new_block.empty())) continue;
       most = count;
       order.new_block = std::move(begins);
-      order.own_levels = swept && has_own_levels(record, rows, order.new_block);
+      order.own_levels = swept && may_be_set_up_anew(record, rows, order.new_block) &&
+                         has_own_levels(record, rows, order.new_block);
     }
 }
 

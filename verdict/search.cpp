@@ -66,8 +66,11 @@ Finding Search::explain() {
   if (auto found = both_base_laws()) return *std::move(found);
   std::optional<Finding> two = two_candidates();
   if (auto three = three_candidates()) return *std::move(three);
-  if (two) return *std::move(two);
+  if (two && is_physics_alone(*two->set.front())) return *std::move(two);
   Finding bent = bent_law();
+  // An effect by a slightly other law and that effect beside a wrong datum look alike.
+  if (two && (bent.set.empty() || bent.set.front()->gain < two->set.front()->gain - within_reach))
+    return *std::move(two);
   if (bent.set.empty() && !base_laws_.empty())
     return {Finding::Kind::base_laws, {&base_laws_.front()}};
   return bent;
@@ -87,6 +90,12 @@ bool Search::is_physics(const Explanation& e) const {
   return std::any_of(e.members.begin(), e.members.end(), [this](std::size_t k) {
     const fit::Candidate& c = problem_.candidates[k].candidate;
     return c.datum.empty() && !c.empirical;
+  });
+}
+
+bool Search::is_physics_alone(const Explanation& e) const {
+  return std::all_of(e.members.begin(), e.members.end(), [this](std::size_t k) {
+    return problem_.candidates[k].candidate.datum.empty();
   });
 }
 
@@ -157,19 +166,19 @@ std::optional<Finding> Search::two_candidates() {
   pairs_ = attribution_.pairs(singles_, limits_.cancelled);
   limits_.step(0.8, "checking what is left");
   drop_implausible(pairs_);
-  const std::vector<const Explanation*> two =
+  std::vector<const Explanation*> two =
       within_reach_of_best(pairs_, gain_beyond(singles_, limits_.tried - 1));
   if (!any_passes(pairs_, two)) return std::nullopt;
+  // Two effects before one and a datum; what the datum would do is said beside them.
+  const Explanation* const best = two.front();
+  std::stable_partition(two.begin(), two.end(),
+                        [this](const auto* e) { return is_physics_alone(*e); });
   std::vector<const Explanation*> strong;
   for (const Explanation* e : two)
     if (e->least_loss >= loss_of_a_member) strong.push_back(e);
-  if (!strong.empty() && strong.front() == two.front()) {
-    // Two effects before one and a datum; what the datum would do is said beside them.
-    const auto data = std::stable_partition(strong.begin(), strong.end(), [this](const auto* e) {
-      return std::none_of(e->members.begin(), e->members.end(), [this](std::size_t k) {
-        return !problem_.candidates[k].candidate.datum.empty();
-      });
-    });
+  if (!strong.empty() && (strong.front() == best || strong.front() == two.front())) {
+    const auto data = std::find_if_not(strong.begin(), strong.end(),
+                                       [this](const auto* e) { return is_physics_alone(*e); });
     Finding finding{Finding::Kind::several, {strong.begin(), data}, {data, strong.end()}};
     if (finding.set.empty()) finding.set.swap(finding.with_data);
     return finding;

@@ -60,6 +60,7 @@ class Search {
   [[nodiscard]] std::optional<fit::Shape>& shape() { return shape_; }
   /// No wrong datum, and no shape without a law behind it.
   [[nodiscard]] bool is_physics(const Explanation& e) const;
+  [[nodiscard]] bool is_physics_alone(const Explanation& e) const;
   [[nodiscard]] std::vector<std::string> ids_of(const Explanation& e) const;
   /// True if the explanation raises the rms residual, weighed by the noise of each channel and
   /// without outliers.

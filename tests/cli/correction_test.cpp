@@ -232,7 +232,8 @@ TEST_F(Correction, ABankOfLagsPredictsHoursThatItDidNotSee) {
     EXPECT_EQ(found["metrics"]["readings"], 6241);
     const json c =
         parsed(run("compare " + bare + " " + bank + record + "--from 26h --zero none --json"));
-    EXPECT_EQ(c["models"][1]["rows"], 1921);
+    // One reading of the fifth channel (line 6284) leaves and returns: it takes no part.
+    EXPECT_EQ(c["models"][1]["rows"], channel == 5 ? 1920 : 1921);
     sum_of_nothing += c["models"][0]["rmse"].get<double>() / 5;
     sum += c["models"][1]["rmse"].get<double>() / 5;
   }
