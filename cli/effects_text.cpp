@@ -97,7 +97,7 @@ void print_effect_card(const correction::EffectCard& card) {
   paragraph("looks like", card.confused);
   if (card.of_reading)
     paragraph("belongs", "to the record: it is carried neither to another one nor to a control");
-  if (card.evidence) paragraph("told", "by raceway check; it has no number");
+  if (card.evidence) paragraph("told", "by the record itself; it has no number");
   if (card.numbers.empty()) return;
   fmt::print("\n");
   TextTable table({{"parameter", "", true},

@@ -8,10 +8,8 @@
 #include <utility>
 
 #include "correction/catalogue.h"
-#include "correction/effects/sensor_quantisation.h"
 #include "correction/leaps.h"
 #include "correction/own_effect.h"
-#include "correction/quantum.h"
 #include "correction/range.h"
 #include "correction/series.h"
 #include "correction/simulation.h"
@@ -83,39 +81,6 @@ fit::Parameter beginning_parameter(std::string name) {
   p.upper = p.plausible_upper = std::numeric_limits<double>::infinity();
   p.proportional = true;
   return p;
-}
-
-/// Whether an error of this size is much of what is left. A feedthrough of an input in steps is
-/// found a third too small [errors in variables], and its error with it.
-bool explains(double rms, const std::vector<double>& left) {
-  constexpr double much_of_it = 0.4;  // of the mean square
-  double sum = 0.0, square = 0.0, count = 0.0;
-  for (const double r : left)
-    if (std::isfinite(r)) {
-      sum += r;
-      square += r * r;
-      count += 1.0;
-    }
-  return rms * rms * count >= much_of_it * (square - sum * sum / count);
-}
-
-/// Whether what is left steps back wherever the input steps, by what the feedthrough made of it.
-bool steps_with(const std::vector<double>& input, const std::vector<double>& left,
-                double feedthrough, const std::vector<bool>& begins) {
-  constexpr double surely = 8.0;  // standard errors
-  constexpr double least = 0.4;   // of the feedthrough
-  constexpr double fewest = 30.0;
-  double sum = 0.0, square = 0.0, count = 0.0;
-  for (std::size_t k = 1; k < input.size(); ++k) {
-    const double step = input[k] - input[k - 1], back = (left[k - 1] - left[k]) / step;
-    if (begins[k] || step == 0.0 || !std::isfinite(back)) continue;
-    sum += back / feedthrough;
-    square += std::pow(back / feedthrough, 2);
-    count += 1.0;
-  }
-  if (count < fewest) return false;
-  const double mean = sum / count, variance = square / count - mean * mean;
-  return mean > least && mean > surely * std::sqrt(variance / count);
 }
 
 }  // namespace
@@ -237,13 +202,15 @@ std::vector<Effect> CorrectionSubject::possible() const {
     if (e.off && std::any_of(e.own->columns().begin(), e.own->columns().end(),
                              [&](const Channel* c) { return in.varies(*c); }))
       list.push_back(e);
-  for (const EffectKind* kind : kinds())
+  for (const EffectKind* kind : kinds()) {
+    if (kind->card().evidence) continue;  // faults() tells of it
     for (Effect& e : kind->possible(in)) {
       const std::string full = full_id(e);
       if (std::none_of(model_.effects.begin(), model_.effects.end(),
                        [&](const Effect& own) { return full_id(own) == full; }))
         list.push_back(std::move(e));
     }
+  }
   return list;
 }
 
@@ -351,46 +318,20 @@ std::string CorrectionSubject::lacks(const std::string& id, const fit::Record&) 
     if (full_id(e) == id || e.id == id) return {};
   for (const Effect& e : model_.effects)
     if (e.off && e.id == id) return std::string(e.own->card().needs);
-  const EffectCard* const card = find_card(id);
-  return card ? std::string(card->needs) : std::string();
+  const EffectKind* const kind = find_kind(id);
+  // Evidence is no candidate; what it needs it still may lack.
+  if (!kind || (kind->card().evidence && !kind->possible(surroundings()).empty())) return {};
+  return std::string(kind->card().needs);
 }
 
 std::vector<fit::Fault> CorrectionSubject::faults(const fit::Record& record) const {
-  std::vector<fit::Fault> list;
   const Series series(record);
   std::vector<double> left = fit::predict(*this, record);
   for (std::size_t k = 0; k < left.size(); ++k)
     left[k] = record.value(*model_.displacement, k) - left[k];
-  for (const DrivenChannel& c : model_.channels) {
-    if (c.feedthrough == 0.0 || c.input.is_power()) continue;
-    auto without = std::make_shared<fit::Record>(record);
-    std::vector<std::string> sensors;
-    double largest = 0.0, square = 0.0;
-    const auto smooth = [&](const Channel& column, double weight) {
-      if (record::course_of(column) != record::Course::straight) return;
-      const std::span<const double> values = record.values(column);
-      const double quantum = quantum_of(column, values);
-      if (std::isnan(quantum)) return;
-      sensors.emplace_back(column.name);
-      largest = std::max(largest, quantum);
-      square += std::pow(weight * quantum, 2) / 12.0;  // of what is evenly spread over a quantum
-      without->find(column)->values =
-          between_digits(record.values(record::time), values, series.clock().begins);
-    };
-    for (const Channel* column : c.input.columns)
-      smooth(*column, 1.0 / static_cast<double>(c.input.columns.size()));
-    if (c.input.reference) smooth(*c.input.reference, 1.0);
-    const double moved = c.scale * c.feedthrough * std::sqrt(square);
-    if (sensors.empty() || !explains(moved, left) ||
-        !steps_with(*series.input(c.input), left, c.scale * c.feedthrough, series.clock().begins))
-      continue;
-    list.push_back({.id = std::string(SensorQuantisation::quantisation_card.id),
-                    .datum = fmt::format("the sensor of {}", fmt::join(sensors, ", ")),
-                    .correction = fmt::format("it steps by {:.3g} K, and the displacement with it "
-                                              "through the feedthrough of channel {}",
-                                              largest, c.name),
-                    .without = std::move(without)});
-  }
+  std::vector<fit::Fault> list;
+  for (const EffectKind* const kind : kinds())
+    for (fit::Fault& fault : kind->faults({model_, series, left})) list.push_back(std::move(fault));
   return list;
 }
 

@@ -69,6 +69,8 @@ Input EffectKind::input(const Effect& effect, const Model& model) const {
 
 std::vector<const Channel*> EffectKind::other_columns(const Effect&) const { return {}; }
 
+std::vector<fit::Fault> EffectKind::faults(const FittedRecord&) const { return {}; }
+
 Share EffectKind::share(const Effect&, const Model&) const { return {}; }
 
 void EffectKind::change(const Effect&, const Model&, Answer&) const {}

@@ -8,6 +8,7 @@
 #include "correction/model.h"
 #include "correction/numbers.h"
 #include "correction/share.h"
+#include "fit/subject.h"
 #include "record/parameter.h"
 
 namespace raceway::correction {
@@ -49,6 +50,13 @@ struct Surroundings {
   [[nodiscard]] std::vector<const Channel*> unused(bool (*is_of_kind)(const Channel&)) const;
 };
 
+/// A model that was fitted to a record, and what it leaves there.
+struct FittedRecord {
+  const Model& model;
+  const Series& series;
+  std::span<const double> left;  ///< [m] by row, NaN where nothing was read
+};
+
 /// Behaviour of an effect on a displacement over time. Each effect of the catalogue is a struct in
 /// a file of its own (correction/effects/); OwnEffect is one that a user wrote.
 class EffectKind {
@@ -83,6 +91,9 @@ class EffectKind {
   [[nodiscard]] virtual Input input(const Effect& effect, const Model& model) const;
   /// Columns that it needs beside those of its input.
   [[nodiscard]] virtual std::vector<const Channel*> other_columns(const Effect& effect) const;
+
+  /// Where the record itself shows it, of an effect that is evidence. Default: nowhere.
+  [[nodiscard]] virtual std::vector<fit::Fault> faults(const FittedRecord& in) const;
 
   /// What it adds to the displacement.
   [[nodiscard]] virtual Share share(const Effect& effect, const Model& model) const;

@@ -14,6 +14,7 @@ constexpr double ten_minutes = 600.0;
 constexpr std::size_t fewest_readings = 3, most_readings = 20;
 constexpr double of_median = 1.4826;  // standard deviation of what is normally distributed
 constexpr double unusual = 5.0;
+constexpr double of_rows_beside = 4.0;
 
 /// Where the straight line through readings [first, last) stands at a time.
 double at(std::span<const double> time, std::span<const double> read, std::size_t first,
@@ -85,6 +86,17 @@ std::vector<double> leaps(const record::Record& record, const record::Channel& d
   for (const Gap& g : gaps)
     if (g.size > unusual * usual) found.push_back(g.time);
   return found;
+}
+
+std::vector<std::size_t> leaping_rows(std::span<const double> read, double least) {
+  std::vector<std::size_t> rows;
+  for (std::size_t k = 2; k + 1 < read.size(); ++k) {
+    const double leap = std::abs(read[k] - read[k - 1]);
+    const double beside =
+        std::max(std::abs(read[k - 1] - read[k - 2]), std::abs(read[k + 1] - read[k]));
+    if (leap > least && leap > of_rows_beside * beside) rows.push_back(k);
+  }
+  return rows;
 }
 
 }  // namespace raceway::correction

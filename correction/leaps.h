@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "record/record.h"
@@ -15,5 +17,12 @@ namespace raceway::correction {
 /// however large, is no leap.
 [[nodiscard]] std::vector<double> leaps(const record::Record& record,
                                         const record::Channel& displacement);
+
+/// A smaller one of a temperature is lost in its last digits [K].
+inline constexpr double seen_leap_of_a_sensor = 0.5;
+
+/// Rows before which the reading of a sensor leaps, as no body with a capacity does: by more than
+/// `least`, and by more than four times what it changes by in the rows beside.
+[[nodiscard]] std::vector<std::size_t> leaping_rows(std::span<const double> read, double least);
 
 }  // namespace raceway::correction

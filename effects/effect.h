@@ -194,6 +194,7 @@ struct Description {
   bool for_shaft = true;        ///< may stand in a model of a shaft
   bool for_spindle = true;      ///< may stand in a model of a spindle
   bool friction_alone = false;  ///< a condition that does not move the sets
+  bool as_mounted = false;      ///< a condition of the sets as they were mounted, before they turn
 
   /// What is wrong where this explains a misfit: a datum rather than missing physics, in words
   /// ("the oil card"); empty for physics.

@@ -26,6 +26,7 @@ namespace raceway::effects {
 struct OtherMounting {
   static constexpr std::string_view id = "mounting";
   static constexpr Form form = Form::shaft;
+  static constexpr bool as_mounted = true;
   static constexpr std::string_view title = "spring where rigid was entered, or the reverse";
   static constexpr std::string_view mechanism =
       "A spring, or a housing that yields, keeps the preload more nearly constant than rigid sets "

@@ -147,9 +147,10 @@ struct Axis {
 
 /// A fault that a record shows of itself: no number of a model mends it.
 struct Fault {
-  std::string id;                           ///< of Subject::catalogue()
-  std::string datum;                        ///< what is wrong, in words: "the sensor of ..."
-  std::string correction;                   ///< how, in words
+  std::string id;          ///< of Subject::catalogue()
+  bool certain = true;     ///< shown whatever the model; otherwise it has to explain what is left
+  std::string datum;       ///< what is wrong, in words: "the sensor of ..."
+  std::string correction;  ///< how, in words
   std::shared_ptr<const Record> without{};  ///< the record without it, as far as it can be told
 };
 

@@ -66,7 +66,7 @@ bool is_met(Need need, const Model& model, const record::Record& record) {
     case Need::load_levels:
       return has_levels(record::axial_load, record) || has_levels(record::radial_load, record);
     case Need::preload_levels:
-      return has_levels(record::preload, record);
+      return model.spindle || has_levels(record::preload, record);  // heat varies it
     case Need::viscosity_levels:
       return has_levels(record::temperature, record);
     case Need::time:

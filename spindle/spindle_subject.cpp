@@ -30,6 +30,7 @@ struct RunRows {
   std::vector<std::size_t> rows{};
   std::vector<ProfileRow> profile{};
   std::optional<WarmStart> past{};  ///< where the run begins warm
+  std::vector<double> read{};       ///< displacement, where its zero was set warm [m]
 };
 
 /// A run behind others of its record begins one row before its first: what lies between was not
@@ -47,9 +48,16 @@ Run simulated(Simulator& simulator, const RunRows& run, std::span<const double> 
   if (!run.past) return simulator.simulate(run.profile, nullptr, step_ends);
   const State start = state_after(simulator, *run.past, run.profile);
   Run result = simulator.simulate(run.profile, &start, step_ends);
-  if (!run.past->zeroed || result.moments.empty()) return result;
-  const double zero = result.moments.front().displacement;
-  for (Moment& moment : result.moments) moment.displacement -= zero;
+  // How warm it was when its zero was set no thermometer tells to a micrometre: the readings do.
+  const std::size_t rows = std::min(result.moments.size(), run.read.size());
+  double sum = 0.0, count = 0.0;
+  for (std::size_t k = 0; k < rows; ++k)
+    if (std::isfinite(run.read[k])) {
+      sum += result.moments[k].displacement - run.read[k];
+      count += 1.0;
+    }
+  if (count == 0.0) return result;
+  for (Moment& moment : result.moments) moment.displacement -= sum / count;
   return result;
 }
 
@@ -79,6 +87,9 @@ void find_pasts(const model::Model& model, const fit::Record& record, std::vecto
     if (first > 0 && record.part_of(first) == record.part_of(first - 1)) continue;
     run.past =
         find_warm_start(model, runs.size() > 1 ? record.picked(run.rows) : record, run.profile);
+    if (!run.past || !run.past->zeroed) continue;
+    for (const std::size_t row : run.rows)
+      run.read.push_back(record.value(record::axial_displacement, row));
   }
 }
 
@@ -245,7 +256,7 @@ std::vector<fit::Candidate> SpindleSubject::candidates() const {
   std::vector<fit::Candidate> list = ModelSubject::candidates();
   std::erase_if(list, [&](const fit::Candidate& c) {
     const effects::Description* const d = description(c.id);
-    return !d || d->condition != nullptr;
+    return !d || (d->condition && !d->as_mounted);
   });
   return list;
 }
@@ -264,7 +275,7 @@ std::vector<std::string> SpindleSubject::catalogue() const {
 std::string SpindleSubject::lacks(const std::string& id, const fit::Record& record) const {
   if (std::string need = ModelSubject::lacks(id, record); !need.empty()) return need;
   const effects::Description* const d = description(id);
-  if (d && d->condition)
+  if (d && d->condition && !d->as_mounted)
     return "a model of the sets alone, without [shaft] and [housing]: heat and friction are looked "
            "for in a spindle";
   if (d && d->spindle && model().spindle->network)

@@ -21,7 +21,8 @@ class SpindleSubject : public model::ModelSubject {
   /// The time steps of the model as it is, which fits keep to.
   [[nodiscard]] std::shared_ptr<const void> prepare(const fit::Record& record) const override;
   /// Every run is simulated by itself, from the temperature of its room throughout; the first one
-  /// from a past at speed where its thermometers say so (find_warm_start()).
+  /// from a past at speed where its thermometers say so (find_warm_start()). Where its displacement
+  /// was set to zero warm, that zero is what fits the readings.
   [[nodiscard]] std::unique_ptr<fit::Predictor> predictor(
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;

@@ -14,7 +14,7 @@ struct WarmStart {
   Inputs inputs{};          ///< constant
   double duration = unset;  ///< [s]
   double rise = unset;      ///< of the warmest thermometer above the room, in the first row [K]
-  bool zeroed = false;      ///< the displacement counts from the first row
+  bool zeroed = false;      ///< the displacement was set to zero in the first row
 
   /// "front_bearing_temperature_C and others are up to 11 K above the room ...", for people.
   [[nodiscard]] std::string statement() const;
@@ -25,8 +25,8 @@ struct WarmStart {
 /// comes nearer than half of what a cold start misses.
 ///
 /// Tried are constant speeds (that of the first row, the mean and the highest) for a quarter of an
-/// hour to eight hours at the other inputs of the first row. The displacement counts from the first
-/// row where it reads less than a quarter of what that past gives.
+/// hour to eight hours at the other inputs of the first row. The displacement was set to zero
+/// where its first row reads less than a quarter of what that past gives.
 [[nodiscard]] std::optional<WarmStart> find_warm_start(const model::Model& model,
                                                        const record::Record& run,
                                                        std::span<const ProfileRow> profile);

@@ -289,7 +289,8 @@ class Inquiry {
     };
     faults_ = fitted(base_)->faults(record_);
     for (const fit::Fault& e : faults_) {
-      if (!asked(e.id)) continue;
+      const bool has_to_explain = worst_held_out(base_) > 1.0;
+      if (!asked(e.id) || (!e.certain && !has_to_explain)) continue;
       const Recorded without = recorded(*subject_, for_search(e.without), usual_width(record_));
       Tried t{.shown = &e};
       t.fit = approximate(subject_, without, subject_->free(), search());
@@ -371,7 +372,7 @@ class Inquiry {
       }
     }
     const auto shown = std::find_if(singles_.begin(), singles_.end(),
-                                    [](const Tried& t) { return t.shown != nullptr; });
+                                    [](const Tried& t) { return t.shown && t.shown->certain; });
     if (shown != singles_.end()) {
       found_ = {&*shown};
       result_.verdict = verdict::Verdict::effect_like;

@@ -4,8 +4,10 @@
 
 #include "correction/effects/ambient_drift.h"
 #include "correction/effects/cooling_switch.h"
+#include "correction/effects/exchanged_columns.h"
 #include "correction/effects/feed_axis_heat.h"
 #include "correction/effects/kinematic_displacement.h"
+#include "correction/effects/loose_sensor.h"
 #include "correction/effects/motor_heat.h"
 #include "correction/effects/offset_jump.h"
 #include "correction/effects/second_time_constant.h"
@@ -19,8 +21,8 @@ namespace raceway::correction {
 
 /// The list of the catalogue, by id. A new effect is a header of this folder and its name here.
 using AllEffects =
-    std::tuple<AmbientDrift, CoolingSwitch, FeedAxisHeat, KinematicDisplacement, MotorHeat,
-               OffsetJump, SecondTimeConstant, SensorLag, SensorQuantisation, SlowDrift,
-               SpeedDependentTimeConstant, ThermalAsymmetry>;
+    std::tuple<AmbientDrift, CoolingSwitch, ExchangedColumns, FeedAxisHeat, KinematicDisplacement,
+               LooseSensor, MotorHeat, OffsetJump, SecondTimeConstant, SensorLag,
+               SensorQuantisation, SlowDrift, SpeedDependentTimeConstant, ThermalAsymmetry>;
 
 }  // namespace raceway::correction

@@ -4,8 +4,8 @@
 
 namespace raceway::correction {
 
-/// The displacement steps with the last digit of a sensor. The record itself tells it: see
-/// CorrectionSubject::faults().
+/// The displacement steps with the last digit of a sensor. The record itself tells it: what is left
+/// steps back with that digit, and is no larger than the feedthrough makes it.
 struct SensorQuantisation final : EffectKind {
   static constexpr EffectCard quantisation_card{
       .id = "sensor-quantisation",
@@ -18,6 +18,7 @@ struct SensorQuantisation final : EffectKind {
       .evidence = true};
 
   [[nodiscard]] const EffectCard& card() const override { return quantisation_card; }
+  [[nodiscard]] std::vector<fit::Fault> faults(const FittedRecord& in) const override;
 };
 
 }  // namespace raceway::correction

@@ -62,7 +62,8 @@ class Counter {
 bool hides_known(const Outcome& o) { return !o.of.is_clean() && !o.of.outside; }
 bool is_of_reading(const Outcome& o) {
   return o.of.kind == "offset-jump" || o.of.kind == "slow-drift" ||
-         o.of.kind == "sensor-quantisation";
+         o.of.kind == "sensor-quantisation" || o.of.kind == "exchanged-columns" ||
+         o.of.kind == "loose-sensor";
 }
 
 }  // namespace

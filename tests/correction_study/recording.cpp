@@ -62,6 +62,25 @@ class Writer {
   std::vector<Recording::Column> out_;
 };
 
+/// What is wrong with the sensors while a record is taken.
+void spoil(const Setup& setup, const Machine& machine, const std::vector<PlannedRow>& plan,
+           std::vector<Recording::Column>& columns) {
+  const auto of = [&](const std::string& sensor) -> std::vector<double>& {
+    return std::find_if(columns.begin(), columns.end(),
+                        [&](const Recording::Column& c) {
+                          return c.name == sensor + "_temperature_C";
+                        })
+        ->values;
+  };
+  if (!setup.exchanged_with.empty()) of("front_bearing").swap(of(setup.exchanged_with));
+  std::vector<double>& front = of("front_bearing");
+  for (std::size_t i = 0; i < plan.size(); ++i)
+    if (plan[i].time >= setup.loose_from && plan[i].time < setup.loose_to) {
+      const double room = machine.room_temperature(plan[i].time);
+      front[i] = to_lattice(room + setup.loose_sees * (front[i] - room), 0.1);
+    }
+}
+
 }  // namespace
 
 const std::vector<double>& Recording::column(const std::string& name) const {
@@ -119,6 +138,7 @@ Recording record(const Setup& setup, bool later, std::uint64_t seed) {
   });
   if (plan.back().run > 1) w.add("run_id", 0, [&](std::size_t i) { return plan[i].run; });
   out.columns = w.take();
+  if (!later) spoil(setup, machine, plan, out.columns);
   return out;
 }
 

@@ -51,7 +51,7 @@ std::vector<std::string> right_verdicts(const Class& wished) {
   if (wished.outside) return {"not-in-catalogue", "effect-like"};
   if (wished.hidden.size() > 1) return {"several-effects"};
   // Evidence without a parameter: no fit takes it away.
-  if (wished.id == "sensor-quantisation") return {"effect", "ambiguous", "effect-like"};
+  if (wished.id == "sensor-quantisation" || is_wrong_data(wished)) return {"effect", "ambiguous", "effect-like"};
   return {"effect", "ambiguous"};
 }
 
@@ -72,9 +72,12 @@ Fit right_fit(const Class& wished, const Setup& setup, const Floors& floors, con
               const Signals& test, std::uint64_t seed) {
   if (wished.hidden.empty()) return floors.base();
   if (wished.outside) return floors.with_hidden();
-  if (wished.id != "sensor-quantisation") return floors.with(wished.hidden).value();
+  if (wished.id != "sensor-quantisation" && !is_wrong_data(wished))
+    return floors.with(wished.hidden).value();
   Setup fine = setup;
   fine.quantum = 0.1;
+  fine.exchanged_with.clear();
+  fine.loose_to = fine.loose_from;
   Signals fine_train = signals(fine, record(fine, false, seed));
   fine_train.displacement = train.displacement;
   Signals fine_test = signals(fine, record(fine, true, seed + 1));
@@ -149,6 +152,7 @@ std::string judge(const Class& wished, const Floors& floors, Truth& truth) {
   if (wished.hidden.empty()) return {};
   if (std::min(truth.base.train, truth.base.test) < matters * truth.tolerance)
     return std::string(too_small);
+  if (is_wrong_data(wished)) return {};  // what else comes near may stand beside it
   const double limit = wished.outside ? outside_apart * truth.base.train
                        : wished.hidden.size() > 1
                            ? std::max(single_apart * truth.right.train, 1.15 * truth.tolerance)

@@ -35,6 +35,8 @@ const std::vector<Class>& all_classes() {
       {"stick-slip", {"stick-slip"}, true},
       // Nothing missing, as below; at the end, so that the others keep their place.
       {"stray-readings"},
+      {"exchanged-columns", {"exchanged-columns"}},
+      {"loose-sensor", {"loose-sensor"}},
   };
   return all;
 }
@@ -192,6 +194,16 @@ void hide(std::string_view id, double size, Setup& s, Random& random) {
     m.to_air[mount] = s.plain.to_air[mount] = m.capacity[mount] / (random.between(0.2, 1.0) * last);
     m.expansion[mount] = s.plain.expansion[mount] = random.sign() * random.between(0.5, 0.9);
     m.warm_mount = random.between(13.0, 20.0) * size;
+  } else if (id == "exchanged-columns") {
+    std::vector<std::string_view> others;
+    if (s.columns.rear) others.emplace_back("rear_bearing");
+    if (s.columns.motor) others.emplace_back("motor");
+    if (s.columns.headstock) others.emplace_back("headstock");
+    s.exchanged_with = others.at(static_cast<std::size_t>(random.whole(0, static_cast<int>(others.size()) - 1)));
+  } else if (id == "loose-sensor") {
+    for (const double t : calm_times(s.train, 1, 700.0, random)) s.loose_from = t;
+    s.loose_to = s.loose_from > 0.0 ? s.loose_from + random.between(3.0, 6.0) * hour : 0.0;
+    s.loose_sees = std::max(0.1, random.between(0.3, 0.7) / size);
   } else if (id == "hydraulics") {
     m.aggregate = intervals(end, random.between(2.5, 5.0) * hour, random.between(0.8, 1.6) * hour,
                             0.03, random);
@@ -220,6 +232,7 @@ Base draw_base(const Class& wished, Random& random) {
   if (any("second-time-constant", "sensor-lag", "thermal-asymmetry")) return {.sections = 1};
   if (any("speed-dependent-time-constant", "cooling-switch")) return {.power = true, .sections = 1};
   if (any("sensor-quantisation")) return {.feedthrough = true};
+  if (is_wrong_data(wished)) return {.ambient = kind == 1};
   if (kind == 0) return {.power = true};
   return {.ambient = kind == 1 && !any("ambient-drift")};
 }
@@ -229,7 +242,8 @@ void draw_plans(const Class& wished, Setup& s, Random& random) {
                            Profile::spectrum_60, Profile::spectrum_120};
   const auto any = [&](auto... ids) { return (hides(wished, ids) || ...); };
   const bool dense =
-      any("kinematic-displacement", "offset-jump", "sensor-quantisation", "sensor-lag");
+      any("kinematic-displacement", "offset-jump", "sensor-quantisation", "sensor-lag",
+          "loose-sensor");
   const bool one_run = dense || any("slow-drift");
   PlanWish& wish = s.train_wish;
   wish.hours = random.whole(24, 30);
@@ -266,6 +280,10 @@ const Class& find_class(std::string_view id) {
   throw std::invalid_argument("no class \"" + std::string(id) + "\"; there are" + known);
 }
 
+bool is_wrong_data(const Class& wished) {
+  return hides(wished, "exchanged-columns") || hides(wished, "loose-sensor");
+}
+
 Machine Setup::machine_later() const {
   Machine later = machine;
   later.jumps.clear();
@@ -280,7 +298,7 @@ Setup draw_setup(const Class& wished, std::uint64_t seed, double size) {
   shape_machine(wished, s, random);
   s.columns.rear = random.chance(0.4);
   s.columns.motor = random.chance(0.3) || (hides(wished, "motor-heat") && random.chance(0.6));
-  s.columns.headstock = random.chance(0.3);
+  s.columns.headstock = random.chance(0.3) || wished.id == "exchanged-columns";
   s.columns.base = random.chance(0.4);
   s.columns.ambient = random.chance(0.3) ? 2 : 1;
   s.noise = random.between(0.1, 0.3);

@@ -18,6 +18,9 @@ struct Class {
   bool outside = false;                    ///< it is in no catalogue
 };
 
+/// A datum of the record is wrong, and the machine lacks nothing.
+[[nodiscard]] bool is_wrong_data(const Class& wished);
+
 /// Nothing, each effect of the catalogue, pairs, and what is outside.
 [[nodiscard]] std::span<const Class> classes();
 /// Throws std::invalid_argument with those that there are.
@@ -42,6 +45,9 @@ struct Setup {
   double table_scale = 1.0;  ///< the friction table is another spindle's
   double table_exponent = 0.6;
   double strays = 0.0;  ///< share of the readings that a chip under the probe falsifies
+  std::string exchanged_with{};  ///< sensor whose column has the name of the front bearing's
+  double loose_from = 0.0, loose_to = 0.0;  ///< while the front sensor hangs in the air [s]
+  double loose_sees = 1.0;                  ///< of the rise of its bearing above the room [1]
   bool noise_declared = true;
   std::vector<PlannedRow> train{}, test{};
   /// The machine of the second record: what only a reading suffers does not happen again.

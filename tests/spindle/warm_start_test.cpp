@@ -73,6 +73,16 @@ TEST(WarmStart, IsTheSpindleThatHadRunBefore) {
   EXPECT_GT(std::abs(cold.value(record::axial_displacement, read.size() - 1)), largest + 3.0 * um);
 }
 
+TEST(WarmStart, AZeroThatWasSetWarmIsNoOffset) {
+  record::Record record = recorded_after(2.0 * hour);
+  const std::vector<double> predicted = fit::predict(SpindleSubject(with_thermometers()), record);
+  // The same readings by a transducer that was set a little later.
+  for (double& u : record.find(record::axial_displacement)->values) u += 1.5 * um;
+  const std::vector<double> later = fit::predict(SpindleSubject(with_thermometers()), record);
+  for (std::size_t i = 0; i < record.rows(); ++i)
+    EXPECT_NEAR(later[i], predicted[i] + 1.5 * um, 1e-3 * um) << i;
+}
+
 TEST(WarmStart, IsNoneOfARunFromCold) {
   const SpindleSubject subject(with_thermometers());
   EXPECT_TRUE(subject.warm_starts(recorded_after(0.0)).empty());

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "correction/effect_kind.h"
+
+namespace raceway::correction {
+
+/// Two temperatures of the record stand under each other's name: a plug or a header was exchanged.
+/// The model is fitted with each such pair put right, where one of them drives it.
+struct ExchangedColumns final : EffectKind {
+  static constexpr EffectCard exchanged_card{
+      .id = "exchanged-columns",
+      .title = "two temperatures stand under each other's name",
+      .form = "T1 of column T2, and T2 of column T1",
+      .needs = "two temperatures that vary, of which the model uses one",
+      .confused = "motor-heat and other effects of the column that was exchanged",
+      .numbers = {},
+      .of_reading = true,
+      .evidence = true};
+
+  [[nodiscard]] const EffectCard& card() const override { return exchanged_card; }
+  [[nodiscard]] std::vector<Effect> possible(const Surroundings& in) const override;
+  [[nodiscard]] std::vector<fit::Fault> faults(const FittedRecord& in) const override;
+};
+
+}  // namespace raceway::correction

@@ -1,0 +1,147 @@
+#include "correction/effects/loose_sensor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "correction/leaps.h"
+#include "correction/simulation.h"
+#include "record/series_channel.h"
+
+namespace raceway::correction {
+namespace {
+
+constexpr double most_seen = 0.9;        // share of the rise: above it nothing came loose
+constexpr double told_by_share = 0.15;   // below it the rise is no longer in the reading
+constexpr double two_ends_apart = 0.15;  // by which the shares at both ends may differ
+constexpr double hour = 3600.0;
+
+/// The rows in which a sensor was loose, and which share of the rise it saw at both ends [1].
+struct Loose {
+  std::size_t begin = 0, end = 0;
+  double seen = unset, until = unset;
+};
+
+/// One on a body; one in the room hangs in the air as it is.
+bool can_come_loose(const Channel* column) {
+  return record::is_temperature(*column) && !record::is_ambient(*column);
+}
+
+class Sensor {
+ public:
+  Sensor(const Series& series, const Channel& column)
+      : record_(series.record()),
+        time_(record_.values(record::time)),
+        read_(record_.values(column)),
+        leaps_(leaping_rows(read_, seen_leap_of_a_sensor)),
+        room_(read_.size()) {
+    std::vector<std::span<const double>> ambient;
+    for (const record::Column& c : record_.columns)
+      if (record::is_ambient(*c.channel) && c.channel != &column) ambient.emplace_back(c.values);
+    const double coldest = *std::min_element(
+        read_.begin(), read_.end(), [](double a, double b) { return a < b || std::isnan(b); });
+    for (std::size_t k = 0; k < read_.size(); ++k) {
+      double sum = 0.0;
+      for (const std::span<const double> a : ambient) sum += a[k];
+      room_[k] = ambient.empty() ? coldest : sum / static_cast<double>(ambient.size());
+    }
+  }
+
+  /// The first time that it came loose. An end that no leap shows lies where the sensor was as cold
+  /// as the room, and the next such row stands for it.
+  [[nodiscard]] std::optional<Loose> loose() const {
+    for (auto leap = leaps_.begin(); leap != leaps_.end(); ++leap) {
+      const double seen = rise(*leap) / rise(*leap - 1);
+      if (is_share(seen)) {
+        const auto back = std::find_if(std::next(leap), leaps_.end(), [&](std::size_t row) {
+          return std::abs(rise(row - 1) / rise(row) - seen) < two_ends_apart;
+        });
+        if (back != leaps_.end()) return Loose{*leap, *back, seen, rise(*back - 1) / rise(*back)};
+        return Loose{*leap, cold_after(*leap, seen), seen, seen};
+      }
+      if (is_share(1.0 / seen))
+        return Loose{cold_before(*leap, 1.0 / seen), *leap, 1.0 / seen, 1.0 / seen};
+    }
+    return std::nullopt;
+  }
+
+  /// As it would have read where it was loose.
+  [[nodiscard]] std::vector<double> mended(const Loose& l) const {
+    std::vector<double> values(read_.begin(), read_.end());
+    const double from = time_[l.begin], to = time_[l.end - 1];
+    const bool by_share = std::min(l.seen, l.until) >= told_by_share;
+    const double before = read_[l.begin - 1], after = l.end < read_.size() ? read_[l.end] : before;
+    for (std::size_t k = l.begin; k < l.end; ++k) {
+      const double way = to > from ? (time_[k] - from) / (to - from) : 0.0;
+      values[k] = by_share ? room_[k] + rise(k) / std::lerp(l.seen, l.until, way)
+                           : std::lerp(before, after, way);
+    }
+    return values;
+  }
+
+  [[nodiscard]] std::string words(const Loose& l) const {
+    return fmt::format("from {:.3g} h to {} it saw {:.0f} % of the rise above the room",
+                       time_[l.begin] / hour,
+                       l.end < read_.size() ? fmt::format("{:.3g} h", time_[l.end] / hour)
+                                            : std::string("the end"),
+                       50.0 * (l.seen + l.until));
+  }
+
+ private:
+  [[nodiscard]] static bool is_share(double share) { return share >= 0.0 && share < most_seen; }
+  [[nodiscard]] double rise(std::size_t row) const { return read_[row] - room_[row]; }
+  /// Whether coming loose there, or no longer being loose, would not show as a leap.
+  [[nodiscard]] bool is_cold(std::size_t row, double seen) const {
+    return std::abs(rise(row)) * (1.0 - seen) <
+           seen_leap_of_a_sensor * std::max(seen, told_by_share);
+  }
+  [[nodiscard]] std::size_t cold_after(std::size_t row, double seen) const {
+    while (row < read_.size() && !is_cold(row, seen)) ++row;
+    return row;
+  }
+  [[nodiscard]] std::size_t cold_before(std::size_t row, double seen) const {
+    while (row > 1 && !is_cold(row - 1, seen)) --row;
+    return row;
+  }
+
+  const record::Record& record_;
+  std::span<const double> time_, read_;
+  std::vector<std::size_t> leaps_;
+  std::vector<double> room_;
+};
+
+}  // namespace
+
+std::vector<Effect> LooseSensor::possible(const Surroundings& in) const {
+  const std::vector<const Channel*> used = inputs_of(in.model);
+  if (std::none_of(used.begin(), used.end(), can_come_loose)) return {};
+  return {at()};
+}
+
+std::vector<fit::Fault> LooseSensor::faults(const FittedRecord& in) const {
+  const record::Record& record = in.series.record();
+  const bool one_clock = record.runs.size() < 2 && record.parts.empty();
+  std::vector<fit::Fault> list;
+  for (const Channel* const column : inputs_of(in.model)) {
+    if (!one_clock || !can_come_loose(column)) continue;
+    const Sensor sensor(in.series, *column);
+    const std::optional<Loose> loose = sensor.loose();
+    if (!loose) continue;
+    auto without = std::make_shared<record::Record>(record);
+    without->find(*column)->values = sensor.mended(*loose);
+    list.push_back({.id = std::string(loose_card.id),
+                    .certain = false,
+                    .datum = fmt::format("the sensor of {}", column->name),
+                    .correction = sensor.words(*loose),
+                    .without = std::move(without)});
+  }
+  return list;
+}
+
+}  // namespace raceway::correction

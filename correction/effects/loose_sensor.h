@@ -1,0 +1,25 @@
+#pragma once
+
+#include "correction/effect_kind.h"
+
+namespace raceway::correction {
+
+/// A sensor of temperature came loose for a while: it saw a share of the rise above the room, from
+/// one leap of its reading to the leap back, or to the end of the run.
+struct LooseSensor final : EffectKind {
+  static constexpr EffectCard loose_card{
+      .id = "loose-sensor",
+      .title = "a sensor of temperature came loose for a while",
+      .form = "T between two times is the room + (T - room)/share seen",
+      .needs = "a temperature of the model that leaps towards the room and back",
+      .confused = "a body that cools quickly; offset-jump",
+      .numbers = {},
+      .of_reading = true,
+      .evidence = true};
+
+  [[nodiscard]] const EffectCard& card() const override { return loose_card; }
+  [[nodiscard]] std::vector<Effect> possible(const Surroundings& in) const override;
+  [[nodiscard]] std::vector<fit::Fault> faults(const FittedRecord& in) const override;
+};
+
+}  // namespace raceway::correction

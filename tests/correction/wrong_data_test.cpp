@@ -1,0 +1,128 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <random>
+#include <utility>
+
+#include "correction/correction_subject.h"
+#include "correction/effect_kind.h"
+#include "correction/leaps.h"
+#include "loop/loop.h"
+#include "tests/correction/made_record.h"
+
+namespace raceway::correction {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr double hour = 3600.0;
+
+const record::Channel& spindle_bearing() {
+  return *record::series_channel("front_bearing_temperature_C");
+}
+const record::Channel& spindle_motor() { return *record::series_channel("motor_temperature_C"); }
+
+/// A spindle whose bearing warms up in 20 min and its motor in 2 h; the displacement follows the
+/// bearing through a body of 1.2 h.
+MadeRecord machine() {
+  MadeRecord made(24.0 * hour, 30.0);
+  std::vector<double> bearing, motor, moved;
+  double b = 0.0, m = 0.0, body = 0.0;
+  for (const double t : made.time) {
+    bearing.push_back(b);
+    motor.push_back(m);
+    moved.push_back(5.0 * body);
+    const double n = stepped_speed(t, 1.5 * hour);
+    b += 30.0 / 1200.0 * (3e-3 * n - b);
+    m += 30.0 / 7200.0 * (4.5e-3 * n * (n < 5000 ? 1.0 : 0.6) - m);
+    body += 30.0 / 4300.0 * (b - body);
+  }
+  std::mt19937 engine(7);
+  std::normal_distribution<double> noise;
+  const auto row = [](double t) { return static_cast<std::size_t>(std::lround(t / 30.0)); };
+  made.with("speed_rpm", [](double t) { return stepped_speed(t, 1.5 * hour); });
+  made.with("front_bearing_temperature_C",
+            [&](double t) { return 21.0 + bearing[row(t)] + 0.02 * noise(engine); });
+  made.with("motor_temperature_C",
+            [&](double t) { return 21.0 + motor[row(t)] + 0.02 * noise(engine); });
+  made.with("room_temperature_C", [&](double) { return 21.0 + 0.02 * noise(engine); });
+  made.with("displacement_z_um", [&](double t) { return moved[row(t)] + 0.2 * noise(engine); });
+  return made;
+}
+
+Model driven_by_the_bearing() {
+  Model m{.name = "z", .displacement = record::series_channel("displacement_z_um")};
+  m.tolerance = 1e-6;
+  m.channels.push_back(
+      {.name = "spindle",
+       .input = {.name = "front_bearing_temperature_C", .columns = {&spindle_bearing()}},
+       .sections = {{3e-6, 3000}}});
+  return m;
+}
+
+void loosen(MadeRecord& made, double from, double to, double seen) {
+  std::vector<double>& read = made.record.find(spindle_bearing())->values;
+  const double room = spindle_bearing().to_SI(21.0);
+  for (std::size_t k = 0; k < read.size(); ++k)
+    if (made.time[k] >= from && made.time[k] < to) read[k] = room + seen * (read[k] - room);
+}
+
+verdict::Diagnosis diagnosed(const MadeRecord& made) {
+  return loop::diagnose(CorrectionSubject(driven_by_the_bearing()), made.record);
+}
+
+TEST(WrongData, NothingIsWrongWithTheMachineItself) {
+  const MadeRecord made = machine();
+  EXPECT_EQ(diagnosed(made).verdict, verdict::Verdict::nothing_missing);
+}
+
+TEST(WrongData, ExchangedColumnsAreNamed) {
+  MadeRecord made = machine();
+  std::swap(made.record.find(spindle_bearing())->values, made.record.find(spindle_motor())->values);
+  const verdict::Diagnosis d = diagnosed(made);
+  ASSERT_FALSE(d.sets.empty()) << d.sentence;
+  EXPECT_THAT(d.sets, testing::Contains(ElementsAre("exchanged-columns"))) << d.sentence;
+  EXPECT_THAT(d.sentence, HasSubstr("front_bearing_temperature_C and motor_temperature_C"));
+}
+
+TEST(WrongData, ASensorThatCameLooseIsNamedWithItsTimes) {
+  MadeRecord made = machine();
+  loosen(made, 8.2 * hour, 13.0 * hour, 0.4);
+  const verdict::Diagnosis d = diagnosed(made);
+  ASSERT_FALSE(d.sets.empty()) << d.sentence;
+  EXPECT_THAT(d.sets.front(), ElementsAre("loose-sensor")) << d.sentence;
+  EXPECT_THAT(d.sentence, HasSubstr("from 8.2 h to 13 h it saw 40 % of the rise"));
+}
+
+/// A sensor that comes loose where the spindle is cold shows one leap: that of its return.
+TEST(WrongData, OneEndIsEnough) {
+  MadeRecord made = machine();
+  loosen(made, 4.4 * hour, 10.0 * hour, 0.5);
+  const verdict::Diagnosis d = diagnosed(made);
+  ASSERT_FALSE(d.sets.empty()) << d.sentence;
+  EXPECT_THAT(d.sets.front(), ElementsAre("loose-sensor")) << d.sentence;
+  EXPECT_THAT(d.effects.front().correction, HasSubstr("to 10 h it saw 50 %"));
+}
+
+TEST(WrongData, ALeapIsOneOfTheSensorAndNoBody) {
+  const MadeRecord made = machine();
+  const std::span<const double> read = made.record.values(spindle_bearing());
+  EXPECT_THAT(leaping_rows(read, 0.2), testing::IsEmpty());
+  std::vector<double> leaps(read.begin(), read.end());
+  for (std::size_t k = 700; k < leaps.size(); ++k) leaps[k] -= 2.0;
+  EXPECT_THAT(leaping_rows(leaps, seen_leap_of_a_sensor), ElementsAre(700U));
+}
+
+TEST(WrongData, WhatARecordCannotShowIsSaid) {
+  MadeRecord made = machine();
+  std::erase_if(made.record.columns, [](const record::Column& c) {
+    return *c.channel == spindle_motor() || record::is_ambient(*c.channel);
+  });
+  const auto informed = CorrectionSubject(driven_by_the_bearing()).informed_by(made.record);
+  EXPECT_THAT(informed->lacks("exchanged-columns", made.record), HasSubstr("two temperatures"));
+  EXPECT_EQ(informed->lacks("loose-sensor", made.record), "");
+}
+
+}  // namespace
+}  // namespace raceway::correction
