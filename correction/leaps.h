@@ -21,8 +21,10 @@ namespace raceway::correction {
 /// A smaller one of a temperature is lost in its last digits [K].
 inline constexpr double seen_leap_of_a_sensor = 0.5;
 
-/// Rows before which the reading of a sensor leaps, as no body with a capacity does: by more than
-/// `least`, and by more than four times what it changes by in the rows beside.
-[[nodiscard]] std::vector<std::size_t> leaping_rows(std::span<const double> read, double least);
+/// Rows before which a temperature leaps, as no body with a capacity does: by more than half a
+/// kelvin, and by more than four times what it changes by in the rows beside, in one run at equal
+/// steps of time and with the speed as it was for three rows.
+[[nodiscard]] std::vector<std::size_t> leaping_rows(const record::Record& record,
+                                                    const record::Channel& column);
 
 }  // namespace raceway::correction

@@ -311,6 +311,9 @@ class Inquiry {
     const double ratio = other.error() / best.error(), base = base_.rms_held_out;
     const double lambda = recorded_.duration / half_an_hour * (ratio * ratio - 1.0);
     const double taken = base * base - other.error() * other.error();
+    // A fault has no number to fit: where it explains enough, effects that fit better do not rule
+    // it out.
+    if (other.shown && other.worst() <= 1.0) return true;
     return (ratio <= comes_near || lambda < decided) &&
            taken >= much_of_it * (base * base - best.error() * best.error());
   }

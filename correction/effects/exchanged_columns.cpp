@@ -55,7 +55,7 @@ std::vector<fit::Fault> ExchangedColumns::faults(const FittedRecord& in) const {
   std::vector<const Channel*> temperatures;
   for (const record::Column& c : record.columns)
     if (record::is_temperature(*c.channel) && record.varies(*c.channel) &&
-        leaping_rows(c.values, seen_leap_of_a_sensor).empty())  // others stand in for a bad one
+        leaping_rows(record, *c.channel).empty())  // others stand in for a bad one
       temperatures.push_back(c.channel);
   std::vector<fit::Fault> list;
   for (const auto& [a, b] : exchanges(in.model, temperatures)) {

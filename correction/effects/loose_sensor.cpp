@@ -6,7 +6,6 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 
@@ -20,6 +19,7 @@ namespace {
 constexpr double most_seen = 0.9;        // share of the rise: above it nothing came loose
 constexpr double told_by_share = 0.15;   // below it the rise is no longer in the reading
 constexpr double two_ends_apart = 0.15;  // by which the shares at both ends may differ
+constexpr std::size_t most_ends = 6;     // that are tried where none shows
 constexpr double hour = 3600.0;
 
 /// The rows in which a sensor was loose, and which share of the rise it saw at both ends [1].
@@ -39,7 +39,7 @@ class Sensor {
       : record_(series.record()),
         time_(record_.values(record::time)),
         read_(record_.values(column)),
-        leaps_(leaping_rows(read_, seen_leap_of_a_sensor)),
+        leaps_(leaping_rows(record_, column)),
         room_(read_.size()) {
     std::vector<std::span<const double>> ambient;
     for (const record::Column& c : record_.columns)
@@ -54,21 +54,25 @@ class Sensor {
   }
 
   /// The first time that it came loose. An end that no leap shows lies where the sensor was as cold
-  /// as the room, and the next such row stands for it.
-  [[nodiscard]] std::optional<Loose> loose() const {
+  /// as the room: each such time, the nearest first, and the end of the record.
+  [[nodiscard]] std::vector<Loose> loose() const {
     for (auto leap = leaps_.begin(); leap != leaps_.end(); ++leap) {
       const double seen = rise(*leap) / rise(*leap - 1);
+      std::vector<Loose> list;
       if (is_share(seen)) {
         const auto back = std::find_if(std::next(leap), leaps_.end(), [&](std::size_t row) {
           return std::abs(rise(row - 1) / rise(row) - seen) < two_ends_apart;
         });
-        if (back != leaps_.end()) return Loose{*leap, *back, seen, rise(*back - 1) / rise(*back)};
-        return Loose{*leap, cold_after(*leap, seen), seen, seen};
+        if (back != leaps_.end()) return {{*leap, *back, seen, rise(*back - 1) / rise(*back)}};
+        for (const std::size_t end : cold_after(*leap, seen))
+          list.push_back({*leap, end, seen, seen});
+      } else if (is_share(1.0 / seen)) {
+        for (const std::size_t begin : cold_before(*leap, 1.0 / seen))
+          list.push_back({begin, *leap, 1.0 / seen, 1.0 / seen});
       }
-      if (is_share(1.0 / seen))
-        return Loose{cold_before(*leap, 1.0 / seen), *leap, 1.0 / seen, 1.0 / seen};
+      if (!list.empty()) return list;
     }
-    return std::nullopt;
+    return {};
   }
 
   /// As it would have read where it was loose.
@@ -101,13 +105,27 @@ class Sensor {
     return std::abs(rise(row)) * (1.0 - seen) <
            seen_leap_of_a_sensor * std::max(seen, told_by_share);
   }
-  [[nodiscard]] std::size_t cold_after(std::size_t row, double seen) const {
-    while (row < read_.size() && !is_cold(row, seen)) ++row;
-    return row;
+  /// The first row of each cold stretch after a row, and the end.
+  [[nodiscard]] std::vector<std::size_t> cold_after(std::size_t row, double seen) const {
+    std::vector<std::size_t> list;
+    for (bool was = false; row < read_.size() && list.size() < most_ends; ++row) {
+      const bool is = is_cold(row, seen);
+      if (is && !was) list.push_back(row);
+      was = is;
+    }
+    if (list.size() < most_ends) list.push_back(read_.size());
+    return list;
   }
-  [[nodiscard]] std::size_t cold_before(std::size_t row, double seen) const {
-    while (row > 1 && !is_cold(row - 1, seen)) --row;
-    return row;
+  /// The row behind each cold stretch before a row, and the second of all.
+  [[nodiscard]] std::vector<std::size_t> cold_before(std::size_t row, double seen) const {
+    std::vector<std::size_t> list;
+    for (bool was = false; row > 1 && list.size() < most_ends; --row) {
+      const bool is = is_cold(row - 1, seen);
+      if (is && !was) list.push_back(row);
+      was = is;
+    }
+    if (list.size() < most_ends) list.push_back(1);
+    return list;
   }
 
   const record::Record& record_;
@@ -131,15 +149,15 @@ std::vector<fit::Fault> LooseSensor::faults(const FittedRecord& in) const {
   for (const Channel* const column : inputs_of(in.model)) {
     if (!one_clock || !can_come_loose(column)) continue;
     const Sensor sensor(in.series, *column);
-    const std::optional<Loose> loose = sensor.loose();
-    if (!loose) continue;
-    auto without = std::make_shared<record::Record>(record);
-    without->find(*column)->values = sensor.mended(*loose);
-    list.push_back({.id = std::string(loose_card.id),
-                    .certain = false,
-                    .datum = fmt::format("the sensor of {}", column->name),
-                    .correction = sensor.words(*loose),
-                    .without = std::move(without)});
+    for (const Loose& loose : sensor.loose()) {
+      auto without = std::make_shared<record::Record>(record);
+      without->find(*column)->values = sensor.mended(loose);
+      list.push_back({.id = std::string(loose_card.id),
+                      .certain = false,
+                      .datum = fmt::format("the sensor of {}", column->name),
+                      .correction = sensor.words(loose),
+                      .without = std::move(without)});
+    }
   }
   return list;
 }
