@@ -13,8 +13,7 @@ namespace {
 using namespace raceway;
 
 struct Silent final : session::Messages {
-  void note(const std::string&) override {}
-  void warn(const std::string&) override {}
+  void hear(const record::Note&) override {}
 };
 
 constexpr std::size_t states = 100000;

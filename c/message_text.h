@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "record/note.h"
 #include "session/messages.h"
 
 namespace raceway::c {
@@ -11,8 +12,9 @@ namespace raceway::c {
 /// Notes and warnings as a text, a line each.
 class MessageText : public session::Messages {
  public:
-  void note(const std::string& line) override { add("note: ", line); }
-  void warn(const std::string& line) override { add("warning: ", line); }
+  void hear(const record::Note& note) override {
+    add(note.kind() == record::NoteKind::note ? "note: " : "warning: ", note.text);
+  }
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:

@@ -79,7 +79,7 @@ int run(const AddFlags& flags) {
   } else {
     print(result);
   }
-  warn(result.messages);
+  tell(result.messages);
   flags.report.write([&] { return session::page(asked, result); }, flags.force);
   if (!result.calibration.converged()) {
     complain("raceway add: the fit did not converge; nothing is written");

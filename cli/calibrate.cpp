@@ -107,7 +107,7 @@ int run(const CalibrateFlags& flags) {
   } else if (found.converged()) {
     print(found);
   }
-  warn(found.messages);
+  tell(found.messages);
   if (!found.converged()) {
     complain(fmt::format(
         "raceway calibrate: {} after {} steps; {}", fit::name(found.status), found.iterations,

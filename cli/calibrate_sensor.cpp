@@ -116,7 +116,7 @@ int run(const SensorFlags& flags) {
     }
   }();
   tell(c.notes);
-  warn(c.warnings);
+  tell(c.warnings);
   if (flags.json) {
     put_document(files::sensor_calibration_json(c, read.source));
   } else if (flags.output != "-") {

@@ -90,7 +90,7 @@ int run(const CorrectFlags& flags) {
     put_document(run.json());
   else if (flags.output != "-")
     print(run.corrected, run.asked.data);
-  warn(run.warnings);
+  tell(run.warnings);
   flags.report.write([&] { return run.page(); }, flags.force);
   return done;
 }

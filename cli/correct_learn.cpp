@@ -117,7 +117,7 @@ void run_learning(session::SeriesQuestion asked, const LearnFlags& flags,
     print_errors(run.learnt);
     for (const results::Learnt& one : run.learnt) print_gains(one, run.learnt.size() > 1);
   }
-  warn(run.warnings);
+  tell(run.warnings);
 }
 
 }  // namespace raceway::cli

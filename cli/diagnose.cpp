@@ -83,7 +83,7 @@ int run(const DiagnoseFlags& flags) {
   } else {
     print_diagnosis(diagnosis);
   }
-  warn(diagnosis.messages);
+  tell(diagnosis.messages);
   flags.report.write([&] { return session::page(asked, diagnosis); }, flags.force);
   return done;
 }

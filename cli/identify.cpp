@@ -44,7 +44,7 @@ std::vector<results::Validation> validated(const std::vector<correction::Model>&
       fmt::print("on {}: {} RMS {} um, largest {} um, fit {} %\n", other.source,
                  model.displacement->name, number(m.rms / um, 3), number(m.max_abs / um, 3),
                  number(m.fit_percent, 3));
-    warn(one.warnings);
+    tell(one.warnings);
   }
   return list;
 }
@@ -63,7 +63,7 @@ int run_arx(const IdentifyFlags& flags) {
   for (const correction::Model& model : asked.file.models) {
     found.emplace_back(model.displacement, session::arx_baseline(asked, model, flags.choices));
     if (!flags.json) print_baseline(*model.displacement, found.back().second, asked.data);
-    warn(found.back().second.messages);
+    tell(found.back().second.messages);
   }
   if (flags.json) put_document(results::arx_json(asked.file.source, asked.data, found));
   return done;
@@ -103,7 +103,7 @@ int run(const IdentifyFlags& flags) {
       if (found.size() > 1) fmt::print("\n");
       print_identification(found.back(), asked.data);
     }
-    warn(found.back().messages);
+    tell(found.back().messages);
   }
   const std::vector<results::Validation> validations = validated(models, flags, asked.file);
   if (flags.json)

@@ -29,8 +29,12 @@ void put_line(const char* kind, const std::string& line) {
 
 class ToPeople : public session::Messages {
  public:
-  void note(const std::string& line) override { tell({line}); }
-  void warn(const std::string& line) override { cli::warn(line); }
+  void hear(const record::Note& note) override {
+    if (note.kind() == record::NoteKind::note)
+      tell(std::vector<std::string>{note.text});
+    else
+      warn(note.text);
+  }
   void reads(const std::string& file) override { add_input(file); }
 };
 
@@ -48,6 +52,8 @@ void tell(const std::vector<std::string>& notes) {
   if (state().quiet) return;
   for (const std::string& note : notes) put_line("note: ", note);
 }
+
+void tell(const std::vector<record::Note>& notes) { messages().say(notes); }
 
 void warn(const std::string& warning) { put_line("warning: ", warning); }
 

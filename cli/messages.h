@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "record/note.h"
 #include "session/messages.h"
 
 /// What a run says beside its numbers: one function for each kind, and no other way to stderr or,
@@ -19,6 +20,8 @@ void set_quiet(bool quiet);
 /// What was done, as `my.toml written`. Behind all that stdout has so far, as the following.
 void say(const std::string& line);
 
+/// Each behind `note: `, or behind `warning: ` where it is a doubt or a warning.
+void tell(const std::vector<record::Note>& notes);
 /// What is good to know, each behind `note: `.
 void tell(const std::vector<std::string>& notes);
 
@@ -26,7 +29,7 @@ void tell(const std::vector<std::string>& notes);
 void warn(const std::string& warning);
 void warn(const std::vector<std::string>& warnings);
 
-/// What a session says, as tell() and warn(); files that it reads are none of the outputs.
+/// Hears what a session says, as tell() does; files that it reads are none of the outputs.
 [[nodiscard]] session::Messages& messages();
 
 /// Why there is no result. Said in any case.

@@ -23,11 +23,13 @@ namespace raceway::correction {
 
 std::vector<DrivenChannel> bare_channels(const Model& model,
                                          const std::vector<const Channel*>& offered,
-                                         std::vector<std::string>& messages) {
+                                         std::vector<record::Note>& messages) {
   std::vector<DrivenChannel> list;
   for (const DrivenChannel& c : model.channels) {
     if (c.input.is_power())
-      messages.push_back(fmt::format("channel {} is left out: a regression takes columns", c.name));
+      messages.push_back(record::note::rows_used(
+          fmt::format("channel {} is left out: a regression takes columns", c.name),
+          {.key = c.name}));
     else
       list.push_back({.name = c.name, .input = c.input});
   }
@@ -153,8 +155,9 @@ Identification regression_baseline(const Model& model, const std::vector<const C
     if (design.add(c.input))
       found.channels.push_back(std::move(c));
     else
-      result.messages.push_back(
-          fmt::format("{} says nothing that the other inputs do not say: it is left out", c.name));
+      result.messages.push_back(record::note::rows_used(
+          fmt::format("{} says nothing that the other inputs do not say: it is left out", c.name),
+          {.key = c.name}));
   }
   if (found.channels.empty()) throw std::invalid_argument("no input varies");
   if (design.y().size() < 3 * design.columns().cols())
@@ -204,8 +207,8 @@ Identification regression_baseline(const Model& model, const std::vector<const C
   result.tried = {std::move(tried)};
   see(found, record);
   result.model = std::move(found);
-  result.messages.emplace_back(
-      "a regression has no memory, and goes on in straight lines where nobody measured");
+  result.messages.push_back(record::note::limits(
+      "a regression has no memory, and goes on in straight lines where nobody measured"));
   return result;
 }
 

@@ -32,7 +32,7 @@ namespace raceway::correction {
 /// column. Throws std::invalid_argument where there is none.
 [[nodiscard]] std::vector<DrivenChannel> bare_channels(const Model& model,
                                                        const std::vector<const Channel*>& offered,
-                                                       std::vector<std::string>& messages);
+                                                       std::vector<record::Note>& messages);
 
 /// An ARX model: a reading from the readings and inputs before it.
 ///
@@ -58,7 +58,7 @@ struct ArxBaseline {
   std::size_t rows = 0;
   std::vector<std::string> inputs{};
   std::vector<ArxFit> fits{};  ///< by order
-  std::vector<std::string> messages{};
+  std::vector<record::Note> messages{};
 };
 
 /// On an even grid as fine as the readings come. Throws std::invalid_argument: no input, too few

@@ -284,20 +284,24 @@ class Search {
   }
 
   void warn(const tolerance::Recorded& rows) {
-    const auto tell = [&](std::string text) { result_.messages.push_back(std::move(text)); };
+    const auto tell = [&](record::Note said) { result_.messages.push_back(std::move(said)); };
     for (const std::string& name : result_.at_bound)
-      tell(fmt::format("{} ends at a bound: the record cannot tell it", name));
+      tell(record::note::at_bound(
+          fmt::format("{} ends at a bound: the record cannot tell it", name), {.key = name}));
     for (const record::Parameter& p : result_.parameters)
       if (p.unit == "s" && 3.0 * p.value > rows.duration)
-        tell(fmt::format("{} = {:.3g} s: the record of {:.3g} s is shorter than three of them",
-                         p.name, p.value, rows.duration));
+        tell(record::note::not_identifiable(
+            fmt::format("{} = {:.3g} s: the record of {:.3g} s is shorter than three of them",
+                        p.name, p.value, rows.duration),
+            {.key = p.name}));
     if (std::isnan(result_.rms_held_out))
-      tell("too few readings to hold parts out: the order rests on the error in sample");
+      tell(record::note::limits(
+          "too few readings to hold parts out: the order rests on the error in sample"));
     if (result_.condition > 1e6)
-      tell(
+      tell(record::note::not_identifiable(
           fmt::format("the columns of the fit are nearly dependent (condition {:.1e}): gains mean "
                       "little by themselves, their sum does",
-                      result_.condition));
+                      result_.condition)));
   }
 
   const IdentifyOptions& options_;

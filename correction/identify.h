@@ -7,6 +7,7 @@
 #include "correction/metrics.h"
 #include "correction/model.h"
 #include "fit/noise.h"
+#include "record/note.h"
 #include "tolerance/approximation.h"
 
 namespace raceway::correction {
@@ -58,7 +59,7 @@ struct Identification {
   double noise = unset;              ///< of a single reading [m]
   fit::NoiseSource noise_source = fit::NoiseSource::none;
   std::vector<std::string> at_bound{};
-  std::vector<std::string> messages{};
+  std::vector<record::Note> messages{};
 
   [[nodiscard]] bool converged() const { return !parameters.empty(); }
   [[nodiscard]] bool is_bank() const { return !strengths.empty(); }

@@ -39,13 +39,18 @@ class Checking {
   }
 
  private:
-  void warn(std::string text) { result_.warnings.push_back(std::move(text)); }
+  void warn(record::Note said) {
+    said.place.file = record_.source;
+    result_.warnings.push_back(std::move(said));
+  }
 
   void warn_of(const Channel& channel, std::string text) {
+    const record::Note said = record::note::sensor(
+        std::move(text), {.file = record_.source, .key = std::string(channel.name)});
     const std::vector<const Channel*> inputs = inputs_of(model_);
     if (std::any_of(inputs.begin(), inputs.end(), [&](const Channel* c) { return *c == channel; }))
-      result_.of_its_inputs.push_back(text);
-    warn(std::move(text));
+      result_.of_its_inputs.push_back(said);
+    warn(said);
   }
 
   void look_at_time() {
@@ -148,35 +153,40 @@ class Checking {
     }
     result_.reading_interval = record::median(intervals);
     if (result_.readings > 0 && result_.reading_interval > 120.0)
-      warn(fmt::format(
+      warn(record::note::noise(fmt::format(
           "readings come every {:.3g} s: what scatters between them is not the noise of "
           "the sensor; declare measurement_std_um",
-          result_.reading_interval));
+          result_.reading_interval)));
   }
 
   void look_at_model() {
     for (const DrivenChannel& c : model_.channels) {
       for (std::size_t s = 0; s < c.sections.size(); ++s)
         if (const double tau = c.sections[s].time_constant; 3.0 * tau > result_.duration)
-          warn(fmt::format(
-              "channel {}: the time constant of {:.4g} s is more than a third of the record "
-              "of {:.4g} s, which cannot tell it",
-              c.name, tau, result_.duration));
+          warn(record::note::not_identifiable(
+              fmt::format(
+                  "channel {}: the time constant of {:.4g} s is more than a third of the record "
+                  "of {:.4g} s, which cannot tell it",
+                  c.name, tau, result_.duration),
+              {.key = c.name}));
       if (c.printed) {
         double quantum = 0.1 * c.input.factor();
         for (const Channel* column : c.input.columns)
           if (const double q = quantum_of_column(*column); std::isfinite(q)) quantum = q;
         result_.printed.push_back({c.name, c.input.factor(), quantum, check(*c.printed, quantum)});
         for (const std::string& text : result_.printed.back().check.warnings)
-          warn(fmt::format("channel {}: {}", c.name, text));
+          warn(record::note::polynomial(fmt::format("channel {}: {}", c.name, text),
+                                        {.key = c.name}));
       }
       if (c.feedthrough == 0.0) continue;
       for (const Channel* column : c.input.columns)
         if (const double q = quantum_of_column(*column); std::isfinite(q))
-          warn(fmt::format(
-              "channel {}: a step of the last digit of {} ({}) moves the displacement by "
-              "{:.3g} um at once",
-              c.name, column->name, amount(*column, q), std::abs(c.feedthrough * q) / um));
+          warn(record::note::sensor(
+              fmt::format(
+                  "channel {}: a step of the last digit of {} ({}) moves the displacement by "
+                  "{:.3g} um at once",
+                  c.name, column->name, amount(*column, q), std::abs(c.feedthrough * q) / um),
+              {.key = c.name}));
     }
   }
 

@@ -27,10 +27,10 @@ struct RecordCheck {
   double reading_interval = unset;           ///< median [s]
   double shortest = unset, longest = unset;  ///< time constants that it can tell [s]
   std::vector<Quantum> quanta{};
-  std::vector<Printed> printed{};       ///< polynomials of the model
-  std::vector<std::string> warnings{};  ///< for people, a sentence each
+  std::vector<Printed> printed{};  ///< polynomials of the model
+  std::vector<record::Note> warnings{};
   /// Those of them that are of sensors on which the model itself rests.
-  std::vector<std::string> of_its_inputs{};
+  std::vector<record::Note> of_its_inputs{};
 };
 
 /// Where a power lies beyond what its delay element can take, in a sentence; empty where none does.

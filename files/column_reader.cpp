@@ -101,12 +101,13 @@ std::vector<double> ColumnReader::numbers(
     list.push_back(number.value);
   }
   if (missing.count > 0)
-    notes_.push_back(
+    notes_.push_back(record::note::left_out(
         fmt::format("{} of {} readings of {} are no readings ({}) and do not take part "
                     "(line{} {}{})",
                     missing.count, table_.rows(), source.name, text::listed(missing.texts),
                     missing.count == 1 ? "" : "s", missing.lines,
-                    missing.count > Missing::shown ? ", ..." : ""));
+                    missing.count > Missing::shown ? ", ..." : ""),
+        {.file = table_.source, .key = source.name}));
   return list;
 }
 
@@ -156,13 +157,15 @@ std::vector<double> ColumnReader::times(const ColumnSource& source,
   const double first = list.front();
   for (double& time : list) time -= first;
   if (!std::isnan(first) && !elapsed)
-    notes_.push_back(fmt::format("column {} has {}: time_s counts from {}", source.name,
-                                 source.excel_date ? "dates of Excel" : "dates",
-                                 text::timestamp_text(first)));
+    notes_.push_back(record::note::read_as(
+        fmt::format("column {} has {}: time_s counts from {}", source.name,
+                    source.excel_date ? "dates of Excel" : "dates", text::timestamp_text(first)),
+        {.file = table_.source, .key = source.name}));
   if (elapsed && first > 0.0)
-    notes_.push_back(fmt::format("column {} has {}: time_s counts from {}", source.name,
-                                 text::parse_elapsed(begin) ? "elapsed times" : "times of day",
-                                 begin));
+    notes_.push_back(record::note::read_as(
+        fmt::format("column {} has {}: time_s counts from {}", source.name,
+                    text::parse_elapsed(begin) ? "elapsed times" : "times of day", begin),
+        {.file = table_.source, .key = source.name}));
   return list;
 }
 
@@ -182,9 +185,11 @@ void ColumnReader::undo_midnights(const ColumnSource& source, std::vector<double
     list[row] += shift;
   }
   if (count > 0)
-    notes_.push_back(fmt::format(
-        "column {} passes midnight {}, first before line {}: time_s goes on", source.name,
-        count == 1 ? "once" : fmt::format("{} times", count), table_.line(first)));
+    notes_.push_back(record::note::read_as(
+        fmt::format("column {} passes midnight {}, first before line {}: time_s goes on",
+                    source.name, count == 1 ? "once" : fmt::format("{} times", count),
+                    table_.line(first)),
+        {.file = table_.source, .line = table_.line(first), .key = source.name}));
 }
 
 text::DateOrder ColumnReader::order_of(const ColumnSource& source) const {
@@ -235,9 +240,11 @@ void ColumnReader::undo_changes_of_clocks(const ColumnSource& source, std::vecto
     if ((back || forward) && text::clocks_may_change(before, forward) &&
         !text::has_zone(stamp(source, row))) {
       shift += back ? hour : -hour;
-      notes_.push_back(fmt::format(
-          "line {}: the clock goes {} by one hour, {} of summer time: time_s goes on",
-          table_.line(row), back ? "back" : "forward", back ? "the end" : "the beginning"));
+      notes_.push_back(record::note::read_as(
+          fmt::format("line {}: the clock goes {} by one hour, {} of summer time: time_s goes on",
+                      table_.line(row), back ? "back" : "forward",
+                      back ? "the end" : "the beginning"),
+          {.file = table_.source, .line = table_.line(row), .key = source.name}));
     }
     before = now;
     list[row] += shift;
@@ -273,15 +280,17 @@ void ColumnReader::check_decimal_marks() const {
       {.file = table_.source, .line = comma_.line});
 }
 
-std::vector<std::string> ColumnReader::notes_on_form() const {
+std::vector<record::Note> ColumnReader::notes_on_form() const {
   std::vector<std::string> form;
   if (table_.separator == ';') form.emplace_back("semicolons");
   if (table_.separator == '\t') form.emplace_back("tabs");
   if (comma_.line != 0) form.emplace_back("decimal commas");
   if (table_.byte_order_mark) form.emplace_back("a byte order mark");
   if (table_.carriage_returns) form.emplace_back("CRLF line ends");
-  std::vector<std::string> notes = table_.notes;
-  if (!form.empty()) notes.push_back("read with " + text::listed(form));
+  const record::Place place{.file = table_.source};
+  std::vector<record::Note> notes = notes_of(record::note::read_as, table_.notes, place);
+  if (!form.empty())
+    notes.push_back(record::note::read_as("read with " + text::listed(form), place));
   notes.insert(notes.end(), notes_.begin(), notes_.end());
   return notes;
 }

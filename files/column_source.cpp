@@ -104,8 +104,9 @@ void note_unit(const ColumnSource& source, Recognised& result) {
   if (source.cells.factor != 1.0)
     text += fmt::format("{}times {:.10g}", text.empty() ? "" : ", ", source.cells.factor);
   if (!text.empty())
-    result.notes.push_back(
-        fmt::format("column {} is {}, read {}", source.name, source.channel->name, text));
+    result.notes.push_back(record::note::read_as(
+        fmt::format("column {} is {}, read {}", source.name, source.channel->name, text),
+        {.key = source.name}));
 }
 
 void add(ColumnSource source, const text::CsvTable& table, Recognised& result) {
@@ -188,8 +189,10 @@ void join_dates(const text::CsvTable& table, Recognised& result) {
     if (names_clock ? !names_dates(result.others[k]) || !first_is(other, date)
                     : !first_is(other, text::parse_clock))
       continue;
-    result.notes.push_back(fmt::format("columns {} and {} together are {}", found->name,
-                                       result.others[k], found->channel->name));
+    result.notes.push_back(
+        record::note::read_as(fmt::format("columns {} and {} together are {}", found->name,
+                                          result.others[k], found->channel->name),
+                              {.key = found->name}));
     found->dates = names_clock ? other : found->column;
     if (!names_clock) found->column = other;
     result.others.erase(result.others.begin() + static_cast<std::ptrdiff_t>(k));
@@ -203,10 +206,11 @@ void require_columns(const text::CsvTable& table, const ColumnMap& map, Recognis
     if (rule.constant) continue;
     if (const ColumnSource* const own = found.find(*rule.channel)) {
       if (!own->unit_stated && (rule.unit || rule.factor != 1.0))
-        found.notes.push_back(
+        found.notes.push_back(record::note::read_as(
             fmt::format("column {} is read as its name says: {} is for a column \"{}\", which is "
                         "not there",
-                        own->name, rule.place.text(), rule.header));
+                        own->name, rule.place.text(), rule.header),
+            rule.place));
       continue;
     }
     throw text::InputError(

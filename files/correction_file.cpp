@@ -180,7 +180,9 @@ class CorrectionReader {
         m.effects.push_back(effect(part_of(s, "correction.effect", node), m));
     if (const toml::node* const range = s.find("range"))
       read_range(part_of(s, "correction.range", *range), m);
-    read_trust(s, m, notes_);
+    std::vector<std::string> on_trust;
+    read_trust(s, m, on_trust);
+    append(notes_, notes_of(record::note::odd_value, std::move(on_trust), {.key = "correction"}));
     return m;
   }
 
@@ -369,11 +371,12 @@ class CorrectionReader {
     c.element =
         correction::DelayElement{characteristic(s, "gain", element_gain_keys, um),
                                  characteristic(s, "time_constant", element_time_keys, minute)};
-    notes_.push_back(
+    notes_.push_back(record::note::assumed(
         fmt::format("channel {}: at a power of 0 its gain is 0, with the time constant of that "
                     "power: the paper "
                     "that it comes from is silent about standstill",
-                    c.name));
+                    c.name),
+        {.key = c.name}));
   }
 
   std::vector<double> coefficients(const Section& s, std::string_view key) const {
@@ -525,7 +528,7 @@ class CorrectionReader {
   }
 
   ModelTables& tables_;
-  std::vector<std::string>& notes_;
+  std::vector<record::Note>& notes_;
 };
 
 void check_correction_tables(const ModelTables& tables) {

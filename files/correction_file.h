@@ -8,6 +8,7 @@
 #include "files/column_map.h"
 #include "files/named_files.h"
 #include "files/used_default.h"
+#include "record/note.h"
 
 namespace raceway::files {
 
@@ -17,7 +18,7 @@ struct CorrectionFile {
   std::string source;                     ///< file name, for messages
   std::string text;                       ///< of the file, to be edited
   std::vector<UsedDefault> defaults{};    ///< every default that was used
-  std::vector<std::string> notes{};       ///< what else the user should know
+  std::vector<record::Note> notes{};      ///< what else the user should know
   ColumnMap columns{};                    ///< how its measurements are written
   correction::ControlSettings control{};  ///< what a control does with it, [export]
   std::vector<NamedFile> files{};         ///< that it names, as they were when it was read

@@ -66,8 +66,9 @@ void find_signal(const text::CsvTable& table, const Recognised& found, const Rea
                       "[torque_sensor], which raceway calibrate-sensor CSV -o FILE writes",
                       table.header_place().text(), signal->name),
           table.header_place(signal->name));
-    columns.notes.push_back(
-        fmt::format("column {} is not used: the model has no [torque_sensor]", signal->name));
+    columns.notes.push_back(record::note::unused(
+        fmt::format("column {} is not used: the model has no [torque_sensor]", signal->name),
+        {.key = signal->name}));
     return;
   }
   columns.signal = *signal;
@@ -76,9 +77,10 @@ void find_signal(const text::CsvTable& table, const Recognised& found, const Rea
     if (!(*p.channel == record::friction_torque) && !(*p.channel == record::torque_deviation))
       return false;
     columns.notes.push_back(
-        fmt::format("column {} is not used: the torque is that of {}, by "
-                    "[torque_sensor]",
-                    p.name, signal->name));
+        record::note::unused(fmt::format("column {} is not used: the torque is that of {}, by "
+                                         "[torque_sensor]",
+                                         p.name, signal->name),
+                             {.key = p.name}));
     return true;
   });
   columns.places.push_back(*signal);
@@ -122,10 +124,11 @@ void find_places(const text::CsvTable& table, const ReadOptions& options,
                                          table.header_place().text(), name, *near),
                              table.header_place(name));
     if (map.rules.empty())
-      columns.notes.push_back(fmt::format("column {} is unknown and ignored", name));
+      columns.notes.push_back(record::note::unused(
+          fmt::format("column {} is unknown and ignored", name), {.key = name}));
   }
   if (!map.rules.empty() && !found.others.empty())
-    columns.notes.push_back("not used: " + text::listed(found.others));
+    columns.notes.push_back(record::note::unused("not used: " + text::listed(found.others)));
 }
 
 /// Of the measured columns keeps those that are predicted, or the first that the model may refuse.

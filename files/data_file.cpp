@@ -43,7 +43,7 @@ class Reader {
         dropped_(options.drop_nan ? drop_empty_rows(table_, used_columns()) : std::string()),
         cells_(table_),
         notes_(columns_.notes) {
-    if (!dropped_.empty()) notes_.push_back(dropped_);
+    if (!dropped_.empty()) notes_.push_back(record::note::left_out(dropped_));
   }
 
   Record read() {
@@ -126,7 +126,7 @@ class Reader {
 
   /// How the file is written comes first, then what was said of its columns.
   void note_form() {
-    const std::vector<std::string> form = cells_.notes_on_form();
+    const std::vector<record::Note> form = cells_.notes_on_form();
     notes_.insert(notes_.begin(), form.begin(), form.end());
   }
 
@@ -135,37 +135,46 @@ class Reader {
       if (c.channel->role == Role::time || c.channel->role == Role::run) continue;
       std::vector<double>& column = values(*c.channel);
       column.assign(table_.rows(), c.value);
-      notes_.push_back(fmt::format("{}: {:.6g} {} for all rows, from {}", c.channel->name,
-                                   c.channel->in_unit(c.value), c.channel->unit, c.from));
+      notes_.push_back(record::note::filled_in(
+          fmt::format("{}: {:.6g} {} for all rows, from {}", c.channel->name,
+                      c.channel->in_unit(c.value), c.channel->unit, c.from),
+          {.key = std::string(c.channel->name)}));
     }
     for (const model::Expected::Partner& p : expected_.partners)
       if (has(*p.partner) && !has(*p.channel) && !columns_.constant(*p.channel))
-        notes_.push_back(fmt::format("no column {}: {}", p.channel->name, p.from));
+        notes_.push_back(
+            record::note::filled_in(fmt::format("no column {}: {}", p.channel->name, p.from),
+                                    {.key = std::string(p.channel->name)}));
     for (const model::Expected::Default& d : expected_.defaults) {
       if (has(*d.channel) || !values(*d.channel).empty()) continue;
       values(*d.channel).assign(table_.rows(), d.value);
-      notes_.push_back(fmt::format("no column {}: {:.6g} {} for all rows, from {}", d.channel->name,
-                                   d.channel->in_unit(d.value), d.channel->unit, d.from));
+      notes_.push_back(record::note::filled_in(
+          fmt::format("no column {}: {:.6g} {} for all rows, from {}", d.channel->name,
+                      d.channel->in_unit(d.value), d.channel->unit, d.from),
+          {.key = std::string(d.channel->name)}));
     }
   }
 
   void note_what_is_left_out() {
     if (!columns_.unused.empty()) {
       const std::size_t count = columns_.measured.size() + columns_.unused.size();
-      notes_.push_back(fmt::format("{} measured columns: {} used, {} not",
-                                   count == 2 ? "two" : std::to_string(count),
-                                   names_of(columns_.measured), names_of(columns_.unused)));
+      notes_.push_back(record::note::unused(fmt::format(
+          "{} measured columns: {} used, {} not", count == 2 ? "two" : std::to_string(count),
+          names_of(columns_.measured), names_of(columns_.unused))));
     }
     for (const auto& [channel, words] : expected_.unused)
-      if (has(*channel)) notes_.push_back(words);
+      if (has(*channel))
+        notes_.push_back(record::note::unused(words, {.key = std::string(channel->name)}));
     if (!has(record::time)) return;
     const std::vector<double>& time = values(record::time);
     std::unordered_map<double, double> last_time;
     for (std::size_t row = 0; row < table_.rows(); ++row) {
       const auto [last, is_new] = last_time.emplace(run_of(row), time[row]);
       if (!is_new && time[row] < last->second) {
-        notes_.push_back(fmt::format("time_s goes back at line {}; rows are taken as they stand",
-                                     table_.line(row)));
+        notes_.push_back(record::note::read_as(
+            fmt::format("time_s goes back at line {}; rows are taken as they stand",
+                        table_.line(row)),
+            {.file = table_.source, .line = table_.line(row), .key = "time_s"}));
         return;
       }
       last->second = time[row];
@@ -201,7 +210,8 @@ class Reader {
     if (!has(record::run)) {
       runs_.emplace_back("1");
       values(record::run).assign(table_.rows(), 0.0);
-      notes_.emplace_back("no column run_id: all rows are taken as one run");
+      notes_.push_back(record::note::filled_in("no column run_id: all rows are taken as one run",
+                                               {.key = "run_id"}));
     }
     std::vector<double> last_time(runs_.size(), -std::numeric_limits<double>::infinity());
     std::vector<std::size_t> fast;
@@ -223,8 +233,9 @@ class Reader {
               table_.source, table_.rows(), minimum),
           {.file = table_.source, .key = std::string(record::speed.name)});
     if (fast.size() < table_.rows())
-      notes_.push_back(fmt::format("{} of {} rows below minimum_speed_rpm = {:.6g} left out",
-                                   table_.rows() - fast.size(), table_.rows(), minimum));
+      notes_.push_back(record::note::left_out(
+          fmt::format("{} of {} rows below minimum_speed_rpm = {:.6g} left out",
+                      table_.rows() - fast.size(), table_.rows(), minimum)));
     return record().picked(fast);
   }
 
@@ -266,9 +277,9 @@ class Reader {
                       table_.source, minimum),
           {.file = table_.source, .key = std::string(record::speed.name)});
     if (fast.size() < table_.rows())
-      notes_.push_back(
+      notes_.push_back(record::note::left_out(
           fmt::format("{} of {} falls end below minimum_speed_rpm = {:.6g} and are left out",
-                      table_.rows() - fast.size(), table_.rows(), minimum));
+                      table_.rows() - fast.size(), table_.rows(), minimum)));
     const Record what = record().picked(fast);
     return torque([&](const model::Rig& of) { return rig::fall_torque(what, falls, of); });
   }
@@ -282,11 +293,14 @@ class Reader {
       assumed.inertia = 1.0;
       assumed.inertia = rig::matching_inertia(subject_, of(assumed));
       Record result = of(assumed);
-      result.notes.push_back(fmt::format(
-          "inertia_kgm2 = \"unknown\": {:.4g} kg m2 taken, with which the mean torque is that of "
-          "the model as it stands; torques, f0, z and all sizes in N mm are known up to this "
-          "factor, and what the record tells is the shape",
-          assumed.inertia));
+      result.notes.push_back(record::note::assumed(
+          fmt::format(
+              "inertia_kgm2 = \"unknown\": {:.4g} kg m2 taken, with which the mean torque is that "
+              "of "
+              "the model as it stands; torques, f0, z and all sizes in N mm are known up to this "
+              "factor, and what the record tells is the shape",
+              assumed.inertia),
+          {.key = "inertia_kgm2"}));
       result.up_to_a_factor = true;
       return result;
     } catch (const std::invalid_argument& e) {
@@ -307,7 +321,8 @@ class Reader {
   ColumnReader cells_;
   std::array<std::vector<double>, record::channels.size()> values_;  // [SI]
   std::vector<rig::Fall> falls_;  // by row; empty but in a file of times between two speeds
-  std::vector<std::string> runs_, notes_;
+  std::vector<std::string> runs_;
+  std::vector<record::Note> notes_;
 };
 
 }  // namespace

@@ -55,8 +55,9 @@ Places places(const text::CsvTable& table, const Recognised& found) {
 }
 
 /// What the columns that are not read mean for the fit.
-std::vector<std::string> notes_on_others(const text::CsvTable& table, const Places& read) {
-  std::vector<std::string> notes = table.notes;
+std::vector<record::Note> notes_on_others(const text::CsvTable& table, const Places& read) {
+  std::vector<record::Note> notes =
+      notes_of(record::note::read_as, table.notes, {.file = table.source});
   std::string names;
   std::size_t count = 0;
   constexpr std::size_t shown = 4;
@@ -68,16 +69,17 @@ std::vector<std::string> notes_on_others(const text::CsvTable& table, const Plac
         table.header[c] == record::preload.name || table.header[c] == record::axial_load.name;
     for (std::size_t row = 1; condition && row < table.rows(); ++row)
       if (table.shown(row, c) != table.shown(0, c)) {
-        notes.push_back(
+        notes.push_back(record::note::unused(
             fmt::format("{} changes from row to row, and the law knows speed alone: "
                         "fit each curve by itself",
-                        table.header[c]));
+                        table.header[c]),
+            {.key = table.header[c]}));
         break;
       }
   }
   if (count > 0)
-    notes.push_back(fmt::format("not used: {}{}", names,
-                                count > shown ? fmt::format(" and {} more", count - shown) : ""));
+    notes.push_back(record::note::unused(fmt::format(
+        "not used: {}{}", names, count > shown ? fmt::format(" and {} more", count - shown) : "")));
   return notes;
 }
 
@@ -111,10 +113,10 @@ DisplacementCurve curve_of(text::CsvTable table, const ReadOptions& options) {
   }
   bad.throw_if_any();
   if (without > 0)
-    curve.notes.push_back(
+    curve.notes.push_back(record::note::left_out(
         fmt::format("{} of {} rows have no displacement, as their status says: "
                     "left out",
-                    without, table.rows()));
+                    without, table.rows())));
   return curve;
 }
 

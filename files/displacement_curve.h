@@ -6,6 +6,7 @@
 
 #include "files/column_map.h"
 #include "files/source.h"
+#include "record/note.h"
 #include "shaft/displacement_table.h"
 
 namespace raceway::files {
@@ -14,7 +15,7 @@ namespace raceway::files {
 struct DisplacementCurve {
   std::string source;  ///< file name, for messages
   std::vector<shaft::DisplacementPoint> points = {};
-  std::vector<std::string> notes;  ///< what the user should know, one line each
+  std::vector<record::Note> notes;  ///< what the user should know
 };
 
 /// Reads `speed_rpm`, `axial_displacement_um` and, where it is given, `std_um` of a CSV, as

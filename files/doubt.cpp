@@ -30,9 +30,9 @@ Doubt other_temperature(const record::Channel& channel, double from, double to,
           .units = {{&channel, other.suffix}}};
 }
 
-std::vector<std::string> asked_about(const std::vector<Doubt>& doubts, const Source& source,
-                                     const ReadOptions& options) {
-  std::vector<std::string> warnings;
+std::vector<record::Note> asked_about(const std::vector<Doubt>& doubts, const Source& source,
+                                      const ReadOptions& options) {
+  std::vector<record::Note> warnings;
   std::string questions;
   text::Place place{.file = source.name};
   text::CsvTable table;
@@ -54,7 +54,7 @@ std::vector<std::string> asked_about(const std::vector<Doubt>& doubts, const Sou
     }
     if (stamped) continue;  // dates have no unit
     if (answers.empty() || answered)
-      warnings.push_back(doubt.text);
+      warnings.push_back(record::note::unit(doubt.text, {.file = source.name}));
     else
       questions += fmt::format(
           "{}{}: {} Say so in [columns]: {}. If the file is right, state its unit there.",

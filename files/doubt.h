@@ -7,6 +7,7 @@
 #include "files/column_map.h"
 #include "files/source.h"
 #include "record/channel.h"
+#include "record/note.h"
 
 namespace raceway::files {
 
@@ -28,8 +29,8 @@ struct Doubt {
 /// Throws InputError for doubts about units of columns of `source` that no [columns] has answered:
 /// each question, and the line of [columns] that answers it. Returns the others, which are
 /// warnings.
-[[nodiscard]] std::vector<std::string> asked_about(const std::vector<Doubt>& doubts,
-                                                   const Source& source,
-                                                   const ReadOptions& options);
+[[nodiscard]] std::vector<record::Note> asked_about(const std::vector<Doubt>& doubts,
+                                                    const Source& source,
+                                                    const ReadOptions& options);
 
 }  // namespace raceway::files

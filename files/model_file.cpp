@@ -228,7 +228,7 @@ ModelFile model_of_tables(ModelTables& tables, std::string text) {
           .catalogue = std::move(read.catalogue),
           .written = std::move(read.written),
           .defaults = tables.defaults(),
-          .notes = std::move(notes),
+          .notes = notes_of(record::note::odd_value, std::move(notes), {.file = source}),
           .columns = std::move(columns),
           .sensor = std::move(sensor),
           .files = tables.files().list()};

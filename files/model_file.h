@@ -12,6 +12,7 @@
 #include "files/named_files.h"
 #include "files/used_default.h"
 #include "model/model.h"
+#include "record/note.h"
 #include "rig/torque_sensor.h"
 
 namespace raceway::files {
@@ -29,7 +30,7 @@ struct ModelFile {
   /// Every default that was used.
   std::vector<UsedDefault> defaults;
   /// What else the user should know, one line each, without the file's name.
-  std::vector<std::string> notes = {};
+  std::vector<record::Note> notes = {};
   ColumnMap columns = {};  ///< how its measurements are written
   /// Of the sensor that measures its torque, where it says.
   std::optional<rig::TorqueSensor> sensor = {};

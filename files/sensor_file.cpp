@@ -37,15 +37,18 @@ SensorReadings readings_of(text::CsvTable table, const ReadOptions& options) {
   const Recognised found = recognise(table, options.columns);
   const ColumnSource& reference = required(table, found, reference_torque);
   const ColumnSource& signal = required(table, found, calibration_signal, &torque_signal);
-  SensorReadings result{.source = table.source, .notes = table.notes};
+  SensorReadings result{
+      .source = table.source,
+      .notes = notes_of(record::note::read_as, table.notes, {.file = table.source})};
   result.notes.insert(result.notes.end(), found.notes.begin(), found.notes.end());
   if (options.drop_nan)
     if (std::string note = drop_empty_rows(table, {reference, signal}); !note.empty())
-      result.notes.push_back(std::move(note));
+      result.notes.push_back(record::note::left_out(std::move(note)));
   std::vector<std::string> unused;
   for (std::size_t c = 0; c < table.header.size(); ++c)
     if (c != reference.column && c != signal.column) unused.push_back(table.header[c]);
-  if (!unused.empty()) result.notes.push_back("not used: " + text::listed(unused));
+  if (!unused.empty())
+    result.notes.push_back(record::note::unused("not used: " + text::listed(unused)));
   text::BadCells bad(table.source, table.rows());
   for (std::size_t row = 0; row < table.rows(); ++row)
     result.readings.push_back({.torque = si_of_cell(table, row, reference, false, bad).value,
@@ -131,43 +134,44 @@ std::string sensor_calibration_json(const rig::SensorCalibration& c, const std::
   const auto percent = [&](double signal) { return 100.0 * signal / c.signal_range; };
   const rig::LackOfFit& lack = c.lack_of_fit;
   const rig::Hysteresis& h = c.hysteresis;
-  return text::text({{"source", source},
-                     {"degree", c.degree()},
-                     {"coefficients", coefficients},
-                     {"correlation", correlations},
-                     {"residual_std_V", s.scatter},
-                     {"readings", c.readings},
-                     {"torques", c.torques},
-                     {"degrees_of_freedom", c.degrees_of_freedom},
-                     {"torque_from_Nm", s.lowest_torque},
-                     {"torque_to_Nm", s.highest_torque},
-                     {"signal_from_V", s.lowest_signal},
-                     {"signal_to_V", s.highest_signal},
-                     {"gain_std_percent", percent(c.range_std)},
-                     {"linearity",
-                      {{"off_line_V", c.off_line},
-                       {"off_line_percent", percent(c.off_line)},
-                       {"off_curve_V", c.off_curve},
-                       {"higher_terms_p_value", c.higher_terms_p_value}}},
-                     {"lack_of_fit",
-                      {{"statistic", lack.statistic},
-                       {"p_value", lack.p_value},
-                       {"degrees", lack.degrees},
-                       {"error_degrees", lack.error_degrees},
-                       {"repeatability_V", lack.repeatability}}},
-                     {"hysteresis",
-                      {{"torques", h.torques},
-                       {"mean_V", h.mean},
-                       {"largest_V", h.largest},
-                       {"largest_percent", percent(h.largest)},
-                       {"largest_at_Nm", h.largest_at},
-                       {"p_value", h.p_value}}},
-                     {"even_scatter",
-                      {{"p_value", c.even_scatter_p_value},
-                       {"low_V", c.scatter_low},
-                       {"high_V", c.scatter_high}}},
-                     {"notes", c.notes},
-                     {"warnings", c.warnings}});
+  text::json document = {
+      {"source", source},
+      {"degree", c.degree()},
+      {"coefficients", coefficients},
+      {"correlation", correlations},
+      {"residual_std_V", s.scatter},
+      {"readings", c.readings},
+      {"torques", c.torques},
+      {"degrees_of_freedom", c.degrees_of_freedom},
+      {"torque_from_Nm", s.lowest_torque},
+      {"torque_to_Nm", s.highest_torque},
+      {"signal_from_V", s.lowest_signal},
+      {"signal_to_V", s.highest_signal},
+      {"gain_std_percent", percent(c.range_std)},
+      {"linearity",
+       {{"off_line_V", c.off_line},
+        {"off_line_percent", percent(c.off_line)},
+        {"off_curve_V", c.off_curve},
+        {"higher_terms_p_value", c.higher_terms_p_value}}},
+      {"lack_of_fit",
+       {{"statistic", lack.statistic},
+        {"p_value", lack.p_value},
+        {"degrees", lack.degrees},
+        {"error_degrees", lack.error_degrees},
+        {"repeatability_V", lack.repeatability}}},
+      {"hysteresis",
+       {{"torques", h.torques},
+        {"mean_V", h.mean},
+        {"largest_V", h.largest},
+        {"largest_percent", percent(h.largest)},
+        {"largest_at_Nm", h.largest_at},
+        {"p_value", h.p_value}}},
+      {"even_scatter",
+       {{"p_value", c.even_scatter_p_value}, {"low_V", c.scatter_low}, {"high_V", c.scatter_high}}},
+      {"notes", nullptr}};
+  text::put_notes(document, "notes", c.notes);
+  text::put_notes(document, "warnings", c.warnings);
+  return text::text(document);
 }
 
 }  // namespace raceway::files

@@ -6,6 +6,7 @@
 
 #include "files/column_map.h"
 #include "files/source.h"
+#include "record/note.h"
 #include "rig/sensor_calibration.h"
 
 /// The calibration of a torque sensor: its readings, and what was made of them.
@@ -15,7 +16,7 @@ namespace raceway::files {
 struct SensorReadings {
   std::string source;  ///< file name, for messages
   std::vector<rig::SensorReading> readings = {};
-  std::vector<std::string> notes = {};  ///< what the user should know, one line each
+  std::vector<record::Note> notes = {};  ///< what the user should know
 };
 
 /// Reads `reference_Nm` and `signal_V`, or `torque_signal_V` as in a record, of a CSV; "-" is

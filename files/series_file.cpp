@@ -170,20 +170,21 @@ class SeriesReader {
     }
   }
 
-  std::vector<std::string> notes(const Record& result) const {
-    std::vector<std::string> list = cells_.notes_on_form();
+  std::vector<record::Note> notes(const Record& result) const {
+    std::vector<record::Note> list = cells_.notes_on_form();
     list.insert(list.end(), found_.notes.begin(), found_.notes.end());
-    if (!dropped_.empty()) list.push_back(dropped_);
-    list.insert(list.end(), filled_.begin(), filled_.end());
-    list.insert(list.end(), constants_.begin(), constants_.end());
-    if (!unknown_.empty()) list.push_back(unknown_);
-    if (!unused_.empty()) list.push_back("not predicted by the model: " + text::listed(unused_));
+    if (!dropped_.empty()) list.push_back(record::note::left_out(dropped_));
+    append(list, notes_of(record::note::filled_in, filled_));
+    append(list, notes_of(record::note::filled_in, constants_));
+    if (!unknown_.empty()) list.push_back(record::note::unused(unknown_));
+    if (!unused_.empty())
+      list.push_back(record::note::unused("not predicted by the model: " + text::listed(unused_)));
     note_gaps(result, list);
     return list;
   }
 
   /// Steps of time far beyond the usual one.
-  void note_gaps(const Record& result, std::vector<std::string>& list) const {
+  void note_gaps(const Record& result, std::vector<record::Note>& list) const {
     constexpr double far_beyond = 20.0;
     const std::span<const double> time = result.values(record::time);
     std::vector<double> steps;
@@ -200,12 +201,15 @@ class SeriesReader {
       longest = std::max(longest, step);
     }
     if (count > 0)
-      list.push_back(fmt::format(
-          "{} gap{} in time, the first before {}, the longest {:.4g} s where rows come every "
-          "{:.4g} s: {}",
-          count, count == 1 ? "" : "s", result.place(first), longest, usual,
-          of_spindle_ ? "the inputs of the row behind it hold"
-                      : "temperatures are carried over it in a straight line, all else as it was"));
+      list.push_back(record::note::filled_in(
+          fmt::format(
+              "{} gap{} in time, the first before {}, the longest {:.4g} s where rows come every "
+              "{:.4g} s: {}",
+              count, count == 1 ? "" : "s", result.place(first), longest, usual,
+              of_spindle_
+                  ? "the inputs of the row behind it hold"
+                  : "temperatures are carried over it in a straight line, all else as it was"),
+          {.line = result.line(first)}));
   }
 
   text::CsvTable table_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "record/channel.h"
+#include "record/note.h"
 
 namespace raceway::record {
 
@@ -27,11 +28,11 @@ struct Part {
 /// What was measured: columns over rows. Rows are known by their place here; the line of a file is
 /// kept for messages alone.
 struct Record {
-  std::string source{};              ///< file name, for messages
-  std::vector<Column> columns{};     ///< all of one length
-  std::vector<std::string> runs{};   ///< names of the runs, to which the column `run` has indices
-  std::vector<int> lines{};          ///< of the file, by row; empty where rows come from no file
-  std::vector<std::string> notes{};  ///< what the reader did that the user should know, a line each
+  std::string source{};             ///< file name, for messages
+  std::vector<Column> columns{};    ///< all of one length
+  std::vector<std::string> runs{};  ///< names of the runs, to which the column `run` has indices
+  std::vector<int> lines{};         ///< of the file, by row; empty where rows come from no file
+  std::vector<Note> notes{};        ///< what the reader did that the user should know
   /// The readings have one factor in common that nobody knows.
   bool up_to_a_factor = false;
   /// Of a record that joined() made, to which the column `part` has indices; otherwise empty.

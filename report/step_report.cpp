@@ -88,7 +88,7 @@ void add_superposition(Document& document, const results::Superposition& s,
 }  // namespace
 
 std::string step_report(const std::string& source, const spindle::StepResponses& responses,
-                        const spindle::PowerLaws& laws, const std::vector<std::string>& notes,
+                        const spindle::PowerLaws& laws, const std::vector<record::Note>& notes,
                         const results::Superposition* error, const std::string& programme,
                         const std::vector<ModelOfPage>& facts) {
   Document document("steps");

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "record/note.h"
 #include "report/report.h"
 #include "results/step_results.h"
 
@@ -14,7 +15,7 @@ namespace raceway::report {
 [[nodiscard]] std::string step_report(const std::string& source,
                                       const spindle::StepResponses& responses,
                                       const spindle::PowerLaws& laws,
-                                      const std::vector<std::string>& notes,
+                                      const std::vector<record::Note>& notes,
                                       const results::Superposition* error,
                                       const std::string& programme,
                                       const std::vector<ModelOfPage>& facts);

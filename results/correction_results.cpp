@@ -73,7 +73,8 @@ text::json identified_object(const Identification& found) {
                  {"initial_state", name(found.model.initial_state)},
                  {"correlation_time_s", found.correlation_time},
                  {"whiteness_p_value", found.whiteness_p_value},
-                 {"warnings", found.messages}});
+                 {"warnings", nullptr}});
+  text::put_notes(result, "warnings", found.messages);
   if (!found.is_bank()) return result;
   text::json ahead = text::json::array(), strengths = text::json::array();
   for (const correction::AheadError& e : found.ahead)
@@ -125,12 +126,13 @@ text::json arx_object(const record::Channel& displacement, const correction::Arx
                     {"time_constants_s", f.time_constants},
                     {"stable", f.stable}});
   }
-  return {{"displacement", displacement.name},
-          {"sampling_s", a.sampling},
-          {"points", a.rows},
-          {"inputs", a.inputs},
-          {"fits", std::move(fits)},
-          {"warnings", a.messages}};
+  text::json result = {{"displacement", displacement.name},
+                       {"sampling_s", a.sampling},
+                       {"points", a.rows},
+                       {"inputs", a.inputs},
+                       {"fits", std::move(fits)}};
+  text::put_notes(result, "warnings", a.messages);
+  return result;
 }
 
 text::json band_object(const Corrected& c) {
@@ -261,12 +263,12 @@ std::string corrected_text(const record::Record& record, const std::vector<Corre
 
 std::string corrected_json(const std::string& model_file, const record::Record& record,
                            const std::vector<Corrected>& corrected,
-                           const std::vector<std::string>& messages) {
+                           const std::vector<record::Note>& messages) {
   text::json document = {{"model", model_file}, {"data", data_of(record)}, {"rows", record.rows()}};
   text::json axes = text::json::array();
   for (const Corrected& c : corrected) axes.push_back(corrected_object(c, record));
   add_axes(document, std::move(axes));
-  document["messages"] = messages;
+  text::put_notes(document, "messages", messages);
   return text::text(document);
 }
 

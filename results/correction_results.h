@@ -52,6 +52,6 @@ struct Corrected {
 [[nodiscard]] std::string corrected_json(const std::string& model_file,
                                          const record::Record& record,
                                          const std::vector<Corrected>& corrected,
-                                         const std::vector<std::string>& messages);
+                                         const std::vector<record::Note>& messages);
 
 }  // namespace raceway::results

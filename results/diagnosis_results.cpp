@@ -296,7 +296,8 @@ std::string diagnosis_json(const std::string& model_file, const record::Record& 
        {"separation_by_repetition", d.separation_by_repetition},
        {"records_needed", d.records_needed},
        {"outlier_lines", outlier_lines(record, d.outliers)},
-       {"messages", d.messages}});
+       {"messages", nullptr}});
+  text::put_notes(document, "messages", d.messages);
   add_notes(document, record);
   if (!d.other_bases.empty())
     document["other_bases"] =
@@ -333,7 +334,8 @@ std::string add_json(const std::string& model_file, const record::Record& record
                          {"rmse_held_out_after", first["rmse_held_out_after"]},
                          {"hold_out", hold_out_object(r.hold_out, channels)},
                          {"calibration", calibration_object(r.calibration, record)},
-                         {"messages", r.messages}};
+                         {"messages", nullptr}};
+  text::put_notes(document, "messages", r.messages);
   add_notes(document, record);
   document["before"].update(likelihood_object(r.before, counts));
   add_channels(document, list);

@@ -210,7 +210,7 @@ text::json data_of(const record::Record& record) {
 }
 
 void add_notes(text::json& document, const record::Record& record) {
-  document["notes"] = record.notes;
+  text::put_notes(document, "notes", record.notes);
   const std::span<const double> rows = record.values(fit::dwell_rows);
   if (rows.empty()) return;
   text::json averaged = text::json::array();
@@ -280,7 +280,7 @@ text::json calibration_object(const verdict::Calibration& c, const record::Recor
   if (!channels.empty()) document.update(channels[0]);
   document["readings"] = c.likelihood.readings;
   add_channels(document, std::move(channels));
-  document["messages"] = c.messages;
+  text::put_notes(document, "messages", c.messages);
   document["report"] = {{"status", fit::name(c.status)}, {"iterations", c.iterations}};
   return document;
 }
@@ -338,7 +338,7 @@ text::json over_time_object(const correction::RecordCheck& c) {
                          {"reading_interval_s", c.reading_interval},
                          {"time_constants_visible_s", {c.shortest, c.longest}},
                          {"quanta", std::move(quanta)},
-                         {"warnings", c.warnings}};
+                         {"warnings", nullptr}};  // check_json() has them
   // The first at the top, as with channels.
   if (printed.empty()) return document;
   text::json first = printed.front();
@@ -352,14 +352,15 @@ text::json over_time_object(const correction::RecordCheck& c) {
 
 std::string model_check_json(const std::string& model_name,
                              const std::vector<files::UsedDefault>& defaults,
-                             const std::vector<std::string>& notes) {
-  return text::text(
-      {{"model", model_name}, {"defaults", files::lines(defaults)}, {"notes", notes}});
+                             const std::vector<record::Note>& notes) {
+  text::json document = {{"model", model_name}, {"defaults", files::lines(defaults)}};
+  text::put_notes(document, "notes", notes);
+  return text::text(document);
 }
 
 std::string check_json(const std::string& model_name, const loop::Check& check,
                        const std::vector<files::UsedDefault>& defaults,
-                       const std::vector<std::string>& notes,
+                       const std::vector<record::Note>& notes,
                        const correction::RecordCheck* over_time) {
   text::json columns = text::json::array();
   for (const loop::Check::Column& c : check.columns)
@@ -388,10 +389,13 @@ std::string check_json(const std::string& model_name, const loop::Check& check,
                          {"rows", check.rows},    {"runs", check.runs},
                          {"unit", first["unit"]}, {"noise", first["noise"]},
                          {"columns", columns},    {"free_parameters", parameters},
-                         {"effects", effects},    {"defaults", files::lines(defaults)},
-                         {"notes", notes}};
+                         {"effects", effects},    {"defaults", files::lines(defaults)}};
+  text::put_notes(document, "notes", notes);
   add_channels(document, std::move(channels));
-  if (over_time) document.update(over_time_object(*over_time));
+  if (over_time) {
+    document.update(over_time_object(*over_time));
+    text::put_notes(document, "warnings", over_time->warnings);
+  }
   return text::text(std::move(document));
 }
 

@@ -38,8 +38,9 @@ std::string kinematic_law_json(const shaft::KinematicLawFit& fit, const std::str
       {"valid_to_rpm", in_rpm(fit.law.highest_speed)},
       {"verdict", shaft::name(fit.verdict)},
       {"statement", statement},
-      {"notes", fit.notes},
+      {"notes", nullptr},
       {"report", {{"status", fit::name(fit.status)}, {"iterations", fit.iterations}}}};
+  text::put_notes(document, "notes", fit.notes);
   if (at)
     document["at"] = {{"speed_rpm", in_rpm(at->speed)},
                       {"axial_displacement_um", at->value.displacement / um},

@@ -110,13 +110,13 @@ std::string learnt_text(const record::Record& record, const std::vector<Learnt>&
 
 std::string learnt_json(const std::string& model_file, const record::Record& record,
                         const std::vector<Learnt>& learnt,
-                        const std::vector<std::string>& messages) {
+                        const std::vector<record::Note>& messages) {
   text::json document = {{"model", model_file}, {"data", data_of(record)}, {"rows", record.rows()}};
   text::json axes = text::json::array();
   for (const Learnt& one : learnt) axes.push_back(object_of(one, record));
   document.update(axes.at(0));
   if (axes.size() > 1) document["axes"] = std::move(axes);
-  document["messages"] = messages;
+  text::put_notes(document, "messages", messages);
   return text::text(document);
 }
 

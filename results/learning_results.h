@@ -22,6 +22,6 @@ struct Learnt {
 /// The document of `raceway correct --learn --json`.
 [[nodiscard]] std::string learnt_json(const std::string& model_file, const record::Record& record,
                                       const std::vector<Learnt>& learnt,
-                                      const std::vector<std::string>& messages);
+                                      const std::vector<record::Note>& messages);
 
 }  // namespace raceway::results

@@ -17,6 +17,7 @@
 #include "loop/check.h"
 #include "model/model.h"
 #include "model/prediction.h"
+#include "record/note.h"
 #include "results/band_of_result.h"
 #include "text/error.h"
 #include "verdict/calibrate.h"
@@ -57,13 +58,13 @@ namespace raceway::results {
 /// `defaults` of the model and `notes` on the data, as people read them.
 [[nodiscard]] std::string check_json(const std::string& model_name, const loop::Check& check,
                                      const std::vector<files::UsedDefault>& defaults,
-                                     const std::vector<std::string>& notes,
+                                     const std::vector<record::Note>& notes,
                                      const correction::RecordCheck* over_time = nullptr);
 
 /// The same of a model without data.
 [[nodiscard]] std::string model_check_json(const std::string& model_name,
                                            const std::vector<files::UsedDefault>& defaults,
-                                           const std::vector<std::string>& notes);
+                                           const std::vector<record::Note>& notes);
 
 /// Why there is no result: `{"error": {"message", "file", "line", "key"}}`, null where not known.
 [[nodiscard]] std::string error_json(const std::string& message, const text::Place& place);

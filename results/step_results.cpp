@@ -92,7 +92,8 @@ std::string step_responses_text(const spindle::StepResponses& responses, std::st
 
 std::string step_responses_json(const spindle::StepResponses& responses,
                                 const spindle::PowerLaws& laws,
-                                const std::vector<std::string>& notes, const Superposition* error) {
+                                const std::vector<record::Note>& notes,
+                                const Superposition* error) {
   text::json rows = text::json::array();
   double from = unset, to = unset;
   for (const StepResponse& step : responses.steps) {
@@ -135,7 +136,7 @@ std::string step_responses_json(const spindle::StepResponses& responses,
                                  {"lowest_um", error->lowest / um},
                                  {"highest_um", error->highest / um},
                                  {"status", spindle::name(error->report.status)}};
-  document["notes"] = notes;
+  text::put_notes(document, "notes", notes);
   return text::text(document);
 }
 

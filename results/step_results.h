@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "record/note.h"
 #include "results/superposition.h"
 #include "spindle/step_response.h"
 
@@ -21,7 +22,7 @@ namespace raceway::results {
 /// correction, null where none was asked for.
 [[nodiscard]] std::string step_responses_json(const spindle::StepResponses& responses,
                                               const spindle::PowerLaws& laws,
-                                              const std::vector<std::string>& notes,
+                                              const std::vector<record::Note>& notes,
                                               const Superposition* error = nullptr);
 
 }  // namespace raceway::results

@@ -69,7 +69,7 @@ std::vector<std::vector<std::size_t>> rows_by_run(const record::Record& record) 
 class RunRegression {
  public:
   RunRegression(const record::Record& record, const model::Rig& rig,
-                const CoastDownOptions& options, std::vector<std::string>& notes)
+                const CoastDownOptions& options, std::vector<record::Note>& notes)
       : record_(record), rig_(rig), options_(options), notes_(notes) {
     times_ = record.values(record::time);
     speeds_ = record.values(record::speed);
@@ -116,8 +116,9 @@ class RunRegression {
 
   template <typename... Arguments>
   void note(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
-    notes_.push_back(of_run(summary_.run) +
-                     fmt::format(text, std::forward<Arguments>(arguments)...));
+    notes_.push_back(record::note::left_out(
+        of_run(summary_.run) + fmt::format(text, std::forward<Arguments>(arguments)...),
+        {.key = "run_id"}));
   }
 
   std::vector<Block> samples_of(const std::vector<std::size_t>& rows) {
@@ -259,7 +260,7 @@ class RunRegression {
   const record::Record& record_;
   const model::Rig& rig_;
   const CoastDownOptions& options_;
-  std::vector<std::string>& notes_;
+  std::vector<record::Note>& notes_;
   std::span<const double> times_, speeds_;
   std::array<std::span<const double>, input_count> inputs_;
   CoastDownRun summary_;

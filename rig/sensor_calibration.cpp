@@ -205,11 +205,11 @@ class Calibrator {
   void look_for_higher_terms() {
     const double p = result_.higher_terms_p_value = higher_terms(fit_);
     if (!(p < sensor_significance)) return;
-    result_.warnings.push_back(fmt::format(
+    result_.warnings.push_back(record::note::misfit(fmt::format(
         "a {} misses the readings by up to {:.3g} V, {:.2g} % of the range, and not by chance "
         "({}): --degree {} follows them",
         degree_name(result_.degree()), result_.off_curve, percent(result_.off_curve), chance(p),
-        best_));
+        best_)));
   }
 
   void look_for_lack_of_fit() {
@@ -222,17 +222,17 @@ class Calibrator {
     lack.degrees = torques() - p;
     lack.error_degrees = count() - torques();
     if (lack.error_degrees < 1) {
-      result_.notes.push_back(
+      result_.notes.push_back(record::note::unknown(
           "no torque was read twice: what is scatter and what is the curve's own shape is told by "
-          "polynomials alone; readings at the same torques, rising and falling, tell it better");
+          "polynomials alone; readings at the same torques, rising and falling, tell it better"));
       return;
     }
     lack.repeatability = pure > floor_ ? std::sqrt(pure / lack.error_degrees) : 0.0;
     if (lack.degrees < 1) return;
     if (pure <= floor_) {
-      result_.notes.push_back(
+      result_.notes.push_back(record::note::unknown(
           "readings at the same torque are alike to the last digit: their scatter is below the "
-          "resolution of the signal, and the curve is not tested against it");
+          "resolution of the signal, and the curve is not tested against it"));
       return;
     }
     const double misfit = std::max(0.0, fit_.square - pure);
@@ -240,11 +240,11 @@ class Calibrator {
     lack.p_value = p_of_F(misfit, lack.degrees, pure, lack.error_degrees, floor_);
     // Where higher terms do better, that has been said.
     if (lack.p_value < sensor_significance && !(result_.higher_terms_p_value < sensor_significance))
-      result_.warnings.push_back(fmt::format(
+      result_.warnings.push_back(record::note::misfit(fmt::format(
           "the means at each torque are off the {} by up to {:.3g} V, {:.2g} % of the range, more "
           "than repeated readings scatter (F = {:.3g}, {})",
           degree_name(result_.degree()), result_.off_curve, percent(result_.off_curve),
-          lack.statistic, chance(lack.p_value)));
+          lack.statistic, chance(lack.p_value))));
   }
 
   /// +1 where the torque had risen to reading i, -1 where it had fallen; 0 at the first torque.
@@ -279,9 +279,9 @@ class Calibrator {
     }
     h.torques = static_cast<int>(gaps.size());
     if (gaps.empty()) {
-      result_.notes.push_back(
+      result_.notes.push_back(record::note::unknown(
           "no torque between the ends was read both rising and falling: nothing is known of the "
-          "hysteresis");
+          "hysteresis"));
       return;
     }
     h.mean = 0.0;
@@ -292,11 +292,11 @@ class Calibrator {
     const double t2 = h.mean * h.mean * h.torques;
     h.p_value = p_of_F(t2, 1, square, h.torques - 1, floor_);  // the square of Student's t
     if (h.p_value < sensor_significance)
-      result_.warnings.push_back(fmt::format(
+      result_.warnings.push_back(record::note::misfit(fmt::format(
           "hysteresis: readings with the torque falling are {:+.3g} V off those with it rising, at "
           "most {:+.3g} V, {:.2g} % of the range, at {:.4g} N m ({}); the curve runs between them, "
           "and half of it counts as scatter",
-          h.mean, h.largest, percent(h.largest), h.largest_at, chance(h.p_value)));
+          h.mean, h.largest, percent(h.largest), h.largest_at, chance(h.p_value))));
   }
 
   /// N R² of the squared residuals over the torque [Koenker1981].
@@ -321,11 +321,11 @@ class Calibrator {
     const double p = result_.even_scatter_p_value = fit::chi_squared_above(1.0, count() * share);
     if (!(p < sensor_significance)) return;
     set_covariance(robust_covariance(fit_));
-    result_.warnings.push_back(fmt::format(
+    result_.warnings.push_back(record::note::noise(fmt::format(
         "the scatter is {:.3g} V in the lower half of the range and {:.3g} V in the upper ({}): "
         "the standard errors hold all the same, but the scatter of a single reading is only right "
         "on average",
-        result_.scatter_low, result_.scatter_high, chance(p)));
+        result_.scatter_low, result_.scatter_high, chance(p))));
   }
 
   /// Readings whose residual, of a fit without them, chance does not bring once in a hundred such
@@ -340,15 +340,16 @@ class Calibrator {
       const double rest = fit_.square * free - e * e;
       const double t = rest > 0.0 ? std::abs(e) * std::sqrt(df / rest) : 0.0;
       if (!(t > limit) || ++found > shown) continue;
-      result_.warnings.push_back(
+      result_.warnings.push_back(record::note::check_data(
           fmt::format("line {}: {:.6g} V at {:.6g} N m is {:+.3g} V off the curve, {:.3g} times "
                       "what the others "
                       "scatter; a slip of the pen?",
-                      readings_[i].line, readings_[i].signal, readings_[i].torque, e / free, t));
+                      readings_[i].line, readings_[i].signal, readings_[i].torque, e / free, t),
+          {.line = readings_[i].line}));
     }
     if (found > shown)
-      result_.warnings.push_back(
-          fmt::format("{} more readings are as far off the curve", found - shown));
+      result_.warnings.push_back(record::note::check_data(
+          fmt::format("{} more readings are as far off the curve", found - shown)));
   }
 
   /// Torque and signal alike to the last digit are usually rows copied, at times a coarse signal.
@@ -370,11 +371,11 @@ class Calibrator {
     if (twins == 0) return;
     std::sort(lines.begin(), lines.end());
     lines.resize(std::min(twins, shown));
-    result_.notes.push_back(fmt::format(
+    result_.notes.push_back(record::note::assumed(fmt::format(
         "{} reading{} the same torque and signal as another one, to the last digit (line{} {}{}): "
         "taken as {}",
         twins, twins == 1 ? " has" : "s have", twins == 1 ? "" : "s", fmt::join(lines, ", "),
-        twins > shown ? ", ..." : "", twins == 1 ? "a repeat" : "repeats"));
+        twins > shown ? ", ..." : "", twins == 1 ? "a repeat" : "repeats")));
   }
 
   Readings readings_;

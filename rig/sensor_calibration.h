@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "record/note.h"
 #include "rig/torque_sensor.h"
 
 namespace raceway::rig {
@@ -59,7 +60,7 @@ struct SensorCalibration {
   /// That the scatter is the same at every torque, after [Koenker1981]; NaN below 10 readings [1].
   double even_scatter_p_value = unset;
   double scatter_low = unset, scatter_high = unset;  ///< of the lower and upper half [V]
-  std::vector<std::string> notes{}, warnings{};
+  std::vector<record::Note> notes{}, warnings{};
 
   [[nodiscard]] int degree() const { return static_cast<int>(sensor.coefficients.size()) - 1; }
   /// Standard deviation of a coefficient.

@@ -168,15 +168,18 @@ SensedTorques sensed_torques(const TorqueSensor& sensor, std::span<const double>
                                        sensor.source.empty() ? "" : ", of " + sensor.source);
   if (*std::min_element(std.begin(), std.end()) < least_std) {
     result.std.clear();
-    result.notes.push_back(from + ": it knows of no scatter, and gives rows no std_Nmm");
+    result.notes.push_back(record::note::unknown(
+        from + ": it knows of no scatter, and gives rows no std_Nmm", {.key = "torque_sensor"}));
   } else {
-    result.notes.push_back(fmt::format(
-        "{}: std_Nmm of a row {} N mm, of which {} N mm comes from the calibration{}: it is common "
-        "to all rows, and no mean takes it away",
-        from, span_text(std), span_text(common), sensor.zero ? " and zero_V" : ""));
+    result.notes.push_back(record::note::read_as(
+        fmt::format("{}: std_Nmm of a row {} N mm, of which {} N mm comes from the calibration{}: "
+                    "it is common "
+                    "to all rows, and no mean takes it away",
+                    from, span_text(std), span_text(common), sensor.zero ? " and zero_V" : ""),
+        {.key = "torque_sensor"}));
   }
   if (std::string note = note_outside(sensor, signals, lines); !note.empty())
-    result.notes.push_back(std::move(note));
+    result.notes.push_back(record::note::read_as(std::move(note), {.key = "torque_sensor"}));
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "record/note.h"
 #include "record/units.h"
 
 namespace raceway::rig {
@@ -60,9 +61,9 @@ struct SensedTorque {
 
 /// Readings of a record as torques.
 struct SensedTorques {
-  std::vector<double> torque{};      ///< [N m]; NaN where nothing was read
-  std::vector<double> std{};         ///< [N m]; empty where the calibration knows of no scatter
-  std::vector<std::string> notes{};  ///< on their errors, and on signals that no weight has made
+  std::vector<double> torque{};       ///< [N m]; NaN where nothing was read
+  std::vector<double> std{};          ///< [N m]; empty where the calibration knows of no scatter
+  std::vector<record::Note> notes{};  ///< on their errors, and on signals that no weight has made
 };
 
 /// `deviations` has one for each signal [V] or none; `lines` of the file, for notes.

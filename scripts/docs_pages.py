@@ -344,7 +344,7 @@ def python_pages():
         ),
         "correction": ("Corrections of machines", ["Correction", "Identification", "CorrectionRun", "Program"]),
         "spindle": ("Spindles", ["SteadyStates", "SpindleRun", "Modes", "Deflection", "StepResponses"]),
-        "effect": ("Effects of your own, errors", ["Effect", "Number", "State", "InputError", "NotConverged", "Doubt"]),
+        "effect": ("Effects of your own, errors", ["Effect", "Number", "State", "InputError", "NotConverged", "Doubt", "Note"]),
     }
     left = set(raceway.__all__) - {"__version__"} - {name for _, names in groups.values() for name in names}
     if left:

@@ -101,10 +101,12 @@ void tell_not_predicted(Messages& messages, const std::string& file, const model
                         const record::Record& data) {
   for (const verdict::Comparison& c : comparisons)
     if (const auto& missing = c.rows_not_predicted; !missing.empty())
-      messages.warn(fmt::format(
-          "{}: {} rows{} have no prediction and are left out, the first in {}: {}", file,
-          missing.size(), comparisons.size() > 1 ? fmt::format(" of {}", c.channel->words) : "",
-          data.place(missing.front()), why_not_predicted(model, data, missing.front())));
+      messages.say(record::note::no_prediction(
+          fmt::format("{}: {} rows{} have no prediction and are left out, the first in {}: {}",
+                      file, missing.size(),
+                      comparisons.size() > 1 ? fmt::format(" of {}", c.channel->words) : "",
+                      data.place(missing.front()), why_not_predicted(model, data, missing.front())),
+          {.file = file}));
 }
 
 /// A model as the loop sees it: of one record, or of several that were joined. What is named has a
@@ -142,13 +144,14 @@ std::shared_ptr<const fit::Subject> subject_of(const model::Model& model,
 }
 
 /// Says which runs of a spindle begin warm.
-std::vector<std::string> tell_of_warm_starts(Messages& messages, const fit::Subject& subject,
-                                             const record::Record& data) {
+std::vector<record::Note> tell_of_warm_starts(Messages& messages, const fit::Subject& subject,
+                                              const record::Record& data) {
   const auto* const spindle = dynamic_cast<const spindle::SpindleSubject*>(&subject);
-  std::vector<std::string> statements;
-  if (spindle) statements = spindle->warm_starts(data);
-  for (const std::string& statement : statements) messages.note(statement);
-  return statements;
+  if (!spindle) return {};
+  std::vector<record::Note> notes =
+      notes_of(record::note::assumed, spindle->warm_starts(data), {.file = data.source});
+  messages.say(notes);
+  return notes;
 }
 
 bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
@@ -174,8 +177,7 @@ class BearingInLoop final : public LoopModel {
 
   std::shared_ptr<const fit::Subject> for_fit(Messages& messages, record::Record& data,
                                               const Names& per_record) const override {
-    for (std::string& note : tell_of_warm_starts(messages, *written_, data))
-      data.notes.push_back(std::move(note));
+    append(data.notes, tell_of_warm_starts(messages, *written_, data));
     return subject_of(file_.model, data, per_record);
   }
 
@@ -267,7 +269,8 @@ class BearingInLoop final : public LoopModel {
     const model::Rig& rig = file_.model.rig;
     const model::Rig& of_first = first.model.rig;
     const auto warn = [&](const std::string& what) {
-      messages.warn(fmt::format("{}: its {}", file_.source, what));
+      messages.say(record::note::other_rig(fmt::format("{}: its {}", file_.source, what),
+                                           {.file = file_.source}));
     };
     if (!same(rig.inertia, of_first.inertia) || !same(rig.axial_load, of_first.axial_load) ||
         !same(rig.radial_load, of_first.radial_load) ||

@@ -103,11 +103,14 @@ class CorrectionInLoop final : public LoopModel {
                     .held_out = {},
                     .defaults = file_.defaults};
     if (const std::string leaves = correction::power_beyond_element(model(), data); !leaves.empty())
-      messages.warn(fmt::format("{}: {}: rows from there on have no prediction and are left out",
-                                file_.source, leaves));
+      messages.say(record::note::no_prediction(
+          fmt::format("{}: {}: rows from there on have no prediction and are left out",
+                      file_.source, leaves),
+          {.file = data.source}));
     const correction::Series series(data);
     result.beyond = correction::beyond_range(model(), series);
-    messages.warnings(range_notes(model(), series, *result.beyond));
+    messages.say(notes_of(record::note::beyond_range, range_notes(model(), series, *result.beyond),
+                          {.file = data.source}));
     return result;
   }
 

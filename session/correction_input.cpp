@@ -11,6 +11,7 @@
 #include "correction/simulation.h"
 #include "files/series_doubts.h"
 #include "files/series_file.h"
+#include "session/open_input.h"
 #include "text/error.h"
 #include "text/input_file.h"
 #include "text/names.h"
@@ -29,9 +30,11 @@ files::CorrectionFile open_corrections(Messages& messages, const Source& source,
   for (const files::NamedFile& named : file.files) messages.reads(named.path);
   const std::size_t count = defaults == Defaults::count ? file.defaults.size() : 0;
   if (count > 0)
-    messages.note(fmt::format("{} default{}: raceway check {} lists {}", count,
-                              count == 1 ? "" : "s", path, count == 1 ? "it" : "them"));
-  for (const std::string& note : file.notes) messages.note(file.source + ": " + note);
+    messages.say(
+        record::note::defaults(fmt::format("{} default{}: raceway check {} lists {}", count,
+                                           count == 1 ? "" : "s", path, count == 1 ? "it" : "them"),
+                               {.file = path}));
+  say_of(messages, file.source, file.notes);
   return file;
 }
 
@@ -50,12 +53,13 @@ record::Record open_series(Messages& messages, const Source& given,
   }
   const Source data = files::repeatable(given);
   record::Record record = files::read_series(data, wanted, needed, options);
-  const std::vector<std::string> doubts =
+  const std::vector<record::Note> doubts =
       files::asked_about(files::series_doubts(record, models), data, files::over_time(options));
   period.apply(record, wanted);
-  messages.notes(record.notes);
-  messages.warnings(doubts);
-  record.notes.insert(record.notes.end(), doubts.begin(), doubts.end());
+  append(record.notes, doubts);
+  for (record::Note& one : record.notes)
+    if (one.place.file.empty()) one.place.file = path;
+  messages.say(record.notes);
   return record;
 }
 
@@ -79,9 +83,9 @@ void prepare_fit(Messages& messages, const correction::Model& model, const std::
   if (const std::string beyond = correction::power_beyond_element(model, record); !beyond.empty())
     throw text::InputError(fmt::format("{} with {}: {}", record.source, source, beyond),
                            {.file = record.source});
-  const std::vector<std::string> faults = correction::check_record(model, record).of_its_inputs;
-  messages.warnings(faults);
-  record.notes.insert(record.notes.end(), faults.begin(), faults.end());
+  const std::vector<record::Note> faults = correction::check_record(model, record).of_its_inputs;
+  messages.say(faults);
+  append(record.notes, faults);
 }
 
 namespace {

@@ -36,7 +36,7 @@ double share_within(const std::vector<double>& band, double noise, std::span<con
 }
 
 results::Corrected corrected_by(const correction::Model& model, const record::Record& record,
-                                std::vector<std::string>& messages) {
+                                std::vector<record::Note>& messages) {
   const auto subject = correction::aligned(model, record, correction::Zero::none);
   results::Corrected result{.displacement = model.displacement,
                             .initial_state = model.initial_state,
@@ -44,8 +44,8 @@ results::Corrected corrected_by(const correction::Model& model, const record::Re
   const auto series = std::make_shared<const correction::Series>(record);
   result.parts = correction::contributions(subject->model(), *series);
   result.beyond = correction::beyond_range(model, *series);
-  for (std::string& note : range_notes(model, *series, result.beyond))
-    messages.push_back(std::move(note));
+  append(messages, notes_of(record::note::beyond_range, range_notes(model, *series, result.beyond),
+                            {.file = record.source}));
   if (model.left)
     result.band = correction::band_of(*subject, model, series, result.beyond).half_width();
   if (record.has(*model.displacement)) {
@@ -63,10 +63,10 @@ results::Corrected corrected_by(const correction::Model& model, const record::Re
   const auto bad = std::find_if(result.predicted.begin(), result.predicted.end(),
                                 [](double v) { return !std::isfinite(v); });
   if (bad != result.predicted.end())
-    messages.push_back(
+    messages.push_back(record::note::no_prediction(
         fmt::format("{}: no displacement from {} on: the power leaves the range of a delay element",
                     model.displacement->name,
-                    record.place(static_cast<std::size_t>(bad - result.predicted.begin()))));
+                    record.place(static_cast<std::size_t>(bad - result.predicted.begin())))));
   return result;
 }
 
@@ -181,8 +181,8 @@ CorrectionRun correct(SeriesQuestion asked) {
 void LearningChoices::check() const { (void)options_of(*this); }
 
 std::string LearningRun::json() const {
-  std::vector<std::string> messages = warnings;
-  messages.insert(messages.end(), notes.begin(), notes.end());
+  std::vector<record::Note> messages = warnings;
+  append(messages, notes);
   return results::learnt_json(asked.file.source, asked.data, learnt, messages);
 }
 
@@ -204,17 +204,18 @@ LearningRun learn(SeriesQuestion asked, const LearningChoices& choices) {
     run.learnt.push_back({model.displacement, on_record(run.asked, [&] {
                             return correction::learn(model, run.asked.data, options);
                           })});
-    const auto take = [](std::vector<std::string>& list, std::vector<std::string> more) {
-      std::move(more.begin(), more.end(), std::back_inserter(list));
-    };
-    take(run.warnings, warnings_on(run.learnt.back(), run.asked.data));
-    take(run.warnings, range_notes(model, run.asked.data));
-    take(run.notes, notes_on(model));
+    const record::Place place{.file = run.asked.data.source};
+    append(run.warnings,
+           notes_of(record::note::due, warnings_on(run.learnt.back(), run.asked.data), place));
+    append(run.warnings,
+           notes_of(record::note::beyond_range, range_notes(model, run.asked.data), place));
+    append(run.notes,
+           notes_of(record::note::assumed, notes_on(model), {.file = run.asked.file.source}));
     if (run.learnt.back().learning.error.readings == 0)
-      run.notes.push_back(
+      run.notes.push_back(record::note::assumed(
           fmt::format("{}: every reading was taken to learn from; --every leaves some to "
                       "judge by",
-                      model.displacement->name));
+                      model.displacement->name)));
   }
   return run;
 }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "record/note.h"
 #include "results/correction_results.h"
 #include "results/learning_results.h"
 #include "session/correction_input.h"
@@ -13,7 +14,7 @@ namespace raceway::session {
 struct CorrectionRun {
   SeriesQuestion asked{};
   std::vector<results::Corrected> corrected{};  ///< of each displacement
-  std::vector<std::string> warnings{};
+  std::vector<record::Note> warnings{};
 
   [[nodiscard]] std::string json() const;
   /// The rows as CSV.
@@ -38,7 +39,7 @@ struct LearningChoices {
 struct LearningRun {
   SeriesQuestion asked{};
   std::vector<results::Learnt> learnt{};  ///< of each displacement
-  std::vector<std::string> warnings{}, notes{};
+  std::vector<record::Note> warnings{}, notes{};
 
   [[nodiscard]] std::string json() const;
   /// The rows as CSV.

@@ -157,7 +157,8 @@ Validated validated(const correction::Model& model, const record::Record& other)
                          .metrics = correction::metrics(other.values(*model.displacement),
                                                         fit::predict(*subject, other)),
                          .rows_beyond_range = beyond.rows()},
-          .warnings = range_notes(model, series, beyond)};
+          .warnings = notes_of(record::note::beyond_range, range_notes(model, series, beyond),
+                               {.file = other.source})};
 }
 
 std::string identified_text(const SeriesQuestion& asked,

@@ -8,6 +8,7 @@
 
 #include "correction/baseline.h"
 #include "correction/identify.h"
+#include "record/note.h"
 #include "results/correction_results.h"
 #include "session/correction_input.h"
 #include "session/messages.h"
@@ -43,7 +44,7 @@ struct IdentifyChoices {
 /// What a model is worth on a record that it did not see, and what is to be known of that.
 struct Validated {
   results::Validation validation{};
-  std::vector<std::string> warnings{};
+  std::vector<record::Note> warnings{};
 };
 [[nodiscard]] Validated validated(const correction::Model& model, const record::Record& other);
 

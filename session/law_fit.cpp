@@ -35,13 +35,13 @@ std::string LawFit::json(const std::string& table) const {
 LawFit fit_law(Messages& messages, const Source& curve, const Reading& reading, double at_rpm) {
   LawFit result;
   result.curve = files::read_displacement_curve(curve, reading.options());
-  messages.notes(result.curve.notes);
+  messages.say(result.curve.notes);
   try {
     result.fit = shaft::fit_kinematic_law(result.curve.points);
   } catch (const std::invalid_argument& e) {
     throw text::InputError(result.curve.source + ": " + e.what(), {.file = result.curve.source});
   }
-  messages.warnings(result.fit.notes);
+  messages.say(result.fit.notes);
   result.at = law_at(at_rpm, result.fit.law);
   return result;
 }

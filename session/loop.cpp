@@ -39,10 +39,10 @@ void leave_out_isolated(Messages& messages, const LoopModel& model, record::Reco
   if (!model.as_written()->approximates()) return;
   fit::Isolated isolated = fit::without_isolated_readings(data);
   if (!isolated.any()) return;
-  const std::string statement = isolated.statement();
-  messages.note(statement);
+  const record::Note said = record::note::left_out(isolated.statement(), {.file = data.source});
+  messages.say(said);
   data = std::move(isolated.record);
-  data.notes.push_back(statement);
+  data.notes.push_back(said);
 }
 
 /// Rows of a logger become dwells, unless `rows` are to stay apart; the record says so.
@@ -50,10 +50,11 @@ void average(Messages& messages, const LoopModel& model, record::Record& data, b
   if (rows) return;
   fit::Averaged averaged = dwells_of(model, data);
   if (!averaged.any()) return;
-  const std::string statement = averaged.statement() + "; --rows keeps rows apart";
-  messages.note(statement);
+  const record::Note said = record::note::averaged(
+      averaged.statement() + "; --rows keeps rows apart", {.file = data.source});
+  messages.say(said);
   data = std::move(averaged.record);
-  data.notes.push_back(statement);
+  data.notes.push_back(said);
 }
 
 }  // namespace
@@ -175,11 +176,13 @@ ComparedModels compare(Messages& messages, const std::vector<Source>& models,
   for (ComparedModel& model : result.models)
     verdict::estimate_unknown_noise(*result.models.back().subject, result.data, model.errors);
   if (!how.refit.empty())
-    messages.note(fmt::format("{} refitted to {} in each model; all else as in the files",
-                              fmt::join(how.refit, " and "), result.data.source));
+    messages.say(record::note::assumed(
+        fmt::format("{} refitted to {} in each model; all else as in the files",
+                    fmt::join(how.refit, " and "), result.data.source)));
   if (!options.per_record.empty())
-    messages.note(fmt::format("{} refitted to each record by itself in each model",
-                              fmt::join(options.per_record, " and ")));
+    messages.say(
+        record::note::assumed(fmt::format("{} refitted to each record by itself in each model",
+                                          fmt::join(options.per_record, " and "))));
   return result;
 }
 
@@ -201,23 +204,22 @@ CheckedModel check(Messages& messages, const Source& source, const Source& data,
   });
   result.notes = result.model.notes;
   result.notes.insert(result.notes.end(), result.data.notes.begin(), result.data.notes.end());
-  const auto doubt = [&](const std::string& line) {
-    messages.warn(line);
-    result.notes.push_back(line);
+  const auto tell = [&](record::Note said) {
+    said.place.file = result.data.source;
+    messages.say(said);
+    result.notes.push_back(std::move(said));
   };
-  if (const fit::Averaged averaged = dwells_of(*model, result.data); averaged.any()) {
-    messages.note(averaged.statement());
-    result.notes.push_back(averaged.statement());
-  }
-  if (!result.check.problem.empty()) doubt(result.check.problem);
-  if (result.over_time)
-    messages.warnings(result.over_time->warnings);  // of which the document has a list
+  if (const fit::Averaged averaged = dwells_of(*model, result.data); averaged.any())
+    tell(record::note::averaged(averaged.statement()));
+  if (!result.check.problem.empty()) tell(record::note::no_prediction(result.check.problem));
+  if (result.over_time)  // the document has a list of these
+    messages.say(result.over_time->warnings);
   else if (!result.check.runs_coincide_with.empty())
-    doubt(fmt::format(
+    tell(record::note::plan(fmt::format(
         "each run has its own {0}: what depends on it cannot be told from a rig that was "
         "set up anew; before measuring more, plan two runs or more for each level, or "
         "all levels within each run",
-        result.check.runs_coincide_with));
+        result.check.runs_coincide_with)));
   return result;
 }
 

@@ -78,7 +78,7 @@ struct CheckedModel {
   record::Record data{};
   loop::Check check{};
   std::optional<correction::RecordCheck> over_time{};
-  std::vector<std::string> notes{};  ///< of the model and of the record
+  std::vector<record::Note> notes{};  ///< of the model and of the record
 
   [[nodiscard]] std::string json() const;
 };

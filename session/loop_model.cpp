@@ -80,7 +80,7 @@ verdict::Calibration refitted(Messages& messages, const fit::Subject& subject,
   if (!found.converged())
     throw std::invalid_argument(
         fmt::format("the refit of {} does not converge", fmt::join(names, ", ")));
-  messages.warnings(found.messages);
+  messages.say(found.messages);
   return found;
 }
 

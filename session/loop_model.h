@@ -88,7 +88,7 @@ class LoopModel {
     std::string source;  ///< file name, for messages
     std::string name;
     std::vector<files::UsedDefault> defaults{};  ///< that were used
-    std::vector<std::string> notes{};
+    std::vector<record::Note> notes{};
     std::vector<files::NamedFile> files{};  ///< that it names
   };
 

@@ -33,9 +33,11 @@ std::string new_roller_model(Messages& messages, const NewModel& wanted, bool de
   if (wanted.law == friction::name(friction::FrictionLaw::contact))
     refuse("its laws are palmgren and skf");
   const files::EstimatedRollers rollers = files::estimated_rollers(wanted.bearing, rows);
-  messages.note(wanted.bearing +
-                " is a cylindrical roller bearing: its rollers are estimated and marked in the "
-                "model");
+  messages.say(record::note::assumed(
+      wanted.bearing +
+          " is a cylindrical roller bearing: its rollers are estimated and marked in the "
+          "model",
+      {.key = "bearing"}));
   return files::estimated_model_text(
       rollers,
       friction::find_roller_law(wanted.law).value_or(friction::FrictionLaw::roller_palmgren),
@@ -117,11 +119,14 @@ std::string new_model_text(Messages& messages, const NewModel& wanted) {
     }
   }
   const files::EstimatedBearing bearing = files::estimated_bearing(known, rows);
-  messages.note(fmt::format(
-      "{} is not in the catalogue: {:.6g} x {:.6g} mm, {}{}; what is estimated is marked in the "
-      "model",
-      wanted.bearing, known.bore / mm, known.outer_diameter / mm,
-      angle_text(wanted, bearing.outline.contact_angle), balls_text(wanted, known.ball_material)));
+  messages.say(
+      record::note::assumed(fmt::format("{} is not in the catalogue: {:.6g} x {:.6g} mm, {}{}; "
+                                        "what is estimated is marked in the "
+                                        "model",
+                                        wanted.bearing, known.bore / mm, known.outer_diameter / mm,
+                                        angle_text(wanted, bearing.outline.contact_angle),
+                                        balls_text(wanted, known.ball_material)),
+                            {.key = "bearing"}));
   return files::estimated_model_text(bearing, wanted_law(wanted));
 }
 

@@ -26,6 +26,13 @@ void refuse_data(const std::string& model, const record::Record& data,
                          {.file = data.source});
 }
 
+void say_of(Messages& messages, const std::string& source, std::vector<record::Note> notes) {
+  for (record::Note& one : notes) {
+    one.text.insert(0, source + ": ");
+    messages.say(one);
+  }
+}
+
 files::ModelFile open_model(Messages& messages, const Source& source, Accepts accepts,
                             Defaults defaults) {
   const std::string& path = source.name;
@@ -56,10 +63,11 @@ files::ModelFile open_model(Messages& messages, const Source& source, Accepts ac
   for (const files::NamedFile& named : file.files) messages.reads(named.path);
   const std::size_t count = defaults == Defaults::count ? file.defaults.size() : 0;
   if (count > 0)
-    messages.note(fmt::format("{} default{}: raceway check {} lists {}", count,
-                              count == 1 ? "" : "s", path == "-" ? "MODEL" : path,
-                              count == 1 ? "it" : "them"));
-  for (const std::string& note : file.notes) messages.note(file.source + ": " + note);
+    messages.say(record::note::defaults(
+        fmt::format("{} default{}: raceway check {} lists {}", count, count == 1 ? "" : "s",
+                    path == "-" ? "MODEL" : path, count == 1 ? "it" : "them"),
+        {.file = path}));
+  say_of(messages, file.source, file.notes);
   return file;
 }
 
@@ -69,12 +77,14 @@ void warn_of_ignored_data(Messages& messages, const files::ModelFile& file) {
   const friction::FrictionLaw law = file.model.law;
   const std::vector<std::string> taken = model::taken_in(friction::FrictionLaw::skf, ignored);
   const bool skf = !taken.empty() && law != friction::FrictionLaw::skf;
-  messages.warn(fmt::format(
-      "{}: in the friction torque {} ignores {}{}; {}law = \"contact\"{} all (docs/laws.md)",
-      file.source, friction::name(law), fmt::join(ignored, ", "),
-      model::needs_equilibrium(file.model) ? "" : " and running contact angles",
-      skf ? fmt::format("law = \"skf\" takes in {}, ", fmt::join(taken, ", ")) : std::string(),
-      skf ? "" : " takes in"));
+  messages.say(record::note::ignored(
+      fmt::format(
+          "{}: in the friction torque {} ignores {}{}; {}law = \"contact\"{} all (docs/laws.md)",
+          file.source, friction::name(law), fmt::join(ignored, ", "),
+          model::needs_equilibrium(file.model) ? "" : " and running contact angles",
+          skf ? fmt::format("law = \"skf\" takes in {}, ", fmt::join(taken, ", ")) : std::string(),
+          skf ? "" : " takes in"),
+      {.file = file.source}));
 }
 
 report::ModelOfPage of_page(const files::ModelFile& file, const model::Model& used) {
@@ -83,14 +93,16 @@ report::ModelOfPage of_page(const files::ModelFile& file, const model::Model& us
 
 namespace {
 
-/// Each of `lines` said, and into the notes of the record for who reads its results as JSON.
+/// Each of `notes` said, and into the notes of the record for who reads its results as JSON.
 /// `from`: the file, where it is one of several.
-void put(Messages& messages, record::Record& data, std::vector<std::string> lines,
-         const std::string& from, void (Messages::*say)(const std::vector<std::string>&)) {
-  for (std::string& line : lines)
-    if (!from.empty()) line.insert(0, from + ": ");
-  (messages.*say)(lines);
-  data.notes.insert(data.notes.end(), lines.begin(), lines.end());
+void put(Messages& messages, record::Record& data, std::vector<record::Note> notes,
+         const std::string& from) {
+  for (record::Note& one : notes) {
+    if (one.place.file.empty()) one.place.file = data.source;
+    if (!from.empty()) one.text.insert(0, from + ": ");
+  }
+  messages.say(notes);
+  append(data.notes, std::move(notes));
 }
 
 record::Record open_one(Messages& messages, const Source& given, const model::ModelSubject& subject,
@@ -99,22 +111,20 @@ record::Record open_one(Messages& messages, const Source& given, const model::Mo
   if (path.ends_with(".toml"))
     throw text::InputError(path + ": stands where measurements (CSV) are expected", {.file = path});
   const Source source = files::repeatable(given);
+  const std::string from = of_several ? path : std::string();
   if (const auto& spindle = subject.model().spindle) {
     record::Record data = files::read_spindle_record(source, *spindle, options);
-    const std::vector<std::string> doubts =
+    const std::vector<record::Note> doubts =
         files::asked_about(files::series_doubts(data, {}), source, files::of_spindle(options));
-    put(messages, data, std::exchange(data.notes, {}), of_several ? path : std::string(),
-        &Messages::notes);
-    put(messages, data, doubts, of_several ? path : std::string(), &Messages::warnings);
+    put(messages, data, std::exchange(data.notes, {}), from);
+    put(messages, data, doubts, from);
     return data;
   }
   record::Record data = files::read_record(source, subject, options);
   if (std::string note = shaft::note_on_standstill(data); !note.empty())
-    data.notes.push_back(std::move(note));
-  const std::string from = of_several ? path : std::string();
-  put(messages, data, std::exchange(data.notes, {}), from, &Messages::notes);
-  put(messages, data, files::asked_about(files::doubts(subject, data), source, options), from,
-      &Messages::warnings);
+    data.notes.push_back(record::note::read_as(std::move(note)));
+  put(messages, data, std::exchange(data.notes, {}), from);
+  put(messages, data, files::asked_about(files::doubts(subject, data), source, options), from);
   return data;
 }
 
@@ -125,11 +135,12 @@ record::Record open_data(Messages& messages, const Source& data, const model::Mo
   return open_one(messages, data, subject, options, false);
 }
 
-void tell_of_scale(const record::Record& data, std::vector<std::string>& messages) {
+void tell_of_scale(const record::Record& data, std::vector<record::Note>& messages) {
   if (data.up_to_a_factor)
-    messages.emplace_back(
+    messages.push_back(record::note::limits(
         "the inertia is unknown: all torques, f0, z and sizes in N mm have one common factor that "
-        "this record does not tell; the result rests on the shape alone");
+        "this record does not tell; the result rests on the shape alone",
+        {.key = "inertia_kgm2"}));
 }
 
 record::Record open_records(Messages& messages, const std::vector<Source>& data,
@@ -149,10 +160,11 @@ record::Record open_records(Messages& messages, const std::vector<Source>& data,
     const auto declares = [&](const record::Record& r) { return r.deviation_of(*m.channel); };
     if (std::any_of(records.begin(), records.end(), declares) &&
         !std::all_of(records.begin(), records.end(), declares))
-      messages.note(
+      messages.say(record::note::unused(
           fmt::format("std_{} is not in every file: it counts in none, and the noise is found "
                       "from the rows",
-                      m.channel->key_unit()));
+                      m.channel->key_unit()),
+          {.key = "std_" + std::string(m.channel->key_unit())}));
   }
   try {
     return record::joined(std::move(records));

@@ -20,6 +20,9 @@ enum class Accepts { rig, rig_or_shaft, shaft };
 /// them, and a model that was opened before is not told of again.
 enum class Defaults { count, keep };
 
+/// Says notes on a file, whose name begins each text.
+void say_of(Messages& messages, const std::string& source, std::vector<record::Note> notes);
+
 /// Reads a model, counts the defaults that were used, and says what is to be known of it. Throws
 /// text::InputError for a model that is not accepted.
 [[nodiscard]] files::ModelFile open_model(Messages& messages, const Source& model,
@@ -52,6 +55,6 @@ void warn_of_ignored_data(Messages& messages, const files::ModelFile& file);
 
 /// Adds to the messages of a result that its torques have an unknown factor, where the record says
 /// so.
-void tell_of_scale(const record::Record& data, std::vector<std::string>& messages);
+void tell_of_scale(const record::Record& data, std::vector<record::Note>& messages);
 
 }  // namespace raceway::session

@@ -37,7 +37,7 @@ void tell_of_kelvin(Messages& messages, const std::vector<double>& temperatures_
                     const std::string& name) {
   for (const double value : temperatures_C)
     if (const std::string note = files::looks_like_kelvin(name, value); !note.empty())
-      return messages.note(note);
+      return messages.say(record::note::odd_value(note, {.key = name}));
 }
 
 const text::NumberRange& axial_range(const model::Model& model) {
@@ -85,10 +85,13 @@ void require_loads(Messages& messages, const files::ModelFile& file, const Given
                     axial, file.source),
         {.file = file.source, .key = axial});
   if (given.moments && model.solver.tilt == bearing::Tilt::locked)
-    messages.warn(fmt::format(
-        "{}: {} change nothing where the shaft holds the tilt; [solver] tilt = \"free\" lets the "
-        "balls carry them",
-        file.source, named(wording, "--moment-y and --moment-z", "moment_y_Nmm and moment_z_Nmm")));
+    messages.say(record::note::ignored(
+        fmt::format("{}: {} change nothing where the shaft holds the tilt; [solver] tilt = "
+                    "\"free\" lets the "
+                    "balls carry them",
+                    file.source,
+                    named(wording, "--moment-y and --moment-z", "moment_y_Nmm and moment_z_Nmm")),
+        {.file = file.source}));
 }
 
 bearing::OperatingPoint operating_point(Messages& messages, const files::ModelFile& file,

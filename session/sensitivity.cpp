@@ -113,7 +113,7 @@ Sensitivity sensitivity(Messages& messages, const files::ModelFile& file,
   const varied::Predictor predictor(q, wanted_columns(model, q), model);
   for (const double value : q.temperatures_C)
     if (const std::string doubt = files::looks_like_kelvin("temperature_C", value); !doubt.empty())
-      messages.note(doubt);
+      messages.say(record::note::odd_value(doubt, {.key = "temperature_C"}));
   const std::vector<varied::Axis> axes = varied::axes_of(q, model.shaft.has_value());
   const std::vector<varied::State> states = varied::states_of(axes);
   varied::Data data(file, q, states);

@@ -110,7 +110,7 @@ void check(Messages& messages, const Input& input, const StateArrays& states, bo
     if (said) continue;
     const std::string note = files::looks_like_kelvin(input.name, value);
     said = !note.empty();
-    if (said) messages.note(note);
+    if (said) messages.say(record::note::odd_value(note, {.key = std::string(input.name)}));
   }
 }
 
@@ -277,15 +277,15 @@ SolvedStates solve_state(Messages& messages, const files::ModelFile& file,
   if (model.shaft) {
     const shaft::ShaftPoint asked = shaft_points({&point, 1}).front();
     const auto predictions = shaft::predict_shaft(model, {&asked, 1});
-    messages.warnings(shaft_warnings(model, {&asked, 1}, predictions));
+    messages.say(notes_of(record::note::unloaded, shaft_warnings(model, {&asked, 1}, predictions)));
     fill_shaft_state(model, predictions.front(), result);
   } else {
     const PointAnswer answer = solve_point(model, point);
     fill_state(model, point, answer.friction, result);
     result.status = answer.status;
     if (answer.converged()) {
-      messages.notes(notes_on_point(model, point, answer));
-      messages.warnings(warnings_on_point(model, answer));
+      messages.say(notes_of(record::note::load_limit, notes_on_point(model, point, answer)));
+      messages.say(notes_of(record::note::cut_contact, warnings_on_point(model, answer)));
     }
   }
   if (band) fill_band(model, *band, {&point, 1}, {&result, 1});

@@ -29,14 +29,16 @@ void warn_of_kelvin(Messages& messages, const record::Record& record) {
     const std::string_view name = column.channel->name;
     if (!name.ends_with("_C") || !column.channel->is_input() || column.values.empty()) continue;
     const std::string doubt = files::looks_like_kelvin(name, celsius(column.values.front()));
-    if (!doubt.empty()) messages.warn(record.source + ": " + doubt);
+    if (!doubt.empty())
+      messages.say(record::note::unit(record.source + ": " + doubt,
+                                      {.file = record.source, .key = std::string(name)}));
   }
 }
 
 std::vector<spindle::ProfileRow> read_profile(Messages& messages, const RunQuestion& q,
                                               const files::ModelFile& file) {
   const record::Record record = read_programme(q, file);
-  messages.notes(record.notes);
+  messages.say(record.notes);
   warn_of_kelvin(messages, record);
   const std::string& name = q.programme.name;
   if (record.runs.size() > 1)
@@ -70,10 +72,11 @@ std::optional<spindle::State> read_start(Messages& messages, const RunQuestion& 
   spindle::State start = q.start->text ? results::parse_spindle_state(*q.start->text, q.start->name)
                                        : results::read_spindle_state(q.start->name);
   if (first_row < start.time) {
-    messages.note(
+    messages.say(record::note::read_as(
         fmt::format("{} is of {:.6g} s, and the programme begins at {:.6g} s: its time counts "
                     "from that state on",
-                    q.start->name, start.time, first_row));
+                    q.start->name, start.time, first_row),
+        {.file = q.start->name}));
     start.time = std::min(0.0, first_row);
   }
   return start;

@@ -28,27 +28,27 @@ spindle::Inputs conditions_of(const SpindleSteps& steps) {
   return inputs;
 }
 
-std::vector<std::string> notes_on_steps(const spindle::StepResponses& responses,
-                                        const spindle::PowerLaws& laws) {
-  std::vector<std::string> notes;
+std::vector<record::Note> notes_on_steps(const spindle::StepResponses& responses,
+                                         const spindle::PowerLaws& laws) {
+  std::vector<record::Note> notes;
   std::size_t two = 0;
   for (const spindle::StepResponse& step : responses.steps) {
     two += step.fit.two_needed ? 1 : 0;
     if (step.converged() && !step.fit.settled)
-      notes.push_back(fmt::format(
+      notes.push_back(record::note::unknown(fmt::format(
           "{}: a time constant of {:.3g} min is more than half of what was seen: gain and time "
           "constant are a guess",
-          name_of(step), step.fit.one.time_constant / spindle::one_minute));
+          name_of(step), step.fit.one.time_constant / spindle::one_minute)));
   }
   if (two > 0)
-    notes.push_back(fmt::format("{} of {} step responses need two time constants", two,
-                                responses.steps.size()));
+    notes.push_back(record::note::assumed(fmt::format(
+        "{} of {} step responses need two time constants", two, responses.steps.size())));
   if (!std::isnan(laws.gain_line.offset))
-    notes.push_back(fmt::format(
+    notes.push_back(record::note::assumed(fmt::format(
         "the lines are chords: K(0) = {} um of theirs is no physics; {} to {} W is where K and T "
         "keep their sign",
         number(laws.gain_line.offset / um, 3), number(laws.valid_from),
-        std::isinf(laws.valid_to) ? std::string("any") : number(laws.valid_to)));
+        std::isinf(laws.valid_to) ? std::string("any") : number(laws.valid_to))));
   return notes;
 }
 
@@ -85,11 +85,11 @@ correction::Model chosen_model(Messages& messages, const SpindleSteps& steps,
   const results::Superposition of_two =
       results::superposition(*model, two, trial, conditions_of(steps), q.cancelled);
   if (!of_one.report.converged()) return two;
-  messages.note(
+  messages.say(record::note::assumed(
       fmt::format("over {:.0f} h of half hours at several speeds one delay element is off by "
                   "{:.3g} um rms, two by {:.3g}: {} written; {} says other",
                   trial.values(record::time).back() / one_hour, of_one.rms / um, of_two.rms / um,
-                  of_one.rms <= of_two.rms ? "one" : "two", named(q.wording, "--lags", "lags")));
+                  of_one.rms <= of_two.rms ? "one" : "two", named(q.wording, "--lags", "lags"))));
   return of_one.rms <= of_two.rms ? one : two;
 }
 
@@ -107,7 +107,8 @@ SpindleSteps simulated_steps(Messages& messages, const files::ModelFile& file,
   const std::string key = named(question.wording, "--speed", "speed_rpm");
   std::vector<double> speeds = question.speeds;
   if (!speeds.empty() && speeds.front() == 0.0) {
-    messages.note(key + ": 0 rpm is rest, where each step begins: left out");
+    messages.say(record::note::left_out(key + ": 0 rpm is rest, where each step begins: left out",
+                                        {.key = key}));
     speeds.erase(speeds.begin());
   }
   constexpr std::size_t most = 1000;
@@ -181,7 +182,7 @@ std::string SpindleSteps::page(const results::Superposition* error,
 correction::Model correction_of_steps(Messages& messages, const SpindleSteps& steps,
                                       const StepCorrectionQuestion& question) {
   const StepParts parts = step_parts(steps.responses, steps.model(), steps.temperature_C);
-  messages.notes(parts.notes);
+  messages.say(notes_of(record::note::assumed, parts.notes));
   return chosen_model(messages, steps, question,
                       {.name = name_of_model(steps),
                        .power = parts.power,

@@ -8,6 +8,7 @@
 #include "correction/model.h"
 #include "files/model_file.h"
 #include "files/step_import.h"
+#include "record/note.h"
 #include "results/step_correction.h"
 #include "results/superposition.h"
 #include "session/messages.h"
@@ -35,7 +36,7 @@ struct SpindleSteps {
   std::string source{};                    ///< what they are of
   spindle::StepResponses responses{};
   spindle::PowerLaws laws{};
-  std::vector<std::string> notes{};
+  std::vector<record::Note> notes{};
   double temperature_C = unset;  ///< of the lubricant, for the power of those that were read
   bool coolant_on = true;
   bool simulated = false;

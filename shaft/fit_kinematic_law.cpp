@@ -204,16 +204,19 @@ KinematicLawFit finished(const Input& in, const LawRange& range, const LawOptimu
 void add_notes(KinematicLawFit& fit) {
   for (const record::Parameter& p : fit.parameters) {
     if (p.at_bound != Bound::none)
-      fit.notes.push_back(fmt::format("{} is at its {} bound {:.4g}", p.name,
-                                      p.at_bound == Bound::lower ? "lower" : "upper", p.value));
+      fit.notes.push_back(record::note::at_bound(
+          fmt::format("{} is at its {} bound {:.4g}", p.name,
+                      p.at_bound == Bound::lower ? "lower" : "upper", p.value),
+          {.key = std::string(p.name)}));
     if (!p.identifiable)
-      fit.notes.push_back(fmt::format("{} is not determined by these rows", p.name));
+      fit.notes.push_back(record::note::not_identifiable(
+          fmt::format("{} is not determined by these rows", p.name), {.key = std::string(p.name)}));
   }
   if (std::abs(fit.standstill) > standstill_share * fit.largest)
-    fit.notes.push_back(fmt::format(
+    fit.notes.push_back(record::note::check_data(fmt::format(
         "the displacement at standstill is {:.4g} um, that of the law 0: take it off all rows, or "
         "the law has to bend to it",
-        fit.standstill / um));
+        fit.standstill / um)));
 }
 
 }  // namespace

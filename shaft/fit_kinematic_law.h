@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "record/note.h"
 #include "record/units.h"
 #include "shaft/kinematic_law.h"
 #include "verdict/calibrate.h"
@@ -60,7 +61,7 @@ struct KinematicLawFit {
   int iterations = 0;
   fit::FitStatus status = fit::FitStatus::not_run;
   KinematicLawVerdict verdict = KinematicLawVerdict::stiff;
-  std::vector<std::string> notes;  ///< what the user should know, one line each
+  std::vector<record::Note> notes;  ///< what the user should know
 
   [[nodiscard]] bool converged() const { return status == fit::FitStatus::converged; }
 };

@@ -4,16 +4,11 @@
 #include <string>
 #include <utility>
 
+#include "record/note.h"
+
 namespace raceway::text {
 
-/// Where something stands that a user wrote; what is not known is empty or 0.
-struct Place {
-  std::string file = {};
-  int line = 0;          ///< from 1
-  std::string key = {};  ///< of a model file, column, or flag
-
-  [[nodiscard]] std::string text() const { return file + ":" + std::to_string(line); }
-};
+using record::Place;
 
 /// Something a user wrote is wrong. The message is complete and meant to be shown as it stands:
 /// `FILE:LINE: key or column = value: what is wrong or allowed range`. It may have several lines;

@@ -59,6 +59,19 @@ std::string text(const json& document) {
   return out + "\n}\n";
 }
 
+void put_notes(json& document, std::string_view key, const std::vector<record::Note>& notes) {
+  document[std::string(key)] = texts(notes);
+  json& said = document["said"];
+  if (said.is_null()) said = json::array();
+  for (const record::Note& one : notes) {
+    json object = {{"kind", name(one.kind())}, {"code", one.code->name}, {"text", one.text}};
+    if (!one.place.file.empty()) object["file"] = one.place.file;
+    if (one.place.line > 0) object["line"] = one.place.line;
+    if (!one.place.key.empty()) object["key"] = one.place.key;
+    said.push_back(std::move(object));
+  }
+}
+
 std::string line_text(const json& value) {
   std::string out;
   append(out, value, -1, 0);

@@ -91,8 +91,9 @@ verdict::Calibration calibration_of(const fit::Subject& before, const Approximat
       result.correlation(i, j) =
           errors.covariance(i, j) / std::sqrt(errors.covariance(i, i) * errors.covariance(j, j));
     if (p.at_bound != record::Bound::none)
-      result.messages.push_back(
-          fmt::format("{} = {} ends at a bound", p.name, verdict::with_unit(p.value, p.unit, 4)));
+      result.messages.push_back(record::note::at_bound(
+          fmt::format("{} = {} ends at a bound", p.name, verdict::with_unit(p.value, p.unit, 4)),
+          {.key = p.name}));
   }
   const std::vector<std::size_t> read = read_channels(rows.means, channels);
   result.rows = static_cast<int>(
@@ -121,8 +122,9 @@ verdict::Calibration calibration_of(const fit::Subject& before, const Approximat
   if (!std::isfinite(fit.rms_held_out)) return result;
   result.rms_held_out =
       in_SI(fit.channel_held_out.at(read.front()), channels[read.front()], record);
-  result.messages.push_back(fmt::format("on parts of the record that no fit saw it errs by {}",
-                                        held_out_text(fit, channels, read, record)));
+  result.messages.push_back(
+      record::note::misfit(fmt::format("on parts of the record that no fit saw it errs by {}",
+                                       held_out_text(fit, channels, read, record))));
   return result;
 }
 
@@ -187,8 +189,8 @@ verdict::AddResult add_approximation(const fit::Subject& subject, std::span<cons
   result.messages = result.calibration.messages;
   for (const fit::Candidate* c : chosen)
     if (c->of_reading)
-      result.messages.push_back(fmt::format(
-          "{} cleans this record: it is carried neither to another one nor to a control", c->id));
+      result.messages.push_back(record::note::limits(fmt::format(
+          "{} cleans this record: it is carried neither to another one nor to a control", c->id)));
   const bool within = std::all_of(
       result.channels.begin(), result.channels.end(),
       [](const verdict::ChannelGain& gain) { return gain.rmse_held_out_before <= gain.tolerance; });

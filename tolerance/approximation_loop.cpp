@@ -199,16 +199,17 @@ class Inquiry {
     result_.refits.push_back(refit_of(base_, recorded_));
     result_.rows_not_predicted = result_.channels.front().baseline.rows_not_predicted;
     if (!noise_is_known)
-      result_.messages.emplace_back(
+      result_.messages.push_back(record::note::noise(
           "readings stand too far apart to tell the noise of the sensor from what the machine does "
-          "between them");
+          "between them"));
     for (std::size_t k = 0; k < base_.names.size(); ++k)
       if (base_.fit.at_bound[k])
-        result_.messages.push_back(
+        result_.messages.push_back(record::note::at_bound(
             fmt::format("{} = {} ends at a bound: the record cannot tell it, or something is "
                         "missing",
                         base_.parameters[k].name,
-                        verdict::with_unit(base_.parameters[k].value, base_.parameters[k].unit)));
+                        verdict::with_unit(base_.parameters[k].value, base_.parameters[k].unit)),
+            {.key = base_.parameters[k].name}));
     for (const std::string& id : subject_->catalogue())
       if (std::string why = subject_->lacks(id, record_); !why.empty())
         result_.not_testable.push_back({id, "needs " + why});
@@ -556,13 +557,15 @@ class Inquiry {
       result_.channels[c].rmse_held_out_after = held_out_after[c];
     }
     if (best.shown)
-      result_.messages.push_back(best.shown->datum + ": " + best.shown->correction);
+      result_.messages.push_back(
+          record::note::check_data(best.shown->datum + ": " + best.shown->correction));
     else
       explain(best);
     for (const fit::Candidate* c : best.on)
       if (c->of_reading)
-        result_.messages.push_back(fmt::format(
-            "{} cleans this record: it is carried neither to another one nor to a control", c->id));
+        result_.messages.push_back(record::note::limits(fmt::format(
+            "{} cleans this record: it is carried neither to another one nor to a control",
+            c->id)));
   }
 
   /// What the readings are made of, with the best.

@@ -66,8 +66,8 @@ class Addition {
     }
     for (const std::size_t k : members_)
       if (const fit::Candidate& c = problem_.candidates[k].candidate; !c.datum.empty())
-        result.messages.push_back(
-            fmt::format("check {}: {}", c.datum, correction_text(problem_, found_, k)));
+        result.messages.push_back(record::note::check_data(
+            fmt::format("check {}: {}", c.datum, correction_text(problem_, found_, k))));
     hold_out(result);
     result.reason = refusal(result);
     result.refused = !result.reason.empty();

@@ -6,6 +6,7 @@
 
 #include "fit/hold_out.h"
 #include "fit/refit.h"
+#include "record/note.h"
 #include "verdict/calibrate.h"
 #include "verdict/compare.h"
 
@@ -32,7 +33,7 @@ struct AddResult {
   double gain = unset;                   ///< RankedEffect::gain, of all of them together
   bool refused = false;  ///< no better on rows it did not see, or the fit did not converge
   std::string reason{};  ///< why, in a sentence; empty where accepted
-  std::vector<std::string> messages{};
+  std::vector<record::Note> messages{};
 };
 
 /// Switches candidates on by id, refits all free parameters with them and judges the result. Size

@@ -36,7 +36,8 @@ double error_factor(double misfit, bool noise_known, Calibration& result) {
   const int freedom = result.degrees_of_freedom;
   if (freedom < 1) {
     if (noise_known) return 1.0;
-    result.messages.emplace_back("as many rows as parameters: no standard errors");
+    result.messages.push_back(
+        record::note::not_identifiable("as many rows as parameters: no standard errors"));
     return unset;
   }
   const double reduced = misfit / freedom;
@@ -44,10 +45,10 @@ double error_factor(double misfit, bool noise_known, Calibration& result) {
   result.reduced_chi_square = reduced;
   const double factor = fit::widening(misfit, freedom);
   if (factor > 1.0)
-    result.messages.push_back(fmt::format(
+    result.messages.push_back(record::note::misfit(fmt::format(
         "the misfit exceeds the noise of the data (chi2/dof = {:.3g}): standard errors are widened "
         "by {:.3g}, and do not cover what a missing effect does to the values",
-        reduced, factor));
+        reduced, factor)));
   return factor;
 }
 
@@ -66,10 +67,12 @@ fit::Likelihood likelihood_of_fit(double misfit, const fit::Observations& observ
 void tell_bounds(Calibration& result) {
   for (const record::Parameter& p : result.parameters)
     if (p.at_bound != record::Bound::none)
-      result.messages.push_back(fmt::format(
-          "{} ends at its {} bound, {}: the data want it beyond, or the model lacks something",
-          p.name, p.at_bound == record::Bound::lower ? "lower" : "upper",
-          with_unit(p.value, p.unit, 5)));
+      result.messages.push_back(record::note::at_bound(
+          fmt::format(
+              "{} ends at its {} bound, {}: the data want it beyond, or the model lacks something",
+              p.name, p.at_bound == record::Bound::lower ? "lower" : "upper",
+              with_unit(p.value, p.unit, 5)),
+          {.key = p.name}));
 }
 
 /// The error of every channel at these readings.
@@ -91,8 +94,8 @@ void take_fit(const fit::Response& response, const fit::ResponseFit& fit,
   result.status = fit.converged ? fit::FitStatus::converged : fit::FitStatus::failed;
   result.iterations = fit.iterations;
   if (!fit.converged) {
-    result.messages.emplace_back(
-        "the fit did not converge: no minimum was reached from two starts");
+    result.messages.push_back(record::note::not_converged(
+        "the fit did not converge: no minimum was reached from two starts"));
     return;
   }
   std::size_t moved = 0;
@@ -109,11 +112,11 @@ void take_fit(const fit::Response& response, const fit::ResponseFit& fit,
   tell_bounds(result);
   for (const ChannelError& c : result.channels)
     if (c.rmse_after > c.rmse_before)
-      result.messages.push_back(fmt::format(
+      result.messages.push_back(record::note::misfit(fmt::format(
           "the RMS error of {} rises, {:.4g} -> {}: readings are weighed by their noise, not all "
           "alike",
           c.channel->words, c.rmse_before / c.channel->factor,
-          reading_text(*c.channel, c.rmse_after, 4)));
+          reading_text(*c.channel, c.rmse_after, 4))));
   result.likelihood = likelihood_of_fit(fit.misfit, observed, whitening, noise_known, result);
   result.error_factor = error_factor(fit.misfit, noise_known, result);
   const Eigen::MatrixXd jacobian = whitening(fit.slope);
@@ -156,12 +159,12 @@ fit::ResponseFit fit_with_excess(const fit::Response& response, fit::ResponseFit
   for (std::size_t c = 0; c < channels; ++c)
     if (excess[c] > 0.0) {
       weighed.by_misfit = true;
-      result.messages.push_back(
+      result.messages.push_back(record::note::misfit(
           fmt::format("misfit exceeds the standard deviations of the rows (chi2/dof = {:.3g}); {} "
                       "were added to "
                       "each, by which weights are evened out and standard errors are widened",
                       chi_square / (static_cast<double>(observed.size()) * (1.0 - share)),
-                      reading_text(*observed.channels[c].channel, excess[c])));
+                      reading_text(*observed.channels[c].channel, excess[c]))));
     }
   return fit;
 }
@@ -178,9 +181,10 @@ std::vector<record::Parameter> starting(const fit::Subject& subject, Calibration
   for (record::Parameter& p : parameters) {
     p.value = std::clamp(p.start, p.lower, p.upper);
     if (p.value != p.start)
-      result.messages.push_back(fmt::format("{} = {} is outside its bounds: the fit starts at {}",
-                                            p.name, with_unit(p.start, p.unit, 5),
-                                            with_unit(p.value, p.unit, 5)));
+      result.messages.push_back(record::note::at_bound(
+          fmt::format("{} = {} is outside its bounds: the fit starts at {}", p.name,
+                      with_unit(p.start, p.unit, 5), with_unit(p.value, p.unit, 5)),
+          {.key = p.name}));
   }
   return parameters;
 }
@@ -282,8 +286,8 @@ Calibration fit_moving(const fit::Subject& started, const std::optional<Evidence
       for (const record::Parameter& p : fitted.parameters)
         if (const std::string needed = p.held ? "" : started.lacks(p.name, *weighed.problem.record);
             !needed.empty())
-          fitted.messages.push_back(
-              fmt::format("{} needs {}: its value says little", p.name, needed));
+          fitted.messages.push_back(record::note::not_identifiable(
+              fmt::format("{} needs {}: its value says little", p.name, needed), {.key = p.name}));
       if (options.profile) profile(made);
       return std::move(fitted);
     }
@@ -295,10 +299,11 @@ Calibration fit_moving(const fit::Subject& started, const std::optional<Evidence
                       held = with_unit(p.value, p.unit, 5);
     if (const std::string needed = started.lacks(p.name, *weighed.problem.record);
         !needed.empty()) {
-      result.messages.push_back(not_identifiable(p, needed));
+      result.messages.push_back(
+          record::note::not_identifiable(not_identifiable(p, needed), {.key = p.name}));
       continue;
     }
-    result.messages.push_back(
+    result.messages.push_back(record::note::not_identifiable(
         lost->at_bound != record::Bound::none
             ? fmt::format("{} is not fixed by these data: a fit carries it to its bound, {}; it is "
                           "held at {}. Do sign and unit of the readings agree with the model?",
@@ -306,7 +311,8 @@ Calibration fit_moving(const fit::Subject& started, const std::optional<Evidence
             : fmt::format(
                   "{} is not fixed by these data: a fit carries it to {}, where a change as "
                   "large as its range is lost in the noise; it is held at {}",
-                  p.name, carried, held));
+                  p.name, carried, held),
+        {.key = p.name}));
   }
 }
 
@@ -333,8 +339,9 @@ Calibration calibrate_by_noise(const fit::Subject& subject, const record::Record
         "are needed",
         record.source, observed.size(), count));
   if (!problem.not_predicted.empty())
-    result.messages.push_back(fmt::format("{} of {} rows have no prediction and are not used",
-                                          problem.not_predicted.size(), record.rows()));
+    result.messages.push_back(
+        record::note::rows_used(fmt::format("{} of {} rows have no prediction and are not used",
+                                            problem.not_predicted.size(), record.rows())));
   const auto response_by = [&](const fit::Subject& of, const std::vector<std::string>& names) {
     return fit::response_of(of, problem.record, observed, names, problem.prepared);
   };

@@ -10,6 +10,7 @@
 #include "fit/fit_status.h"
 #include "fit/likelihood.h"
 #include "fit/profile_interval.h"
+#include "record/note.h"
 #include "verdict/evidence.h"
 
 namespace raceway::verdict {
@@ -37,7 +38,7 @@ struct Calibration {
   std::vector<ChannelError> channels{};
   int iterations = 0;
   fit::FitStatus status = fit::FitStatus::not_run;
-  std::vector<std::string> messages{};  ///< what the user should know, one line each
+  std::vector<record::Note> messages{};  ///< what the user should know
   /// Of a subject that only approximates: error on parts that no fit saw [SI], and how long what is
   /// left remembers itself [s]; NaN where that is not known.
   double rms_held_out = unset, correlation_time = unset;

@@ -12,6 +12,7 @@
 #include "fit/likelihood.h"
 #include "fit/noise_model.h"
 #include "fit/refit.h"
+#include "record/note.h"
 #include "verdict/compare.h"
 
 namespace raceway::verdict {
@@ -190,7 +191,7 @@ struct Diagnosis {
   /// certain, lower the held-out error and yet do not matter.
   bool within_tolerance = false;
   std::vector<std::string> significant_but_immaterial;
-  std::vector<std::string> messages;  ///< what the user should know, one line each
+  std::vector<record::Note> messages;  ///< what the user should know
 
   /// A tolerance was given, and decides.
   [[nodiscard]] bool tolerance_limited() const;

@@ -115,7 +115,9 @@ void require_variation(Evidence& evidence) {
       continue;
     }
     if (first.empty()) first = wrong;
-    evidence.notes.push_back(fmt::format("{} takes no part: {}", channel.name, wrong));
+    evidence.notes.push_back(
+        record::note::rows_used(fmt::format("{} takes no part: {}", channel.name, wrong),
+                                {.key = std::string(channel.name)}));
   }
   if (useful.empty()) throw std::invalid_argument(evidence.problem.record->source + ": " + first);
   if (useful.size() < observed.channels.size()) observed = observed.only(useful);
@@ -302,10 +304,10 @@ void leave_out_shapes(Evidence& evidence) {
   for (fit::Screened& s : evidence.problem.candidates)
     if (s.candidate.parameters.size() > 1)
       s.not_testable = fmt::format("the data lack rows, {} or more, for its shape", fewest_rows);
-  evidence.notes.push_back(fmt::format(
+  evidence.notes.push_back(record::note::noise(fmt::format(
       "{} rows are too few to tell their noise: the declared standard deviations are taken as they "
       "are, and effects of more than one number, two at once and bent laws are not looked for",
-      evidence.problem.observed.row.size()));
+      evidence.problem.observed.row.size())));
 }
 
 /// Rows, candidates and the response of the model, before anything is fitted.
@@ -414,7 +416,7 @@ void fit_base(Evidence& evidence, const Eigen::VectorXd& start) {
 /// memory; where repeats scatter more than it, theirs is allowed as well. True where anything is
 /// another.
 bool estimate_again(const Evidence& evidence, std::size_t channel, fit::NoiseModel& noise,
-                    std::vector<std::string>& notes) {
+                    std::vector<record::Note>& notes) {
   const fit::Observations& observed = evidence.problem.observed;
   if (noise.degrees_of_freedom >= known_degrees || noise.as_declared) return false;
   const std::size_t allowed = noise.allowed.size();
@@ -430,11 +432,11 @@ bool estimate_again(const Evidence& evidence, std::size_t channel, fit::NoiseMod
     const double factor = std::sqrt(misfit / left);
     noise.scale(factor);
     noise.degrees_of_freedom = left;
-    notes.push_back(
+    notes.push_back(record::note::noise(
         fmt::format("the misfit of {} is below the noise that was found first, which is estimated "
                     "again, {:.2g} "
                     "times as large",
-                    observed.channels[channel].channel->words, factor));
+                    observed.channels[channel].channel->words, factor)));
   }
   const double plain = rest.cwiseQuotient(noise.whitening.std()).squaredNorm() / left;
   if (noise.has_memory() && plain < 1.0)

@@ -6,6 +6,7 @@
 
 #include "fit/noise_model.h"
 #include "fit/problem.h"
+#include "record/note.h"
 
 namespace raceway::verdict {
 
@@ -26,7 +27,7 @@ struct Evidence {
   std::size_t rows_in_record = 0;
   bool few_rows = false;  ///< too few to tell their noise, which is the declared one
   std::string hint{};     ///< where the readings look like another unit or the other sign
-  std::vector<std::string> notes{};
+  std::vector<record::Note> notes{};
 
   [[nodiscard]] std::size_t rows() const { return problem.record->rows(); }
   /// Standard deviation of every reading [SI].

@@ -128,8 +128,8 @@ class Errors {
         lost_[static_cast<std::size_t>(k)] = true;
         group.push_back(parameter(static_cast<std::size_t>(k)).name);
       }
-      result_.messages.push_back(
-          fmt::format("{} cannot be told apart at the solution", joined(group, "and")));
+      result_.messages.push_back(record::note::not_identifiable(
+          fmt::format("{} cannot be told apart at the solution", joined(group, "and"))));
     }
   }
 
@@ -140,10 +140,11 @@ class Errors {
     if (!p.identifiable) return;
     p.std = factor_ * std::sqrt(covariance_(at, at)) / norm_[at];
     if (!(p.std > p.upper - p.lower)) return;
-    result_.messages.push_back(
+    result_.messages.push_back(record::note::not_identifiable(
         fmt::format("{} is not fixed by these data: its standard error would be {}, more than the "
                     "range of its bounds",
-                    p.name, with_unit(p.std, p.unit, 5)));
+                    p.name, with_unit(p.std, p.unit, 5)),
+        {.key = p.name}));
     p.identifiable = false;
     p.std = unset;
   }
@@ -156,10 +157,10 @@ class Errors {
     result_.correlation(static_cast<Eigen::Index>(free_[a]), static_cast<Eigen::Index>(free_[b])) =
         a == b ? 1.0 : c;
     if (a < b && std::abs(c) > 0.99)
-      result_.messages.push_back(fmt::format(
+      result_.messages.push_back(record::note::not_identifiable(fmt::format(
           "{} and {} are correlated by {:.4f}: these data fix a combination of them far better "
           "than each",
-          first.name, second.name, c));
+          first.name, second.name, c)));
   }
 
   record::Parameter& parameter(std::size_t k) { return result_.parameters[free_[k]]; }
@@ -204,18 +205,20 @@ void hold_dependent(const fit::Response& response, const fit::Whitening& whiteni
     }
     if (group.empty()) {
       const std::string needed = lacks(p.name);
-      result.messages.push_back(needed.empty()
-                                    ? fmt::format("the data do not depend on {}: it stays at {}",
-                                                  p.name, with_unit(p.value, p.unit, 5))
-                                    : not_identifiable(p, needed));
+      result.messages.push_back(record::note::not_identifiable(
+          needed.empty() ? fmt::format("the data do not depend on {}: it stays at {}", p.name,
+                                       with_unit(p.value, p.unit, 5))
+                         : not_identifiable(p, needed),
+          {.key = p.name}));
       continue;
     }
     group.push_back(p.name);
-    result.messages.push_back(
+    result.messages.push_back(record::note::not_identifiable(
         fmt::format("{} cannot be told apart on these data: {} is held at {}, and the other {} "
                     "without a standard error",
                     joined(group, "and"), p.name, with_unit(p.value, p.unit, 5),
-                    group.size() == 2 ? "value is" : "values are"));
+                    group.size() == 2 ? "value is" : "values are"),
+        {.key = p.name}));
   }
 }
 

@@ -98,8 +98,8 @@ void Investigation::look() {
   for (std::size_t c = 0; c < errors.size(); ++c)
     result_.channels[c].rmse_held_out_before = errors[c];
   if (std::isnan(share_of_tolerance_))
-    result_.messages.emplace_back(
-        "these rows have no blocks to be held out: whether the tolerance is met cannot be told");
+    result_.messages.push_back(record::note::limits(
+        "these rows have no blocks to be held out: whether the tolerance is met cannot be told"));
 }
 
 void Investigation::describe_channels() {
@@ -138,11 +138,11 @@ void Investigation::tell_declared_noise() {
     if (d.baseline.noise.source != fit::NoiseSource::declared || evidence_.few_rows) continue;
     const double declared = d.baseline.noise.rms, ratio = d.noise.rms / declared;
     if (ratio < 1.5 && ratio > 1.0 / 1.5) continue;
-    result_.messages.push_back(fmt::format(
+    result_.messages.push_back(record::note::noise(fmt::format(
         "std_{} weighs the rows against each other; the noise is what a saturated regression "
         "leaves, {} where {:.3g} are declared",
         d.channel().key_unit(), reading_text(d.channel(), d.noise.rms),
-        declared / d.channel().factor));
+        declared / d.channel().factor)));
   }
 }
 
@@ -152,19 +152,19 @@ void Investigation::tell_of_runs() {
   for (const ChannelDiagnosis& d : result_.channels)
     if (d.noise.unknown_runs) (d.noise.undeclared_blocks ? blocks : runs) = true;
   if (blocks)
-    result_.messages.emplace_back(
+    result_.messages.push_back(record::note::plan(
         "nothing tells how much these blocks differ by themselves: what changes from block to "
         "block "
-        "was not looked for; measure each of them twice, or say with run_id which rows are a run");
+        "was not looked for; measure each of them twice, or say with run_id which rows are a run"));
   const std::string nested = fit::nested_settings(*problem_.record);
   // Where levels were measured in two runs it is no plan that lacks anything.
   if (!runs || (!nested.empty() && fit::nested_settings(*problem_.record, true).empty())) return;
-  result_.messages.push_back(fmt::format(
+  result_.messages.push_back(record::note::plan(fmt::format(
       "nothing tells how much runs differ by themselves{}: what depends on {} cannot be told from "
       "a rig that was set up anew, and was not looked for between runs; measure each level in two "
       "runs or more, or all levels within each run",
       nested.empty() ? "" : ", as each run has its own " + nested,
-      nested.empty() ? "what changes from run to run" : nested));
+      nested.empty() ? "what changes from run to run" : nested)));
 }
 
 /// Records that do not scatter alike.
@@ -174,9 +174,9 @@ void Investigation::tell_of_records() {
     for (std::size_t k = 0; k < d.noise.records.size(); ++k)
       texts.push_back(fmt::format("{} {:.2g} times", record_.parts.at(k).name, d.noise.records[k]));
     if (!texts.empty())
-      result_.messages.push_back(fmt::format(
+      result_.messages.push_back(record::note::noise(fmt::format(
           "the records scatter differently, of the noise of all {}; rows are weighed by that",
-          joined(texts, "and")));
+          joined(texts, "and"))));
   }
 }
 
@@ -188,13 +188,13 @@ void Investigation::tell_of_growth() {
     const std::span<const double> values = problem_.record->values(swept);
     const double least = *std::min_element(values.begin(), values.end());
     const double most = d.noise.largest_swept;
-    result_.messages.push_back(fmt::format(
+    result_.messages.push_back(record::note::noise(fmt::format(
         "the scatter of {} grows with {}, from {:.2g} % at {:.4g} {} to {:.2g} % at {:.4g} {}; "
         "rows "
         "are weighed by that",
         d.channel().words, swept.words,
         100.0 * d.noise.relative * std::pow(least / most, d.noise.growth), swept.in_unit(least),
-        swept.unit, 100.0 * d.noise.relative, swept.in_unit(most), swept.unit));
+        swept.unit, 100.0 * d.noise.relative, swept.in_unit(most), swept.unit)));
   }
 }
 
@@ -206,7 +206,7 @@ bool Investigation::base_is_identifiable() const {
 }
 
 void Investigation::describe_base() {
-  const auto tell = [this](std::string text) { result_.messages.push_back(std::move(text)); };
+  const auto tell = [this](record::Note said) { result_.messages.push_back(std::move(said)); };
   result_.rows = static_cast<int>(evidence_.rows());
   result_.likelihood = likelihood_of(evidence_, evidence_.base);
   result_.base = base_alone(evidence_);
@@ -216,56 +216,62 @@ void Investigation::describe_base() {
   std::sort(outliers.begin(), outliers.end(),
             [&](std::size_t a, std::size_t b) { return record_.line(a) < record_.line(b); });
   if (!outliers.empty())
-    tell(
+    tell(record::note::rows_used(
         fmt::format("{} row(s) stand further apart than scatter does and count with less "
                     "weight, first {}",
-                    outliers.size(), record_.place(outliers.front())));
+                    outliers.size(), record_.place(outliers.front()))));
   const std::size_t left_out = result_.rows_not_predicted.size();
   if (evidence_.rows() + left_out < evidence_.rows_in_record)
-    tell(fmt::format("{} of {} rows were used, chosen at random", result_.rows,
-                     evidence_.rows_in_record));
+    tell(record::note::rows_used(fmt::format("{} of {} rows were used, chosen at random",
+                                             result_.rows, evidence_.rows_in_record)));
   if (left_out > 0)
-    tell(fmt::format("{} row(s) that are not read or cannot be predicted were left out, first {}",
-                     left_out, record_.place(result_.rows_not_predicted.front())));
+    tell(record::note::rows_used(
+        fmt::format("{} row(s) that are not read or cannot be predicted were left out, first {}",
+                    left_out, record_.place(result_.rows_not_predicted.front()))));
   for (std::size_t k = 0; k < evidence_.base.at_bound.size(); ++k)
     if (evidence_.base.at_bound[k])
-      tell(evidence_.response.parameters[k].name +
-           " ends at a bound: the model lacks something, or is far off");
-  if (!evidence_.hint.empty()) tell(evidence_.hint);
-  for (const std::string& note : evidence_.notes) tell(note);
+      tell(record::note::at_bound(evidence_.response.parameters[k].name +
+                                      " ends at a bound: the model lacks something, or is far off",
+                                  {.key = evidence_.response.parameters[k].name}));
+  if (!evidence_.hint.empty()) tell(record::note::unit(evidence_.hint));
+  for (const record::Note& one : evidence_.notes) tell(one);
   tell_declared_noise();
   for (const std::string& name : evidence_.idle) {
     const std::string needed = problem_.subject->lacks(name, *problem_.record);
-    tell("the readings do not depend on " + name + ", which stays as it is" +
-         (needed.empty() ? "" : ": it needs " + needed));
+    tell(record::note::not_identifiable("the readings do not depend on " + name +
+                                            ", which stays as it is" +
+                                            (needed.empty() ? "" : ": it needs " + needed),
+                                        {.key = name}));
   }
   for (const std::string& name : problem_.base)
     if (const std::string needed = problem_.subject->lacks(name, *problem_.record); !needed.empty())
-      tell(name + " needs " + needed + ": its value says little");
+      tell(record::note::not_identifiable(name + " needs " + needed + ": its value says little",
+                                          {.key = name}));
   if (!base_is_identifiable())
-    tell(joined(problem_.base, "and") +
-         " cannot all be told apart on these data: their values mean little; free fewer of them "
-         "under [calibration]");
+    tell(record::note::not_identifiable(
+        joined(problem_.base, "and") +
+        " cannot all be told apart on these data: their values mean little; free fewer of them "
+        "under [calibration]"));
   for (const ChannelDiagnosis& d : result_.channels)
     if (d.noise.undeclared_blocks && !d.noise.unknown_runs)
-      tell(fmt::format(
+      tell(record::note::plan(fmt::format(
           "{}: offsets of {} follow blocks of rows in which a setting rises or falls and starts "
           "again, as if each were clamped anew; they count as runs (run_id says which rows are)",
           d.channel().words,
-          reading_text(d.channel(), d.noise.rms * std::sqrt(d.noise.run_share))));
+          reading_text(d.channel(), d.noise.rms * std::sqrt(d.noise.run_share)))));
     else if (d.noise.undeclared_blocks)
-      tell(
+      tell(record::note::plan(
           fmt::format("{}: the rows stand in blocks in which a setting rises or falls and starts "
                       "again; they count as runs",
-                      d.channel().words));
+                      d.channel().words)));
   tell_of_runs();
   tell_of_records();
   tell_of_growth();
   for (const ChannelDiagnosis& d : result_.channels)
     if (d.noise.repeats_p_value < passed)
-      tell(fmt::format(
+      tell(record::note::noise(fmt::format(
           "repeated rows scatter {:.2g} times as much as the noise found otherwise (p = {:.1g})",
-          std::sqrt(d.noise.repeats_statistic), d.noise.repeats_p_value));
+          std::sqrt(d.noise.repeats_statistic), d.noise.repeats_p_value)));
 }
 
 bool Investigation::is_anything_missing() const {
@@ -279,9 +285,9 @@ void Investigation::attribute() {
   search_->refit_singles();
   for (const Explanation& single : search_->singles())
     if (!single.fit.converged)
-      result_.messages.push_back(fmt::format(
+      result_.messages.push_back(record::note::not_converged(fmt::format(
           "the fit with {} {}: it takes no part in the verdict", id_of(single),
-          single.ran_away ? "runs away to " + size_text(problem_, single) : "did not converge"));
+          single.ran_away ? "runs away to " + size_text(problem_, single) : "did not converge")));
   if (outside_the_inputs()) return;
   const bool by_tolerance = result_.tolerance_limited() && !std::isnan(share_of_tolerance_);
   finding_ = by_tolerance ? search_->explain_within_tolerance() : search_->explain();
@@ -406,7 +412,8 @@ void Investigation::fill(const Set& set, const Explanation& best) {
     result_.correlation = correlation_of(best.parameters, best.fit);
     for (std::size_t k = 0; k < problem_.base.size(); ++k)
       if (best.fit.at_bound[k])
-        result_.messages.push_back(best.parameters[k].name + " ends at a bound");
+        result_.messages.push_back(record::note::at_bound(
+            best.parameters[k].name + " ends at a bound", {.key = best.parameters[k].name}));
   }
   fill_verdict(set);
   fill_ranking();
@@ -635,11 +642,11 @@ void Investigation::tell_of_all_rows() {
       square_before += x * x;
       square_after += y * y;
     }
-    result_.messages.push_back(fmt::format(
+    result_.messages.push_back(record::note::rows_used(fmt::format(
         "over all {} rows that can be predicted the error falls from {:.3g} to {} with the numbers "
         "found on those that were used",
         rows, std::sqrt(square_before / rows) / channel.factor,
-        reading_text(channel, std::sqrt(square_after / rows))));
+        reading_text(channel, std::sqrt(square_after / rows)))));
   }
 }
 

@@ -37,7 +37,7 @@ fit::Problem plain_problem(const fit::Subject& subject, const record::Record& re
 }
 
 /// Where the data cannot tell their noise: declared deviations, or all readings of a channel alike.
-void weigh_plainly(Weighed& weighed, std::vector<std::string>& messages) {
+void weigh_plainly(Weighed& weighed, std::vector<record::Note>& messages) {
   const fit::Problem& problem = weighed.problem;
   std::vector<fit::Whitening> parts;
   weighed.noise_known = true;
@@ -52,7 +52,8 @@ void weigh_plainly(Weighed& weighed, std::vector<std::string>& messages) {
             problem.record->deviation_of(*problem.observed.channels[c].channel);
         some &&
         std::any_of(some->values.begin(), some->values.end(), [](double s) { return s > 0.0; }))
-      messages.emplace_back("not every row has a standard deviation: all rows weigh the same");
+      messages.push_back(
+          record::note::noise("not every row has a standard deviation: all rows weigh the same"));
     const double size = readings.measured.size() > 0 ? fit::rms(readings.measured) : 1.0;
     parts.emplace_back(Eigen::VectorXd::Constant(readings.measured.size(), size > 0.0 ? size : 1.0),
                        fit::RowOrder{}, 0.0, 0.0);
@@ -86,7 +87,7 @@ std::optional<Evidence> evidence_of(const fit::Subject& subject, const record::R
 }
 
 Weighed weigh(const fit::Subject& subject, const record::Record& record,
-              const std::optional<Evidence>& evidence, std::vector<std::string>& messages) {
+              const std::optional<Evidence>& evidence, std::vector<record::Note>& messages) {
   if (evidence && evidence->rows() + evidence->problem.not_predicted.size() == record.rows())
     return {evidence->problem, evidence->whitening, true};
   Weighed weighed{.problem = plain_problem(subject, record)};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "files/detail/column_source.h"
+#include "record/note.h"
 #include "text/bad_cells.h"
 #include "text/timestamp.h"
 
@@ -39,7 +40,7 @@ class ColumnReader {
   /// Throws InputError where some cells have a decimal comma and others a point.
   void check_decimal_marks() const;
   /// How the file is written where that is not the usual way, and what was said of it.
-  [[nodiscard]] std::vector<std::string> notes_on_form() const;
+  [[nodiscard]] std::vector<record::Note> notes_on_form() const;
 
  private:
   struct Mark {
@@ -56,7 +57,7 @@ class ColumnReader {
 
   const text::CsvTable& table_;
   Mark comma_, point_;
-  std::vector<std::string> notes_;  // on dates and missing readings
+  std::vector<record::Note> notes_;  // on dates and missing readings
 
  public:
   text::BadCells bad;  ///< what is wrong with cells so far

@@ -7,6 +7,7 @@
 
 #include "files/column_map.h"
 #include "files/source.h"
+#include "record/note.h"
 #include "text/bad_cells.h"
 #include "text/csv.h"
 
@@ -33,7 +34,7 @@ struct Recognised {
   std::vector<ColumnSource> columns{};  ///< in the order of file_channels()
   std::vector<Constant> constants{};
   std::vector<std::string> others{};  ///< headers that nobody knows
-  std::vector<std::string> notes{};   ///< on units that were converted
+  std::vector<record::Note> notes{};  ///< on units that were converted
 
   [[nodiscard]] const ColumnSource* find(const record::Channel& channel) const;
 };

@@ -8,6 +8,7 @@
 #include "files/detail/column_source.h"
 #include "files/detail/signal_channels.h"
 #include "model/model_subject.h"
+#include "record/note.h"
 
 /// The header of a measurement file; shared with the reader of records.
 namespace raceway::files {
@@ -43,7 +44,7 @@ struct DataColumns {
   /// friction torque.
   std::optional<Place> signal, signal_deviation;
   std::vector<Recognised::Constant> constants;  ///< of channels without a column
-  std::vector<std::string> notes;               ///< on units and on columns that nobody knows
+  std::vector<record::Note> notes;              ///< on units and on columns that nobody knows
 
   /// Null where the file has no such column.
   [[nodiscard]] const Place* find(const record::Channel& channel) const;

@@ -30,7 +30,7 @@ struct EngineAnswer {
   std::function<std::string()> page{};
   std::function<std::string()> csv{};
   std::function<NamedColumns()> rows{};
-  std::vector<std::string> notes{}, warnings{};
+  std::vector<record::Note> notes{}, warnings{};
   bool converged = true;
   std::string refused{};  ///< why an effect was not added; empty where it was
   session::FittedTexts fitted{};
@@ -59,9 +59,9 @@ EngineAnswer answered(const Waiting& waiting, std::atomic<bool>& cancelled,
                       const Progress& progress, const Work& work) {
   Heard heard;
   EngineAnswer answer = interruptible(cancelled, progress, waiting, [&] { return work(heard); });
-  answer.notes.insert(answer.notes.end(), heard.note_lines.begin(), heard.note_lines.end());
-  answer.warnings.insert(answer.warnings.begin(), heard.warning_lines.begin(),
-                         heard.warning_lines.end());
+  append(answer.notes, std::move(heard.notes));
+  append(heard.warnings, std::move(answer.warnings));
+  answer.warnings = std::move(heard.warnings);
   return answer;
 }
 

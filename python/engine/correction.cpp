@@ -36,7 +36,7 @@ void fill_validations(EngineAnswer& answer, std::vector<results::Validation>& li
   for (const correction::Model& model : models) {
     session::Validated one = session::validated(model, other);
     list.push_back(std::move(one.validation));
-    answer.warnings.insert(answer.warnings.end(), one.warnings.begin(), one.warnings.end());
+    append(answer.warnings, std::move(one.warnings));
   }
 }
 
@@ -47,8 +47,7 @@ EngineAnswer arx(Heard& heard, const EngineCorrection& correction, const Data& d
   EngineAnswer answer;
   for (const correction::Model& model : asked.file.models) {
     found.emplace_back(model.displacement, session::arx_baseline(asked, model, choices));
-    const std::vector<std::string>& messages = found.back().second.messages;
-    answer.warnings.insert(answer.warnings.end(), messages.begin(), messages.end());
+    append(answer.warnings, found.back().second.messages);
   }
   answer.json = results::arx_json(asked.file.source, asked.data, found);
   return answer;
@@ -65,8 +64,7 @@ EngineAnswer identified(Heard& heard, const EngineCorrection& correction, const 
   for (const correction::Model& model : asked.file.models) {
     found.push_back(session::identified(heard, asked, model, choices));
     models.push_back(found.back().model);
-    const std::vector<std::string>& messages = found.back().messages;
-    answer.warnings.insert(answer.warnings.end(), messages.begin(), messages.end());
+    append(answer.warnings, found.back().messages);
   }
   std::vector<results::Validation> validations;
   fill_validations(answer, validations, heard, models, validate,
@@ -159,7 +157,8 @@ py::tuple export_correction(const EngineCorrection& correction, const std::strin
   Heard heard;
   const session::ControlExport made = session::export_plan(
       session::open_plan(heard, correction.source(), record.get()), format, output);
-  return py::make_tuple(made.text, made.plan.notes, made.hal, made.hal_shutdown);
+  return py::make_tuple(made.text, notes_of(record::note::exported, made.plan.notes), made.hal,
+                        made.hal_shutdown);
 }
 
 EngineAnswer fit_law(const Data& curve, double at_rpm, const py::kwargs& given) {

@@ -1,18 +1,20 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "python/engine/note.h"
+#include "record/note.h"
 #include "session/messages.h"
 
 namespace raceway::python {
 
 /// Keeps what is said beside an answer, for the caller to show.
 struct Heard final : session::Messages {
-  std::vector<std::string> note_lines, warning_lines;
+  std::vector<record::Note> notes, warnings;
 
-  void note(const std::string& line) override { note_lines.push_back(line); }
-  void warn(const std::string& line) override { warning_lines.push_back(line); }
+  void hear(const record::Note& note) override {
+    (note.kind() == record::NoteKind::note ? notes : warnings).push_back(note);
+  }
 };
 
 }  // namespace raceway::python

@@ -63,7 +63,7 @@ py::tuple solved_arrays(session::SolvedStates solved, const std::vector<std::siz
   status.reserve(solved.status.size());
   for (const bearing::SolveStatus s : solved.status) status.push_back(static_cast<std::uint8_t>(s));
   return py::make_tuple(solved.columns, owned(std::move(solved.values), of_values),
-                        owned(std::move(status), shape), heard.note_lines, heard.warning_lines);
+                        owned(std::move(status), shape), heard.notes, heard.warnings);
 }
 
 py::tuple solve(const EngineModel& model, const py::dict& given,
@@ -73,7 +73,7 @@ py::tuple solve(const EngineModel& model, const py::dict& given,
   Heard heard;
   std::atomic<bool> cancelled = false;
   const std::optional<model::Band> band = model.band(with_band);
-  if (band) heard.note("band: " + session::band_statement(*band));
+  if (band) heard.say(record::note::band("band: " + session::band_statement(*band)));
   const auto work = [&] {
     return session::solve_states(heard, model.file(), states, columns, &cancelled,
                                  band ? &*band : nullptr);
@@ -182,7 +182,7 @@ EngineModel::EngineModel(const std::string& source, const std::string& text, con
   if (file_.model.shaft) return;
   Heard ignored;
   session::warn_of_ignored_data(ignored, file_);
-  heard_.notes(ignored.warning_lines);
+  append(heard_.notes, std::move(ignored.warnings));
 }
 
 void EngineModel::amend(files::ModelFile& file) const {
@@ -258,9 +258,8 @@ void bind_model(py::module_& module) {
              return files::with_names_from(*f.source().text, f.source().files, path);
            })
       .def_property_readonly("defaults", &EngineFile::defaults)
-      .def_property_readonly("notes", [](const EngineFile& f) { return f.heard().note_lines; })
-      .def_property_readonly("warnings",
-                             [](const EngineFile& f) { return f.heard().warning_lines; });
+      .def_property_readonly("notes", [](const EngineFile& f) { return f.heard().notes; })
+      .def_property_readonly("warnings", [](const EngineFile& f) { return f.heard().warnings; });
   py::class_<EngineModel, EngineFile, std::shared_ptr<EngineModel>>(module, "Model")
       .def(py::init<const std::string&, const std::string&, const py::list&, const HeldFiles&>(),
            py::arg("source"), py::arg("text"), py::arg("own") = py::list(),
@@ -295,7 +294,7 @@ void bind_model(py::module_& module) {
                                        .contact_angle = contact_angle_deg,
                                        .law = law};
         std::string text = session::new_model_text(heard, wanted);
-        return py::make_tuple(text, heard.note_lines);
+        return py::make_tuple(text, heard.notes);
       },
       py::arg("bearing"), py::arg("law"), py::arg("ball_material"), py::arg("bore_mm"),
       py::arg("outer_diameter_mm"), py::arg("contact_angle_deg"), py::arg("ball_count"));

@@ -39,7 +39,8 @@ EngineAnswer sensitivity(const EngineModel& model, const std::vector<std::string
         const results::Sensitivity found = session::sensitivity(heard, model.file(), question);
         EngineAnswer answer{.json = results::sensitivity_json(found),
                             .converged = found.converged()};
-        answer.warnings = session::sensitivity_warnings(found);
+        answer.warnings =
+            notes_of(record::note::no_prediction, session::sensitivity_warnings(found));
         return answer;
       });
 }

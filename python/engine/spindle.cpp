@@ -34,7 +34,7 @@ using NamedText = std::pair<std::string, std::string>;  // its name, what it hol
 struct SpindleAnswer {
   Text json{}, csv{}, page{}, end_state{}, field{}, shapes{};
   bool converged = true;
-  std::vector<std::string> notes{}, warnings{};
+  std::vector<record::Note> notes{}, warnings{};
 };
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();  // [s]
@@ -54,9 +54,9 @@ SpindleAnswer answer_of(const std::shared_ptr<const Found>& found, Heard& heard)
                        .csv = [found] { return found->csv(); },
                        .page = [found] { return found->page(); },
                        .converged = found->converged(),
-                       .notes = std::move(heard.note_lines),
-                       .warnings = std::move(heard.warning_lines)};
-  for (std::string& line : found->warnings()) answer.warnings.push_back(std::move(line));
+                       .notes = std::move(heard.notes),
+                       .warnings = std::move(heard.warnings)};
+  append(answer.warnings, notes_of(record::note::not_converged, found->warnings()));
   return answer;
 }
 
@@ -80,7 +80,7 @@ double ambient_of(Heard& heard, double ambient_temperature_C) {
   text::require_range(ambient_temperature_C, text::temperature_range, "ambient_temperature_C");
   const std::string doubt =
       files::looks_like_kelvin("ambient_temperature_C", ambient_temperature_C);
-  if (!doubt.empty()) heard.warn(doubt);
+  if (!doubt.empty()) heard.say(record::note::unit(doubt, {.key = "ambient_temperature_C"}));
   return kelvin(ambient_temperature_C);
 }
 
@@ -135,7 +135,7 @@ SpindleAnswer modes(const EngineModel& model, const std::vector<double>& speed_r
     question.cancelled = &cancelled;
     auto answer = std::make_shared<const session::SpindleModes>(
         session::spindle_modes(model.file(), question));
-    h.notes(answer->notes());
+    h.say(notes_of(record::note::assumed, answer->notes()));
     return answer;
   });
   SpindleAnswer answer = answer_of(found, heard);
@@ -164,7 +164,7 @@ SpindleAnswer deflection(const EngineModel& model, double force_N, bool axial, d
     question.cancelled = &cancelled;
     auto answer = std::make_shared<const session::SpindleDeflection>(
         session::spindle_deflection(model.file(), question));
-    h.notes(answer->notes());
+    h.say(notes_of(record::note::assumed, answer->notes()));
     return answer;
   });
   return answer_of(found, heard);
@@ -178,7 +178,7 @@ struct StepAnswer : SpindleAnswer {
 };
 
 StepAnswer step_answer(const Steps& steps, Heard& heard) {
-  heard.notes(steps->notes);
+  heard.say(steps->notes);
   StepAnswer answer{answer_of(steps, heard), steps};
   return answer;
 }
@@ -240,7 +240,7 @@ py::tuple correction_files(const StepAnswer& answer, const std::string& path,
           throw text::InputError(std::string("raceway step-response: correction: ") + e.what());
         }
       });
-  return py::make_tuple(made.model, made.tables, heard.note_lines);
+  return py::make_tuple(made.model, made.tables, heard.notes);
 }
 
 /// A correction that was written against the whole simulation, over a programme: the document with

@@ -38,11 +38,12 @@ class EngineTable {
   [[nodiscard]] std::string text(const std::string& format) const {
     return answer_.text(file(), format);
   }
-  [[nodiscard]] std::vector<std::string> notes() const {
-    std::vector<std::string> lines = heard_.note_lines;
-    if (answer_.band) lines.push_back("band: " + session::band_statement(*answer_.band));
-    for (std::string& line : answer_.notes(file().model)) lines.push_back(std::move(line));
-    return lines;
+  [[nodiscard]] std::vector<record::Note> notes() const {
+    std::vector<record::Note> list = heard_.notes;
+    if (answer_.band)
+      list.push_back(record::note::band("band: " + session::band_statement(*answer_.band)));
+    append(list, notes_of(record::note::load_limit, answer_.notes(file().model)));
+    return list;
   }
   /// Names, numbers by point and column, status by point.
   [[nodiscard]] py::tuple columns() const {
@@ -113,11 +114,11 @@ class EngineDisplacement {
     return results::displacement_text(model_->file().model, points_, predictions_,
                                       model_->file().text, band());
   }
-  [[nodiscard]] std::vector<std::string> warnings() const {
-    std::vector<std::string> lines =
-        session::shaft_warnings(model_->file().model, points_, predictions_);
-    lines.insert(lines.begin(), heard_.note_lines.begin(), heard_.note_lines.end());
-    return lines;
+  [[nodiscard]] std::vector<record::Note> warnings() const {
+    std::vector<record::Note> list = heard_.notes;
+    append(list, notes_of(record::note::unloaded,
+                          session::shaft_warnings(model_->file().model, points_, predictions_)));
+    return list;
   }
 
  private:

@@ -21,6 +21,7 @@ from ._effect import Effect, Number, State
 from ._errors import Doubt, InputError, NotConverged
 from ._law import KinematicLaw, fit_law
 from ._model import Model
+from ._note import Note
 from ._record import Record
 from ._results import Addition, Calibration, Check, Comparison, Diagnosis, Displacement, Solution, Table
 from ._sensitivity import Sensitivity
@@ -54,6 +55,7 @@ __all__ = [
     "Model",
     "Modes",
     "NotConverged",
+    "Note",
     "Number",
     "Program",
     "Record",

@@ -6,6 +6,7 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from . import _engine
+from ._note import Note
 from ._results import _Answer, _frame, _write, write_files
 
 if TYPE_CHECKING:
@@ -115,13 +116,13 @@ class Program:
     ----------
     format : str
     text : str
-    notes : list of str
+    notes : list of Note
         What its control has to know.
     hal, hal_shutdown : str
         Of LinuxCNC: the lines of HAL that load it and connect the axes, and those that end it; else empty.
     """
 
-    def __init__(self, format: str, text: str, notes: list[str], hal: str = "", hal_shutdown: str = "") -> None:
+    def __init__(self, format: str, text: str, notes: list[Note], hal: str = "", hal_shutdown: str = "") -> None:
         self.format = format
         self.text = text
         self.notes = notes

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+from ._note import Note
+
 
 class InputError(ValueError):
     """Something that was entered is wrong; the message is that of the command, complete.
@@ -28,7 +30,18 @@ class NotConverged(RuntimeError):
 
 
 class Doubt(UserWarning):
-    """What makes a result doubtful; the command says it behind ``warning:``."""
+    """What makes a result doubtful; the command says it behind ``warning:``.
+
+    Attributes
+    ----------
+    note : Note
+        Text with kind, code and place.
+    """
+
+    @property
+    def note(self) -> Note:
+        text = self.args[0] if self.args else ""
+        return text if isinstance(text, Note) else Note(text, "warning")
 
 
 _ARGUMENTS = {

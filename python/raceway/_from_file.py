@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from typing import Any
 
+from ._note import Note
 from ._results import _write
 
 
@@ -29,7 +30,7 @@ class FromFile:
         return self._engine.defaults
 
     @property
-    def notes(self) -> list[str]:
+    def notes(self) -> list[Note]:
         """What else is to be known of it."""
         return self._engine.notes
 

@@ -20,6 +20,7 @@ from ._given import axis as _axis
 from ._given import name_list, text_of, value_of
 from ._given import warn as _warn
 from ._loop import LoopModel, Records, asked
+from ._note import Note
 from ._record import Record
 from ._results import Displacement, Solution, Table
 from ._sensitivity import SensitivityQuestion
@@ -38,7 +39,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
     'GMN S 6014 C TA'
     """
 
-    _said: Sequence[str] = ()  # when it was made
+    _said: Sequence[Note] = ()  # when it was made
 
     def __init__(self, source: str, text: str, effects: Iterable[Effect] = (), files: Sequence[tuple[str, str, str]] = ()) -> None:
         text_of("text", text)
@@ -125,7 +126,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         return self._engine.kind
 
     @property
-    def notes(self) -> list[str]:
+    def notes(self) -> list[Note]:
         """What else is to be known of the model."""
         return [*self._said, *self._engine.notes]
 
@@ -342,7 +343,7 @@ def _tables(text: str) -> set[str]:
         return set()
 
 
-def _restored(source: str, text: str, effects: Sequence[Effect], said: Sequence[str], files: Sequence[tuple[str, str, str]]) -> Model:
+def _restored(source: str, text: str, effects: Sequence[Effect], said: Sequence[Note], files: Sequence[tuple[str, str, str]]) -> Model:
     """A model in another process, which does not say again what makes it doubtful."""
     model = Model.__new__(Model)
     model._effects = tuple(effects)

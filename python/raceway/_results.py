@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy
 
 from . import _engine
+from ._note import Note
 
 if TYPE_CHECKING:
     import pandas
@@ -28,7 +29,7 @@ class Solution(Mapping[str, numpy.ndarray]):
 
     Attributes
     ----------
-    notes : list of str
+    notes : list of Note
         What a user should know of it.
     """
 
@@ -38,7 +39,7 @@ class Solution(Mapping[str, numpy.ndarray]):
         values: numpy.ndarray,
         status: numpy.ndarray,
         given: Mapping[str, numpy.ndarray],
-        notes: list[str],
+        notes: list[Note],
         document: Callable[[], str] | None,
     ) -> None:
         self._places = {name: place for place, name in enumerate(names)}
@@ -140,7 +141,7 @@ class Table(_Document):
         return self._engine.json()
 
     @property
-    def notes(self) -> list[str]:
+    def notes(self) -> list[Note]:
         """Balls that have lost the inner race, loads above the rating, pressures that leave dents."""
         return self._engine.notes
 
@@ -192,7 +193,7 @@ class _Answer(_Document):
         return self._answer.json
 
     @property
-    def notes(self) -> list[str]:
+    def notes(self) -> list[Note]:
         """What is to be known of the data."""
         return self._answer.notes
 

@@ -7,6 +7,7 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from . import _engine
+from ._note import Note
 from ._record import Record
 from ._results import Page, _Document, _frame, _write, write_files
 
@@ -29,7 +30,7 @@ class _OfSpindle(_Document):
         return self._answer.converged
 
     @property
-    def notes(self) -> list[str]:
+    def notes(self) -> list[Note]:
         """What a user should know of it."""
         return self._answer.notes
 
@@ -172,7 +173,7 @@ class StepResponses(_OfSpindle):
         """How each step ended."""
         return [row["status"] for row in self.data["rows"]]
 
-    def save_correction(self, path: str | os.PathLike[str], *, law: str = "curve", lags: str = "auto", overwrite: bool = False) -> list[str]:
+    def save_correction(self, path: str | os.PathLike[str], *, law: str = "curve", lags: str = "auto", overwrite: bool = False) -> list[Note]:
         """Write the correction that these steps make, with its tables beside it.
 
         Parameters
@@ -187,8 +188,8 @@ class StepResponses(_OfSpindle):
 
         Returns
         -------
-        list of str
-            Notes on what was chosen.
+        list of Note
+            What was chosen.
 
         Raises
         ------

@@ -305,6 +305,19 @@ def test_what_a_law_ignores_is_a_note_of_the_model_and_no_doubt_of_every_compari
     assert not comparison.warnings
 
 
+def test_notes_and_doubts_have_codes_and_places(root):
+    model = raceway.Model.read(root / RIG / "model.toml")
+    (note,) = [note for note in model.notes if note.code == "ignored"]
+    assert "palmgren ignores ball_count" in note
+    assert note.file == model.source and note.line is None
+    again = pickle.loads(pickle.dumps(note))
+    assert again == note and (again.kind, again.code, again.file) == (note.kind, note.code, note.file)
+    with pytest.warns(raceway.Doubt, match="exceeds the noise") as told:
+        model.calibrate(raceway.Record.read(root / RIG / "train.csv"))
+    assert all(doubt.message.note.kind in ("doubt", "warning") for doubt in told)
+    assert "misfit" in [doubt.message.note.code for doubt in told]
+
+
 def test_fitted_models_say_what_was_fitted(root):
     model = raceway.Model.read(root / RIG / "model.toml")
     record = raceway.Record.read(root / RIG / "train.csv")

@@ -118,9 +118,22 @@ TEST(Columns, AUnitThatIsSaidIsNotAskedAboutAgain) {
 TEST(Columns, WhatIsAskedAndNotedOfARecordStandsInEveryDocument) {
   const WrongUnit wrong;
   for (const std::string& command : wrong.answered()) {
-    const json notes = parsed(run(command + " --json"))["notes"];
+    const json document = parsed(run(command + " --json"));
+    const json& notes = document["notes"];
     EXPECT_THAT(notes, Contains(wrong.question)) << command;
     EXPECT_THAT(notes, Contains("no column temperature_C: 40 C for all rows, from [rig]"))
+        << command;
+    EXPECT_THAT(
+        document["said"],
+        Contains(json{
+            {"kind", "doubt"}, {"code", "unit"}, {"text", wrong.question}, {"file", wrong.data}}))
+        << command;
+    EXPECT_THAT(document["said"],
+                Contains(json{{"kind", "note"},
+                              {"code", "filled-in"},
+                              {"text", "no column temperature_C: 40 C for all rows, from [rig]"},
+                              {"file", wrong.data},
+                              {"key", "temperature_C"}}))
         << command;
   }
 }

@@ -38,7 +38,8 @@ TEST(Messages, DefaultsAreOneShortNoteAndCheckListsThem) {
   EXPECT_THAT(run("check " + files.model + " " + files.data).out,
               HasSubstr("solver.tilt = \"locked\""));
   const json document = parsed(run("check " + files.model + " --json"));
-  EXPECT_EQ(keys(document), keys(json{{"format", 1}, {"model", 0}, {"defaults", 0}, {"notes", 0}}));
+  EXPECT_EQ(keys(document),
+            keys(json{{"format", 1}, {"model", 0}, {"defaults", 0}, {"notes", 0}, {"said", 0}}));
   EXPECT_FALSE(document["defaults"].empty());
 }
 

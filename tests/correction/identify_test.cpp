@@ -188,9 +188,9 @@ TEST(RecordCheck, NamesWhatIsWrongWithSensors) {
       .with("jumping_temperature_C",
             [](double t) { return 20 + room.value(t) + (t > 15000 ? 6.0 : 0.0); });
   const RecordCheck check = check_record(start(), made.record);
-  EXPECT_THAT(check.warnings, Contains(HasSubstr("dead_temperature_C never varies")));
-  EXPECT_THAT(check.warnings, Contains(HasSubstr("stuck_temperature_C stands still")));
-  EXPECT_THAT(check.warnings, Contains(HasSubstr("jumping_temperature_C leaps")));
+  EXPECT_THAT(texts(check.warnings), Contains(HasSubstr("dead_temperature_C never varies")));
+  EXPECT_THAT(texts(check.warnings), Contains(HasSubstr("stuck_temperature_C stands still")));
+  EXPECT_THAT(texts(check.warnings), Contains(HasSubstr("jumping_temperature_C leaps")));
   EXPECT_EQ(check.sampling, 20.0);
   EXPECT_EQ(check.shortest, 60.0);
   EXPECT_EQ(check.longest, 20000.0);
@@ -205,12 +205,13 @@ TEST(RecordCheck, AGapIsNoSensorThatSticks) {
       .with("moving_temperature_C",
             [](double t) { return 20 + 1e-4 * t + (t > 17000 ? 6.0 : 0.0); });
   const auto sticks = Contains(HasSubstr("same_temperature_C stands still"));
-  EXPECT_THAT(check_record(start(), made.record).warnings, sticks);
+  EXPECT_THAT(texts(check_record(start(), made.record).warnings), sticks);
   const std::span<const double> time = made.record.values(record::time);
   std::vector<std::size_t> rows;
   for (std::size_t row = 0; row < time.size(); ++row)
     if (time[row] <= 15000 || time[row] >= 19000) rows.push_back(row);
-  EXPECT_THAT(check_record(start(), made.record.picked(rows)).warnings, testing::Not(sticks));
+  EXPECT_THAT(texts(check_record(start(), made.record.picked(rows)).warnings),
+              testing::Not(sticks));
 }
 
 /// A speed that is there from the first row on is a step; one that is 0 throughout is nothing.
@@ -221,9 +222,9 @@ TEST(RecordCheck, ASpeedFromTheFirstRowOnIsAStep) {
       .with("displacement_z_um", [](double t) { return t / 600; });
   const Model of_step{.displacement = record::series_channel("displacement_z_um")};
   const RecordCheck check = check_record(of_step, step.record);
-  EXPECT_THAT(check.warnings,
+  EXPECT_THAT(texts(check.warnings),
               testing::Not(Contains(testing::StartsWith("speed_rpm never varies"))));
-  EXPECT_THAT(check.warnings, Contains(HasSubstr("table_speed_rpm never varies")));
+  EXPECT_THAT(texts(check.warnings), Contains(HasSubstr("table_speed_rpm never varies")));
 }
 
 TEST(RecordCheck, FindsTheLastDigitOfASensor) {

@@ -41,9 +41,10 @@ TEST(ColumnUnits, AKnownUnitInTheNameIsReadAndTold) {
   EXPECT_DOUBLE_EQ(r.value(record::temperature, 0), 313.15);
   EXPECT_DOUBLE_EQ(r.value(record::friction_torque, 0), 0.2);
   EXPECT_DOUBLE_EQ(r.value(record::torque_deviation, 0), 1e-3);
-  EXPECT_THAT(r.notes, Contains("column friction_torque_Nm is friction_torque_Nmm, read in N m: "
-                                "1 N m = 1000 N mm"));
-  EXPECT_THAT(r.notes,
+  EXPECT_THAT(texts(r.notes),
+              Contains("column friction_torque_Nm is friction_torque_Nmm, read in N m: "
+                       "1 N m = 1000 N mm"));
+  EXPECT_THAT(texts(r.notes),
               Contains("column temperature_K is temperature_C, read in K: C = K - 273.15"));
 }
 
@@ -81,10 +82,12 @@ time_s = "Zeit"
   EXPECT_DOUBLE_EQ(r.value(record::friction_torque, 0), 0.25);
   EXPECT_DOUBLE_EQ(r.value(record::axial_load, 1), 400);
   EXPECT_DOUBLE_EQ(r.value(record::time, 1), 90.5);
-  EXPECT_THAT(r.notes, Contains("1 line above the header (line 3) skipped"));
-  EXPECT_THAT(r.notes, Contains("line 4 is a row of units"));
-  EXPECT_THAT(r.notes, Contains("axial_load_N: 400 N for all rows, from [columns] of map.toml"));
-  EXPECT_THAT(r.notes, Contains("column Zeit has dates: time_s counts from 2024-03-12T08:15:00"));
+  EXPECT_THAT(texts(r.notes), Contains("1 line above the header (line 3) skipped"));
+  EXPECT_THAT(texts(r.notes), Contains("line 4 is a row of units"));
+  EXPECT_THAT(texts(r.notes),
+              Contains("axial_load_N: 400 N for all rows, from [columns] of map.toml"));
+  EXPECT_THAT(texts(r.notes),
+              Contains("column Zeit has dates: time_s counts from 2024-03-12T08:15:00"));
 }
 
 TEST(ColumnMap, UnitAndFactorOfARuleComeBeforeTheHeader) {
@@ -150,7 +153,7 @@ TEST(ColumnMap, DatesOfExcelAreDays) {
   const Record r = read("Zeit,speed_rpm,friction_torque_Nmm\n45363.34375,1,1\n45363.34381,2,1\n",
                         "[columns]\ntime_s = {column = \"Zeit\", unit = \"excel\"}\n");
   EXPECT_NEAR(r.value(record::time, 1), 5.184, 1e-3);
-  EXPECT_THAT(r.notes,
+  EXPECT_THAT(texts(r.notes),
               Contains("column Zeit has dates of Excel: time_s counts from 2024-03-12T08:15:00"));
 }
 
@@ -211,8 +214,9 @@ TEST(DropNan, RowsWithoutANumberAreLeftOutAndCounted) {
   const Record r = read(text, "[columns]\n", true);
   ASSERT_EQ(r.rows(), 2u);
   EXPECT_EQ(r.line(1), 6);
-  EXPECT_THAT(r.notes, Contains("3 of 5 rows have an empty cell or no number and are left out "
-                                "(lines 3, 4, 5)"));
+  EXPECT_THAT(texts(r.notes),
+              Contains("3 of 5 rows have an empty cell or no number and are left out "
+                       "(lines 3, 4, 5)"));
   EXPECT_THAT(tests::message_of([&] {
                 (void)read("speed_rpm,friction_torque_Nmm\n1,five\n", "[columns]\n", true);
               }),

@@ -168,8 +168,8 @@ TEST(CorrectionFile, ACovarianceOfOtherNumbersIsLeftOutWithANote) {
   EXPECT_FALSE(edited.models[0].covariance);
   EXPECT_FALSE(edited.models[0].left);
   EXPECT_EQ(edited.models[0].range.size(), 1U);
-  EXPECT_THAT(edited.notes, testing::Contains(testing::AllOf(HasSubstr("time_constant_1 = "),
-                                                             HasSubstr("no band"))));
+  EXPECT_THAT(texts(edited.notes), testing::Contains(testing::AllOf(HasSubstr("time_constant_1 = "),
+                                                                    HasSubstr("no band"))));
 }
 
 /// Each of several displacements has tables of its own, before the next one.
@@ -218,7 +218,7 @@ TEST(SeriesFile, AWordInThePlaceOfAReadingDoesNotTakePartAndIsNamed) {
   const auto moved = r.values(*record::series_channel("displacement_z_um"));
   EXPECT_TRUE(std::isnan(moved[1]) && std::isnan(moved[2]) && std::isnan(moved[3]));
   EXPECT_DOUBLE_EQ(moved[4], 2e-6);
-  EXPECT_THAT(r.notes,
+  EXPECT_THAT(texts(r.notes),
               testing::Contains("2 of 5 readings of displacement_z_um are no readings (OVER "
                                 "and Bad Input) and do not take part (lines 3, 5)"));
 }
@@ -283,9 +283,9 @@ TEST(SeriesFile, InputsAreFilledBetweenTheirReadings) {
   for (const auto& [row, expected] : {std::pair{1, 21.5}, {3, 24.0}, {4, 24.0}})
     EXPECT_NEAR(front[static_cast<std::size_t>(row)], kelvin(expected), 1e-9) << row;
   EXPECT_THAT(
-      r.notes,
+      texts(r.notes),
       testing::Contains(testing::HasSubstr("3 of 5 rows have no speed_rpm: the last value holds")));
-  EXPECT_THAT(r.notes, testing::Contains(testing::HasSubstr("over gaps of up to 1200 s")));
+  EXPECT_THAT(texts(r.notes), testing::Contains(testing::HasSubstr("over gaps of up to 1200 s")));
 }
 
 TEST(SeriesFile, WhatNoReadingIsNearIsRefused) {
@@ -313,8 +313,9 @@ TEST(SeriesFile, NumbersThatMarkAMissingReadingAreNone) {
                                   "0,100,20,1\n60,100,21,-9999\n120,100,22,9.9e37\n180,100,22,2\n");
   const auto z = r.values(*record::series_channel("displacement_z_um"));
   EXPECT_TRUE(std::isnan(z[1]) && std::isnan(z[2]));
-  EXPECT_THAT(r.notes, testing::Contains("2 of 4 readings of displacement_z_um are no readings "
-                                         "(-9999 and 9.9e37) and do not take part (lines 3, 4)"));
+  EXPECT_THAT(texts(r.notes),
+              testing::Contains("2 of 4 readings of displacement_z_um are no readings "
+                                "(-9999 and 9.9e37) and do not take part (lines 3, 4)"));
   // Where others come near it is a reading.
   EXPECT_NEAR(series(displacement_header + "0,1,20,990\n60,1,20,999\n120,1,20,1005\n")
                   .values(*record::series_channel("displacement_z_um"))[1],
@@ -345,8 +346,8 @@ TEST(SeriesFile, NamesGapsAndWhatItDoesNotKnow) {
   for (int k = 0; k < 50; ++k)
     text += std::to_string(k < 25 ? 10 * k : 10 * k + 5000) + ",20,1,x\n";
   const record::Record r = series(text);
-  EXPECT_THAT(r.notes, testing::Contains(HasSubstr("1 gap in time")));
-  EXPECT_THAT(r.notes, testing::Contains(HasSubstr("column note is unknown")));
+  EXPECT_THAT(texts(r.notes), testing::Contains(HasSubstr("1 gap in time")));
+  EXPECT_THAT(texts(r.notes), testing::Contains(HasSubstr("column note is unknown")));
 }
 
 TEST(SeriesChannel, AQuantityIsMadeOnce) {

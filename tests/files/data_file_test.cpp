@@ -110,8 +110,8 @@ TEST(DataFile, WhatTheFileLacksComesFromTheRigAndIsNoted) {
   EXPECT_EQ(r.deviation_of(record::friction_torque), nullptr);
   EXPECT_DOUBLE_EQ(r.value(record::axial_load, 0), 100);
   EXPECT_DOUBLE_EQ(r.value(record::temperature, 0), 313.15);
-  EXPECT_THAT(r.notes, Contains("no column axial_load_N: 100 N for all rows, from [rig]"));
-  EXPECT_THAT(r.notes, Contains("no column temperature_C: 40 C for all rows, from [rig]"));
+  EXPECT_THAT(texts(r.notes), Contains("no column axial_load_N: 100 N for all rows, from [rig]"));
+  EXPECT_THAT(texts(r.notes), Contains("no column temperature_C: 40 C for all rows, from [rig]"));
 }
 
 TEST(DataFile, ForAShaftTheAxialLoadIsTheExternalOne) {
@@ -121,10 +121,10 @@ TEST(DataFile, ForAShaftTheAxialLoadIsTheExternalOne) {
   const auto read = [&](const std::string& text) { return read_record({"d.csv", text}, *shaft); };
   const Record filled = read("speed_rpm,axial_displacement_um\n1000,2\n");
   EXPECT_DOUBLE_EQ(filled.value(record::axial_load, 0), 70);
-  EXPECT_THAT(filled.notes, Contains("no column axial_load_N: 70 N for all rows, from "
-                                     "external_load_N of [arrangement]"));
+  EXPECT_THAT(texts(filled.notes), Contains("no column axial_load_N: 70 N for all rows, from "
+                                            "external_load_N of [arrangement]"));
   EXPECT_THAT(
-      read("speed_rpm,inner_ring_temperature_C,axial_displacement_um\n1000,30,2\n").notes,
+      texts(read("speed_rpm,inner_ring_temperature_C,axial_displacement_um\n1000,30,2\n").notes),
       Contains("no column outer_ring_temperature_C: that of [arrangement] for all rows, else "
                "as mounted"));
   const Record both = read(
@@ -133,9 +133,9 @@ TEST(DataFile, ForAShaftTheAxialLoadIsTheExternalOne) {
   EXPECT_DOUBLE_EQ(both.value(record::axial_load, 0), -40);
   EXPECT_TRUE(both.has(record::axial_displacement));
   EXPECT_FALSE(both.has(record::friction_torque) || both.has(record::torque_deviation));
-  EXPECT_THAT(both.notes, Contains("two measured columns: axial_displacement_um is used, "
-                                   "friction_torque_Nmm is not"));
-  EXPECT_THAT(both.notes, Contains(HasSubstr("radial_load_N is not used")));
+  EXPECT_THAT(texts(both.notes), Contains("two measured columns: axial_displacement_um is used, "
+                                          "friction_torque_Nmm is not"));
+  EXPECT_THAT(texts(both.notes), Contains(HasSubstr("radial_load_N is not used")));
 }
 
 TEST(DataFile, BesideAnotherSensorACellMayBeEmpty) {
@@ -177,7 +177,7 @@ TEST(DataFile, SemicolonsDecimalCommasMarkAndCarriageReturnsAreReadWithANote) {
       << "\xef\xbb\xbfspeed_rpm;friction_torque_Nmm\r\n1000;50,5\r\n";
   const Record r = read_record(path, *on(loaded_rig()));
   EXPECT_DOUBLE_EQ(r.value(record::friction_torque, 0), 0.0505);
-  EXPECT_EQ(r.notes[0],
+  EXPECT_EQ(r.notes[0].text,
             "read with semicolons, decimal commas, a byte order mark and CRLF line ends");
 }
 
@@ -251,12 +251,13 @@ TEST(DataFile, MisspeltColumnsAreErrorsAndForeignOnesAreNoted) {
             "d.csv:1: column friction_torque_Nnm is unknown; did you mean friction_torque_Nmm?");
   EXPECT_THAT(data_error("speed,friction_torque_Nmm\n1,1\n"), HasSubstr("did you mean speed_rpm?"));
   const Record data = record_of("speed_rpm,friction_torque_Nmm,samples_in_median\n1,1,50\n");
-  EXPECT_THAT(data.notes, Contains("column samples_in_median is unknown and ignored"));
+  EXPECT_THAT(texts(data.notes), Contains("column samples_in_median is unknown and ignored"));
 }
 
 TEST(DataFile, TimeThatGoesBackIsNoted) {
   const Record data = record_of("time_s,speed_rpm,friction_torque_Nmm\n2,1,1\n1,1,1\n");
-  EXPECT_THAT(data.notes, Contains("time_s goes back at line 3; rows are taken as they stand"));
+  EXPECT_THAT(texts(data.notes),
+              Contains("time_s goes back at line 3; rows are taken as they stand"));
 }
 
 /// Rows of a run that slows down from 1000 rpm, a second apart.
@@ -271,8 +272,8 @@ TEST(DataFile, ACoastDownBecomesTorqueAndSlowRowsAreCounted) {
       "run_id,time_s,speed_rpm\n" + falling("a", 60) + "a,60,30\n" + falling("b", 60, 10.0);
   const Record r = record_of(text, flywheel());
   EXPECT_THAT(r.runs, ElementsAre("a", "b"));
-  EXPECT_THAT(r.notes, Contains("1 of 121 rows below minimum_speed_rpm = 40 left out"));
-  EXPECT_THAT(r.notes, Contains(HasSubstr("run a: ")));
+  EXPECT_THAT(texts(r.notes), Contains("1 of 121 rows below minimum_speed_rpm = 40 left out"));
+  EXPECT_THAT(texts(r.notes), Contains(HasSubstr("run a: ")));
   ASSERT_GT(r.rows(), 8u);
   EXPECT_TRUE(r.deviation_of(record::friction_torque)->known);
   for (std::size_t i = 0; i < r.rows(); ++i) {
@@ -288,7 +289,7 @@ TEST(DataFile, ACoastDownWithoutRunIdIsOneRun) {
   for (int k = 0; k < 60; ++k) text += fmt::format("{},{}\n", k, 1000 - 9 * k);
   const Record r = record_of(text, flywheel());
   EXPECT_THAT(r.runs, ElementsAre("1"));
-  EXPECT_THAT(r.notes, Contains("no column run_id: all rows are taken as one run"));
+  EXPECT_THAT(texts(r.notes), Contains("no column run_id: all rows are taken as one run"));
 }
 
 TEST(DataFile, ACoastDownThatGivesNoTorqueIsAnErrorOfTheFile) {
@@ -303,8 +304,9 @@ TEST(DataFile, ACoastDownThatGivesNoTorqueIsAnErrorOfTheFile) {
 TEST(DataFile, AShortRunBesideALongOneIsLeftOut) {
   const Record r =
       record_of("run_id,time_s,speed_rpm\n" + falling("a", 60) + falling("b", 3), flywheel());
-  EXPECT_THAT(r.notes, Contains("run b: 3 samples left, too few for a torque, at least 7 are "
-                                "needed: the run is left out"));
+  EXPECT_THAT(texts(r.notes),
+              Contains("run b: 3 samples left, too few for a torque, at least 7 are "
+                       "needed: the run is left out"));
   for (std::size_t i = 0; i < r.rows(); ++i) EXPECT_EQ(r.run_of(i), 0);
   EXPECT_THAT(r.runs, ElementsAre("a"));
 }
@@ -314,8 +316,9 @@ TEST(DataFile, EqualTimesInACoastDownAreAveraged) {
   for (int k = 0; k < 60; ++k)
     text += fmt::format("a,{0},{1}\na,{0},{2}\n", k, 1000.3 - 9 * k, 999.7 - 9 * k);
   const Record r = record_of(text, flywheel());
-  EXPECT_THAT(r.notes, Contains("run a: 120 samples share 60 times and are averaged (first in "
-                                "line 2)"));
+  EXPECT_THAT(texts(r.notes),
+              Contains("run a: 120 samples share 60 times and are averaged (first in "
+                       "line 2)"));
   for (std::size_t i = 0; i < r.rows(); ++i)
     EXPECT_NEAR(r.value(record::friction_torque, i), 0.85 * 9 * rpm, 1e-6);
 }
@@ -344,8 +347,9 @@ TEST(DataFile, TimesBetweenTwoSpeedsBecomeTorque) {
     EXPECT_NEAR(r.value(record::friction_torque, i), truth, 3e-5 * truth);
     EXPECT_EQ(r.line(i), static_cast<int>(i) + 2);
   }
-  EXPECT_THAT(r.notes, Contains(StartsWith("5 torques from the times between two speeds, M = J (w1 "
-                                           "- w2)/t with J = 0.85 kg m2")));
+  EXPECT_THAT(texts(r.notes),
+              Contains(StartsWith("5 torques from the times between two speeds, M = J (w1 "
+                                  "- w2)/t with J = 0.85 kg m2")));
 }
 
 TEST(DataFile, TimesBetweenTwoSpeedsAreReadAsExcelWritesThem) {
@@ -353,8 +357,9 @@ TEST(DataFile, TimesBetweenTwoSpeedsAreReadAsExcelWritesThem) {
       "run_id;speed_from_rpm;speed_to_rpm;time_s;std_time_s;axial_load_N\r\n"
       "a;1000,0;900,0;10,5;0,1;250\r\na;900,0;800,0;12,5;0,1;250\r\na;50;30;9;0,1;250\r\n",
       flywheel());
-  EXPECT_THAT(r.notes, Contains("read with semicolons, decimal commas and CRLF line ends"));
-  EXPECT_THAT(r.notes, Contains("1 of 3 falls end below minimum_speed_rpm = 40 and are left out"));
+  EXPECT_THAT(texts(r.notes), Contains("read with semicolons, decimal commas and CRLF line ends"));
+  EXPECT_THAT(texts(r.notes),
+              Contains("1 of 3 falls end below minimum_speed_rpm = 40 and are left out"));
   ASSERT_EQ(r.rows(), 2u);
   EXPECT_DOUBLE_EQ(r.value(record::friction_torque, 0), 0.85 * 100 * rpm / 10.5);
   EXPECT_NEAR(r.value(record::torque_deviation, 1),
@@ -396,7 +401,7 @@ TEST(DataFile, AnUnknownInertiaMakesTheMeanTorqueThatOfTheModel) {
   rig.unknown_inertia = true;
   for (const std::string& data : {text, falls()}) {
     const Record r = record_of(data, rig);
-    EXPECT_THAT(r.notes, Contains(StartsWith("inertia_kgm2 = \"unknown\": ")));
+    EXPECT_THAT(texts(r.notes), Contains(StartsWith("inertia_kgm2 = \"unknown\": ")));
     // The model's torques by its own formula, f0 and z of the sample.
     double of_model = 0.0, of_record = 0.0;
     for (std::size_t i = 0; i < r.rows(); ++i) {

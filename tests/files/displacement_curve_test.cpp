@@ -30,21 +30,23 @@ TEST(DisplacementCurve, IsReadIntoSi) {
   EXPECT_DOUBLE_EQ(curve.points[1].speed, 100 * pi);
   EXPECT_DOUBLE_EQ(curve.points[1].displacement, 1.5e-6);
   EXPECT_DOUBLE_EQ(curve.points[1].std, 2e-7);
-  EXPECT_THAT(curve.notes, ElementsAre());
+  EXPECT_THAT(texts(curve.notes), ElementsAre());
 }
 
 TEST(DisplacementCurve, NamesTheColumnsThatItDoesNotUse) {
   const DisplacementCurve curve = parsed_curve(
       "speed_rpm,axial_displacement_um,front_force_N,rear_force_N,a_deg,b_deg,c_deg\n"
       "0,0,1,1,1,1,1\n3000,1.5,2,2,2,2,2\n");
-  EXPECT_THAT(curve.notes, ElementsAre("not used: front_force_N, rear_force_N, a_deg, b_deg and 1 "
-                                       "more"));
+  EXPECT_THAT(texts(curve.notes),
+              ElementsAre("not used: front_force_N, rear_force_N, a_deg, b_deg and 1 "
+                          "more"));
   EXPECT_TRUE(std::isnan(curve.points[0].std));
 }
 
 TEST(DisplacementCurve, WarnsOfSeveralPreloadsInOneFile) {
   EXPECT_THAT(
-      parsed_curve("speed_rpm,axial_displacement_um,preload_N\n0,0,100\n3000,1.5,300\n").notes,
+      texts(
+          parsed_curve("speed_rpm,axial_displacement_um,preload_N\n0,0,100\n3000,1.5,300\n").notes),
       Contains(HasSubstr("preload_N changes from row to row")));
 }
 
@@ -59,7 +61,7 @@ TEST(DisplacementCurve, LeavesRowsOutWhoseStatusSaysWhyTheyAreEmpty) {
   const DisplacementCurve curve =
       parsed_curve("speed_rpm,axial_displacement_um,status\n0,0,converged\n9000,,no_equilibrium\n");
   EXPECT_EQ(curve.points.size(), 1U);
-  EXPECT_THAT(curve.notes, Contains(HasSubstr("1 of 2 rows have no displacement")));
+  EXPECT_THAT(texts(curve.notes), Contains(HasSubstr("1 of 2 rows have no displacement")));
   EXPECT_THAT(problem("speed_rpm,axial_displacement_um,status\n0,,converged\n"),
               HasSubstr("u.csv:2: axial_displacement_um = \"\": is empty"));
 }

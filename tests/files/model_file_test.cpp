@@ -284,11 +284,11 @@ TEST(ModelFile, TheSupplyIsReadAndMayBeAbsent) {
 TEST(ModelFile, AnEffectThatTheSupplyRulesOutIsNotedAndStaysOn) {
   const std::string oil = "viscosity_100C_mm2_s = 4.8\n";
   const std::string churning = "\n[[effect]]\nid = \"churning\"\n";
-  EXPECT_THAT(parse_model(complete + churning, "m.toml").notes, testing::IsEmpty());
+  EXPECT_THAT(texts(parse_model(complete + churning, "m.toml").notes), testing::IsEmpty());
   const ModelFile file =
       parse_model(changed(oil, oil + "supply = \"oil-air\"\n") + churning, "m.toml");
   EXPECT_THAT(
-      file.notes,
+      texts(file.notes),
       ElementsAre("effect churning: the bearing is lubricated by oil-air, this needs an oil "
                   "bath; it is switched on all the same"));
   EXPECT_EQ(file.model.effects.size(), 2u);

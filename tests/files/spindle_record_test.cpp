@@ -94,7 +94,7 @@ TEST(SpindleRecord, MisspeltSensorIsNamed) {
 }
 
 TEST(SpindleRecord, SensorThatTheModelLacksIsTold) {
-  EXPECT_THAT(read_rows("time_s,speed_rpm,gearbox_temperature_C\n60,1000,20\n").notes,
+  EXPECT_THAT(texts(read_rows("time_s,speed_rpm,gearbox_temperature_C\n60,1000,20\n").notes),
               Contains("not predicted by the model: gearbox_temperature_C"));
 }
 

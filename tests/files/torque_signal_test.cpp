@@ -58,7 +58,7 @@ TEST(SensorReadings, AreReadIntoSiWithTheirLines) {
   EXPECT_DOUBLE_EQ(read.readings[1].torque, 2.5);
   EXPECT_DOUBLE_EQ(read.readings[1].signal, 1.6);
   EXPECT_EQ(read.readings[1].line, 4);
-  EXPECT_THAT(read.notes, ElementsAre("not used: who"));
+  EXPECT_THAT(texts(read.notes), ElementsAre("not used: who"));
 }
 
 TEST(SensorReadings, AreReadInOtherUnitsAsAGermanExcelWritesThem) {
@@ -69,7 +69,7 @@ TEST(SensorReadings, AreReadInOtherUnitsAsAGermanExcelWritesThem) {
                                                       "map.toml")});
   EXPECT_DOUBLE_EQ(read.readings.at(0).torque, 0.25);
   EXPECT_DOUBLE_EQ(read.readings.at(0).signal, 1.2481);
-  EXPECT_THAT(read.notes, Contains(HasSubstr("1 mV = 0.001 V")));
+  EXPECT_THAT(texts(read.notes), Contains(HasSubstr("1 mV = 0.001 V")));
   const SensorReadings named =
       read_sensor_readings({"w.csv", "reference_Nmm;torque_signal_mV\n250;1248,1\n"});
   EXPECT_DOUBLE_EQ(named.readings.at(0).torque, 0.25);
@@ -153,9 +153,10 @@ TEST(TorqueSignal, IsFrictionTorqueWithItsStandardDeviation) {
   EXPECT_DOUBLE_EQ(r.value(record::friction_torque, 0), first.torque);
   EXPECT_DOUBLE_EQ(r.value(record::torque_deviation, 0), first.std);
   EXPECT_NEAR(first.torque, 0.1, 1e-3);
-  EXPECT_THAT(r.notes, Contains(HasSubstr("torque_signal_V is friction torque by [torque_sensor], "
-                                          "of weights.csv: std_Nmm of a row")));
-  EXPECT_THAT(r.notes, Not(Contains(HasSubstr("outside"))));
+  EXPECT_THAT(texts(r.notes),
+              Contains(HasSubstr("torque_signal_V is friction torque by [torque_sensor], "
+                                 "of weights.csv: std_Nmm of a row")));
+  EXPECT_THAT(texts(r.notes), Not(Contains(HasSubstr("outside"))));
 }
 
 TEST(TorqueSignal, WrittenAsRowsIsReadBackAsTorque) {
@@ -179,17 +180,18 @@ TEST(TorqueSignal, HasADeviationOfItsOwnInThePlaceOfTheScatterOfAReading) {
 TEST(TorqueSignal, BeyondTheCalibrationIsToldWithItsLines) {
   const record::Record r = record_by(
       model_with(table), "speed_rpm,torque_signal_V\n1000,0.6\n2000,5.5\n3000,-0.2\n4000,1.0\n");
-  EXPECT_THAT(r.notes, Contains(HasSubstr(
-                           "2 of 4 signals are outside of 0.1 to 5.102 V, which the "
-                           "calibration has seen: down to -0.2 and up to 5.5 V (lines 3, 4)")));
+  EXPECT_THAT(
+      texts(r.notes),
+      Contains(HasSubstr("2 of 4 signals are outside of 0.1 to 5.102 V, which the "
+                         "calibration has seen: down to -0.2 and up to 5.5 V (lines 3, 4)")));
 }
 
 TEST(TorqueSignal, TakesThePlaceOfATorqueBesideIt) {
   const record::Record r = record_by(
       model_with(table), "speed_rpm,friction_torque_Nmm,std_Nmm,torque_signal_V\n1000,900,1,0.6\n");
   EXPECT_NEAR(r.value(record::friction_torque, 0), 0.1, 1e-3);
-  EXPECT_THAT(r.notes, Contains(HasSubstr("column friction_torque_Nmm is not used")));
-  EXPECT_THAT(r.notes, Contains(HasSubstr("column std_Nmm is not used")));
+  EXPECT_THAT(texts(r.notes), Contains(HasSubstr("column friction_torque_Nmm is not used")));
+  EXPECT_THAT(texts(r.notes), Contains(HasSubstr("column std_Nmm is not used")));
 }
 
 TEST(TorqueSignal, WithoutACalibrationIsNoTorque) {
@@ -200,8 +202,8 @@ TEST(TorqueSignal, WithoutACalibrationIsNoTorque) {
   const record::Record r =
       record_by(file, "speed_rpm,friction_torque_Nmm,torque_signal_V\n1000,90,0.6\n");
   EXPECT_DOUBLE_EQ(r.value(record::friction_torque, 0), 0.09);
-  EXPECT_THAT(r.notes, Contains("column torque_signal_V is not used: the model has no "
-                                "[torque_sensor]"));
+  EXPECT_THAT(texts(r.notes), Contains("column torque_signal_V is not used: the model has no "
+                                       "[torque_sensor]"));
 }
 
 TEST(TorqueSignal, IsMappedLikeEveryColumn) {

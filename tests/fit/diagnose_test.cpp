@@ -150,8 +150,8 @@ TEST(Diagnose, BlocksThatNobodyDeclaredAreRunsWhereNothingTells) {
     const verdict::Diagnosis d = diagnose(belief(), single_pass(seed));
     alarms += d.verdict != verdict::Verdict::nothing_missing ? 1 : 0;
     EXPECT_TRUE(d.channels.front().noise.unknown_runs);
-    EXPECT_TRUE(std::any_of(d.messages.begin(), d.messages.end(), [](const std::string& m) {
-      return m.find("measure each of them twice") != m.npos;
+    EXPECT_TRUE(std::any_of(d.messages.begin(), d.messages.end(), [](const record::Note& m) {
+      return m.text.find("measure each of them twice") != m.text.npos;
     }));
   }
   EXPECT_LE(alarms, 1);
@@ -229,7 +229,8 @@ TEST(Diagnose, WorksFromEightRowsWithDeclaredDeviations) {
   EXPECT_LE(alarms, 5);  // 1 % is meant: more than 5 of 100 by chance in one of 1700
   const verdict::Diagnosis d = diagnose(belief(), some(with_effect("windage", {60.0}), 2.0, 1));
   EXPECT_THAT(named(d), testing::Contains("windage")) << d.sentence;
-  EXPECT_THAT(d.messages, testing::Contains(HasSubstr("8 rows are too few to tell their noise")));
+  EXPECT_THAT(texts(d.messages),
+              testing::Contains(HasSubstr("8 rows are too few to tell their noise")));
   // The same without the deviations, or with one row less.
   DataSet undeclared = some(synthetic_model(), 2.0, 1);
   for (Row& row : undeclared.rows) row.std = unset;

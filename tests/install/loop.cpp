@@ -8,9 +8,8 @@ using namespace raceway;
 
 /// What is to be known beside the answers.
 struct OnStderr : session::Messages {
-  void note(const std::string& line) override { std::fprintf(stderr, "note: %s\n", line.c_str()); }
-  void warn(const std::string& line) override {
-    std::fprintf(stderr, "warning: %s\n", line.c_str());
+  void hear(const record::Note& note) override {
+    std::fprintf(stderr, "%s: %s\n", name(note.kind()).data(), note.text.c_str());
   }
 };
 

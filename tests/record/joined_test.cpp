@@ -43,10 +43,11 @@ TEST(Joined, HasTheColumnsRowsAndRunsOfAll) {
 
 TEST(Joined, HasTheNotesOfAll) {
   Record first = named("a.csv"), second = named("b.csv");
-  first.notes = {"a.csv: one"};
-  second.notes = {"b.csv: two", "b.csv: three"};
-  EXPECT_EQ(joined({second, first}).notes,
-            (std::vector<std::string>{"a.csv: one", "b.csv: two", "b.csv: three"}));
+  first.notes = {note::read_as("a.csv: one")};
+  second.notes = {note::unused("b.csv: two"), note::left_out("b.csv: three")};
+  const std::vector<Note> all = joined({second, first}).notes;
+  EXPECT_EQ(texts(all), (std::vector<std::string>{"a.csv: one", "b.csv: two", "b.csv: three"}));
+  EXPECT_EQ(all[2].code, &note::left_out);
 }
 
 TEST(Joined, HasRepeatsWithinARecordAlone) {

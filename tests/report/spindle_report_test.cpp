@@ -166,7 +166,8 @@ TEST_F(SpindleReport, OfStepsDrawsLinesWhereTheyAreValidAlone) {
   const spindle::StepResponses responses = steps_of({100.0, 300.0, 480.0});
   const spindle::PowerLaws laws = spindle::fit_power_laws(at_powers(responses.steps));
   ASSERT_NEAR(laws.valid_to, 500.0, 1e-6);
-  const Json d = document_of(step_report("fe.csv", responses, laws, {"a note"}, nullptr, "", {}));
+  const Json d = document_of(
+      step_report("fe.csv", responses, laws, {record::note::assumed("a note")}, nullptr, "", {}));
   EXPECT_EQ(d["kind"], "steps");
   EXPECT_EQ(d["results"]["notes"], Json({"a note"}));
   EXPECT_FALSE(d.contains("rows")) << "there is no programme";

@@ -143,7 +143,7 @@ TEST(Covariance, IsOfNoUseForOtherValues) {
       files::parse_model(replaced(rig_text + covariance, "f0 = 1.5", "f0 = 1.7"), "m.toml");
   EXPECT_FALSE(file.model.covariance.has_value());
   ASSERT_EQ(file.notes.size(), 1U);
-  EXPECT_THAT(file.notes[0],
+  EXPECT_THAT(file.notes[0].text,
               HasSubstr("f0 = 1.7 stands in the model, [calibration.covariance] is of f0 = 1.5"));
 }
 

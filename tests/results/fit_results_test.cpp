@@ -59,7 +59,7 @@ TEST(Results, AComparisonOfOneChannelHasItAtTheTop) {
   EXPECT_EQ(keys(d), (std::set<std::string>{"format", "model", "quantity", "unit", "rows",
                                             "rows_not_predicted", "rmse", "mae", "max_abs", "bias",
                                             "fit_percent", "noise", "lack_of_fit", "statement",
-                                            "where", "worst_rows", "data", "notes"}));
+                                            "where", "worst_rows", "data", "notes", "said"}));
   EXPECT_EQ(d["quantity"], "friction_torque");
   EXPECT_EQ(d["unit"], "Nmm");
   EXPECT_EQ(d["rows_not_predicted"], Json({5}));
@@ -227,7 +227,7 @@ TEST(Results, WhatAddBoughtHoldsItsCalibration) {
   EXPECT_EQ(keys(d),
             (std::set<std::string>{"format", "model", "data", "refused", "reason", "gain", "unit",
                                    "before", "after", "rmse_held_out_before", "rmse_held_out_after",
-                                   "hold_out", "calibration", "messages", "notes"}));
+                                   "hold_out", "calibration", "messages", "notes", "said"}));
   EXPECT_DOUBLE_EQ(d["rmse_held_out_after"].get<double>(), 3.0);
   EXPECT_DOUBLE_EQ(d["calibration"]["rmse"].get<double>(), 2.0);
   EXPECT_EQ(d["before"]["model"], "m.toml");
@@ -246,10 +246,16 @@ TEST(Results, ACheckListsColumnsInTheirUnits) {
       {.id = "torque-time-drift", .ruled_out = "", .missing = "time_s of every row", .levels = ""},
       {.id = "churning", .ruled_out = "another supply", .missing = "", .levels = ""}};
   const Json d =
-      Json::parse(check_json("7014", check, {{.table = "a", .key = "b", .value = "1"}}, {"b"}));
-  EXPECT_EQ(keys(d),
-            (std::set<std::string>{"format", "model", "quantity", "rows", "runs", "unit", "noise",
-                                   "columns", "free_parameters", "effects", "defaults", "notes"}));
+      Json::parse(check_json("7014", check, {{.table = "a", .key = "b", .value = "1"}},
+                             {record::note::left_out("b", {.file = "d.csv", .line = 3})}));
+  EXPECT_EQ(keys(d), (std::set<std::string>{"format", "model", "quantity", "rows", "runs", "unit",
+                                            "noise", "columns", "free_parameters", "effects",
+                                            "defaults", "notes", "said"}));
+  EXPECT_EQ(d["notes"], Json({"b"}));
+  EXPECT_EQ(
+      d["said"],
+      Json::parse(
+          R"([{"kind": "note", "code": "left-out", "text": "b", "file": "d.csv", "line": 3}])"));
   EXPECT_EQ(d["columns"][0]["name"], "temperature_C");
   EXPECT_EQ(d["columns"][0]["from"], 25.61);
   EXPECT_EQ(d["columns"][0]["to"], 65.67);

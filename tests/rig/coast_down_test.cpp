@@ -242,8 +242,8 @@ TEST(CoastDown, LeavesOutSpikesAndNamesThem) {
   record.samples[300].speed = 0.0;
   const CoastDownTorque result = coast_down_torque(record, rig());
   EXPECT_EQ(result.runs[0].outliers, 2);
-  EXPECT_THAT(result.data.notes, testing::Contains(testing::HasSubstr("lines 102, 103")));
-  EXPECT_THAT(result.data.notes, testing::Contains(testing::HasSubstr("line 302")));
+  EXPECT_THAT(texts(result.data.notes), testing::Contains(testing::HasSubstr("lines 102, 103")));
+  EXPECT_THAT(texts(result.data.notes), testing::Contains(testing::HasSubstr("line 302")));
   for (const Row& row : result.data.rows)
     EXPECT_NEAR(row.measured, with_drag(row.point.speed), 5.0 * row.std);
 }
@@ -296,7 +296,7 @@ TEST(CoastDown, AveragesSamplesOfOneTime) {
   for (CoastDownSample& s : record.samples) s.time = std::floor(s.time + 1e-9);
   const CoastDownTorque result = coast_down_torque(record, rig());
   EXPECT_EQ(result.runs[0].samples + result.runs[0].outliers, 400);  // the first second has nine
-  EXPECT_THAT(result.data.notes,
+  EXPECT_THAT(texts(result.data.notes),
               testing::Contains("run first: 3999 samples share 400 times and are "
                                 "averaged (first in line 2)"));
   for (const Row& row : result.data.rows)
@@ -323,7 +323,7 @@ TEST(CoastDown, LeavesOutARunThatIsTooShortByName) {
   }
   const CoastDownTorque result = coast_down_torque(record, rig());
   EXPECT_EQ(result.data.rows.size(), alone.data.rows.size());
-  EXPECT_THAT(result.data.notes,
+  EXPECT_THAT(texts(result.data.notes),
               testing::Contains("run broken off: 5 samples left, too few for a torque, at least 7 "
                                 "are needed: the run is left out"));
   ASSERT_EQ(result.runs.size(), 2U);
@@ -345,7 +345,8 @@ TEST(CoastDown, LeavesOutAShaftThatSpeedsUp) {
     driven.samples.push_back(s);
   }
   const CoastDownTorque result = coast_down_torque(driven, rig());
-  EXPECT_THAT(result.data.notes, testing::Contains(testing::HasSubstr("before the release")));
+  EXPECT_THAT(texts(result.data.notes),
+              testing::Contains(testing::HasSubstr("before the release")));
   for (const Row& row : result.data.rows) {
     EXPECT_GT(row.time, turn);
     EXPECT_NEAR(row.measured, with_drag(row.point.speed), 2e-3 * row.measured);

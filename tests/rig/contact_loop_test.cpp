@@ -42,13 +42,13 @@ TEST(ContactLoop, FrictionOfAsperitiesAsksForThinFilms) {
       loop::calibrate(RigSubject(model), rows({6000, 9000, 12000}, model));
   EXPECT_FALSE(fast.parameters[0].identifiable);
   EXPECT_EQ(fast.parameters[0].value, 0.10);
-  EXPECT_THAT(fast.messages,
+  EXPECT_THAT(texts(fast.messages),
               Contains(HasSubstr("it needs rows with lambda < 2; the smallest lambda of these rows "
                                  "is ")));
   const verdict::Calibration slow =
       loop::calibrate(RigSubject(model), rows({5, 10, 20, 50}, model));
   EXPECT_TRUE(slow.parameters[0].identifiable);
-  EXPECT_THAT(slow.messages, testing::Not(Contains(HasSubstr("lambda"))));
+  EXPECT_THAT(texts(slow.messages), testing::Not(Contains(HasSubstr("lambda"))));
 }
 
 TEST(ContactLoop, TheLimitOfTheFilmAsksForHighPressure) {
@@ -56,7 +56,7 @@ TEST(ContactLoop, TheLimitOfTheFilmAsksForHighPressure) {
   const verdict::Calibration c =
       loop::calibrate(RigSubject(model), rows({6000, 9000, 12000}, model));
   EXPECT_EQ(c.status, FitStatus::nothing_to_fit);
-  EXPECT_THAT(c.messages,
+  EXPECT_THAT(texts(c.messages),
               Contains(testing::AllOf(
                   HasSubstr("limiting_traction is not identifiable from these data"),
                   HasSubstr("less than 0.1 %"), HasSubstr("the largest pressure of these rows is "),

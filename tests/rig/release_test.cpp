@@ -153,7 +153,7 @@ TEST(Release, EveryStartOfARunHasItsOwn) {
   model::Rig rig;
   rig.inertia = 0.5;
   const CoastDownTorque torque = coast_down_torque(record, rig);
-  EXPECT_THAT(torque.record.notes,
+  EXPECT_THAT(texts(torque.record.notes),
               testing::Contains(testing::HasSubstr("before the release")).Times(2));
   EXPECT_NEAR(torque.runs[0].before_release, 2 * 60, 8);
   // dω/dt = -k (ω + 20) of the exponential.

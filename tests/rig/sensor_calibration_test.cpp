@@ -95,7 +95,7 @@ TEST(SensorCalibration, LackOfFitOfALineThroughTheLoadCellIsThatOfTheHandbook) {
   EXPECT_EQ(c.lack_of_fit.degrees, 18);
   EXPECT_EQ(c.lack_of_fit.error_degrees, 20);
   EXPECT_LT(c.lack_of_fit.p_value, 1e-12);
-  EXPECT_THAT(c.warnings, Contains(HasSubstr("--degree 2 follows them")));
+  EXPECT_THAT(texts(c.warnings), Contains(HasSubstr("--degree 2 follows them")));
 }
 
 TEST(SensorCalibration, TakesTheLowestDegreeThatTheReadingsFollow) {
@@ -188,7 +188,8 @@ TEST(SensorCalibration, HysteresisIsFoundAtItsSizeAndPlace) {
   EXPECT_LT(c.hysteresis.p_value, 1e-3);
   EXPECT_NEAR(c.hysteresis.largest, 0.02, 3e-3);  // three standard errors
   EXPECT_NEAR(c.hysteresis.largest_at, 5.0, 1.5);
-  EXPECT_THAT(c.warnings, Contains(HasSubstr("hysteresis: readings with the torque falling")));
+  EXPECT_THAT(texts(c.warnings),
+              Contains(HasSubstr("hysteresis: readings with the torque falling")));
 }
 
 TEST(SensorCalibration, SaysWhatItCouldNotLookFor) {
@@ -196,8 +197,8 @@ TEST(SensorCalibration, SaysWhatItCouldNotLookFor) {
       readings({0, 1, 2, 3, 4}, [](double m, std::size_t i) { return m + (i % 2 ? 1e-3 : 0.0); }));
   EXPECT_TRUE(std::isnan(c.lack_of_fit.statistic));
   EXPECT_EQ(c.hysteresis.torques, 0);
-  EXPECT_THAT(c.notes, Contains(HasSubstr("no torque was read twice")));
-  EXPECT_THAT(c.notes, Contains(HasSubstr("nothing is known of the hysteresis")));
+  EXPECT_THAT(texts(c.notes), Contains(HasSubstr("no torque was read twice")));
+  EXPECT_THAT(texts(c.notes), Contains(HasSubstr("nothing is known of the hysteresis")));
 }
 
 TEST(SensorCalibration, AMistypedWeightIsNamedByItsLine) {
@@ -206,7 +207,7 @@ TEST(SensorCalibration, AMistypedWeightIsNamedByItsLine) {
   auto list = readings(up_and_down(1), [&](double m, std::size_t) { return m + noise(random); });
   list[4].signal += 0.1;
   const SensorCalibration c = calibrate_sensor(list, 1);
-  EXPECT_THAT(c.warnings, Contains(HasSubstr("line 6: 4.1")));
+  EXPECT_THAT(texts(c.warnings), Contains(HasSubstr("line 6: 4.1")));
 }
 
 TEST(SensorCalibration, RowsAlikeToTheLastDigitAreCounted) {
@@ -214,7 +215,7 @@ TEST(SensorCalibration, RowsAlikeToTheLastDigitAreCounted) {
     return 0.5 * m + 1e-3 * static_cast<double>(i * i % 11);
   });
   list[6].signal = list[1].signal;
-  EXPECT_THAT(calibrate_sensor(list).notes,
+  EXPECT_THAT(texts(calibrate_sensor(list).notes),
               Contains(HasSubstr("1 reading has the same torque and signal as another one")));
 }
 
@@ -228,8 +229,8 @@ TEST(SensorCalibration, ManySamplesOfACoarseSignalAreCountedAndNotListed) {
   });
   for (std::size_t i = 0; i < 20; ++i) list[2000 * 5 + i].signal += 1.0;
   const SensorCalibration c = calibrate_sensor(list, 1);
-  EXPECT_THAT(c.notes, Contains(HasSubstr(", ...): taken as repeats")));
-  EXPECT_THAT(c.warnings, Contains(HasSubstr("15 more readings are as far off the curve")));
+  EXPECT_THAT(texts(c.notes), Contains(HasSubstr(", ...): taken as repeats")));
+  EXPECT_THAT(texts(c.warnings), Contains(HasSubstr("15 more readings are as far off the curve")));
 }
 
 TEST(SensorCalibration, WithoutScatterTellsOfNone) {
@@ -238,7 +239,7 @@ TEST(SensorCalibration, WithoutScatterTellsOfNone) {
   EXPECT_EQ(c.degree(), 1);
   EXPECT_EQ(c.sensor.scatter, 0.0);
   EXPECT_EQ(c.std(1), 0.0);
-  EXPECT_THAT(c.warnings, IsEmpty());
+  EXPECT_THAT(texts(c.warnings), IsEmpty());
 }
 
 TEST(SensorCalibration, AFallingSignalIsASensorToo) {

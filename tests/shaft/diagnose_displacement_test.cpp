@@ -182,7 +182,7 @@ TEST(DiagnoseDisplacement, TriesOnlyWhatMovesAShaft) {
 TEST(DiagnoseDisplacement, LeavesAPreloadAloneThatEveryRowHas) {
   const verdict::Diagnosis d = diagnose(
       two_against_one(), undeclared_records(with_ring_growth(3.0), ShaftPlan::two_preloads, 1));
-  EXPECT_THAT(d.messages, Contains(HasSubstr("do not depend on preload_N")));
+  EXPECT_THAT(texts(d.messages), Contains(HasSubstr("do not depend on preload_N")));
   EXPECT_THAT(d.base, IsEmpty());
 }
 
@@ -192,12 +192,12 @@ TEST(DiagnoseDisplacement, SuspectsUnitAndSign) {
     DataSet data = undeclared_records(with_ring_growth(3.0), ShaftPlan::two_preloads, 1);
     for (Row& row : data.rows) row.measured *= factor;
     const char* const hint = factor > 0.0 ? "in um?" : "the sign of";
-    EXPECT_THAT(diagnose(two_against_one(), data).messages, Contains(HasSubstr(hint)));
+    EXPECT_THAT(texts(diagnose(two_against_one(), data).messages), Contains(HasSubstr(hint)));
     // With the preload free the fit may run off to what no arrangement can take.
     for (Row& row : data.rows) row.preload = unset;
     std::vector<std::string> said;
     try {
-      said = diagnose(two_against_one(), data).messages;
+      said = texts(diagnose(two_against_one(), data).messages);
     } catch (const std::invalid_argument& e) {
       said = {e.what()};
     }

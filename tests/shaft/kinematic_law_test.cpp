@@ -240,7 +240,7 @@ TEST(FitKinematicLaw, OfAStraightLineSaysThatCIsNotDetermined) {
   EXPECT_FALSE(fit.parameters[2].identifiable);
   EXPECT_TRUE(std::isnan(fit.parameters[2].std));
   EXPECT_TRUE(std::isfinite(fit.parameters[0].std));
-  EXPECT_THAT(fit.notes, testing::Contains("C is not determined by these rows"));
+  EXPECT_THAT(texts(fit.notes), testing::Contains("C is not determined by these rows"));
 }
 
 TEST(FitKinematicLaw, StaysWithinItsBounds) {
@@ -265,7 +265,7 @@ TEST(FitKinematicLaw, TellsOfADisplacementAtStandstill) {
   auto curve = sampled(published);
   curve[0].displacement = 0.4 * um;
   EXPECT_THAT(
-      fit_kinematic_law(curve).notes,
+      texts(fit_kinematic_law(curve).notes),
       testing::ElementsAre(testing::StartsWith("the displacement at standstill is 0.4 um")));
 }
 

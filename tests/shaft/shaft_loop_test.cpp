@@ -211,7 +211,7 @@ TEST(ShaftLoop, WhatTheDataDoNotDependOnIsHeldAndSaid) {
   EXPECT_EQ(c.parameters[0].value, 600);
   EXPECT_FALSE(c.parameters[1].held);
   EXPECT_TRUE(c.parameters[2].held) << "no friction in a displacement";
-  EXPECT_THAT(c.messages, Contains(HasSubstr("the data do not depend on preload_N")));
+  EXPECT_THAT(texts(c.messages), Contains(HasSubstr("the data do not depend on preload_N")));
 }
 
 TEST(ShaftLoop, RowsWithoutBalanceAreListedAndLeftOut) {
@@ -234,7 +234,7 @@ TEST(ShaftLoop, RowsWithoutBalanceAreListedAndLeftOut) {
   EXPECT_EQ(compared.rows, 8);
   const verdict::Calibration c = calibrate(tandem(600), data);
   EXPECT_THAT(c.rows_not_predicted, ElementsAre(4, 7));
-  EXPECT_THAT(c.messages, Contains(HasSubstr("2 of 10 rows have no prediction")));
+  EXPECT_THAT(texts(c.messages), Contains(HasSubstr("2 of 10 rows have no prediction")));
   EXPECT_NEAR(c.parameters[0].value, 500, 1e-3);
 }
 

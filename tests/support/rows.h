@@ -38,7 +38,7 @@ struct DataSet {
   NoiseSource noise = NoiseSource::none;
   std::vector<Row> rows;
   std::vector<std::string> runs;
-  std::vector<std::string> notes;
+  std::vector<record::Note> notes;
 
   [[nodiscard]] const record::Channel& measured() const {
     return quantity == Quantity::friction_torque ? record::friction_torque

@@ -2,6 +2,10 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
+#include <vector>
+
+#include "record/note.h"
 
 /// The one writer of numbers as JSON; shared by those of results and pages.
 namespace raceway::text {
@@ -12,6 +16,10 @@ using json = nlohmann::ordered_json;
 /// (see with_15_digits()). Numbers that are not finite become null; bytes that are no UTF-8 (file
 /// names) are replaced.
 [[nodiscard]] std::string text(const json& document);
+
+/// Puts the texts of notes at `key`, as people read them, and each note with its kind, code and
+/// place at the end of the member `said`, for programs.
+void put_notes(json& document, std::string_view key, const std::vector<record::Note>& notes);
 
 /// Text of a value on one line, without a line end.
 [[nodiscard]] std::string line_text(const json& value);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "record/note.h"
 #include "verdict/evidence.h"
 
 /// Part of calibrate().
@@ -25,6 +26,6 @@ struct Weighed {
 /// The readings and their weights; `evidence` where a diagnosis could be made.
 [[nodiscard]] Weighed weigh(const fit::Subject& subject, const record::Record& record,
                             const std::optional<Evidence>& evidence,
-                            std::vector<std::string>& messages);
+                            std::vector<record::Note>& messages);
 
 }  // namespace raceway::verdict

@@ -1,5 +1,12 @@
 // The data inside the page, as report/report.cpp writes them.
 
+/// A note of a result.
+export interface Said {
+  kind: 'note' | 'doubt' | 'warning';
+  code: string;
+  text: string;
+}
+
 export interface Column {
   name: string;
   constant?: number | null;
@@ -144,8 +151,7 @@ export interface Diagnosis {
   would_have_been_found: Detectable[];
   not_testable: { id: string; missing: string }[];
   suggested_measurements: Suggested[];
-  messages: string[];
-  notes: string[]; // of the record
+  said: Said[]; // messages, then notes on the record
   /// With a tolerance: whether the refitted model is good enough on rows left out.
   within_tolerance?: boolean;
   significant_but_immaterial?: string[];
@@ -164,8 +170,7 @@ export interface Added {
   rmse_held_out_after: number | null;
   hold_out: HoldOut[];
   calibration: { parameters: Record<string, Size & { start: number }> };
-  messages: string[];
-  notes: string[]; // of the record
+  said: Said[]; // messages, then notes on the record
 }
 
 export interface TableResults {
@@ -240,7 +245,7 @@ export interface Explanation {
 
 export interface CompareReport extends WithRows {
   kind: 'compare';
-  results: (Comparison | { models: Comparison[] }) & { notes: string[] }; // of the record
+  results: (Comparison | { models: Comparison[] }) & { said: Said[] }; // notes on the record
   steps: Step[]; // between the models
 }
 
@@ -275,7 +280,7 @@ export interface KinematicLaw {
   rows: number;
   valid_from_rpm: number;
   valid_to_rpm: number;
-  notes: string[];
+  said: Said[];
 }
 
 export interface DisplacementReport extends Common {
@@ -463,7 +468,7 @@ export interface StepsReport {
     valid_to_W: number | null;
     cool_down?: { K_um: number; T_min: number; fit_rms_um: number; T_at_rest_min: number | null };
     superposition?: { rows: number; rms_um: number; largest_um: number; time_of_largest_s: number; lowest_um: number; highest_um: number; status: string };
-    notes: string[];
+    said: Said[];
   };
   courses: { time_s: number[]; displacement_um: number[] }[];
   laws: { power_W: number[]; K_line_um: Values; K_power_um: Values; K_curve_um: Values; T_line_min: Values; T_power_min: Values; T_curve_min: Values } | null;
@@ -516,7 +521,7 @@ export interface Corrected extends CorrectedAxis {
   data: string;
   rows: number;
   axes?: CorrectedAxis[];
-  messages: string[];
+  said: Said[];
 }
 
 interface RecordPage extends Common {

@@ -103,7 +103,7 @@ function compare(report: CompareReport): (Node | undefined)[] {
       several ? el('div', { id: 'steps' }, valueList('From model to model: effects and fitted numbers', ['model', `RMS error [${unit}]`, `change [${unit}]`, 'what changed'], steps)) : undefined,
     ),
     fitSection(view),
-    notes(report.results.notes),
+    notes(report.results.said),
   ];
 }
 
@@ -158,7 +158,7 @@ function diagnose(report: DiagnoseReport): (Node | undefined)[] {
           )
         : undefined,
     ),
-    notes([...d.messages, ...d.notes]),
+    notes(d.said),
   ];
 }
 
@@ -186,7 +186,7 @@ function add(report: AddReport): (Node | undefined)[] {
       ),
     ),
     fitSection(view),
-    notes([...r.messages, ...r.notes]),
+    notes(r.said),
   ];
 }
 
@@ -241,7 +241,7 @@ function displacement(report: DisplacementReport): (Node | undefined)[] {
         : undefined,
     ),
     section('The bearings against speed', grid(...shaftFigures(report, rows))),
-    notes(law?.notes ?? []),
+    notes(law?.said ?? []),
   ];
 }
 

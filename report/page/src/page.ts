@@ -1,4 +1,5 @@
 // What the pages of all commands are built of: the head with its facts, sections, grids of pictures, notes.
+import type { Said } from './document';
 import type { Figure } from './figure';
 import { el } from './text';
 
@@ -36,7 +37,8 @@ export function grid(...figures: (HTMLElement | Figure | undefined)[]): HTMLElem
   return box;
 }
 
-export function notes(messages: string[]): HTMLElement | undefined {
-  if (messages.length === 0) return undefined;
-  return section('Notes', el('ul', { class: 'notes' }, ...messages.map((m) => el('li', {}, m))));
+export function notes(said: (Said | string)[]): HTMLElement | undefined {
+  if (said.length === 0) return undefined;
+  const line = (one: Said | string) => (typeof one === 'string' ? el('li', {}, one) : el('li', { 'data-kind': one.kind, 'data-code': one.code }, one.text));
+  return section('Notes', el('ul', { class: 'notes' }, ...said.map(line)));
 }

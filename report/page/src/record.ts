@@ -65,7 +65,7 @@ function compare(report: RecordReport & { command: 'compare' }): (Node | undefin
       where(last),
     ),
     section('Step responses', grid(steps(view))),
-    notes(report.results.notes),
+    notes(report.results.said),
   ];
 }
 
@@ -100,7 +100,7 @@ function diagnose(report: RecordReport & { command: 'diagnose' }): (Node | undef
           )
         : undefined,
     ),
-    notes([...d.messages, ...d.notes]),
+    notes(d.said),
   ];
 }
 
@@ -139,7 +139,7 @@ function add(report: RecordReport & { command: 'add' }): (Node | undefined)[] {
     ),
     overTimeSection(view),
     section('Step responses', grid(steps(view))),
-    notes([...r.messages, ...r.notes]),
+    notes(r.said),
   ];
 }
 
@@ -182,7 +182,7 @@ function correct(report: RecordReport & { command: 'correct' }): (Node | undefin
         )
       : undefined,
     section('Step responses', grid(steps(view))),
-    notes(r.messages),
+    notes(r.said),
   ];
 }
 

@@ -163,7 +163,7 @@ function compare(report: RecordReport & { command: 'compare' }): (Node | undefin
     ),
     overTimeSection(view),
     section('Where it errs', where(channelsOf(last))),
-    notes(report.results.notes),
+    notes(report.results.said),
   ];
 }
 
@@ -260,7 +260,7 @@ function diagnose(report: RecordReport & { command: 'diagnose' }): (Node | undef
           )
         : undefined,
     ),
-    notes([...d.messages, ...d.notes]),
+    notes(d.said),
   ];
 }
 
@@ -301,7 +301,7 @@ function add(report: RecordReport & { command: 'add' }): (Node | undefined)[] {
       ),
     ),
     overTimeSection(view),
-    notes([...r.messages, ...r.notes]),
+    notes(r.said),
   ];
 }
 

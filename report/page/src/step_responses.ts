@@ -269,7 +269,7 @@ export function stepResponses(report: StepsReport): (Node | undefined)[] {
   const failed = r.rows.filter((row) => row.status !== 'converged').map((row) => `${nameOf(row)}: ${row.message ?? row.status.replace(/_/g, ' ')}`);
   const warnings = failed.length ? section('Warnings', el('ul', { class: 'notes', id: 'warnings' }, ...failed.map((w) => el('li', {}, w)))) : undefined;
   const head = { command: 'step-response', files: shortPaths([report.source, ...(report.programme ? [report.programme] : [])]) };
-  if (steps.length === 0) return [header({ ...head, sentence: 'No step response has a fit.' }, []), warnings, notes(r.notes)];
+  if (steps.length === 0) return [header({ ...head, sentence: 'No step response has a fit.' }, []), warnings, notes(r.said)];
   const [first, last] = [steps[0] as Step, steps[steps.length - 1] as Step];
   const ends = (of: (row: StepRow) => number | null) => (steps.length > 1 ? `${number(of(first.row), 3)} to ${number(of(last.row), 3)}` : number(of(first.row), 3));
   const needed = steps.filter((s) => s.row.two_needed).length;
@@ -305,6 +305,6 @@ export function stepResponses(report: StepsReport): (Node | undefined)[] {
         ]),
       ),
     ),
-    notes(r.notes),
+    notes(r.said),
   ];
 }
