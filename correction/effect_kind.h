@@ -8,7 +8,7 @@
 #include "correction/model.h"
 #include "correction/numbers.h"
 #include "correction/share.h"
-#include "fit/subject.h"
+#include "fit/judged.h"
 #include "record/parameter.h"
 
 namespace raceway::correction {

@@ -15,14 +15,15 @@ namespace {
 /// An effect takes the steps that its struct has.
 template <typename E>
 constexpr Description describe() {
-  Description d{.id = E::id,
-                .title = E::title,
-                .mechanism = E::mechanism,
-                .formula = E::formula,
-                .source = E::source,
-                .confused_with = E::confused_with,
-                .parameters = E::parameters,
-                .needs = E::needs};
+  Description d;
+  d.id = E::id;
+  d.title = E::title;
+  d.mechanism = E::mechanism;
+  d.formula = E::formula;
+  d.source = E::source;
+  d.confused_with = E::confused_with;
+  d.parameters = E::parameters;
+  d.needs = E::needs;
   if constexpr (requires { E::channels; }) d.channels = E::channels;
   if constexpr (requires { E::supplies; }) d.supplies = E::supplies;
   if constexpr (requires { E::needs_equilibrium; }) d.needs_equilibrium = E::needs_equilibrium;
@@ -184,12 +185,12 @@ bool Condition::finite() const {
          std::isfinite(preload_error);
 }
 
-bool Description::works_with(std::optional<friction::Supply> supply) const {
+bool Requirements::works_with(std::optional<friction::Supply> supply) const {
   return !supply || supplies.empty() ||
          std::find(supplies.begin(), supplies.end(), *supply) != supplies.end();
 }
 
-std::string_view Description::step() const {
+std::string_view Actions::step() const {
   if (entry) return "entry";
   if (condition) return "condition";
   if (lubricant) return "lubricant";

@@ -102,7 +102,7 @@ struct ConditionInputs {
   const bearing::Bearing& bearing;       ///< as entered
   const bearing::OperatingPoint& point;  ///< as entered
   const Record& record;
-  double power;  ///< of the base law at the entered load [W]; see Description::uses_power
+  double power;  ///< of the base law at the entered load [W]; see Requirements::uses_power
 };
 
 /// What the bearing really sees, as a change of what was entered. Changes of several effects add.
@@ -151,24 +151,25 @@ struct ReadingInputs {
 /// Pitch diameter of which the ranges of sizes that go with it are.
 inline constexpr double size_of_ranges = 60 * mm;
 
-/// What the catalogue knows of one physical effect. Each effect is a struct in a file of its own
-/// (see spin_friction.h); this is that struct with its types erased, for choice by name at run
-/// time. Of the steps it takes those that are not null; `values` are in the order of `parameters`.
-///
-/// An effect that acts in another way in the sets of a shaft than in a bearing on a rig has two
-/// descriptions of one id, with parameters of their own. Which of them is meant follows from the
-/// model. A spindle has the effects of its sets in the form of a shaft, but for those that its own
-/// temperatures make already.
-struct Description {
-  std::string_view id;
-  std::string_view title;      ///< one line
-  std::string_view mechanism;  ///< what happens, in a sentence or two
-  std::string_view formula;
-  std::string_view source;
-  std::span<const std::string_view> confused_with;  ///< ids of effects and names of base parameters
-  std::span<const Parameter> parameters;
-  std::span<const Need> needs;
-  /// What must have a number in every row beside what `needs` says.
+/// An effect in words.
+struct Card {
+  std::string_view id = {};
+  std::string_view title = {};      ///< one line
+  std::string_view mechanism = {};  ///< what happens, in a sentence or two
+  std::string_view formula = {};
+  std::string_view source = {};
+  /// Ids of effects and names of base parameters.
+  std::span<const std::string_view> confused_with = {};
+  /// A measurement that shows whether it is at work: "the torque without seals".
+  std::string_view settled_by = {};
+  /// The wrong datum where this explains a misfit ("the oil card"); empty for physics.
+  std::string_view datum = {};
+};
+
+/// Requirements of an effect on a model and its data.
+struct Requirements {
+  std::span<const Need> needs = {};
+  /// Channels that must have a number in every row, beside those that `needs` says.
   std::span<const record::Channel* const> channels = {};
   /// Supplies of lubricant with which it can be at work; any where empty.
   std::span<const friction::Supply> supplies = {};
@@ -179,6 +180,24 @@ struct Description {
   std::string_view within_contacts = {};
   /// What it takes in of the bearing beside these, as friction::bearing_data() names it.
   std::span<const std::string_view> bearing_data = {};
+  bool for_rig = true;      ///< may stand in a model of a bearing on a rig
+  bool for_shaft = true;    ///< may stand in a model of a shaft
+  bool for_spindle = true;  ///< may stand in a model of a spindle
+
+  /// Whether it can be at work with that supply, or with one that the model does not name.
+  [[nodiscard]] bool works_with(std::optional<friction::Supply> supply) const;
+  /// Whether it has that form, and may stand in a model of it.
+  [[nodiscard]] constexpr bool belongs_to(Form form) const {
+    return form == Form::rig ? for_rig : form == Form::shaft ? for_shaft : for_spindle;
+  }
+  /// Acts in spindles and nowhere else.
+  [[nodiscard]] constexpr bool of_spindles_alone() const {
+    return for_spindle && !for_rig && !for_shaft;
+  }
+};
+
+/// Properties by which a verdict weighs and words an effect.
+struct Nature {
   /// Whatever turns on the shaft adds to it. On a rig that coasts down it is the drag on all that,
   /// once and not once per bearing; the plausible range is that of the bearing alone.
   bool drags_on_the_rotor = false;
@@ -190,22 +209,17 @@ struct Description {
   bool base_law = false;        ///< corrects an exponent of the base law itself
   bool empirical = false;       ///< a shape that no law of physics stands for
   bool spin = false;            ///< its moment arises where the balls spin
-  bool for_rig = true;          ///< may stand in a model of a bearing on a rig
-  bool for_shaft = true;        ///< may stand in a model of a shaft
-  bool for_spindle = true;      ///< may stand in a model of a spindle
   bool friction_alone = false;  ///< a condition that does not move the sets
   bool as_mounted = false;      ///< a condition of the sets as they were mounted, before they turn
+};
 
-  /// What is wrong where this explains a misfit: a datum rather than missing physics, in words
-  /// ("the oil card"); empty for physics.
-  std::string_view datum = {};
-  /// That datum at these values, in words; null where `entry` says it.
-  std::string (*correction)(std::span<const double> values) = nullptr;
-  /// A measurement that shows whether it is at work, in words: "the torque without seals".
-  std::string_view settled_by = {};
-
+/// The steps of a reading at which an effect acts: those that are not null. `values` are in the
+/// order of its parameters.
+struct Actions {
   /// Corrects what was entered or read.
   void (*entry)(Entry&, std::span<const double> values) = nullptr;
+  /// The wrong datum at these values, in words; null where `entry` says it.
+  std::string (*correction)(std::span<const double> values) = nullptr;
   /// Adds to what the bearing sees.
   void (*condition)(const ConditionInputs&, std::span<const double> values, Condition&) = nullptr;
   /// Changes viscosity or viscous share; several act in the order of the catalogue.
@@ -214,38 +228,38 @@ struct Description {
   double (*moment)(const MomentInputs&, std::span<const double> values) = nullptr;
   /// In place of `moment` where it is one parameter times this [N m per unit of the parameter].
   double (*unit_moment)(const MomentInputs&) = nullptr;
+  const OwnMoment* user_made = nullptr;  ///< the moment of an effect of the user's own
   /// Added to what is read of `channel` [SI].
   double (*reading)(const ReadingInputs&, std::span<const double> values) = nullptr;
   const record::Channel* channel = nullptr;  ///< of the reading step: which measured one; else null
-
   /// Changes factors and sources of heat of a spindle.
   void (*spindle)(std::span<const double> values, SpindleCondition&) = nullptr;
 
-  const OwnMoment* user_made = nullptr;  ///< the moment of an effect of the user's own
-
-  /// Whether it can be at work with that supply, or with one that nobody named.
-  [[nodiscard]] bool works_with(std::optional<friction::Supply> supply) const;
   [[nodiscard]] bool has_moment() const { return moment || unit_moment || user_made; }
   /// Whether it acts at the reading of that channel.
   [[nodiscard]] constexpr bool reads(const record::Channel& measured) const {
     return reading && *channel == measured;
   }
-  /// Whether it has that form, and may stand in a model of it.
-  [[nodiscard]] constexpr bool belongs_to(Form form) const {
-    return form == Form::rig ? for_rig : form == Form::shaft ? for_shaft : for_spindle;
-  }
+  /// "entry", "condition", "lubricant", "moment", "reading" or "spindle": the first step taken.
+  [[nodiscard]] std::string_view step() const;
+};
+
+/// The catalogue's entry of one physical effect. Each effect is a struct in a file of its own (see
+/// spin_friction.h); this is that struct with its types erased, for choice by name at run time.
+///
+/// An effect that acts in another way in the sets of a shaft than in a bearing on a rig has two
+/// descriptions of one id, with parameters of their own. Which of them is meant follows from the
+/// model. A spindle has the effects of its sets in the form of a shaft, but for those that its own
+/// temperatures make already.
+struct Description : Card, Requirements, Nature, Actions {
+  std::span<const Parameter> parameters = {};
+
   /// Whether it changes what is measured there. Friction of the bearings on a shaft is predicted,
   /// with all its effects, but moves nothing; in a spindle its heat moves all.
   [[nodiscard]] bool moves(Form form) const {
     return belongs_to(form) && (form != Form::shaft || reads(record::axial_displacement) ||
                                 (condition && !friction_alone));
   }
-  /// Acts in spindles and nowhere else.
-  [[nodiscard]] constexpr bool of_spindles_alone() const {
-    return for_spindle && !for_rig && !for_shaft;
-  }
-  /// "entry", "condition", "lubricant", "moment", "reading" or "spindle": the first step taken.
-  [[nodiscard]] std::string_view step() const;
 };
 
 /// An effect that a model has switched on, with its parameter values.

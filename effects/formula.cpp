@@ -55,7 +55,7 @@ constexpr std::array known_variables{
                return of_balls(i, [](const Geometry& g) { return g.static_load_rating; });
              }}};
 
-/// What variables tell of the bearing, as Description::bearing_data names it.
+/// What variables tell of the bearing, as Requirements::bearing_data names it.
 struct BearingVariable {
   std::string_view variable, datum;
 };
@@ -188,17 +188,17 @@ Effect effect_of(const std::shared_ptr<Owner>& owner, std::string_view mechanism
     break;  // one size; what multiplies it is shape
   }
   if (owner->given.title.empty()) owner->given.title = mechanism;
-  owner->description = {.id = owner->given.id,
-                        .title = owner->given.title,
-                        .mechanism = mechanism,
-                        .formula = owner->given.torque_Nmm,
-                        .source = "the user",
-                        .confused_with = {},
-                        .parameters = owner->parameters,
-                        .needs = owner->needs,
-                        .channels = owner->channels,
-                        .bearing_data = owner->bearing_data};
-  owner->description.user_made = owner->moment.get();
+  Description& d = owner->description;
+  d.id = owner->given.id;
+  d.title = owner->given.title;
+  d.mechanism = mechanism;
+  d.formula = owner->given.torque_Nmm;
+  d.source = "the user";
+  d.parameters = owner->parameters;
+  d.needs = owner->needs;
+  d.channels = owner->channels;
+  d.bearing_data = owner->bearing_data;
+  d.user_made = owner->moment.get();
   effect.description = &owner->description;
   effect.owner = owner;
   return effect;

@@ -15,7 +15,7 @@ constexpr int bootstraps = 1000;
 
 }  // namespace
 
-std::vector<Blocking> blocks_of_observations(const Subject& subject, const Record& record,
+std::vector<Blocking> blocks_of_observations(const Judged& subject, const Record& record,
                                              const Observations& observed) {
   std::vector<Blocking> result = subject.blockings(record);
   for (Blocking& blocking : result) {

@@ -8,8 +8,8 @@
 
 namespace raceway::fit {
 
-/// The subject's blocks, by observation instead of by row.
-[[nodiscard]] std::vector<Blocking> blocks_of_observations(const Subject& subject,
+/// Blocks by observation instead of by row.
+[[nodiscard]] std::vector<Blocking> blocks_of_observations(const Judged& subject,
                                                            const Record& record,
                                                            const Observations& observed);
 

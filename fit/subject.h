@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/judged.h"
 #include "record/parameter.h"
 #include "record/record.h"
 
@@ -14,11 +15,9 @@
 namespace raceway::fit {
 
 using record::Bound;
-using record::Channel;
 using record::Interval;
 using record::NamedValue;
 using record::Parameter;
-using record::Record;
 
 /// A channel that a subject predicts, and what is known of its readings beforehand.
 struct Measured {
@@ -82,46 +81,6 @@ struct Candidate {
   }
 };
 
-/// What a smooth misfit of unknown origin may look like: the typical reading times a sum of
-/// products of powers of some inputs.
-struct Surface {
-  struct Input {
-    std::vector<double> values;  ///< by row, on the scale on which it is smooth
-    double least = 0.0;          ///< variation below which it counts as constant
-  };
-  std::vector<Input> inputs{};
-  std::vector<std::vector<int>> terms{};  ///< the exponent of each input
-};
-
-/// How a regression is made up that must hold whatever may be missing, so that what it leaves is
-/// noise. Few rows do not hold all columns: what comes first wins.
-struct Saturation {
-  Surface surface{};
-  std::vector<const Channel*> levels{};  ///< that may each have a value of their own
-  bool levels_before_candidates = false;
-  /// Every candidate changes readings in proportion to its size, so that its scores are all of it.
-  bool proportional = false;
-};
-
-/// A number by row of a record that a law may be bent with, as a power of it.
-struct Factor {
-  std::string name;            ///< for people: "speed"
-  std::vector<double> values;  ///< by row
-};
-
-/// How a shape that is in no catalogue is written as a formula.
-struct Formula {
-  struct Input {
-    std::string word;            ///< in the formula: "speed_rpm"
-    std::string exponent;        ///< its name: "a"
-    std::vector<double> values;  ///< by row, in the unit of the word
-  };
-  std::string key;      ///< under which a file takes it
-  std::string unit;     ///< of its size
-  double factor = 1.0;  ///< reading [SI] for one of that unit
-  std::vector<Input> inputs{};
-};
-
 /// Formula in the inputs that describes the misfit, ready to be written as a user-made effect.
 struct Shape {
   std::string key;  ///< of the file, under which it stands
@@ -130,28 +89,6 @@ struct Shape {
   std::string statement;           ///< where it is strongest, and its sign
   double explained_share = unset;  ///< of the squared misfit beyond the noise [1]
   double gain = unset;             ///< fall of -2 ln L against the model without it
-};
-
-/// A value of one input.
-struct Setting {
-  const Channel* channel = nullptr;
-  double value = unset;  ///< SI; NaN: as it is
-};
-
-/// Values of an input at which one could measure.
-struct Axis {
-  const Channel* channel = nullptr;
-  std::vector<double> levels{};  ///< SI; NaN: as it is
-  bool told = true;              ///< in words; otherwise in results alone
-};
-
-/// A fault that a record shows of itself: no number of a model mends it.
-struct Fault {
-  std::string id;          ///< of Subject::catalogue()
-  bool certain = true;     ///< shown whatever the model; otherwise it has to explain what is left
-  std::string datum;       ///< what is wrong, in words: "the sensor of ..."
-  std::string correction;  ///< how, in words
-  std::shared_ptr<const Record> without{};  ///< the record without it, as far as it can be told
 };
 
 class Subject;
@@ -165,20 +102,10 @@ struct OtherBase {
   std::string lacks{};  ///< what it needs and the subject does not have
 };
 
-/// Rows held out together, block by block.
-struct Blocking {
-  std::string variable;      ///< Channel::variable of what is held out
-  std::vector<int> block{};  ///< of each row
-  int blocks = 0;
-  bool ordered =
-      false;  ///< blocks rise with an input: the first and the last are ends of its range
-};
-
-/// What the loop asks of a model. All rows are those of the record that is handed in.
-class Subject {
+/// What the loop asks of a model: its predictions, its numbers, and what may be missing in it. All
+/// rows are those of the record that is handed in.
+class Subject : public Judged {
  public:
-  virtual ~Subject() = default;
-
   // What it predicts.
   [[nodiscard]] virtual std::vector<Measured> measured() const = 0;
   /// Throws std::invalid_argument where the record is not of what the model stands for.
@@ -237,40 +164,9 @@ class Subject {
   /// nothing.
   [[nodiscard]] virtual std::string correction(const std::string& id,
                                                std::span<const double> values) const;
-  /// What an id of catalogue() cannot be felt without and model or record do not have; empty if
-  /// nothing.
-  [[nodiscard]] virtual std::string lacks(const std::string& id, const Record& record) const;
-  /// The levels without which parameters of the model do nearly the same; empty if nothing.
-  [[nodiscard]] virtual std::string lacks_levels(const std::string& id, const Record& record) const;
 
-  /// Default: none.
-  [[nodiscard]] virtual std::vector<Fault> faults(const Record& record) const;
-
-  // How its records are judged.
-  /// Default: a polynomial in the first input that varies, to the fourth degree; of every other its
-  /// square and its products with the first.
-  [[nodiscard]] virtual Saturation saturation(const Record& record) const;
-  /// Inputs whose recorded values scatter about what they were. Default: none.
-  [[nodiscard]] virtual std::vector<const Channel*> scattering(const Record& record) const;
-  /// By which the law of a candidate may be bent. Default: inputs that vary.
-  [[nodiscard]] virtual std::vector<Factor> factors(const Record& record) const;
-  /// Nothing where no formula can be given.
-  [[nodiscard]] virtual std::optional<Formula> formula(const Record& record) const;
-  /// Default: a level, or range of levels, of one input at a time; runs where there are few inputs.
-  [[nodiscard]] virtual std::vector<Blocking> blockings(const Record& record) const;
-  /// What it looks like where readings are in another unit or of the other sign; empty if not.
-  [[nodiscard]] virtual std::string doubt(const Record& record,
-                                          std::span<const double> predicted) const;
-
-  // What to measure next.
-  /// Default: over the range of every setting. Empty where single points say nothing.
-  [[nodiscard]] virtual std::vector<Axis> axes(const Record& record) const;
-  /// A point in words. Default: "995 rpm, 100 N".
-  [[nodiscard]] virtual std::string words(std::span<const Setting> point) const;
-  /// What should be recorded beside, so that the rivals are told apart.
-  [[nodiscard]] virtual std::vector<std::string> records_needed(
-      const Record& record, const std::vector<std::vector<std::string>>& rivals,
-      const std::vector<std::string>& not_testable) const;
+  /// Default: none where there is memory, otherwise those of Judged.
+  [[nodiscard]] std::vector<Axis> axes(const Record& record) const override;
 };
 
 /// The parameters of these names, in their order. Throws std::invalid_argument for a name that the

@@ -97,7 +97,7 @@ void predict_sweep(const Model& model, std::span<const bearing::OperatingPoint> 
                                                            const record::Record& record);
 
 /// Share of an added moment that falls to one bearing [1]: what drags on the rotor is there once
-/// where the rotor coasts down (effects::Description::drags_on_the_rotor), else once per bearing.
+/// where the rotor coasts down (effects::Nature::drags_on_the_rotor), else once per bearing.
 [[nodiscard]] double share_of_bearing(const effects::Description& effect, const Rig& rig);
 
 /// Torque of all bearings of a rig, which turn on one shaft, M = bearings * M_bearing [N m]; the
