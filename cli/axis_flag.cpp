@@ -57,6 +57,30 @@ std::vector<double> axis(const std::string& text, const std::string& flag) {
   return values;
 }
 
+void AxisFlags::declare(CLI::App& command, const std::string& speed_help) {
+  command.add_option("--speed", speed, speed_help)->required()->type_name("VALUES");
+  command
+      .add_option("--axial-load", axial_load,
+                  "[N], on a shaft positive towards the tool; default: of the model")
+      ->type_name("VALUES");
+  command.add_option("--radial-load", radial_load, "[N]; default: [rig] of the model, else 0")
+      ->type_name("VALUES");
+  command
+      .add_option("--temperature", temperature,
+                  "of the lubricant [C]; default: [rig] of the model, else 40")
+      ->type_name("VALUES");
+}
+
+session::AskedAxes AxisFlags::asked() const {
+  const auto values = [](const std::string& text, const char* flag) {
+    return text.empty() ? std::vector<double>() : axis(text, flag);
+  };
+  return {.speed_rpm = values(speed, "--speed"),
+          .axial_load_N = values(axial_load, "--axial-load"),
+          .radial_load_N = values(radial_load, "--radial-load"),
+          .temperature_C = values(temperature, "--temperature")};
+}
+
 void require_all(const std::vector<double>& values, const NumberRange& range,
                  const std::string& flag) {
   for (const double value : values) require_range(value, range, flag);

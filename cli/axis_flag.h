@@ -4,12 +4,24 @@
 #include <vector>
 
 #include "cli/number_flag.h"
+#include "session/operating_point.h"
 
 namespace raceway::cli {
 
 /// Values of a flag, growing: "100,300,900", "0:12000:250" (from:to:step), or both:
 /// "0,100:500:100". Throws text::InputError.
 [[nodiscard]] std::vector<double> axis(const std::string& text, const std::string& flag);
+
+/// `--speed`, `--axial-load`, `--radial-load` and `--temperature` of a command that asks at many
+/// points.
+struct AxisFlags {
+  std::string speed, axial_load, radial_load, temperature;
+
+  /// Declares the flags; `speed_help` is that of the speed.
+  void declare(CLI::App& command, const std::string& speed_help);
+  /// Values of each; none where a flag is not given.
+  [[nodiscard]] session::AskedAxes asked() const;
+};
 
 /// Throws text::InputError for the first value outside the range.
 void require_all(const std::vector<double>& values, const NumberRange& range,

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "cli/error_text.h"
 #include "cli/messages.h"
@@ -34,25 +36,20 @@ std::string range_text(const verdict::ErrorRange& r) {
                      : fmt::format("{} {} to {} {}", of.words, low, high, of.unit);
 }
 
-/// The column that declares the noise of a channel, empty where there is none.
-std::string_view deviation_column(const record::Channel& measured) {
-  for (const record::Channel& c : record::channels)
-    if (c.of == measured.name) return c.name;
-  return {};
-}
-
 std::string noise_text(const verdict::Comparison& c) {
   const record::Channel& of = *c.channel;
   if (!std::isnan(c.noise.rms))
     return fmt::format("{} {} ({})", error_text(c.noise.rms, of, 3), error_unit(of),
                        fit::name(c.noise.source));
-  const std::string_view column = deviation_column(of);
+  const auto column = std::find_if(record::channels.begin(), record::channels.end(),
+                                   [&](const record::Channel& c) { return c.of == of.name; });
   return fmt::format(
       "not known ({}){}",
       record::find_channel(of.name) == nullptr  // of a record over time
           ? "none declared, and readings stand far apart"
-          : fmt::format("{}no repeated rows",
-                        column.empty() ? "" : fmt::format("no column {}, ", column)),
+          : fmt::format("{}no repeated rows", column == record::channels.end()
+                                                  ? ""
+                                                  : fmt::format("no column {}, ", column->name)),
       std::isnan(c.estimated_noise)
           ? ""
           : fmt::format("; estimated {} {}", error_text(c.estimated_noise, of, 3), error_unit(of)));
@@ -73,27 +70,17 @@ void print_summary(const verdict::Comparison& c) {
                number(c.lack_of_fit.statistic, 3), verdict::p_value_text(c.lack_of_fit.p_value));
 }
 
-/// Each of several records by itself.
-void print_records(const verdict::Comparison& c) {
-  if (c.records.empty()) return;
+/// Parts of the rows by what sets them apart: the title of the table, and the words for one.
+template <typename Words>
+void print_parts(const char* title, std::span<const verdict::ErrorRange> parts,
+                 const verdict::Comparison& c, const Words& words) {
+  if (parts.empty()) return;
   const std::string unit = error_unit(*c.channel);
-  TextTable records({{"record", "", true}, {"rows", ""}, {"RMS", unit}, {"bias", unit}});
-  for (const verdict::ErrorRange& r : c.records)
-    records.add(
-        {r.run, fmt::format("{}", r.rows), difference(r.rmse, c, false), difference(r.bias, c)});
-  fmt::print("\n{}", records.text(terminal_width()));
-}
-
-void print_where(const verdict::Comparison& c) {
-  if (c.where.empty()) return;
-  const std::string unit = error_unit(*c.channel);
-  TextTable where({{"where it fails", "", true}, {"rows", ""}, {"RMS", unit}, {"bias", unit}});
-  for (std::size_t i = 0; i < std::min<std::size_t>(c.where.size(), 8); ++i) {
-    const verdict::ErrorRange& r = c.where[i];
-    where.add({range_text(r), fmt::format("{}", r.rows), difference(r.rmse, c, false),
-               difference(r.bias, c)});
-  }
-  fmt::print("\n{}", where.text(terminal_width()));
+  TextTable table({{title, "", true}, {"rows", ""}, {"RMS", unit}, {"bias", unit}});
+  for (const verdict::ErrorRange& r : parts)
+    table.add(
+        {words(r), fmt::format("{}", r.rows), difference(r.rmse, c, false), difference(r.bias, c)});
+  fmt::print("\n{}", table.text(terminal_width()));
 }
 
 void print_worst(const verdict::Comparison& c, const record::Record& data) {
@@ -150,15 +137,12 @@ std::vector<const verdict::Comparison*> told_in_full(const Comparisons& comparis
   return told;
 }
 
-struct Rung {
-  std::string model;
-  verdict::Comparison comparison;
-};
+using Rung = std::pair<std::string, verdict::Comparison>;
 
 /// Models against one measured channel.
 void print_ladder(const std::vector<Rung>& rungs) {
   constexpr std::size_t bar_width = 24;
-  const verdict::Comparison& first = rungs.front().comparison;
+  const verdict::Comparison& first = rungs.front().second;
   const std::string unit = error_unit(*first.channel);
   TextTable ladder({{"model", "", true},
                     {"RMS", unit},
@@ -166,7 +150,7 @@ void print_ladder(const std::vector<Rung>& rungs) {
                     {"fit", "%"},
                     {"", std::isnan(first.noise.rms) ? "" : "| noise", true}});
   double worst = 0.0;
-  for (const Rung& rung : rungs) worst = std::max(worst, rung.comparison.rmse);
+  for (const auto& [_, c] : rungs) worst = std::max(worst, c.rmse);
   for (const auto& [model, c] : rungs) {
     ladder.add({model, error_text(c.rmse, *c.channel), difference(c.bias, c),
                 number(c.fit_percent, 3), bar(c.rmse, worst, bar_width, c.noise.rms)});
@@ -189,8 +173,9 @@ void print_comparison(const std::string& model, const Comparisons& comparisons,
     fmt::print("{} against {}: {} row{}, {}\n\n", model, data.source, c.rows,
                c.rows == 1 ? "" : "s", c.channel->words);
     print_summary(c);
-    print_records(c);
-    print_where(c);
+    print_parts("record", c.records, c, [](const verdict::ErrorRange& r) { return r.run; });
+    print_parts("where it fails",
+                std::span(c.where).first(std::min<std::size_t>(c.where.size(), 8)), c, range_text);
     print_worst(c, data);
     fmt::print("\n{}\n",
                in_colour(c.statement, c.judgement == verdict::Judgement::structure ? Colour::bad
@@ -207,7 +192,7 @@ void print_ladders(const std::vector<std::string>& models,
     std::vector<Rung> rungs;
     for (std::size_t i = 0; i < models.size(); ++i)
       for (const verdict::Comparison& c : comparisons[i])
-        if (*c.channel == *of.channel) rungs.push_back({models[i], c});
+        if (*c.channel == *of.channel) rungs.emplace_back(models[i], c);
     print_ladder(rungs);
   }
 }

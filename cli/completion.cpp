@@ -40,28 +40,25 @@ Takes arguments_of(const CLI::App& command) {
   return Takes::nothing;
 }
 
-std::string ids_on_bearings() {
+template <typename List, typename Name>
+std::string words_of(const List& list, const Name& name) {
   std::string all;
-  for (const effects::Description& d : effects::catalogue())
-    all += (all.empty() ? "" : " ") + std::string(d.id);
+  for (const auto& one : list) all += (all.empty() ? "" : " ") + std::string(name(one));
   return all;
 }
 
+std::string ids_on_bearings() {
+  return words_of(effects::catalogue(), [](const auto& effect) { return effect.id; });
+}
 /// Of models with [correction].
 std::string ids_over_time() {
-  std::string all;
-  for (const correction::EffectCard& card : correction::catalogue())
-    all += (all.empty() ? "" : " ") + std::string(card.id);
-  return all;
+  return words_of(correction::catalogue(), [](const auto& effect) { return effect.id; });
 }
 
 std::string ids() { return ids_on_bearings() + " " + ids_over_time(); }
 
 std::string command_names(const CLI::App& app) {
-  std::string all;
-  for (const CLI::App* command : app.get_subcommands({}))
-    all += (all.empty() ? "" : " ") + command->get_name();
-  return all;
+  return words_of(app.get_subcommands({}), [](const auto* command) { return command->get_name(); });
 }
 
 /// One line of a help, with the signs that a bracket of _arguments would end at.

@@ -68,9 +68,7 @@ void print(const std::vector<results::Corrected>& list, const record::Record& re
 }
 
 int run(const CorrectFlags& flags) {
-  if (flags.json && flags.output == "-")
-    throw text::InputError("raceway correct: --json and --output - both write to stdout; take one",
-                           {.key = "--output"});
+  refuse_two_on_stdout("correct", flags.json, flags.output);
   const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
   flags.csv.require_writable(flags.output, if_exists);
   flags.report.check(flags.force);

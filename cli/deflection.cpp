@@ -9,6 +9,7 @@
 #include "cli/messages.h"
 #include "cli/number_flag.h"
 #include "cli/report_flag.h"
+#include "cli/shared_flags.h"
 #include "cli/text_table.h"
 #include "results/shaft_results.h"
 #include "session/open_input.h"
@@ -85,10 +86,7 @@ void print(const DeflectionFlags& f, const session::SpindleDeflection& found) {
 }
 
 int run(const DeflectionFlags& f) {
-  if (f.json && f.output == "-")
-    throw text::InputError(
-        "raceway deflection: --json and --output - both write to stdout; take one",
-        {.key = "--output"});
+  refuse_two_on_stdout("deflection", f.json, f.output);
   const auto if_exists = f.force ? text::IfExists::replace : text::IfExists::refuse_naming_replace;
   f.csv.require_writable(f.output, if_exists);
   f.report.check(if_exists);

@@ -1,8 +1,9 @@
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "cli/axis_flag.h"
 #include "cli/band_flag.h"
@@ -10,17 +11,15 @@
 #include "cli/csv_style.h"
 #include "cli/messages.h"
 #include "cli/report_flag.h"
+#include "cli/shared_flags.h"
 #include "cli/text_table.h"
-#include "report/report.h"
-#include "results/shaft_results.h"
 #include "session/bands.h"
-#include "session/law_statement.h"
 #include "session/open_input.h"
 #include "session/operating_point.h"
-#include "session/shaft_answers.h"
+#include "session/shaft_curve.h"
+#include "shaft/lift_off.h"
 #include "shaft/shaft_balance.h"
 #include "text/error.h"
-#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
@@ -58,8 +57,10 @@ std::vector<shaft::ShaftPoint> points(const DisplacementFlags& f, const files::M
   return result;
 }
 
-void print(const model::Model& model, std::span<const shaft::ShaftPoint> asked,
-           std::span<const shaft::ShaftPrediction> predictions, const results::BandOfResult* band) {
+void print(const model::Model& model, const session::ShaftCurve& curve) {
+  const std::vector<shaft::ShaftPoint>& asked = curve.points();
+  const std::vector<shaft::ShaftPrediction>& predictions = curve.predictions();
+  const results::BandOfResult* const band = curve.band();
   const bearing::Arrangement a = shaft::mounted_arrangement(model);
   const bearing::LiftOff free = lift_off(a);
   fmt::print("Shaft position of {} in its arrangement, positive towards the tool\n", model.name);
@@ -94,82 +95,28 @@ void print(const model::Model& model, std::span<const shaft::ShaftPoint> asked,
   fmt::print("{}", table.text(terminal_width()));
 }
 
-/// The kinematic law of the curve, as fit-law finds it.
-report::LawOfReport law_of(std::span<const shaft::ShaftPoint> asked,
-                           std::span<const shaft::ShaftPrediction> predictions) {
-  std::vector<shaft::DisplacementPoint> curve;
-  for (std::size_t k = 0; k < asked.size(); ++k)
-    if (predictions[k].equilibrium.report.converged())
-      curve.push_back({.speed = asked[k].speed, .displacement = predictions[k].displacement});
-  try {
-    const shaft::KinematicLawFit f = shaft::fit_kinematic_law(curve);
-    if (f.converged()) return {f, session::law_statement(f, "raceway fit-law -o FILE writes it")};
-    return {std::nullopt,
-            fmt::format("No law was found: {} after {} steps.", fit::name(f.status), f.iterations)};
-  } catch (const std::invalid_argument& e) {
-    return {std::nullopt, fmt::format("No law was fitted: {}.", e.what())};
-  }
-}
-
-std::vector<std::string> warnings(const model::Model& model,
-                                  std::span<const shaft::ShaftPoint> asked,
-                                  std::span<const shaft::ShaftPrediction> predictions) {
-  std::vector<std::string> lines = session::shaft_warnings(model, asked, predictions);
-  const auto failed = [](const shaft::ShaftPrediction& p) {
-    return p.status() != bearing::SolveStatus::converged;
-  };
-  const auto first = std::find_if(predictions.begin(), predictions.end(), failed);
-  if (first != predictions.end())
-    lines.push_back(fmt::format(
-        "{} of {} speeds have {}, the first {:.6g} rpm: {}",
-        std::count_if(predictions.begin(), predictions.end(), failed), asked.size(),
-        first->equilibrium.report.converged() ? "a position, but no torque" : "no value",
-        asked[static_cast<std::size_t>(first - predictions.begin())].speed / rpm,
-        session::shaft_problem(model, *first)));
-  return lines;
-}
-
 int run(const DisplacementFlags& flags) {
-  if (flags.json && flags.output == "-")
-    throw text::InputError(
-        "raceway displacement: --json and --output - both write to stdout; take one",
-        {.key = "--output"});
+  refuse_two_on_stdout("displacement", flags.json, flags.output);
   const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
   flags.csv.require_writable(flags.output, if_exists);
   flags.report.check(flags.force);
   const files::ModelFile file =
       session::open_model(messages(), flags.model, session::Accepts::shaft);
-  const model::Model& model = file.model;
-  const std::vector<shaft::ShaftPoint> asked = points(flags, file);
+  std::vector<shaft::ShaftPoint> asked = points(flags, file);
   const std::optional<model::Band> band = flags.band.of(file);
-  const std::vector<shaft::ShaftPrediction> predictions = shaft::predict_shaft(model, asked);
-  std::optional<results::BandOfResult> half_widths;
-  if (band) half_widths = session::shaft_band(*band, asked);
-  const results::BandOfResult* const of_band = half_widths ? &*half_widths : nullptr;
+  const session::ShaftCurve curve(file, std::move(asked), band);
   if (!flags.output.empty())
-    flags.csv.put(flags.output,
-                  results::displacement_text(model, asked, predictions, file.text, of_band),
-                  if_exists, fmt::format(", {} speeds", asked.size()));
+    flags.csv.put(flags.output, curve.csv(), if_exists,
+                  fmt::format(", {} speeds", curve.points().size()));
   if (flags.json) {
-    put_document(results::displacement_json(model, asked, predictions, of_band));
+    put_document(curve.json());
   } else if (flags.output.empty()) {
-    print(model, asked, predictions, of_band);
+    print(file.model, curve);
     if (band) fmt::print("+-: {}\n", session::band_statement(*band));
   }
-  const std::vector<std::string> said = warnings(model, asked, predictions);
-  flags.report.write(
-      [&] {
-        return report::displacement_report(file.source, model, asked, predictions,
-                                           law_of(asked, predictions), said,
-                                           {session::of_page(file, model)});
-      },
-      flags.force);
-  warn(said);
-  const bool all =
-      std::all_of(predictions.begin(), predictions.end(), [](const shaft::ShaftPrediction& p) {
-        return p.status() == bearing::SolveStatus::converged;
-      });
-  return all ? done : not_converged;
+  flags.report.write([&] { return curve.page(); }, flags.force);
+  tell(curve.warnings());
+  return curve.converged() ? done : not_converged;
 }
 
 }  // namespace

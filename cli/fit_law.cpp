@@ -50,9 +50,7 @@ int run(const FitLawFlags& flags) {
   if (flags.curve == "-" && isatty(STDIN_FILENO) != 0)
     throw text::InputError("raceway fit-law: CSV is missing, and nothing is piped in",
                            {.key = "CSV"});
-  if (flags.json && flags.output == "-")
-    throw text::InputError("raceway fit-law: --json and --output - both write to stdout; take one",
-                           {.key = "--output"});
+  refuse_two_on_stdout("fit-law", flags.json, flags.output);
   const bool to_file = !flags.output.empty() && flags.output != "-";
   const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
   if (to_file) text::require_writable(flags.output, if_exists);

@@ -17,7 +17,8 @@ namespace raceway::cli {
 namespace {
 
 struct SensitivityFlags {
-  std::string model, speed, axial_load, radial_load, temperature;
+  std::string model;
+  AxisFlags axes;
   std::vector<std::string> of, spread, data;
   std::size_t samples = 0;
   std::uint64_t seed = 1;
@@ -41,13 +42,11 @@ session::SensitivityQuestion question_of(const SensitivityFlags& f) {
       .steady = f.steady, .coolant_on = !f.no_coolant, .samples = f.samples, .seed = f.seed};
   q.predictions = split(f.of);
   q.data = split(f.data);
-  const auto values = [](const std::string& text, const char* flag) {
-    return text.empty() ? std::vector<double>() : axis(text, flag);
-  };
-  q.speeds_rpm = values(f.speed, "--speed");
-  q.axial_loads_N = values(f.axial_load, "--axial-load");
-  q.radial_loads_N = values(f.radial_load, "--radial-load");
-  q.temperatures_C = values(f.temperature, "--temperature");
+  session::AskedAxes axes = f.axes.asked();
+  q.speeds_rpm = std::move(axes.speed_rpm);
+  q.axial_loads_N = std::move(axes.axial_load_N);
+  q.radial_loads_N = std::move(axes.radial_load_N);
+  q.temperatures_C = std::move(axes.temperature_C);
   for (const std::string& one : f.spread) {
     const auto more =
         one.find('=') == one.npos ? files::read_spreads(one) : files::parse_spreads(one);
@@ -89,22 +88,8 @@ Run setup_sensitivity(CLI::App& command) {
                   "temperature; or columns of raceway solve; default: torque, of a shaft\n"
                   "displacement")
       ->type_name("NAMES");
-  command
-      .add_option("--speed", flags->speed,
-                  "[rpm]; like all axes as 100,300,900 or as from:to:step, 0:12000:2000")
-      ->required()
-      ->type_name("VALUES");
-  command
-      .add_option("--axial-load", flags->axial_load,
-                  "[N], on a shaft positive towards the tool; default: of the model")
-      ->type_name("VALUES");
-  command
-      .add_option("--radial-load", flags->radial_load, "[N]; default: [rig] of the model, else 0")
-      ->type_name("VALUES");
-  command
-      .add_option("--temperature", flags->temperature,
-                  "of the lubricant [C]; default: [rig] of the model, else 40")
-      ->type_name("VALUES");
+  flags->axes.declare(command,
+                      "[rpm]; like all axes as 100,300,900 or as from:to:step, 0:12000:2000");
   command.add_flag("--steady", flags->steady, "of a whole spindle, where its speed leads");
   command.add_flag("--no-coolant", flags->no_coolant, "with --steady: it does not flow");
   command

@@ -1,6 +1,15 @@
 #include "cli/shared_flags.h"
 
+#include "text/error.h"
+
 namespace raceway::cli {
+
+void refuse_two_on_stdout(const std::string& command, bool json, const std::string& output) {
+  if (json && output == "-")
+    throw text::InputError(
+        "raceway " + command + ": --json and --output - both write to stdout; take one",
+        {.key = "--output"});
+}
 
 void declare(CLI::App& command, session::Reading& reading) {
   command

@@ -9,6 +9,9 @@
 /// Flags that several commands have, each declared once.
 namespace raceway::cli {
 
+/// Throws text::InputError where the JSON document and a file would both go to stdout.
+void refuse_two_on_stdout(const std::string& command, bool json, const std::string& output);
+
 /// `--columns map.toml` and `--drop-nan` of a command that reads measurements.
 void declare(CLI::App& command, session::Reading& reading);
 

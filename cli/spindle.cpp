@@ -48,8 +48,7 @@ void check_flags(const SpindleFlags& f) {
     fail("--steady knows no course in time; take --speed in place of --speed-profile", "--steady");
   if (f.steady && !f.start.empty())
     fail("--start: a steady state does not know where it came from", "--start");
-  if (f.json && f.output == "-")
-    fail("--json and --output - both write to stdout; take one", "--output");
+  refuse_two_on_stdout("spindle", f.json, f.output);
   for (const std::string& path : {f.output, f.field}) f.csv.require_writable(path, f.if_exists());
   if (!f.end_state.empty() && f.end_state != "-")
     text::require_writable(f.end_state, f.if_exists());

@@ -10,14 +10,13 @@
 #include "cli/number_flag.h"
 #include "cli/report_flag.h"
 #include "cli/run_files.h"
+#include "cli/shared_flags.h"
+#include "cli/step_correction.h"
 #include "cli/step_response_text.h"
-#include "files/correction_file.h"
 #include "files/step_import.h"
-#include "results/step_correction.h"
 #include "results/superposition.h"
 #include "session/open_input.h"
 #include "session/spindle_steps.h"
-#include "session/step_parts.h"
 #include "text/error.h"
 #include "text/output_file.h"
 
@@ -27,8 +26,8 @@ namespace {
 constexpr double one_hour = 3600.0;
 
 struct StepFlags {
-  std::string model, speed, import, output, correction, programme, law = "curve", lags = "auto",
-                                                                   units = "s,um", coolant = "on";
+  std::string model, speed, import, output, units = "s,um", coolant = "on";
+  StepCorrectionFlags correction;
   std::vector<std::string> load_cases;
   double hours = 4.0, temperature = unset;
   bool json = false, force = false;
@@ -42,18 +41,13 @@ void check_step_flags(const StepFlags& f) {
   const auto refuse = [](const std::string& why, const std::string& key) {
     throw text::InputError("raceway step-response: " + why, {.key = key});
   };
-  if (f.json && f.output == "-")
-    refuse("--json and --output - both write to stdout; take one", "--output");
+  refuse_two_on_stdout("step-response", f.json, f.output);
   if (f.imports() && !f.speed.empty())
     refuse("--speed simulates and --import reads step responses; take one", "--speed");
   if (!f.imports() && f.model.empty()) refuse("MODEL is missing, or --import FILE", "MODEL");
   if (!f.imports() && f.speed.empty())
     refuse("--speed is missing, such as 2000:10000:2000, or --import FILE", "--speed");
-  if (!f.programme.empty() && (f.correction.empty() || f.model.empty()))
-    refuse("--programme holds a correction against the simulation of MODEL: name --correction FILE",
-           "--programme");
-  if (f.correction == "-")
-    refuse("--correction -: has tables beside it; name a file", "--correction");
+  f.correction.check(!f.model.empty());
 }
 
 /// Step responses from files.
@@ -80,47 +74,11 @@ session::SpindleSteps simulated_steps(const StepFlags& flags, const files::Model
   return session::simulated_steps(messages(), file, question);
 }
 
-void write_correction_of(const StepFlags& flags, const session::SpindleSteps& steps) {
-  try {
-    const results::StepCorrection written = results::step_correction(
-        session::correction_of_steps(
-            messages(), steps,
-            {.law = flags.law, .lags = flags.lags, .wording = session::Wording::flags}),
-        flags.correction);
-    results::write_step_correction(written, flags.correction, flags.force);
-    std::string tables;
-    for (const auto& [file, text] : written.tables) tables += (tables.empty() ? "" : ", ") + file;
-    say(fmt::format("{} written, with {}", flags.correction, tables));
-  } catch (const std::invalid_argument& e) {
-    throw text::InputError(fmt::format("raceway step-response: --correction: {}", e.what()),
-                           {.key = "--correction"});
-  }
-}
-
-/// The correction as it was written against the whole simulation, over a programme of speeds.
-std::optional<results::Superposition> superposition_of(const StepFlags& flags,
-                                                       const session::SpindleSteps& steps) {
-  if (flags.programme.empty()) return std::nullopt;
-  const files::CorrectionFile written = files::read_correction(flags.correction);
-  results::Superposition s =
-      session::superposition_of_steps(steps, written.models.front(), flags.programme);
-  if (s.report.converged())
-    say(fmt::format("over {} the correction differs from the simulation by {}", flags.programme,
-                    results::superposition_text(s)));
-  else
-    warn(fmt::format("{}: the simulation ended early: {}", flags.programme, s.report.message));
-  return s;
-}
-
 void require_step_files(const StepFlags& flags) {
   const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
   flags.csv.require_writable(flags.output, if_exists);
   flags.report.check(flags.force);
-  if (flags.correction.empty()) return;
-  const std::vector<std::string> tables = results::step_correction_tables(flags.correction);
-  check_outputs(tables);
-  text::require_writable(flags.correction, if_exists);
-  for (const std::string& table : tables) text::require_writable(table, if_exists);
+  flags.correction.require_writable(if_exists);
 }
 
 int run(const StepFlags& flags) {
@@ -138,12 +96,13 @@ int run(const StepFlags& flags) {
                   fmt::format(", {} step responses", steps.responses.steps.size()));
   if (!flags.json && flags.output.empty()) print_steps(steps);
   tell(steps.notes);
-  if (!flags.correction.empty()) write_correction_of(flags, steps);
+  flags.correction.write(steps, flags.force);
   std::optional<results::Superposition> error;
-  if (steps.file) error = superposition_of(flags, steps);
+  if (steps.file) error = flags.correction.superposition(steps);
   if (flags.json) put_document(steps.json(error ? &*error : nullptr));
-  flags.report.write([&] { return steps.page(error ? &*error : nullptr, flags.programme); },
-                     flags.force);
+  flags.report.write(
+      [&] { return steps.page(error ? &*error : nullptr, flags.correction.programme); },
+      flags.force);
   warn(steps.warnings());
   return steps.converged() && (!error || error->report.converged()) ? done : not_converged;
 }
@@ -181,22 +140,7 @@ Run setup_step_response(CLI::App& command) {
       "of the lubricant [C], for the power at imported speeds;\ndefault: [rig] of MODEL, else 40");
   command.add_option("-o,--output", flags->output, "CSV file to write; - for stdout")
       ->type_name("FILE");
-  command
-      .add_option("--correction", flags->correction,
-                  "model of a correction to write, with its tables beside it")
-      ->type_name("FILE");
-  command.add_option("--law", flags->law, "of K and T in the correction: curve, power or line")
-      ->check(CLI::IsMember({"curve", "power", "line"}))
-      ->type_name("LAW");
-  command
-      .add_option("--lags", flags->lags,
-                  "delay elements of the correction: one, two or auto (default)")
-      ->check(CLI::IsMember({"one", "two", "auto"}))
-      ->type_name("NUMBER");
-  command
-      .add_option("--programme", flags->programme,
-                  "CSV with time_s, speed_rpm: the correction against the simulation")
-      ->type_name("FILE");
+  flags->correction.declare(command);
   flags->csv.declare(command);
   command.add_flag("--force", flags->force, "replace files that exist");
   command.add_flag("--json", flags->json, "one JSON document instead of text");

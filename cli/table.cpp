@@ -33,7 +33,7 @@ namespace {
 
 struct TableFlags {
   std::string model, output;
-  std::string speed, axial_load, radial_load, temperature;
+  AxisFlags axes;
   std::string data, slab, plot;
   CsvStyle csv;
   bool json = false, force = false;
@@ -41,11 +41,6 @@ struct TableFlags {
   BandFlag band;
   session::Reading reading;
 };
-
-/// Values of the flag of an axis; none where it is not given.
-std::vector<double> values(const std::string& text, const std::string& flag) {
-  return text.empty() ? std::vector<double>() : axis(text, flag);
-}
 
 /// "2/4" is the second of four.
 friction::TableSlab slab(const std::string& text) {
@@ -75,9 +70,7 @@ int run(const TableFlags& flags) {
   if (format != "csv" && !flags.slab.empty())
     throw text::InputError("raceway table: a slab is to be merged, which takes --format csv alone",
                            {.key = "--slab"});
-  if (flags.json && flags.output == "-")
-    throw text::InputError("raceway table: --json and --output - both write to stdout; take one",
-                           {.key = "--output"});
+  refuse_two_on_stdout("table", flags.json, flags.output);
   const friction::TableSlab part = slab(flags.slab);
   if (!flags.slab.empty() && (flags.output.empty() || flags.json))
     throw text::InputError(
@@ -98,13 +91,10 @@ int run(const TableFlags& flags) {
   if (!flags.data.empty())
     measured = session::open_data(messages(), flags.data, *files::make_subject(model),
                                   flags.reading.options(file));
-  const session::TableQuestion question{
-      .axes = {values(flags.speed, "--speed"), values(flags.axial_load, "--axial-load"),
-               values(flags.radial_load, "--radial-load"),
-               values(flags.temperature, "--temperature")},
-      .slab = part,
-      .band = flags.band.of(file),
-      .wording = session::Wording::flags};
+  const session::TableQuestion question{.axes = flags.axes.asked(),
+                                        .slab = part,
+                                        .band = flags.band.of(file),
+                                        .wording = session::Wording::flags};
   session::TablePlan plan = session::plan_table(messages(), file, question);
   require_memory(plan.axes, part, plan.columns.size(),
                  flags.json             ? TableForm::json
@@ -162,22 +152,8 @@ int run(const TableFlags& flags) {
 Run setup_table(CLI::App& command) {
   auto flags = std::make_shared<TableFlags>();
   command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
-  command
-      .add_option("--speed", flags->speed,
-                  "[rpm]; like all axes as 100,300,900 or as from:to:step, 0:12000:250")
-      ->required()
-      ->type_name("VALUES");
-  command
-      .add_option("--axial-load", flags->axial_load,
-                  "[N], on a shaft positive towards the tool; default: of the model")
-      ->type_name("VALUES");
-  command
-      .add_option("--radial-load", flags->radial_load, "[N]; default: [rig] of the model, else 0")
-      ->type_name("VALUES");
-  command
-      .add_option("--temperature", flags->temperature,
-                  "of the lubricant [C]; default: [rig] of the model, else 40")
-      ->type_name("VALUES");
+  flags->axes.declare(command,
+                      "[rpm]; like all axes as 100,300,900 or as from:to:step, 0:12000:250");
   command.add_option("-o,--output", flags->output, "CSV file to write; - for stdout")
       ->type_name("FILE");
   command

@@ -8,12 +8,10 @@
 #include "friction/stribeck_table.h"
 #include "python/engine/interruptible.h"
 #include "python/engine/model.h"
-#include "results/shaft_results.h"
 #include "session/bands.h"
 #include "session/operating_point.h"
-#include "session/shaft_answers.h"
+#include "session/shaft_curve.h"
 #include "session/table_question.h"
-#include "shaft/shaft_prediction.h"
 #include "text/number_range.h"
 #include "text/units.h"
 
@@ -87,8 +85,7 @@ class EngineDisplacement {
   EngineDisplacement(std::shared_ptr<const EngineModel> model, const std::vector<double>& speed_rpm,
                      double axial_load_N, double temperature_C, bool with_band)
       : model_(std::move(model)) {
-    const model::Model& m = model_->file().model;
-    if (!m.shaft)
+    if (!model_->file().model.shaft)
       throw text::InputError(model_->file().source +
                                  ": has no [arrangement]: a shaft position needs one, with layout, "
                                  "front, rear and preload_N",
@@ -98,37 +95,27 @@ class EngineDisplacement {
     const bearing::OperatingPoint point = session::operating_point(
         heard_, model_->file(), {.axial_load_N = axial_load_N, .temperature_C = temperature_C},
         session::Wording::arguments);
+    std::vector<shaft::ShaftPoint> points;
     for (const double speed : speed_rpm)
-      points_.push_back({.speed = speed * rpm,
-                         .external_load = point.axial_load,
-                         .temperature = point.temperature});
+      points.push_back({.speed = speed * rpm,
+                        .external_load = point.axial_load,
+                        .temperature = point.temperature});
     const std::optional<model::Band> band = model_->band(with_band);
     const py::gil_scoped_release others;
-    predictions_ = shaft::predict_shaft(m, points_);
-    if (band) band_ = session::shaft_band(*band, points_);
+    curve_.emplace(model_->file(), std::move(points), band);
   }
-  [[nodiscard]] std::string json() const {
-    return results::displacement_json(model_->file().model, points_, predictions_, band());
-  }
-  [[nodiscard]] std::string csv() const {
-    return results::displacement_text(model_->file().model, points_, predictions_,
-                                      model_->file().text, band());
-  }
+  [[nodiscard]] std::string json() const { return curve_->json(); }
+  [[nodiscard]] std::string csv() const { return curve_->csv(); }
   [[nodiscard]] std::vector<record::Note> warnings() const {
     std::vector<record::Note> list = heard_.notes;
-    append(list, notes_of(record::note::unloaded,
-                          session::shaft_warnings(model_->file().model, points_, predictions_)));
+    append(list, curve_->warnings());
     return list;
   }
 
  private:
-  [[nodiscard]] const results::BandOfResult* band() const { return band_ ? &*band_ : nullptr; }
-
   std::shared_ptr<const EngineModel> model_;
-  std::optional<results::BandOfResult> band_;
   Heard heard_;
-  std::vector<shaft::ShaftPoint> points_;
-  std::vector<shaft::ShaftPrediction> predictions_;
+  std::optional<session::ShaftCurve> curve_;
 };
 
 }  // namespace

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "results/superposition.h"
+#include "session/spindle_steps.h"
+#include "text/output_file.h"
+
+namespace raceway::cli {
+
+/// `--correction FILE`, `--law`, `--lags` and `--programme`: the correction of step responses, and
+/// how it compares with the whole simulation.
+struct StepCorrectionFlags {
+  std::string file, programme, law = "curve", lags = "auto";
+
+  void declare(CLI::App& command);
+  /// Throws text::InputError for flags that do not go together; `has_model`: of the command.
+  void check(bool has_model) const;
+  /// Throws text::InputError where write() would.
+  void require_writable(text::IfExists if_exists) const;
+  /// Writes the model and its tables, if one was asked for.
+  void write(const session::SpindleSteps& steps, bool replace) const;
+  /// The written correction against the simulation over the programme, if there is one.
+  [[nodiscard]] std::optional<results::Superposition> superposition(
+      const session::SpindleSteps& steps) const;
+};
+
+}  // namespace raceway::cli
