@@ -40,28 +40,14 @@ class Correction(LoopModel):
     5.0
     """
 
+    _called = "correction"
+
     def __init__(self, source: str, text: str, files: Sequence[tuple[str, str, str]] = ()) -> None:
         tables = _tables(text_of("text", text))
         if tables and "correction" not in tables:
             raise InputError(f"{source}: has no [correction]: raceway.Model.read takes models of bearings")
         self._engine = _engine.Correction(source, text, files)
         warn(self._engine.warnings)
-
-    @classmethod
-    def read(cls, path: str | os.PathLike[str]) -> Correction:
-        """Read a file with ``[correction]`` (TOML; keys with their units: ``raceway keys``).
-
-        Raises
-        ------
-        InputError
-            With file, line, key, value and allowed range, as the command says it.
-        """
-        return cls(os.fspath(path), _engine.read_text(os.fspath(path)))
-
-    @classmethod
-    def from_text(cls, text: str, name: str = "correction") -> Correction:
-        """Take the text of a file; `name` stands in messages, and files that it names are beside it."""
-        return cls(name, text)
 
     @property
     def displacements(self) -> list[str]:

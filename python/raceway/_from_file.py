@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
-from typing import Any
+from typing import TYPE_CHECKING, Any, Self
 
+from . import _engine
 from ._note import Note
 from ._results import _write
 
@@ -13,6 +14,27 @@ class FromFile:
     """A model with what its file and the files that it names held when it was read."""
 
     _engine: Any
+    _called = "model"  # a text without a name
+
+    if TYPE_CHECKING:
+
+        def __init__(self, source: str, text: str) -> None: ...
+
+    @classmethod
+    def read(cls, path: str | os.PathLike[str]) -> Self:
+        """Read a file (TOML; keys with their units: ``raceway keys``).
+
+        Raises
+        ------
+        InputError
+            With file, line, key, value and allowed range, as the command says it.
+        """
+        return cls(os.fspath(path), _engine.read_text(os.fspath(path)))
+
+    @classmethod
+    def from_text(cls, text: str, name: str | None = None) -> Self:
+        """Take the text of a file; `name` stands in messages, and files that it names are beside it."""
+        return cls(cls._called if name is None else name, text)
 
     @property
     def source(self) -> str:

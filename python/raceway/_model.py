@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import functools
 import operator
-import os
 import tomllib
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
@@ -48,22 +47,6 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         self._effects = tuple(effects)
         self._engine = _engine.Model(source, text, [e._for_engine() for e in self._effects], files)
         _warn(self._engine.warnings)
-
-    @classmethod
-    def read(cls, path: str | os.PathLike[str]) -> Model:
-        """Read a model file (TOML; keys with their units: ``raceway keys``).
-
-        Raises
-        ------
-        InputError
-            With file, line, key, value and allowed range, as the command says it.
-        """
-        return cls(os.fspath(path), _engine.read_text(os.fspath(path)))
-
-    @classmethod
-    def from_text(cls, text: str, name: str = "model") -> Model:
-        """Take the text of a model file; `name` stands in messages."""
-        return cls(name, text)
 
     @classmethod
     def new(

@@ -183,23 +183,20 @@ class Displacement(_Document):
         return f"<raceway.Displacement of {self.data['bearing']}: {len(self.data['rows'])} speeds>"
 
 
-class _Answer(_Document):
-    """What the loop found."""
+class _Answered(_Document):
+    """An answer of the engine, with its notes and its page."""
 
-    def __init__(self, answer: _engine.Answer) -> None:
+    def __init__(self, answer: Any) -> None:
         self._answer = answer
-
-    def _text(self) -> str:
-        return self._answer.json
 
     @property
     def notes(self) -> list[Note]:
-        """What is to be known of the data."""
+        """What a user should know of the data and the result."""
         return self._answer.notes
 
     @property
-    def warnings(self) -> list[str]:
-        """What makes the result doubtful."""
+    def warnings(self) -> list[Note]:
+        """What makes the result doubtful, and what was not found."""
         return self._answer.warnings
 
     def report(self, path: str | os.PathLike[str] | None = None, *, overwrite: bool = False) -> Page:
@@ -214,6 +211,15 @@ class _Answer(_Document):
         if path is not None:
             _write(path, page.html, overwrite)
         return page
+
+
+class _Answer(_Answered):
+    """What the loop found."""
+
+    _answer: _engine.Answer
+
+    def _text(self) -> str:
+        return self._answer.json
 
 
 class Page:

@@ -9,17 +9,16 @@ from typing import TYPE_CHECKING, Any
 from . import _engine
 from ._note import Note
 from ._record import Record
-from ._results import Page, _Document, _frame, _write, write_files
+from ._results import _Answered, _frame, _write, write_files
 
 if TYPE_CHECKING:
     import pandas
 
 
-class _OfSpindle(_Document):
+class _OfSpindle(_Answered):
     """What the engine found of a spindle."""
 
-    def __init__(self, answer: _engine.SpindleAnswer) -> None:
-        self._answer = answer
+    _answer: _engine.SpindleAnswer
 
     def _text(self) -> str:
         return self._answer.json()
@@ -29,16 +28,6 @@ class _OfSpindle(_Document):
         """Whether all that was asked for was found."""
         return self._answer.converged
 
-    @property
-    def notes(self) -> list[Note]:
-        """What a user should know of it."""
-        return self._answer.notes
-
-    @property
-    def warnings(self) -> list[str]:
-        """What was not found, and why."""
-        return self._answer.warnings
-
     def to_frame(self) -> pandas.DataFrame:
         """Return the rows of the CSV that the command writes with ``-o``; columns have their units."""
         return _rows(self._answer.csv())
@@ -46,19 +35,6 @@ class _OfSpindle(_Document):
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
         """Write that CSV, with the model in its head; an existing file only with `overwrite`."""
         _write(path, self._answer.csv(), overwrite)
-
-    def report(self, path: str | os.PathLike[str] | None = None, *, overwrite: bool = False) -> Page:
-        """Return the page of the command, which a notebook shows in a frame.
-
-        Parameters
-        ----------
-        path : path, optional
-            Where to write it, too.
-        """
-        page = Page(self._answer.page())
-        if path is not None:
-            _write(path, page.html, overwrite)
-        return page
 
 
 class _WithField(_OfSpindle):
