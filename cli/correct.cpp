@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/correct_learn.h"
 #include "cli/csv_style.h"
+#include "cli/identification_text.h"
 #include "cli/messages.h"
 #include "cli/report_flag.h"
 #include "cli/shared_flags.h"
@@ -65,6 +66,7 @@ void print(const std::vector<results::Corrected>& list, const record::Record& re
              table.text(terminal_width()));
   fmt::print("RMS and largest: what is left of the readings when one constant is taken off\n");
   for (const results::Corrected& c : list) print_band(c, record);
+  for (const results::Corrected& c : list) print_trust(*c.displacement, c.trust);
 }
 
 int run(const CorrectFlags& flags) {

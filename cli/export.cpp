@@ -3,10 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "cli/run_files.h"
+#include "correction/trust.h"
 #include "session/control_export.h"
 #include "text/error.h"
 #include "text/output_file.h"
@@ -16,7 +18,7 @@ namespace {
 
 struct ExportFlags {
   std::string model, format, record, output;
-  bool force = false;
+  bool accept_untrusted = false, force = false;
 };
 
 int run(const ExportFlags& flags) {
@@ -30,9 +32,11 @@ int run(const ExportFlags& flags) {
     if (with_hal) text::require_writable(file, if_exists);
   if (!flags.record.empty()) add_input(flags.record);
   const session::Source record(flags.record);
-  const auto [plan, text, hal_start, hal_shutdown] = session::export_plan(
-      session::open_plan(messages(), flags.model, flags.record.empty() ? nullptr : &record),
-      flags.format, flags.output);
+  control::ControlPlan wanted =
+      session::open_plan(messages(), flags.model, flags.record.empty() ? nullptr : &record);
+  if (!flags.accept_untrusted) session::require_trust(wanted);
+  const auto [plan, text, hal_start, hal_shutdown] =
+      session::export_plan(std::move(wanted), flags.format, flags.output);
   if (to_file) {
     std::vector<text::OutputFile> files{{flags.output, text}};
     if (with_hal) {
@@ -51,6 +55,14 @@ int run(const ExportFlags& flags) {
     fmt::print("{}", text);
   }
   tell(plan.notes);
+  for (const control::ControlAxis& axis : plan.axes) {
+    if (axis.trust.empty()) continue;
+    const std::string line = fmt::format("trust in {}: {}", axis.column, control::trust_line(axis));
+    if (axis.trust == correction::name(correction::TrustLevel::good))
+      tell({line});
+    else
+      warn(line);
+  }
   return done;
 }
 
@@ -79,6 +91,8 @@ Run setup_export(CLI::App& command) {
       ->type_name("RECORD");
   command.add_option("-o,--output", flags->output, "file to write; stdout without it")
       ->type_name("FILE");
+  command.add_flag("--accept-untrusted", flags->accept_untrusted,
+                   "export a correction that is not to be used, too");
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.footer(
       "Example:\n  raceway export z.toml --format python -o correction.py\n"

@@ -71,6 +71,10 @@ void print_ladder(const correction::Identification& found) {
 
 }  // namespace
 
+void print_trust(const record::Channel& displacement, const correction::Trust& trust) {
+  fmt::print("trust in {}: {}\n", displacement.name, correction::line_of(trust));
+}
+
 void print_identification(const correction::Identification& found, const record::Record& record) {
   if (found.is_bank()) {
     fmt::print("{} of {}: every input through the same lags\n\n", found.model.displacement->name,

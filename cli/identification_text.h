@@ -2,9 +2,13 @@
 
 #include "correction/baseline.h"
 #include "correction/identify.h"
+#include "correction/trust.h"
 #include "record/record.h"
 
 namespace raceway::cli {
+
+/// The line of trust.
+void print_trust(const record::Channel& displacement, const correction::Trust& trust);
 
 /// The text of an identification: lags, gains, and the error they leave.
 void print_identification(const correction::Identification& found, const record::Record& record);

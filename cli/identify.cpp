@@ -28,17 +28,20 @@ struct IdentifyFlags {
   bool json = false, force = false;
 };
 
-/// What the found models are worth on a record that they did not see.
-std::vector<results::Validation> validated(const std::vector<correction::Model>& models,
+/// What the found models are worth on a record that they did not see; they are judged by it from
+/// then on.
+std::vector<results::Validation> validated(std::vector<correction::Identification>& found,
                                            const IdentifyFlags& flags,
                                            const files::CorrectionFile& file) {
   std::vector<results::Validation> list;
   if (flags.validate.empty()) return list;
-  const record::Record other =
-      session::open_series(messages(), flags.validate, models, flags.reading.options(file.columns));
-  for (const correction::Model& model : models) {
+  const record::Record other = session::open_series(
+      messages(), flags.validate, session::models_of(found), flags.reading.options(file.columns));
+  for (correction::Identification& one_found : found) {
+    correction::Model& model = one_found.model;
     const session::Validated one = session::validated(model, other);
     list.push_back(one.validation);
+    session::judge_by(model, one.validation);
     const correction::Metrics& m = one.validation.metrics;
     if (!flags.json)
       fmt::print("on {}: {} RMS {} um, largest {} um, fit {} %\n", other.source,
@@ -95,23 +98,25 @@ int run(const IdentifyFlags& flags) {
   session::SeriesQuestion asked =
       session::ask_series(messages(), flags.model, flags.data, flags.reading);
   std::vector<correction::Identification> found;
-  std::vector<correction::Model> models;
   for (const correction::Model& model : asked.file.models) {
     found.push_back(identified(flags, asked, model));
-    models.push_back(found.back().model);
     if (!flags.json) {
       if (found.size() > 1) fmt::print("\n");
       print_identification(found.back(), asked.data);
     }
     tell(found.back().messages);
   }
-  const std::vector<results::Validation> validations = validated(models, flags, asked.file);
+  const std::vector<results::Validation> validations = validated(found, flags, asked.file);
+  if (!flags.json)
+    for (const correction::Identification& one : found)
+      print_trust(*one.model.displacement, correction::trust_of(one.model));
   if (flags.json)
     put_document(results::identification_json(asked.file.source, asked.data, found, validations));
   if (!flags.output.empty()) {
     text::write_text(flags.output,
-                     files::with_names_from(session::identified_text(asked, models, flags.choices),
-                                            asked.file.files, flags.output),
+                     files::with_names_from(
+                         session::identified_text(asked, session::models_of(found), flags.choices),
+                         asked.file.files, flags.output),
                      if_exists);
     say(flags.output + " written");
   }

@@ -13,6 +13,7 @@
 #include "correction/numbers.h"
 #include "correction/range.h"
 #include "correction/simulation.h"
+#include "correction/trust.h"
 #include "record/digits.h"
 #include "record/series_channel.h"
 #include "text/error.h"
@@ -332,6 +333,14 @@ class Planner {
                      .name = m.name,
                      .offset_um = as_printed(m.offset / um)};
     hand_out(axis);
+    if (const correction::Trust trust = correction::trust_of(m);
+        trust.level == correction::TrustLevel::unknown) {
+      note(fmt::format("{}: how far it may be trusted is {}", axis.column,
+                       correction::line_of(trust)));
+    } else {
+      axis.trust = correction::name(trust.level);
+      axis.trust_because = trust.because;
+    }
     for (const DrivenChannel& c : m.channels) add(c, m, axis);
     if (m.kinematic && m.kinematic->A != 0.0)
       axis.kinematics.push_back({m.kinematic->A, m.kinematic->B, m.kinematic->C});
@@ -409,6 +418,15 @@ void in_order(ControlPlan& plan) {
   };
   for (ControlInput& in : plan.inputs) in.identifier = identifier(in.column);
   for (ControlAxis& a : plan.axes) a.identifier = identifier(a.column);
+}
+
+std::string trust_line(const ControlAxis& axis) {
+  using correction::TrustLevel;
+  for (const TrustLevel level :
+       {TrustLevel::good, TrustLevel::within_range, TrustLevel::do_not_use})
+    if (axis.trust == correction::name(level))
+      return correction::line_of({level, axis.trust_because});
+  return {};
 }
 
 void count_in_whole_numbers(ControlPlan& plan) {

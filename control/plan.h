@@ -123,6 +123,9 @@ struct ControlAxis {
   bool counts = false;   ///< whole numbers of it
   std::string output{};  ///< "offset_z_um", "offset_z_mm", "offset_z_counts"
   double offset_um = 0.0;
+  /// How far its model may be trusted, in the words of correction::name(), and why; empty where
+  /// that is not known.
+  std::string trust{}, trust_because{};
   std::vector<ControlSection> sections{};
   std::vector<ControlElement> elements{};
   std::vector<ControlFeedthrough> feedthroughs{};
@@ -165,6 +168,9 @@ struct ControlPlan {
 /// Drives and tables that are alike become one, in the order in which axes use them, and inputs and
 /// displacements get the names that languages know.
 void in_order(ControlPlan& plan);
+
+/// The line of trust of an axis; empty where it is not known.
+[[nodiscard]] std::string trust_line(const ControlAxis& axis);
 
 /// Offsets in whole counts of every axis, as LinuxCNC takes them.
 void count_in_whole_numbers(ControlPlan& plan);

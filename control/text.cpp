@@ -38,6 +38,7 @@ std::uint32_t stamp(const ControlPlan& plan) {
   bare.source.clear();
   bare.notes.clear();
   bare.check = {};
+  for (ControlAxis& axis : bare.axes) axis.trust = axis.trust_because = {};
   std::uint32_t hash =
       2166136261U + text::format_number - 1;  // FNV-1a; another format, another stamp
   for (const char c : control_csv(bare)) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
@@ -62,6 +63,9 @@ std::string_view rest_of(std::string_view line, std::string_view mark, std::stri
 std::string control_heading(const ControlPlan& plan, std::string_view mark) {
   std::string text = fmt::format("{}{}{}{}{}.\n", mark, written_by, RACEWAY_VERSION, of_model,
                                  harmless(plan.source));
+  for (const ControlAxis& axis : plan.axes)
+    if (!axis.trust.empty())
+      text += fmt::format("{}Trust in {}: {}.\n", mark, axis.column, harmless(trust_line(axis)));
   for (const std::string& note : plan.notes)
     text += fmt::format("{}{}{}.\n", mark, before_note, harmless(note));
   return text;

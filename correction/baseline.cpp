@@ -15,6 +15,7 @@
 #include "correction/regression.h"
 #include "correction/series.h"
 #include "correction/simulation.h"
+#include "correction/trust.h"
 #include "fit/thinned.h"
 #include "record/series_channel.h"
 #include "verdict/compare.h"
@@ -206,6 +207,7 @@ Identification regression_baseline(const Model& model, const std::vector<const C
   }
   result.tried = {std::move(tried)};
   see(found, record);
+  found.evidence = evidence_on(found, record, result.rms_held_out);
   result.model = std::move(found);
   result.messages.push_back(record::note::limits(
       "a regression has no memory, and goes on in straight lines where nobody measured"));

@@ -13,6 +13,7 @@
 #include "correction/numbers.h"
 #include "correction/range.h"
 #include "correction/simulation.h"
+#include "correction/trust.h"
 #include "fit/distributions.h"
 #include "fit/problem.h"
 #include "record/series_channel.h"
@@ -264,6 +265,7 @@ class Search {
     result_.model.left =
         Left{.rms = std::isfinite(result_.rms_held_out) ? result_.rms_held_out : in_SI(last.rms),
              .correlation_time = result_.correlation_time};
+    result_.model.evidence = evidence_on(result_.model, *record_, result_.rms_held_out);
     std::vector<double> predicted = fit::predict(*fitted, *record_);
     result_.metrics = metrics(record_->values(*model_.displacement), predicted);
     result_.whiteness_p_value = whiteness(last.fit.residual);

@@ -15,6 +15,7 @@
 #include "correction/range.h"
 #include "correction/series.h"
 #include "correction/simulation.h"
+#include "correction/trust.h"
 #include "fit/noise.h"
 #include "fit/problem.h"
 #include "record/digits.h"
@@ -244,6 +245,7 @@ class Bank {
     }
     see(model_, record_);
     model_.left = Left{.rms = result_.rms_held_out};
+    model_.evidence = evidence_on(model_, record_, result_.rms_held_out);
     // A loop over seventy gains that belong together would find anything.
     if (model_.free.empty()) model_.free = {"offset"};
     result_.model = model_;

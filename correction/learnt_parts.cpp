@@ -138,6 +138,7 @@ Model with_learnt(const Model& model, const std::vector<LearntPart>& parts,
   // They are of the numbers before.
   m.covariance.reset();
   m.left.reset();
+  m.evidence.reset();
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const double value = values[k];
     for (DrivenChannel& c : m.channels) {

@@ -116,6 +116,15 @@ struct Left {
   double correlation_time = unset;  ///< how long it remembers itself [s]
 };
 
+/// What is known of a fitted model on readings that its fit did not see: trust.h judges by it.
+struct Evidence {
+  double error = unset;        ///< RMS on them, NaN where there are none [m]
+  double uncorrected = unset;  ///< RMS of the readings, one constant taken off each run [m]
+  double duration = unset;     ///< of the readings of the longest run [s]
+  bool one_way = false;        ///< the readings go from one state to another once
+  bool other_record = false;   ///< error and uncorrected are of a record beside that of the fit
+};
+
 struct Model {
   std::string name{};
   const Channel* displacement = nullptr;
@@ -133,6 +142,7 @@ struct Model {
   std::optional<SeenTogether> together{};
   std::optional<fit::Covariance> covariance{};
   std::optional<Left> left{};
+  std::optional<Evidence> evidence{};
 };
 
 }  // namespace raceway::correction

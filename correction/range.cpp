@@ -8,6 +8,7 @@
 #include "correction/correction_subject.h"
 #include "correction/numbers.h"
 #include "correction/simulation.h"
+#include "correction/trust.h"
 #include "record/series_channel.h"
 
 namespace raceway::correction {
@@ -168,6 +169,7 @@ void forget_what_was_seen(Model& model) {
   model.together.reset();
   model.covariance.reset();
   model.left.reset();
+  model.evidence.reset();
 }
 
 void see(Model& model, const record::Record& whole) {
@@ -189,6 +191,7 @@ Model trusted(const verdict::Calibration& found, const record::Record& record) {
   model.left = Left{.rms = std::isfinite(found.rms_held_out) ? found.rms_held_out
                                                              : found.channels.front().rmse_after,
                     .correlation_time = found.correlation_time};
+  model.evidence = evidence_on(model, record, found.rms_held_out);
   const std::optional<fit::Covariance> all = verdict::covariance_of(found);
   if (!all) return model;
   // Zeros and first states of that record are no numbers of the model.

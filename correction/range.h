@@ -19,7 +19,7 @@ void see(Model& model, const record::Record& record);
 /// and what is left.
 [[nodiscard]] Model trusted(const verdict::Calibration& found, const record::Record& record);
 
-/// Takes out what is of another record: ranges, covariance, what was left.
+/// Takes out what is of another record: ranges, covariance, what was left, evidence.
 void forget_what_was_seen(Model& model);
 
 /// Of a column, all but temperatures by their amount [SI]; of the speed [rpm], and of the power of

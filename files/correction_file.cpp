@@ -49,6 +49,7 @@ constexpr Key correction_keys[]{
     {"together", a_table, unset, "the table [correction.together]"},
     {"covariance", a_table, unset, "the table [correction.covariance]"},
     {"residual", a_table, unset, "the table [correction.residual]"},
+    {"trust", a_table, unset, "the table [correction.trust]"},
 };
 
 constexpr Key correction_channel_keys[]{

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "correction/numbers.h"
+#include "correction/trust.h"
 #include "record/digits.h"
 #include "record/series_channel.h"
 #include "text/number_text.h"
@@ -26,6 +27,19 @@ constexpr Key correction_together_keys[]{
 constexpr Key correction_residual_keys[]{
     {"rms_um", between(0, 1e9, "um"), is_required, "of what was left on parts that no fit saw"},
     {"correlation_time_s", between(0, 1e12, "s"), unset, "in which what was left forgets itself"},
+};
+
+constexpr Key correction_trust_keys[]{
+    {"error_um", between(0, 1e9, "um"), unset,
+     "RMS on readings that no fit saw; left out where there were none. Written by identify, "
+     "calibrate and add; export judges by this table"},
+    {"uncorrected_um", between(0, 1e9, "um"), is_required,
+     "RMS of the readings themselves, a constant taken off"},
+    {"duration_s", between(0, 1e12, "s"), is_required, "of the readings of the longest run"},
+    {"course", one_of("returns|one-way"), is_required,
+     "one-way: the readings go from one state to another once"},
+    {"judged_by", one_of("held-out|other-record"), is_required,
+     "the readings that no fit saw: parts of the record, or another one (identify --validate)"},
 };
 
 using correction::Model;
@@ -104,6 +118,7 @@ void read_correction_covariance(const Section& s, Model& m, std::vector<std::str
         "{}: [correction.covariance]: {}: no band. identify, calibrate or add find it anew",
         m.displacement->name, why));
     m.left.reset();
+    m.evidence.reset();
     return;
   }
   m.covariance = std::move(c);
@@ -113,6 +128,19 @@ correction::Left read_left(const Section& s) {
   correction::Left left{.rms = s.required("rms_um") * um};
   if (const auto time = s.number("correlation_time_s")) left.correlation_time = *time;
   return left;
+}
+
+correction::Evidence read_evidence(const Section& s) {
+  const auto word = [&](std::string_view key) {
+    if (auto value = s.choice(key)) return *value;
+    s.fail_missing(key);
+  };
+  correction::Evidence e{.uncorrected = s.required("uncorrected_um") * um,
+                         .duration = s.required("duration_s"),
+                         .one_way = word("course") == "one-way",
+                         .other_record = word("judged_by") == "other-record"};
+  if (const auto error = s.number("error_um")) e.error = *error * um;
+  return e;
 }
 
 /// To six digits, away from the middle, so that the record itself stays within.
@@ -207,12 +235,27 @@ std::string left_text(const correction::Left& left) {
   return text;
 }
 
+std::string evidence_text(const Model& m) {
+  const correction::Evidence& e = *m.evidence;
+  const auto number = [](double value) { return text::toml_float(record::with_digits(value, 6)); };
+  std::string text =
+      fmt::format("[correction.trust]  # {}\n", correction::line_of(correction::trust_of(m)));
+  if (std::isfinite(e.error)) text += fmt::format("error_um = {}\n", number(e.error / um));
+  return text + fmt::format(
+                    "uncorrected_um = {}\nduration_s = {}\ncourse = \"{}\"\n"
+                    "judged_by = \"{}\"\n",
+                    number(e.uncorrected / um), number(e.duration),
+                    e.one_way ? "one-way" : "returns",
+                    e.other_record ? "other-record" : "held-out");
+}
+
 }  // namespace
 
 std::vector<KeyTable> trust_tables() {
   return {{"correction.together", correction_together_keys},
           {"correction.covariance", covariance_keys},
-          {"correction.residual", correction_residual_keys}};
+          {"correction.residual", correction_residual_keys},
+          {"correction.trust", correction_trust_keys}};
 }
 
 void read_trust(const Section& correction, Model& model, std::vector<std::string>& notes) {
@@ -228,6 +271,8 @@ void read_trust(const Section& correction, Model& model, std::vector<std::string
   if (const auto table = part("together", correction_together_keys))
     model.together = read_together(*table);
   if (const auto table = part("residual", correction_residual_keys)) model.left = read_left(*table);
+  if (const auto table = part("trust", correction_trust_keys))
+    model.evidence = read_evidence(*table);
   if (const auto table = part("covariance", covariance_keys))
     read_correction_covariance(*table, model, notes);
 }
@@ -242,6 +287,7 @@ std::string trust_text(const Model& model) {
   if (model.together) add(together_text(*model.together));
   if (model.covariance) add(covariance_text(model));
   if (model.left) add(left_text(*model.left));
+  if (model.evidence) add(evidence_text(model));
   return text;
 }
 

@@ -46,6 +46,10 @@ text::json channel_of(const Identification& found, const correction::DrivenChann
           {"feedthrough", std::move(through)}};
 }
 
+text::json trust_object(const correction::Trust& trust) {
+  return {{"verdict", correction::name(trust.level)}, {"because", trust.because}};
+}
+
 text::json identified_object(const Identification& found) {
   text::json channels = text::json::array(), tried = text::json::array();
   for (const correction::DrivenChannel& c : found.model.channels)
@@ -73,6 +77,7 @@ text::json identified_object(const Identification& found) {
                  {"initial_state", name(found.model.initial_state)},
                  {"correlation_time_s", found.correlation_time},
                  {"whiteness_p_value", found.whiteness_p_value},
+                 {"trust", trust_object(correction::trust_of(found.model))},
                  {"warnings", nullptr}});
   text::put_notes(result, "warnings", found.messages);
   if (!found.is_bank()) return result;
@@ -109,6 +114,7 @@ text::json beyond_part(const correction::Beyond::Part& p, const record::Record& 
 text::json validation_object(const Validation& v) {
   text::json result = {{"data", v.data}};
   result.update(metrics_object(v.metrics));
+  result["uncorrected_rmse_um"] = v.uncorrected / um;
   result["rows_beyond_range"] = v.rows_beyond_range;
   return result;
 }
@@ -153,6 +159,7 @@ text::json corrected_object(const Corrected& c, const record::Record& record) {
                        {"initial_state", name(c.initial_state)},
                        {"predicted_range_um", {*low / um, *high / um}},
                        {"band", band_object(c)},
+                       {"trust", trust_object(c.trust)},
                        {"metrics", metrics_object(c.metrics)}};
   result.update(beyond_object(c.beyond, record));
   return result;

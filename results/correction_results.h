@@ -7,6 +7,7 @@
 #include "correction/identify.h"
 #include "correction/range.h"
 #include "correction/simulation.h"
+#include "correction/trust.h"
 #include "record/record.h"
 
 namespace raceway::results {
@@ -15,6 +16,7 @@ namespace raceway::results {
 struct Validation {
   std::string data{};             ///< file of the record
   correction::Metrics metrics{};  ///< one constant removed
+  double uncorrected = unset;     ///< RMS of the readings themselves, one constant removed [m]
   std::size_t rows_beyond_range = 0;
 };
 
@@ -43,6 +45,7 @@ struct Corrected {
   /// Share of the readings that lie within it and their noise, one constant removed as in the
   /// metrics.
   double readings_in_band = unset;
+  correction::Trust trust{};
 };
 
 /// time_s, predicted_um (of several displacements predicted_COLUMN), band_low_um and band_high_um

@@ -8,6 +8,7 @@
 #include "control/check_record.h"
 #include "control/formats.h"
 #include "control/table_reader.h"
+#include "correction/trust.h"
 #include "session/correction_input.h"
 #include "session/reading.h"
 #include "text/error.h"
@@ -77,6 +78,14 @@ control::ControlPlan open_plan(Messages& messages, const Source& model, const So
         {.key = "--record"});
   return control::read_control_table(model.text ? *model.text : text::read_text(model.name),
                                      model.name);
+}
+
+void require_trust(const control::ControlPlan& plan) {
+  for (const control::ControlAxis& axis : plan.axes)
+    if (axis.trust == correction::name(correction::TrustLevel::do_not_use))
+      throw text::InputError(fmt::format("{}: {}: {}. --accept-untrusted exports it all the same",
+                                         plan.source, axis.column, control::trust_line(axis)),
+                             {.file = plan.source, .key = "--accept-untrusted"});
 }
 
 ControlExport export_plan(control::ControlPlan plan, const std::string& format,

@@ -35,6 +35,10 @@ struct HalFiles {
 [[nodiscard]] control::ControlPlan open_plan(Messages& messages, const Source& model,
                                              const Source* record = nullptr);
 
+/// Refuses a plan with a displacement that is not to be used. Throws text::InputError, which says
+/// why and how to export it all the same (--accept-untrusted).
+void require_trust(const control::ControlPlan& plan);
+
 /// `format`: python, c, csv or linuxcnc. `output`: the file that it will stand in, by which C and
 /// HAL call it; empty or "-" without.
 [[nodiscard]] ControlExport export_plan(control::ControlPlan plan, const std::string& format,

@@ -48,6 +48,7 @@ results::Corrected corrected_by(const correction::Model& model, const record::Re
                             {.file = record.source}));
   if (model.left)
     result.band = correction::band_of(*subject, model, series, result.beyond).half_width();
+  result.trust = correction::trust_on(model, {}, unset, result.beyond);
   if (record.has(*model.displacement)) {
     const auto zeroed = correction::aligned(model, record, correction::Zero::mean);
     const std::span<const double> read = record.values(*model.displacement);
@@ -56,6 +57,8 @@ results::Corrected corrected_by(const correction::Model& model, const record::Re
     result.noise = std::isfinite(model.measured_std)
                        ? model.measured_std
                        : fit::noise_of_neighbours(record, *model.displacement);
+    result.trust = correction::trust_on(model, result.metrics,
+                                        correction::uncorrected_rms(model, record), result.beyond);
     if (model.left)
       result.readings_in_band = share_within(
           result.band, std::isfinite(result.noise) ? result.noise : 0.0, read, predicted);

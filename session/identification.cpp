@@ -156,9 +156,22 @@ Validated validated(const correction::Model& model, const record::Record& other)
   return {.validation = {.data = other.source,
                          .metrics = correction::metrics(other.values(*model.displacement),
                                                         fit::predict(*subject, other)),
+                         .uncorrected = correction::uncorrected_rms(model, other),
                          .rows_beyond_range = beyond.rows()},
           .warnings = notes_of(record::note::beyond_range, range_notes(model, series, beyond),
                                {.file = other.source})};
+}
+
+void judge_by(correction::Model& model, const results::Validation& other) {
+  model.evidence->error = other.metrics.rms;
+  model.evidence->uncorrected = other.uncorrected;
+  model.evidence->other_record = true;
+}
+
+std::vector<correction::Model> models_of(const std::vector<correction::Identification>& found) {
+  std::vector<correction::Model> models;
+  for (const correction::Identification& one : found) models.push_back(one.model);
+  return models;
 }
 
 std::string identified_text(const SeriesQuestion& asked,

@@ -48,6 +48,13 @@ struct Validated {
 };
 [[nodiscard]] Validated validated(const correction::Model& model, const record::Record& other);
 
+/// Makes that record what the model is judged by: see correction/trust.h. For a model that was
+/// found.
+void judge_by(correction::Model& model, const results::Validation& other);
+
+[[nodiscard]] std::vector<correction::Model> models_of(
+    const std::vector<correction::Identification>& found);
+
 /// The file of the models that were found: that which was asked with its new numbers, or of a
 /// baseline one of its own.
 [[nodiscard]] std::string identified_text(const SeriesQuestion& asked,

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "algebra/detail/decompositions.h"
+#include "tolerance/one_way.h"
 #include "tolerance/residual_course.h"
 #include "tolerance/thinned_record.h"
 #include "verdict/effect_sizes.h"
@@ -25,9 +26,7 @@ constexpr double comes_near = 1.2;       // of the error of the best
 constexpr double half_an_hour = 1800.0;  // in which what is left forgets itself [s]
 constexpr double decided = 20.0;         // lambda from which two are told apart
 constexpr double much_of_it = 0.5;       // of a mean square
-constexpr double one_way =
-    1.3;  // length of the way over its span: below it the record warms up once
-constexpr double surely_better = 0.95;  // of the held-out error
+constexpr double surely_better = 0.95;   // of the held-out error
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 constexpr std::size_t costly_members = 4;  // of pairs: the best singles
 
@@ -142,7 +141,7 @@ class Inquiry {
                       count, channel().channel->words, count, least));
     bool all_go_one_way = true;
     for (std::size_t c = 0; c < channels_.size(); ++c)
-      all_go_one_way = all_go_one_way && goes_one_way(c);
+      all_go_one_way = all_go_one_way && goes_one_way(recorded_.means, c);
     if (all_go_one_way)
       throw std::invalid_argument(
           "this record cannot validate a model: it goes from one state to another once, so that no "
@@ -156,25 +155,6 @@ class Inquiry {
     for (const fit::Means::Mean& mean : recorded_.means.list)
       if (mean.channel == channel) means.list.push_back(mean);
     return means;
-  }
-
-  /// The way that the readings of a channel go is hardly longer than their span.
-  [[nodiscard]] bool goes_one_way(std::size_t channel) const {
-    constexpr std::size_t stretches = 60;
-    const std::vector<fit::Means::Mean> list = means_of_channel(channel).list;
-    if (list.empty()) return true;
-    std::vector<double> smooth;
-    for (std::size_t k = 0; k < stretches; ++k) {
-      const std::size_t begin = k * list.size() / stretches,
-                        end = (k + 1) * list.size() / stretches;
-      double sum = 0.0;
-      for (std::size_t i = begin; i < end; ++i) sum += list[i].measured;
-      if (end > begin) smooth.push_back(sum / static_cast<double>(end - begin));
-    }
-    double way = 0.0;
-    for (std::size_t k = 1; k < smooth.size(); ++k) way += std::abs(smooth[k] - smooth[k - 1]);
-    const auto [low, high] = std::minmax_element(smooth.begin(), smooth.end());
-    return way < one_way * (*high - *low);
   }
 
   void describe() {

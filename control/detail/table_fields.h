@@ -61,7 +61,9 @@ inline constexpr std::array axis_numbers{
 inline constexpr std::array axis_texts{
     TextField<ControlAxis>{"name", &ControlAxis::name},
     TextField<ControlAxis>{"axis", &ControlAxis::letter, " x y z u v w "},
-    TextField<ControlAxis>{"output", &ControlAxis::output}};
+    TextField<ControlAxis>{"output", &ControlAxis::output},
+    TextField<ControlAxis>{"trust", &ControlAxis::trust, " good within-range do-not-use "},
+    TextField<ControlAxis>{"trust_because", &ControlAxis::trust_because}};
 
 inline constexpr std::array section_numbers{
     NumberField<ControlSection>{"gain", &ControlSection::gain, "u", true},

@@ -14,14 +14,14 @@ namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> trust_tables();
 
-/// [correction.together], [correction.covariance] and [correction.residual] into a model whose
-/// numbers were read. Where the covariance is of other numbers, both are left out, and a note says
-/// of which.
+/// Reads [correction.together], [correction.covariance], [correction.residual] and
+/// [correction.trust] into a model whose numbers were read. Where the covariance is of other
+/// numbers, all but the first are left out, and a note says which number differs.
 void read_trust(const Section& correction, correction::Model& model,
                 std::vector<std::string>& notes);
 
-/// The tables [correction.range], .together, .covariance and .residual, those that the model has,
-/// each with a blank line before it but for the first.
+/// The tables [correction.range], .together, .covariance, .residual and .trust, those that the
+/// model has, each with a blank line before it but for the first.
 [[nodiscard]] std::string trust_text(const correction::Model& model);
 
 }  // namespace raceway::files

@@ -9,6 +9,7 @@
 
 #include "correction/numbers.h"
 #include "correction/simulation.h"
+#include "correction/trust.h"
 #include "files/displacement_curve.h"
 #include "python/engine/answer.h"
 #include "session/control_export.h"
@@ -29,12 +30,14 @@ session::SeriesQuestion ask(Heard& heard, const EngineCorrection& correction, co
 }
 
 void fill_validations(EngineAnswer& answer, std::vector<results::Validation>& list, Heard& heard,
-                      const std::vector<correction::Model>& models, const Data& validate,
+                      std::vector<correction::Identification>& found, const Data& validate,
                       const files::ReadOptions& options) {
   if (!validate) return;
-  const record::Record other = session::open_series(heard, *validate, models, options);
-  for (const correction::Model& model : models) {
-    session::Validated one = session::validated(model, other);
+  const record::Record other =
+      session::open_series(heard, *validate, session::models_of(found), options);
+  for (correction::Identification& of : found) {
+    session::Validated one = session::validated(of.model, other);
+    session::judge_by(of.model, one.validation);
     list.push_back(std::move(one.validation));
     append(answer.warnings, std::move(one.warnings));
   }
@@ -59,18 +62,16 @@ EngineAnswer identified(Heard& heard, const EngineCorrection& correction, const 
                         const session::Reading& reading) {
   session::SeriesQuestion asked = ask(heard, correction, data, reading);
   std::vector<correction::Identification> found;
-  std::vector<correction::Model> models;
   EngineAnswer answer;
   for (const correction::Model& model : asked.file.models) {
     found.push_back(session::identified(heard, asked, model, choices));
-    models.push_back(found.back().model);
     append(answer.warnings, found.back().messages);
   }
   std::vector<results::Validation> validations;
-  fill_validations(answer, validations, heard, models, validate,
+  fill_validations(answer, validations, heard, found, validate,
                    reading.options(asked.file.columns));
   answer.json = results::identification_json(asked.file.source, asked.data, found, validations);
-  answer.fitted.texts = {session::identified_text(asked, models, choices)};
+  answer.fitted.texts = {session::identified_text(asked, session::models_of(found), choices)};
   return answer;
 }
 
@@ -152,11 +153,12 @@ EngineAnswer learn(const EngineCorrection& correction, const Data& data, const s
 /// The text, with what is to be known of it, and the lines of HAL that go with it. `record`: one or
 /// none.
 py::tuple export_correction(const EngineCorrection& correction, const std::string& format,
-                            const std::string& output, const Data& record) {
+                            const std::string& output, const Data& record, bool accept_untrusted) {
   session::require_control_name(format, output);
   Heard heard;
-  const session::ControlExport made = session::export_plan(
-      session::open_plan(heard, correction.source(), record.get()), format, output);
+  control::ControlPlan plan = session::open_plan(heard, correction.source(), record.get());
+  if (!accept_untrusted) session::require_trust(plan);
+  const session::ControlExport made = session::export_plan(std::move(plan), format, output);
   return py::make_tuple(made.text, notes_of(record::note::exported, made.plan.notes), made.hal,
                         made.hal_shutdown);
 }
@@ -200,6 +202,14 @@ py::list EngineCorrection::parameters() const {
   return list;
 }
 
+py::dict EngineCorrection::trust() const {
+  py::dict of;
+  for (const correction::Model& model : file_.models)
+    of[py::str(std::string(model.displacement->name))] =
+        correction::line_of(correction::trust_of(model));
+  return of;
+}
+
 py::list EngineCorrection::inputs() const {
   std::vector<std::string> names;
   for (const correction::Model& model : file_.models)
@@ -221,7 +231,8 @@ void bind_correction(py::module_& module) {
                                return names;
                              })
       .def_property_readonly("inputs", &EngineCorrection::inputs)
-      .def("parameters", &EngineCorrection::parameters);
+      .def("parameters", &EngineCorrection::parameters)
+      .def("trust", &EngineCorrection::trust);
   module.def("identify", &identify);
   module.def("correct", &correct);
   module.def("learn", &learn);

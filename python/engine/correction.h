@@ -28,6 +28,8 @@ class EngineCorrection final : public EngineFile {
   [[nodiscard]] py::list parameters() const;
   /// Columns that a record needs.
   [[nodiscard]] py::list inputs() const;
+  /// The line of trust of each displacement.
+  [[nodiscard]] py::dict trust() const;
 
  private:
   files::CorrectionFile file_;

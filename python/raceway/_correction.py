@@ -72,6 +72,15 @@ class Correction(LoopModel):
             for p in self._engine.parameters()
         }
 
+    @property
+    def trust(self) -> dict[str, str]:
+        """How far each displacement may be trusted, by what is known of readings that no fit saw.
+
+        ``"good"``, ``"inside its range only: ..."``, ``"do not use, because ..."`` or, of a file
+        that does not say it, ``"not known: ..."``.
+        """
+        return self._engine.trust()
+
     def identify(
         self,
         record: Record,
@@ -176,7 +185,15 @@ class Correction(LoopModel):
         warn(answer.warnings)
         return CorrectionRun(answer, self._fitted(answer, ", learnt").get(""))
 
-    def export(self, format: str, path: str | os.PathLike[str] | None = None, *, record: Record | None = None, overwrite: bool = False) -> Program:
+    def export(
+        self,
+        format: str,
+        path: str | os.PathLike[str] | None = None,
+        *,
+        record: Record | None = None,
+        accept_untrusted: bool = False,
+        overwrite: bool = False,
+    ) -> Program:
         """Return it as a program that runs on a control without this package, and write that to `path`.
 
         Parameters
@@ -188,12 +205,19 @@ class Correction(LoopModel):
             By its name functions of C and components are called.
         record : Record, optional
             Of which the first run is stored in the file, for its own check; without it one that is made up.
+        accept_untrusted : bool
+            Export a correction that is not to be used, too: see `trust`.
+
+        Raises
+        ------
+        InputError
+            A displacement whose `trust` is "do not use, because ...", unless it is accepted.
         """
         if format not in FORMATS:
             raise ValueError(f"format = {format!r}: must be python, c, csv or linuxcnc")
         output = "" if path is None else os.fspath(path)
         stored = None if record is None else record._data
-        program = Program(format, *_engine.export_correction(self._engine, format, output, stored))
+        program = Program(format, *_engine.export_correction(self._engine, format, output, stored, accept_untrusted))
         if path is not None:
             program.save(path, overwrite=overwrite)
         return program

@@ -52,6 +52,7 @@ _ARGUMENTS = {
     "--channel": "channel",
     "--per-record": "per_record",
     "--zero": "zero",
+    "--accept-untrusted": "accept_untrusted=True",
 }
 
 

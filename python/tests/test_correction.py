@@ -228,6 +228,26 @@ def test_export(command, tmp_path, format):
         correction.export(format, ours)
 
 
+def test_trust(command, tmp_path):
+    """Of 4 h in which the machine warms up it is not exported, as the command says it."""
+    correction, record = read(EXACT)
+    assert correction.trust["displacement_z_um"].startswith("not known: ")
+    found = correction.identify(record, until_s=4 * 3600, order=1)
+    line = found.correction.trust["displacement_z_um"]
+    assert found.data["trust"]["verdict"] == "do-not-use"
+    assert line == "do not use, because " + found.data["trust"]["because"]
+    model = tmp_path / "found.toml"
+    model.write_text(found.correction.text)
+    with pytest.raises(raceway.InputError, match=r"accept_untrusted=True exports it all the same") as refused:
+        found.correction.export("csv")
+    assert line.split("(identify")[0] in str(refused.value)
+    table = str(found.correction.export("csv", accept_untrusted=True))
+    assert "Trust in displacement_z_um: do not use" in table
+    whole = correction.identify(record).correction
+    assert whole.trust == {"displacement_z_um": "good"}
+    assert whole.export("c").text
+
+
 def test_export_with_a_record(tmp_path):
     correction, record = read(EXACT)
     program = correction.export("python", tmp_path / "z.py", record=record)

@@ -1,0 +1,169 @@
+#include "correction/trust.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "correction/alignment.h"
+#include "record/series_channel.h"
+#include "record/units.h"
+#include "tolerance/approximation.h"
+#include "tolerance/one_way.h"
+#include "tolerance/thinned_record.h"
+
+namespace raceway::correction {
+namespace {
+
+constexpr double half_of_the_square = 0.7071;  // of an RMS
+constexpr double a_quarter = 0.25;
+constexpr double three_of_them = 3.0;  // after which a lag has all but arrived
+
+Model without_correction(const Model& model) {
+  return {.name = model.name,
+          .displacement = model.displacement,
+          .tolerance = model.tolerance,
+          .measured_std = model.measured_std};
+}
+
+/// From the first to the last reading of the run where that is longest [s].
+double duration_of_readings(const Model& model, const record::Record& record) {
+  const std::span<const double> time = record.values(record::time),
+                                read = record.values(*model.displacement);
+  double longest = 0.0, first = unset;
+  for (std::size_t k = 0; k < read.size(); ++k) {
+    if (k > 0 && record.run_of(k) != record.run_of(k - 1)) first = unset;
+    if (!std::isfinite(read[k])) continue;
+    if (std::isnan(first)) first = time[k];
+    longest = std::max(longest, time[k] - first);
+  }
+  return longest;
+}
+
+struct Slowest {
+  std::string channel{};
+  double time_constant = 0.0;
+};
+
+Slowest slowest_of(const Model& model) {
+  Slowest slowest;
+  for (const DrivenChannel& c : model.channels)
+    for (const Section& s : c.sections)
+      if (s.time_constant > slowest.time_constant) slowest = {c.name, s.time_constant};
+  return slowest;
+}
+
+std::string in_um(double value) { return fmt::format("{:.3g} um", value / um); }
+std::string in_h(double value) { return fmt::format("{:.3g} h", value / 3600.0); }
+
+std::string errs_by(const Evidence& e) {
+  return fmt::format("{} it errs by {}",
+                     e.other_record ? "on another record" : "on parts that no fit saw",
+                     in_um(e.error));
+}
+
+/// More of the mean square is left than is taken.
+bool leaves_most(double error, double uncorrected) {
+  return error > half_of_the_square * uncorrected;
+}
+
+}  // namespace
+
+std::string_view name(TrustLevel level) {
+  switch (level) {
+    case TrustLevel::good:
+      return "good";
+    case TrustLevel::within_range:
+      return "within-range";
+    case TrustLevel::do_not_use:
+      return "do-not-use";
+    case TrustLevel::unknown:
+      break;
+  }
+  return "unknown";
+}
+
+std::string line_of(const Trust& trust) {
+  switch (trust.level) {
+    case TrustLevel::good:
+      return "good";
+    case TrustLevel::within_range:
+      return "inside its range only: " + trust.because;
+    case TrustLevel::do_not_use:
+      return "do not use, because " + trust.because;
+    case TrustLevel::unknown:
+      break;
+  }
+  return "not known: " + trust.because;
+}
+
+double uncorrected_rms(const Model& model, const record::Record& record) {
+  const auto subject = aligned(without_correction(model), record, Zero::mean);
+  return metrics(record.values(*model.displacement), fit::predict(*subject, record)).rms;
+}
+
+Evidence evidence_on(const Model& model, const record::Record& record, double error) {
+  const auto subject = aligned(without_correction(model), record, Zero::none);
+  const tolerance::Recorded recorded = tolerance::recorded(
+      *subject, tolerance::for_search(std::make_shared<const record::Record>(record)),
+      tolerance::usual_width(record));
+  return {.error = error,
+          .uncorrected = uncorrected_rms(model, record),
+          .duration = duration_of_readings(model, record),
+          .one_way = tolerance::goes_one_way(recorded.means, 0)};
+}
+
+Trust trust_of(const Model& model) {
+  if (!model.evidence)
+    return {TrustLevel::unknown,
+            "the model does not say how it does on readings that no fit saw; identify, calibrate "
+            "and add write that into it"};
+  const Evidence& e = *model.evidence;
+  const Slowest slowest = slowest_of(model);
+  const auto refused = [](std::string because) {
+    return Trust{TrustLevel::do_not_use, std::move(because)};
+  };
+  const auto limited = [](std::string because) {
+    return Trust{TrustLevel::within_range, std::move(because)};
+  };
+  if (std::isnan(e.error)) return refused("no part of its record could be held out to judge it by");
+  if (!e.other_record && e.one_way)
+    return refused(
+        "its record goes from one state to another once, and so says nothing of another day: "
+        "record a cool-down with it, or judge it by another record (identify --validate)");
+  if (!e.other_record && slowest.time_constant > e.duration)
+    return refused(fmt::format("a time constant of {} is {}, longer than the {} of its readings",
+                               slowest.channel, in_h(slowest.time_constant), in_h(e.duration)));
+  if (leaves_most(e.error, e.uncorrected))
+    return refused(
+        fmt::format("{}, and without it the displacement is {}", errs_by(e), in_um(e.uncorrected)));
+  if (!e.other_record && three_of_them * slowest.time_constant > e.duration)
+    return limited(
+        fmt::format("a time constant of {} is {}, and the {} of its readings are shorter than "
+                    "three of them",
+                    slowest.channel, in_h(slowest.time_constant), in_h(e.duration)));
+  if (std::isfinite(model.tolerance)) {
+    if (e.error > model.tolerance)
+      return limited(fmt::format("{}, of {} tolerated", errs_by(e), in_um(model.tolerance)));
+  } else if (e.error > a_quarter * e.uncorrected) {
+    return limited(
+        fmt::format("{}, and without it the displacement is {}", errs_by(e), in_um(e.uncorrected)));
+  }
+  return {TrustLevel::good, {}};
+}
+
+Trust trust_on(const Model& model, const Metrics& errors, double uncorrected,
+               const Beyond& beyond) {
+  if (leaves_most(errors.rms, uncorrected))
+    return {TrustLevel::do_not_use,
+            fmt::format("on this record it errs by {}, and without it the displacement is {}",
+                        in_um(errors.rms), in_um(uncorrected))};
+  Trust trust = trust_of(model);
+  if (trust.level == TrustLevel::good && beyond.rows() > 0)
+    trust = {TrustLevel::within_range,
+             fmt::format("{} of the {} rows are beyond it", beyond.rows(), beyond.at_row.size())};
+  return trust;
+}
+
+}  // namespace raceway::correction
