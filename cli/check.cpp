@@ -10,12 +10,9 @@
 #include "cli/messages.h"
 #include "cli/shared_flags.h"
 #include "cli/text_table.h"
-#include "files/subject.h"
-#include "files/suggest_columns.h"
 #include "results/record_text.h"
 #include "results/results.h"
 #include "session/loop.h"
-#include "session/open_input.h"
 #include "text/error.h"
 #include "text/number_text.h"
 #include "text/output_file.h"
@@ -69,22 +66,33 @@ void print(const loop::Check& c, const record::Record& data) {
                                     : "testable");
 }
 
-/// A map of the columns of the file on stdout.
-int suggest(const std::string& model, const std::string& path) {
-  if (path.ends_with(".toml"))
-    throw text::InputError(path + ": stands where measurements (CSV) are expected", {.file = path});
-  const files::ModelFile file =
-      session::open_model(messages(), model, session::Accepts::rig_or_shaft);
-  fmt::print("{}", files::suggested_columns(path, *files::make_subject(file.model)));
-  return done;
-}
-
 struct CheckFlags {
   std::string model, data, output;
   session::LoopOptions loop{.defaults = session::Defaults::keep};
   CsvStyle csv;
   bool json = false, suggest = false, force = false;
 };
+
+/// A map of the columns of the file, on stdout or in a file.
+int suggest(const CheckFlags& flags) {
+  if (flags.data.empty())
+    throw text::InputError("raceway check: --suggest-columns needs DATA, whose columns it proposes",
+                           {.key = "--suggest-columns"});
+  const bool to_file = !flags.output.empty() && flags.output != "-";
+  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  if (to_file) text::require_writable(flags.output, if_exists);
+  session::LoopOptions options = flags.loop;
+  options.defaults = session::Defaults::count;
+  const std::string map =
+      session::suggested_columns(messages(), flags.model, flags.data, std::move(options));
+  if (!to_file) {
+    fmt::print("{}", map);
+    return done;
+  }
+  text::write_text(flags.output, map, if_exists);
+  say(flags.output + " written");
+  return done;
+}
 
 /// What the model leaves to the program.
 void print_defaults(const std::string& source, const std::vector<files::UsedDefault>& defaults) {
@@ -160,7 +168,8 @@ Run setup_check(CLI::App& command) {
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command
       .add_option("-o,--output", flags->output,
-                  "the rows as they were read, in our columns (CSV);\nof a coast-down its torques")
+                  "the rows as they were read, in our columns (CSV), of a coast-down its\n"
+                  "torques; with --suggest-columns the table [columns]")
       ->type_name("FILE");
   flags->csv.declare(command);
   command.add_flag("--force", flags->force, "replace the file if it exists");
@@ -170,10 +179,10 @@ Run setup_check(CLI::App& command) {
       ->excludes("--json");
   command.footer(
       "Example:\n  raceway check my.toml\n  raceway check my.toml rig.csv\n"
-      "  raceway check my.toml export.csv --suggest-columns > map.toml\n"
+      "  raceway check my.toml export.csv --suggest-columns -o map.toml\n"
       "  raceway check my.toml export.csv --columns map.toml");
   return [flags] {
-    if (flags->suggest) return suggest(flags->model, flags->data);
+    if (flags->suggest) return suggest(*flags);
     return run(*flags);
   };
 }

@@ -387,6 +387,30 @@ std::optional<std::string> swapped_columns(const model::ModelSubject& subject, c
   return best;
 }
 
+/// The temperature of the model for all rows, where a ring was read at others.
+std::optional<std::string> unused_temperature(const model::ModelSubject& subject,
+                                              const Record& data) {
+  constexpr double much = 5.0;  // [K]
+  const auto defaults = subject.expected().defaults;
+  const auto of_model = std::find_if(defaults.begin(), defaults.end(), [](const auto& d) {
+    return *d.channel == record::temperature;
+  });
+  if (of_model == defaults.end() || std::isnan(of_model->value)) return std::nullopt;
+  const auto [coolest, warmest] = range_of_values(data.values(record::temperature));
+  if (coolest != of_model->value || warmest != of_model->value) return std::nullopt;
+  for (const Channel* ring : {&record::outer_ring_temperature, &record::inner_ring_temperature}) {
+    if (!data.has(*ring)) continue;
+    const auto [lower, upper] = range_of_values(data.values(*ring));
+    if (!(std::max(std::abs(lower - coolest), std::abs(upper - coolest)) > much)) continue;
+    return fmt::format(
+        "the viscosity of all rows is that at {0:.4g} C, from {1}, and {2} goes from {3:.4g} to "
+        "{4:.4g} C: if that is the temperature of the lubricant, name its column {5}",
+        record::temperature.in_unit(coolest), of_model->from, ring->name, ring->in_unit(lower),
+        ring->in_unit(upper), record::temperature.name);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<Doubt> doubts(const model::ModelSubject& subject, const Record& all) {
@@ -412,6 +436,7 @@ std::vector<Doubt> doubts(const model::ModelSubject& subject, const Record& all)
     if (found.empty() && !subject.model().shaft) add(unit_of_speed(subject, data, ratio));
   }
   add_text(sign_of_readings(channel, ratio));
+  add_text(unused_temperature(subject, data));
   return found;
 }
 

@@ -8,6 +8,7 @@
 
 #include "effects/formula.h"
 #include "files/subject.h"
+#include "files/suggest_columns.h"
 #include "fit/several_records.h"
 #include "model/corrected_data.h"
 #include "model/parameters.h"
@@ -225,6 +226,10 @@ class BearingInLoop final : public LoopModel {
 
   std::optional<correction::RecordCheck> over_time(const record::Record&) const override {
     return std::nullopt;
+  }
+
+  std::string suggested_columns(const Source& data) const override {
+    return files::suggested_columns(data, *files::make_subject(file_.model));
   }
 
   std::string page(const record::Record& data, const verdict::Diagnosis& found) const override {

@@ -9,6 +9,7 @@
 #include "correction/correction_subject.h"
 #include "correction/phases.h"
 #include "correction/series.h"
+#include "files/suggest_columns.h"
 #include "report/record_report.h"
 #include "session/correction_input.h"
 #include "text/error.h"
@@ -116,6 +117,10 @@ class CorrectionInLoop final : public LoopModel {
 
   std::optional<correction::RecordCheck> over_time(const record::Record& data) const override {
     return correction::check_record(model(), data);
+  }
+
+  std::string suggested_columns(const Source& data) const override {
+    return files::suggested_columns(data, file_.models);
   }
 
   std::string page(const record::Record& data, const verdict::Diagnosis& found) const override {

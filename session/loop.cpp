@@ -170,6 +170,16 @@ ComparedModels compare(Messages& messages, const std::vector<Source>& models,
     result.names.push_back(source);
     result.models.push_back(with_data(source, result.data, [&] {
       return model->compared(messages, result.data, how, options.per_record);
+std::string suggested_columns(Messages& messages, const Source& model, const Source& data,
+                              LoopOptions options) {
+  if (data.name.ends_with(".toml"))
+    throw text::InputError(data.name + ": stands where measurements (CSV) are expected",
+                           {.file = data.name});
+  const std::unique_ptr<LoopModel> opened =
+      open_any_correction(messages, model, std::move(options));
+  return opened->suggested_columns(data);
+}
+
     }));
   }
   // The noise is that of the data: one for all models, by the last.

@@ -72,6 +72,11 @@ struct ComparedModels {
                                      const std::vector<Source>& data, const CompareOptions& how,
                                      const LoopOptions& options);
 
+/// A table [columns] (TOML) that proposes which columns of somebody else's file are which of ours;
+/// of a file with several corrections for all of them.
+[[nodiscard]] std::string suggested_columns(Messages& messages, const Source& model,
+                                            const Source& data, LoopOptions options);
+
 /// What a record can tell of a model.
 struct CheckedModel {
   LoopModel::About model{};

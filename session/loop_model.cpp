@@ -84,6 +84,14 @@ verdict::Calibration refitted(Messages& messages, const fit::Subject& subject,
   return found;
 }
 
+std::unique_ptr<LoopModel> open_any_correction(Messages& messages, const Source& file,
+                                               LoopOptions options) {
+  const files::ModelParts parts = parts_of(file);
+  if (options.channel.empty() && !parts.bearing && parts.displacements.size() > 1)
+    options.channel = parts.displacements.front();
+  return open_loop_model(messages, file, options);
+}
+
 std::unique_ptr<LoopModel> open_loop_model(Messages& messages, const Source& file,
                                            const LoopOptions& options, std::size_t place) {
   return part_of(parts_of(file), file, options) == Part::correction

@@ -123,6 +123,9 @@ class LoopModel {
   [[nodiscard]] virtual std::optional<correction::RecordCheck> over_time(
       const record::Record& data) const = 0;
 
+  /// Which columns of somebody else's file may be which of ours, as a table [columns].
+  [[nodiscard]] virtual std::string suggested_columns(const Source& data) const = 0;
+
   /// The report, as one page.
   [[nodiscard]] virtual std::string page(const record::Record& data,
                                          const verdict::Diagnosis& found) const = 0;
@@ -154,5 +157,9 @@ class LoopModel {
 [[nodiscard]] std::unique_ptr<LoopModel> open_loop_model(Messages& messages, const Source& file,
                                                          const LoopOptions& options,
                                                          std::size_t place = 0);
+
+/// The same for a question that all corrections of a file answer alike: of several the first.
+[[nodiscard]] std::unique_ptr<LoopModel> open_any_correction(Messages& messages, const Source& file,
+                                                             LoopOptions options);
 
 }  // namespace raceway::session

@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "files/subject.h"
-#include "files/suggest_columns.h"
 #include "python/engine/answer.h"
 #include "python/engine/file.h"
 #include "python/engine/interruptible.h"
@@ -181,8 +180,10 @@ void bind_loop(py::module_& module) {
   module.def("add", &add);
   module.def("check", &check);
   module.def("predict", &predict);
-  module.def("suggest_columns", [](const EngineModel& model, const Data& data) {
-    return files::suggested_columns(*data, *files::make_subject(model.file().model));
+  module.def("suggest_columns", [](const EngineFile& model, const Data& data) {
+    Heard heard;
+    return session::suggested_columns(heard, model.source(), *data,
+                                      {.part = model.part(), .defaults = session::Defaults::keep});
   });
 }
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any, TypeAlias
 
 from . import _engine
-from ._errors import NotConverged
+from ._errors import NotConverged, in_python
 from ._from_file import FromFile
 from ._given import name_list, seconds, tolerance_text, warn
 from ._record import Record
@@ -54,6 +54,19 @@ class LoopModel(FromFile):
     def _fitted(self, answer: _engine.Answer, fitted: str) -> dict[str, Any]:
         """Models that a fit found, by record; one without name where it holds for all."""
         raise NotImplementedError
+
+    def suggest_columns(self, record: Record) -> str:
+        """Propose which columns of a record are which of ours, by their words and units.
+
+        Returns
+        -------
+        str
+            A table ``[columns]`` (TOML) for the argument `columns` of `Record`; what was not found
+            stands in it as a comment.
+        """
+        if not isinstance(record, Record):
+            raise TypeError(f"a raceway.Record is wanted, not {type(record).__name__}")
+        return in_python(_engine.suggest_columns(self._engine, record._data))
 
     def compare(
         self,

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from . import _engine
 from ._effect import Effect
-from ._errors import InputError, in_python
+from ._errors import InputError
 from ._given import arrays as _arrays
 from ._given import axis as _axis
 from ._given import name_list, text_of, value_of
@@ -277,19 +277,6 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         )
         _warn(curve.warnings)
         return Displacement(curve)
-
-    def suggest_columns(self, record: Record) -> str:
-        """Propose which columns of a record are which of ours, by their words and units.
-
-        Returns
-        -------
-        str
-            A table ``[columns]`` (TOML) for the argument `columns` of `Record`; what was not found
-            stands in it as a comment.
-        """
-        if not isinstance(record, Record):
-            raise TypeError(f"a raceway.Record is wanted, not {type(record).__name__}")
-        return in_python(_engine.suggest_columns(self._engine, record._data))
 
     def predict(self, record: Records, *, band: bool = False) -> Any:
         """Return what the model says of every row of a record, as a pandas.DataFrame.

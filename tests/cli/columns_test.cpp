@@ -1,4 +1,6 @@
 // Files of other programs, from their columns to a verdict.
+#include <fmt/format.h>
+
 #include "tests/cli/sample.h"
 #include "tests/places.h"
 
@@ -241,6 +243,36 @@ TEST(Columns, ATableGoesOutForOtherPrograms) {
   EXPECT_EQ(run_shell(at + "--plot t.svg").status, 0);
   EXPECT_THAT(file_text(folder.path() / "t.svg"), testing::StartsWith("<svg "));
   expect_refused(run_shell(at + "--format plain"), "--output is missing");
+}
+
+/// From a machine's own export to a correction, and no file by hand.
+TEST(Columns, OfARecordOverTimeAreProposedForACorrection) {
+  const ScratchFolder folder;
+  const std::string at = "cd '" + folder.path().string() + "'; ";
+  folder.write("bare.toml", "[correction]\ndisplacement = \"displacement_z_um\"\n");
+  std::string rows = "Zeit [min];T Lager [\u00b0C];Verlagerung Z [mm]\n";
+  for (int k = 0; k < 90; ++k) {
+    const double t = 2.0 * k, rise = t < 60 || t > 120 ? 0.0 : 8.0;
+    rows += fmt::format("{};{:.2f};{:.5f}\n", t, 20 + rise + 0.1 * (k % 3), 1e-3 * rise);
+  }
+  folder.write("machine.csv", rows);
+  const Result written =
+      run_shell(at + "$raceway check bare.toml machine.csv --suggest-columns -o map.toml");
+  ASSERT_EQ(written.status, 0) << written.err;
+  EXPECT_EQ(written.out, "");
+  EXPECT_THAT(written.err, HasSubstr("map.toml written"));
+  EXPECT_THAT(
+      file_text(folder.file("map.toml")),
+      HasSubstr("\ndisplacement_z_um = { column = \"Verlagerung Z [mm]\", unit = \"mm\" }\n"));
+  EXPECT_EQ(file_text(folder.file("map.toml")),
+            run_shell(at + "$raceway check bare.toml machine.csv --suggest-columns").out);
+  const Result check = run_shell(at + "$raceway check bare.toml machine.csv --columns map.toml");
+  EXPECT_EQ(check.status, 0) << check.err;
+  EXPECT_THAT(check.out, HasSubstr("90 rows of displacement z"));
+  expect_refused(
+      run_shell(at + "$raceway check bare.toml machine.csv --suggest-columns -o map.toml"),
+      "--force");
+  expect_refused(run_shell(at + "$raceway check bare.toml --suggest-columns"), "needs DATA");
 }
 
 }  // namespace

@@ -111,6 +111,20 @@ TEST(Doubts, LoadsAndSpeedsInOtherUnitsAreNamed) {
   EXPECT_THAT(after([](Row& r) { r.speed *= 9.5493; }), ElementsAre(HasSubstr("rad/s or 1/s?")));
 }
 
+/// A lone column of the outer ring leaves the viscosity to the model.
+TEST(Doubts, ATemperatureThatTheViscosityDoesNotFollowIsNamed) {
+  const auto rows = [](const std::string& column, double warmer) {
+    std::string text = fmt::format("speed_rpm,axial_load_N,{},friction_torque_Nmm\n", column);
+    for (const Row& r : rows_of_a_rig())
+      text += fmt::format("{},{},{},{}\n", r.speed, r.load, r.temperature + warmer, r.torque);
+    return texts_of(text);
+  };
+  EXPECT_THAT(rows("outer_ring_temperature_C", 20),
+              ElementsAre(HasSubstr("the viscosity of all rows is that at 40 C, from [rig], and "
+                                    "outer_ring_temperature_C goes from 50 to 65 C")));
+  EXPECT_THAT(rows("temperature_C", 0), IsEmpty());
+}
+
 TEST(Doubts, SwappedColumnsAreNamed) {
   EXPECT_THAT(after([](Row& r) { std::swap(r.speed, r.torque); }),
               ElementsAre("columns speed_rpm and friction_torque_Nmm look swapped"));

@@ -1,0 +1,172 @@
+#include "files/detail/column_proposal.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "record/series_channel.h"
+#include "text/missing_cell.h"
+#include "text/names.h"
+#include "text/timestamp.h"
+
+namespace raceway::files {
+namespace {
+
+using record::Role;
+
+constexpr std::size_t for_a_unit = 20, for_a_date = 10;
+
+bool all_cells(const text::CsvTable& table, std::size_t column, auto&& holds) {
+  bool any = false;
+  for (std::size_t row = 0; row < std::min<std::size_t>(table.rows(), 20); ++row) {
+    const std::string cell = table.shown(row, column);
+    if (text::is_missing(cell)) continue;
+    if (!holds(cell)) return false;
+    any = true;
+  }
+  return any;
+}
+
+text::ParsedNumber number_in(const text::CsvTable& table, std::string_view cell) {
+  return text::parse_number(cell, table.separator != ',');
+}
+
+/// Times rise, but for the few places where a run begins anew.
+bool can_be_times(const std::vector<double>& values) {
+  if (values.size() < 2) return true;
+  constexpr double nearly_all = 0.8;
+  std::size_t up = 0;
+  for (std::size_t k = 1; k < values.size(); ++k) up += values[k] > values[k - 1] ? 1 : 0;
+  return static_cast<double>(up) >= nearly_all * static_cast<double>(values.size() - 1);
+}
+
+/// In C, K or F.
+bool can_be_temperatures(const std::vector<double>& values) {
+  constexpr double coldest_of_all = -80.0, hottest_of_all = 600.0;
+  const auto at = [](std::vector<double> list, double share) {
+    const auto place =
+        list.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(list.size() - 1));
+    std::nth_element(list.begin(), place, list.end());
+    return *place;
+  };
+  // A few readings that are none do not count.
+  return values.empty() || (at(values, 0.1) > coldest_of_all && at(values, 0.9) < hottest_of_all);
+}
+
+/// t is a time and T a temperature, where a column could be either.
+bool has_its_letter(std::string_view name, const record::Channel& channel) {
+  return (name == "t" && channel.role == Role::time) ||
+         (name == "T" && record::is_temperature(channel));
+}
+
+std::string line_of(const text::CsvTable& table, const ColumnProposal& p) {
+  const std::string header = text::in_quotes(table.header[p.column]);
+  if (p.has_our_name) return fmt::format("# {} has our name already", header);
+  const text::Unit* const own = unit_of(*p.channel);
+  if (p.excel_date)
+    return fmt::format("{} = {{ column = {}, unit = \"excel\" }}", p.channel->name, header);
+  if (p.stamped || !own) return fmt::format("{} = {}", p.channel->name, header);
+  if (!p.unknown_unit.empty())
+    return fmt::format(
+        "# {} = {{ column = {}, unit = \"...\" }}  # the file has {}, which is not known: {}?",
+        p.channel->name, header, text::in_quotes(p.unknown_unit),
+        text::listed_units(own->dimension));
+  // A unit that stands here counts as said by the user, and is not asked about again.
+  if (!p.unit)
+    return fmt::format("{} = {}  # no unit in the file: read in {}", p.channel->name, header,
+                       own->suffix);
+  return fmt::format("{} = {{ column = {}, unit = \"{}\" }}", p.channel->name, header,
+                     p.unit->suffix);
+}
+
+}  // namespace
+
+std::string plain_name(std::string_view header) {
+  std::string result = text::lower_case(text::header_parts(header).name);
+  for (char& c : result)
+    if (c == ' ' || c == '-' || c == '.' || c == ',') c = '_';
+  return result;
+}
+
+std::size_t longest_word_in(std::string_view name, std::string_view words) {
+  std::size_t longest = 0;
+  for (std::size_t begin = 0; begin < words.size();) {
+    const std::size_t end = std::min(words.find(' ', begin), words.size());
+    const std::string_view word = words.substr(begin, end - begin);
+    begin = end + 1;
+    const std::size_t at = name.find(word);
+    if (at == name.npos || word.size() <= longest) continue;
+    const bool alone = (at == 0 || name[at - 1] == '_') &&
+                       (at + word.size() == name.size() || name[at + word.size()] == '_');
+    if (word.size() > 2 || alone) longest = word.size();
+  }
+  return longest;
+}
+
+std::vector<double> numbers_in(const text::CsvTable& table, std::size_t column) {
+  std::vector<double> list;
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    if (const text::ParsedNumber n = number_in(table, table.shown(row, column));
+        n.problem.empty() && std::isfinite(n.value))
+      list.push_back(n.value);
+  return list;
+}
+
+std::optional<ColumnProposal> column_as(const text::CsvTable& table, std::size_t column,
+                                        const record::Channel& channel) {
+  const text::HeaderParts parts = text::header_parts(table.header[column]);
+  const text::Unit* const own = unit_of(channel);
+  const std::string_view below =
+      column < table.units.size() ? std::string_view(table.units[column]) : std::string_view();
+  const std::string_view written = parts.unit.empty() ? below : parts.unit;
+  const bool some_unit = text::find_unit(written) != nullptr;
+  ColumnProposal p{.channel = &channel,
+                   .column = column,
+                   .unit = own ? text::find_unit(written, own->dimension) : nullptr};
+  if (own && parts.unit.empty() && !p.unit)
+    p.unit = text::unit_at_end(table.header[column], own->dimension);
+  if (own && !p.unit && !some_unit) p.unknown_unit = std::string(written);
+  // A unit of another kind: "Last [mm]" is no load.
+  if (some_unit && !p.unit) return std::nullopt;
+  const bool numbers = all_cells(
+      table, column, [&](std::string_view cell) { return number_in(table, cell).problem.empty(); });
+  if (channel.role == Role::time) {
+    p.stamped = all_cells(table, column, text::is_time);
+    p.excel_date = !p.unit && all_cells(table, column, [&](std::string_view cell) {
+      const double days = number_in(table, cell).value;
+      return days > 20000 && days < 80000;
+    });
+    if (p.stamped || p.excel_date) p.score += for_a_date;
+    if (!p.stamped && (!numbers || !can_be_times(numbers_in(table, column)))) return std::nullopt;
+  } else if (channel.role != Role::run && !numbers) {
+    return std::nullopt;
+  }
+  if (record::is_temperature(channel) && !can_be_temperatures(numbers_in(table, column)))
+    return std::nullopt;
+  if (p.unit) p.score += for_a_unit;
+  if (has_its_letter(parts.name, channel)) p.score += 1;
+  return p;
+}
+
+std::string proposed_columns(const text::CsvTable& table,
+                             const std::vector<ColumnProposal>& proposals,
+                             const std::vector<std::string>& missing) {
+  std::string text = fmt::format(
+      "# Columns of {}, proposed by their words and units: look through it.\n"
+      "# For --columns FILE, or to be put into the model.\n[columns]\n",
+      std::filesystem::path(table.source).filename().string());
+  for (const ColumnProposal& p : proposals)
+    text += line_of(table, p) + (p.remark.empty() ? "\n" : "  # " + p.remark + "\n");
+  for (const std::string& line : missing) text += line + "\n";
+  std::vector<std::string> others;
+  for (std::size_t c = 0; c < table.header.size(); ++c)
+    if (std::none_of(proposals.begin(), proposals.end(),
+                     [&](const ColumnProposal& p) { return p.column == c; }))
+      others.push_back(text::in_quotes(table.header[c]));
+  if (!others.empty()) text += "# not used: " + text::listed(others) + "\n";
+  return text;
+}
+
+}  // namespace raceway::files
