@@ -18,6 +18,7 @@ constexpr std::size_t longest = 2;     // rows in succession
 constexpr double far_away = 6.0;       // robust standard deviations
 constexpr double farther = 3.0;        // than the neighbours are from each other
 constexpr double finest = 0.003;       // of the range of nine in ten readings
+constexpr double impossible = 3.0;     // of the same
 constexpr double steady_speed = 0.01;  // of the largest
 constexpr double neighbours = 3.0;     // median steps in time
 constexpr double most_isolated = 0.1;  // of the readings
@@ -87,31 +88,36 @@ std::vector<bool> steady_ones(const Readings& readings) {
   return steady;
 }
 
+/// That nine in ten readings have; 0 for too few.
+double range_of(const Readings& readings) {
+  if (readings.count() < fewest_steady) return 0.0;
+  std::vector<double> all;
+  for (std::size_t k = 0; k < readings.count(); ++k) all.push_back(readings[k]);
+  std::sort(all.begin(), all.end());
+  return all[all.size() * 19 / 20] - all[all.size() / 20];
+}
+
 /// Robust standard deviation of steady readings about the middle of their neighbours; NaN where
 /// there are too few.
-double scatter_of(const Readings& readings, const std::vector<bool>& steady) {
-  std::vector<double> off, all;
+double scatter_of(const Readings& readings, const std::vector<bool>& steady, double range) {
+  std::vector<double> off;
   for (std::size_t k = 0; k < readings.count(); ++k) {
-    all.push_back(readings[k]);
     if (!steady[k]) continue;
     std::array around{readings[k - 2], readings[k - 1], readings[k + 1], readings[k + 2]};
     std::sort(around.begin(), around.end());
     off.push_back(std::abs(readings[k] - 0.5 * (around[1] + around[2])));
   }
   if (off.size() < fewest_steady) return unset;
-  std::sort(all.begin(), all.end());
-  const double range = all[all.size() * 19 / 20] - all[all.size() / 20];
   return std::max(1.4826 * record::median(off), finest * range);
 }
 
-/// Whether these readings leave their neighbours and return.
+/// Whether these readings leave their neighbours by more than `far` and return.
 bool leave_and_return(const Readings& readings, std::size_t first, std::size_t last, double before,
-                      double after, double scatter) {
+                      double after, double far) {
   for (std::size_t k = first; k <= last; ++k) {
     const double one = readings[k] - before, other = readings[k] - after;
     const double least = std::min(std::abs(one), std::abs(other));
-    if (!(one * other > 0.0) || !(least > far_away * scatter) ||
-        !(least > farther * std::abs(before - after)))
+    if (!(one * other > 0.0) || !(least > far) || !(least > farther * std::abs(before - after)))
       return false;
   }
   return true;
@@ -125,37 +131,47 @@ std::string Isolated::statement() const {
     lines += fmt::format("{}{}", k == 0 ? "" : ", ", record.line(rows[k]));
   if (rows.size() > most_lines) lines += fmt::format(" and {} more", rows.size() - most_lines);
   return fmt::format(
-      "{} reading{} of {} leave{} and return{} while the speed is steady and take{} no part, {} {}",
+      "{} reading{} of {} leave{} and return{} while the speed is steady{} and take{} no part, {} "
+      "{}",
       rows.size(), rows.size() == 1 ? "" : "s", channel->words, rows.size() == 1 ? "s" : "",
-      rows.size() == 1 ? "s" : "", rows.size() == 1 ? "s" : "",
-      record.lines.empty() ? "rows" : "lines", lines);
+      rows.size() == 1 ? "s" : "",
+      impossible ? ", or by more than three times the range of the others," : "",
+      rows.size() == 1 ? "s" : "", record.lines.empty() ? "rows" : "lines", lines);
 }
 
 Isolated without_isolated_readings(const record::Record& record) {
+  for (const record::Column& c : record.columns)
+    if (c.channel->role == record::Role::measured)
+      return without_isolated_readings(record, *c.channel);
+  return {.record = record};
+}
+
+Isolated without_isolated_readings(const record::Record& record, const record::Channel& channel) {
   Isolated result{.record = record};
-  record::Column* const column = [&]() -> record::Column* {
-    for (record::Column& c : result.record.columns)
-      if (c.channel->role == record::Role::measured) return &c;
-    return nullptr;
-  }();
+  record::Column* const column = result.record.find(channel);
   if (!column || !record.complete(record::time)) return result;
-  const Readings readings(record, *record.find(*column->channel));
+  const Readings readings(record, *record.find(channel));
   const std::vector<bool> steady = steady_ones(readings);
-  const double scatter = scatter_of(readings, steady);
-  if (!(scatter > 0.0)) return result;
+  const double range = range_of(readings), scatter = scatter_of(readings, steady, range);
+  if (!(scatter > 0.0) && !(range > 0.0)) return result;
   std::vector<bool> isolated(readings.count(), false);
   for (std::size_t length = 1; length <= longest; ++length)
     for (std::size_t k = reach; k + length + reach <= readings.count(); ++k) {
       const std::size_t last = k + length - 1;
-      if (!std::all_of(steady.begin() + static_cast<std::ptrdiff_t>(k),
-                       steady.begin() + static_cast<std::ptrdiff_t>(last) + 1,
-                       [](bool is) { return is; }))
-        continue;
       std::size_t before = k - 1, after = last + 1;
       while (before > 0 && isolated[before]) --before;
       while (after + 1 < readings.count() && isolated[after]) ++after;
-      if (leave_and_return(readings, k, last, readings[before], readings[after], scatter))
-        std::fill_n(isolated.begin() + static_cast<std::ptrdiff_t>(k), length, true);
+      const auto leave_by = [&](double far) {
+        return far > 0.0 &&
+               leave_and_return(readings, k, last, readings[before], readings[after], far);
+      };
+      const bool is_steady = std::all_of(steady.begin() + static_cast<std::ptrdiff_t>(k),
+                                         steady.begin() + static_cast<std::ptrdiff_t>(last) + 1,
+                                         [](bool is) { return is; });
+      const bool leaves_all = leave_by(impossible * range);
+      if (!leaves_all && !(is_steady && leave_by(far_away * scatter))) continue;
+      result.impossible = result.impossible || (leaves_all && !is_steady);
+      std::fill_n(isolated.begin() + static_cast<std::ptrdiff_t>(k), length, true);
     }
   for (std::size_t k = 0; k < isolated.size(); ++k)
     if (isolated[k]) result.rows.push_back(readings.row(k));

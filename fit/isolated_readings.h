@@ -14,6 +14,7 @@ struct Isolated {
   record::Record record{};                   ///< NaN in their place
   std::vector<std::size_t> rows{};           ///< of isolated readings, rising
   const record::Channel* channel = nullptr;  ///< of which they are; null where there are none
+  bool impossible = false;  ///< some are beyond the range of the others, whatever the speed does
 
   [[nodiscard]] bool any() const { return !rows.empty(); }
   /// "56 readings of axial displacement leave and return ...", for people.
@@ -27,7 +28,12 @@ struct Isolated {
 /// times as far away as they are from each other. The standard deviation is that of the readings
 /// about the middle of their four neighbours (1.4826 of the median), at least 0.3 % of the range
 /// that nine in ten readings have. A rise after a standstill, a peak at a change of speed and a
-/// jump that stays are no isolated readings. Nothing is taken out where more than a tenth would be.
+/// jump that stays are no isolated readings; but one that is three times that range away from both
+/// neighbours is, whatever the speed does. Nothing is taken out where more than a tenth would be.
 [[nodiscard]] Isolated without_isolated_readings(const record::Record& record);
+
+/// The same of another channel.
+[[nodiscard]] Isolated without_isolated_readings(const record::Record& record,
+                                                 const record::Channel& channel);
 
 }  // namespace raceway::fit

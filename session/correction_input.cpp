@@ -11,6 +11,7 @@
 #include "correction/simulation.h"
 #include "files/series_doubts.h"
 #include "files/series_file.h"
+#include "session/isolated.h"
 #include "session/open_input.h"
 #include "text/error.h"
 #include "text/input_file.h"
@@ -60,6 +61,7 @@ record::Record open_series(Messages& messages, const Source& given,
   for (record::Note& one : record.notes)
     if (one.place.file.empty()) one.place.file = path;
   messages.say(record.notes);
+  leave_out_isolated(messages, record, wanted);
   return record;
 }
 

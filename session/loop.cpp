@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "fit/dwells.h"
-#include "fit/isolated_readings.h"
 #include "model/model_changes.h"
 #include "report/record_report.h"
 #include "results/diagnosis_results.h"
@@ -34,17 +33,6 @@ fit::Averaged dwells_of(const LoopModel& model, const record::Record& data) {
   return fit::average_dwells(data);
 }
 
-/// Readings over time that leave and return take no part; the record says so.
-void leave_out_isolated(Messages& messages, const LoopModel& model, record::Record& data) {
-  if (!model.as_written()->approximates()) return;
-  fit::Isolated isolated = fit::without_isolated_readings(data);
-  if (!isolated.any()) return;
-  const record::Note said = record::note::left_out(isolated.statement(), {.file = data.source});
-  messages.say(said);
-  data = std::move(isolated.record);
-  data.notes.push_back(said);
-}
-
 /// Rows of a logger become dwells, unless `rows` are to stay apart; the record says so.
 void average(Messages& messages, const LoopModel& model, record::Record& data, bool rows) {
   if (rows) return;
@@ -63,7 +51,6 @@ LoopQuestion ask(Messages& messages, const Source& model, const std::vector<Sour
                  const LoopOptions& options) {
   LoopQuestion asked{.model = open_loop_model(messages, model, options)};
   asked.data = asked.model->read(messages, data, options.reading);
-  leave_out_isolated(messages, *asked.model, asked.data);
   average(messages, *asked.model, asked.data, options.rows);
   asked.subject = asked.model->for_fit(messages, asked.data, options.per_record);
   return asked;
@@ -163,23 +150,12 @@ ComparedModels compare(Messages& messages, const std::vector<Source>& models,
     opened.back()->stand_beside(messages, *opened.front());
   }
   ComparedModels result{.data = opened.front()->read(messages, data, options.reading, opened)};
-  leave_out_isolated(messages, *opened.front(), result.data);
   average(messages, *opened.front(), result.data, options.rows);
   for (const auto& model : opened) {
     const std::string& source = model->about().source;
     result.names.push_back(source);
     result.models.push_back(with_data(source, result.data, [&] {
       return model->compared(messages, result.data, how, options.per_record);
-std::string suggested_columns(Messages& messages, const Source& model, const Source& data,
-                              LoopOptions options) {
-  if (data.name.ends_with(".toml"))
-    throw text::InputError(data.name + ": stands where measurements (CSV) are expected",
-                           {.file = data.name});
-  const std::unique_ptr<LoopModel> opened =
-      open_any_correction(messages, model, std::move(options));
-  return opened->suggested_columns(data);
-}
-
     }));
   }
   // The noise is that of the data: one for all models, by the last.
@@ -194,6 +170,16 @@ std::string suggested_columns(Messages& messages, const Source& model, const Sou
         record::note::assumed(fmt::format("{} refitted to each record by itself in each model",
                                           fmt::join(options.per_record, " and "))));
   return result;
+}
+
+std::string suggested_columns(Messages& messages, const Source& model, const Source& data,
+                              LoopOptions options) {
+  if (data.name.ends_with(".toml"))
+    throw text::InputError(data.name + ": stands where measurements (CSV) are expected",
+                           {.file = data.name});
+  const std::unique_ptr<LoopModel> opened =
+      open_any_correction(messages, model, std::move(options));
+  return opened->suggested_columns(data);
 }
 
 std::string CheckedModel::json() const {

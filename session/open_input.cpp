@@ -11,6 +11,7 @@
 #include "files/spindle_record.h"
 #include "model/ignored_data.h"
 #include "model/steps.h"
+#include "session/isolated.h"
 #include "shaft/displacement_rows.h"
 #include "text/error.h"
 #include "text/input_file.h"
@@ -118,6 +119,10 @@ record::Record open_one(Messages& messages, const Source& given, const model::Mo
         files::asked_about(files::series_doubts(data, {}), source, files::of_spindle(options));
     put(messages, data, std::exchange(data.notes, {}), from);
     put(messages, data, doubts, from);
+    const auto read = std::find_if(
+        data.columns.begin(), data.columns.end(),
+        [](const record::Column& c) { return c.channel->role == record::Role::measured; });
+    if (read != data.columns.end()) leave_out_isolated(messages, data, {read->channel});
     return data;
   }
   record::Record data = files::read_record(source, subject, options);

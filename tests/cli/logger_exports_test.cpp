@@ -92,6 +92,22 @@ TEST(LoggerExports, TheRecordItselfIsAskedNothing) {
   expect_truth(as_it_is.file);
 }
 
+/// Of readings from 0 to 98 um one of 1000, at a steady speed and at a change of it.
+TEST(LoggerExports, AReadingThatCannotBeIsNamedAndLeftOut) {
+  const Exported wild([](std::size_t row, Cells& cells) {
+    if (row == 99 || row == 272) cells[at_displacement] = "1000";
+  });
+  for (const std::string& command : wild.commands()) {
+    const Result result = run(command);
+    EXPECT_EQ(result.status, 0) << command << result.err;
+    EXPECT_THAT(result.err, HasSubstr("note: 2 readings of displacement z leave and return"))
+        << command;
+    EXPECT_THAT(result.err, HasSubstr("take no part, lines 100, 273")) << command;
+  }
+  EXPECT_THAT(run("correct " + record_model + " " + wild.file).err, HasSubstr("lines 100, 273"));
+  expect_truth(wild.file);
+}
+
 TEST(LoggerExports, DisplacementsInMillimetresAreAskedAboutBeforeAnyResult) {
   const Exported in_mm = scaled(at_displacement, 1e-3);
   for (const std::string& command : in_mm.commands())

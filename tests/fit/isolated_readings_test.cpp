@@ -73,6 +73,20 @@ TEST(IsolatedReadings, AreNotLookedForWhereTheSpeedChanges) {
   EXPECT_FALSE(without_isolated_readings(with(lagging(), {60, 119}, -8.0)).any());
 }
 
+/// One reading of 1000 among 0 to 40 is none, also at a change of speed and without a speed.
+TEST(IsolatedReadings, BeyondTheRangeOfAllOthersNeedNoSteadySpeed) {
+  record::Record record = with(lagging(), {60, 340}, 1000.0);
+  const Isolated found = without_isolated_readings(record);
+  EXPECT_EQ(found.rows, (std::vector<std::size_t>{60, 340}));
+  EXPECT_EQ(found.statement(),
+            "2 readings of axial displacement leave and return while the speed is steady, or by "
+            "more than three times the range of the others, and take no part, rows 61, 341");
+  // A step of that size which stays is the machine, or another zero.
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 330; i < 600; ++i) rows.push_back(i);
+  EXPECT_FALSE(without_isolated_readings(with(lagging(), rows, 1000.0)).any());
+}
+
 TEST(IsolatedReadings, SoManyAreNone) {
   std::vector<std::size_t> rows;
   for (std::size_t i = 2; i < 600; i += 5) rows.push_back(i);
