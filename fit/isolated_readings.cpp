@@ -18,7 +18,7 @@ constexpr std::size_t longest = 2;     // rows in succession
 constexpr double far_away = 6.0;       // robust standard deviations
 constexpr double farther = 3.0;        // than the neighbours are from each other
 constexpr double finest = 0.003;       // of the range of nine in ten readings
-constexpr double impossible = 3.0;     // of the same
+constexpr double impossible = 3.0;     // of the range of nearly all readings
 constexpr double steady_speed = 0.01;  // of the largest
 constexpr double neighbours = 3.0;     // median steps in time
 constexpr double most_isolated = 0.1;  // of the readings
@@ -88,13 +88,26 @@ std::vector<bool> steady_ones(const Readings& readings) {
   return steady;
 }
 
-/// That nine in ten readings have; 0 for too few.
-double range_of(const Readings& readings) {
-  if (readings.count() < fewest_steady) return 0.0;
+/// The readings in the order of their size; none for too few.
+std::vector<double> by_size(const Readings& readings) {
   std::vector<double> all;
+  if (readings.count() < fewest_steady) return all;
   for (std::size_t k = 0; k < readings.count(); ++k) all.push_back(readings[k]);
   std::sort(all.begin(), all.end());
-  return all[all.size() * 19 / 20] - all[all.size() / 20];
+  return all;
+}
+
+/// That nine in ten readings have.
+double usual_range(const std::vector<double>& by_size) {
+  return by_size.empty() ? 0.0 : by_size[by_size.size() * 19 / 20] - by_size[by_size.size() / 20];
+}
+
+/// That all but a hundredth of the readings at either end have, or but two: a machine that runs now
+/// and then for a moment is in it.
+double whole_range(const std::vector<double>& by_size) {
+  if (by_size.empty()) return 0.0;
+  const std::size_t ends = std::max<std::size_t>(2, by_size.size() / 100);
+  return by_size[by_size.size() - 1 - ends] - by_size[ends];
 }
 
 /// Robust standard deviation of steady readings about the middle of their neighbours; NaN where
@@ -152,8 +165,10 @@ Isolated without_isolated_readings(const record::Record& record, const record::C
   if (!column || !record.complete(record::time)) return result;
   const Readings readings(record, *record.find(channel));
   const std::vector<bool> steady = steady_ones(readings);
-  const double range = range_of(readings), scatter = scatter_of(readings, steady, range);
-  if (!(scatter > 0.0) && !(range > 0.0)) return result;
+  const std::vector<double> sorted = by_size(readings);
+  const double scatter = scatter_of(readings, steady, usual_range(sorted)),
+               whole = whole_range(sorted);
+  if (!(scatter > 0.0) && !(whole > 0.0)) return result;
   std::vector<bool> isolated(readings.count(), false);
   for (std::size_t length = 1; length <= longest; ++length)
     for (std::size_t k = reach; k + length + reach <= readings.count(); ++k) {
@@ -168,7 +183,7 @@ Isolated without_isolated_readings(const record::Record& record, const record::C
       const bool is_steady = std::all_of(steady.begin() + static_cast<std::ptrdiff_t>(k),
                                          steady.begin() + static_cast<std::ptrdiff_t>(last) + 1,
                                          [](bool is) { return is; });
-      const bool leaves_all = leave_by(impossible * range);
+      const bool leaves_all = leave_by(impossible * whole);
       if (!leaves_all && !(is_steady && leave_by(far_away * scatter))) continue;
       result.impossible = result.impossible || (leaves_all && !is_steady);
       std::fill_n(isolated.begin() + static_cast<std::ptrdiff_t>(k), length, true);

@@ -28,8 +28,9 @@ struct Isolated {
 /// times as far away as they are from each other. The standard deviation is that of the readings
 /// about the middle of their four neighbours (1.4826 of the median), at least 0.3 % of the range
 /// that nine in ten readings have. A rise after a standstill, a peak at a change of speed and a
-/// jump that stays are no isolated readings; but one that is three times that range away from both
-/// neighbours is, whatever the speed does. Nothing is taken out where more than a tenth would be.
+/// jump that stays are no isolated readings; but one that is three times the range of all but a
+/// hundredth at either end away from both neighbours is, whatever the speed does. Nothing is taken
+/// out where more than a tenth would be.
 [[nodiscard]] Isolated without_isolated_readings(const record::Record& record);
 
 /// The same of another channel.

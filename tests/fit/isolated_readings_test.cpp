@@ -87,6 +87,19 @@ TEST(IsolatedReadings, BeyondTheRangeOfAllOthersNeedNoSteadySpeed) {
   EXPECT_FALSE(without_isolated_readings(with(lagging(), rows, 1000.0)).any());
 }
 
+/// A spindle that runs for a minute every half hour moves at once, and is at rest for all the rest.
+TEST(IsolatedReadings, ShortRunsOfAMachineAtRestAreNone) {
+  record::Record record = lagging();
+  std::vector<double>& speed = record.find(record::speed)->values;
+  std::vector<double>& read = record.find(record::axial_displacement)->values;
+  for (std::size_t i = 0; i < speed.size(); ++i) {
+    const bool runs = i % 30 == 15;
+    speed[i] = runs ? 6000 * rpm : 0.0;
+    read[i] = (runs ? 20.0 : 0.1 * static_cast<double>(i % 3)) * um;
+  }
+  EXPECT_FALSE(without_isolated_readings(record).any());
+}
+
 TEST(IsolatedReadings, SoManyAreNone) {
   std::vector<std::size_t> rows;
   for (std::size_t i = 2; i < 600; i += 5) rows.push_back(i);
