@@ -16,7 +16,10 @@ BearingEquilibrium solve(const Bearing& bearing, const OperatingPoint& point,
   RingState& state = workspace.state;
   result.report.status = find_equilibrium(system, point, neighbour, state);
   result.report.iterations = system.iterations();
-  if (!result.report.converged()) return result;
+  if (!result.report.converged()) {
+    result.report.certain = cannot_balance(system, point);
+    return result;
+  }
   system.fill(state, result);
   if (result.report.recovered_load_error <= largest_load_error) return result;
   BearingEquilibrium refused;

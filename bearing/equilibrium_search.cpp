@@ -28,10 +28,7 @@ class Search {
 
   SolveStatus find(const OperatingPoint& point, const BearingEquilibrium* neighbour,
                    RingState& state) {
-    if (system_.load_scale() == 0.0) return SolveStatus::no_equilibrium;
-    // The grooves of an angular-contact bearing have a shoulder on one side only.
-    if (system_.geometry().contact_angle > 0.0 && point.axial_load < 0.0)
-      return SolveStatus::no_equilibrium;
+    if (cannot_balance(system_, point)) return SolveStatus::no_equilibrium;
     if (neighbour && neighbour->report.converged() &&
         neighbour->balls.size() == static_cast<std::size_t>(system_.geometry().ball_count)) {
       state = state_of(*neighbour);
@@ -312,6 +309,11 @@ class Search {
 };
 
 }  // namespace
+
+bool cannot_balance(const RingSystem& system, const OperatingPoint& point) {
+  return system.load_scale() == 0.0 ||
+         (system.geometry().contact_angle > 0.0 && point.axial_load < 0.0);
+}
 
 SolveStatus find_equilibrium(RingSystem& system, const OperatingPoint& point,
                              const BearingEquilibrium* neighbour, RingState& state) {

@@ -4,6 +4,11 @@
 
 namespace raceway::bearing {
 
+/// True where statics alone shows that nothing balances the load: there is no load that the ring
+/// can move under, or an axial load pulls the ring of an angular-contact bearing off its shoulder.
+/// Its balls push the ring one way alone, so that no sum of their axial forces is that load.
+[[nodiscard]] bool cannot_balance(const RingSystem& system, const OperatingPoint& point);
+
 /// Finds a state of balance for the system's operating point, from a neighbour's solution where one
 /// is given, and otherwise by
 ///   1. Newton from the closed-form thrust solution,

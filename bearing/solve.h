@@ -9,7 +9,7 @@ namespace raceway::bearing {
 enum class SolveStatus {
   not_run,
   converged,
-  no_equilibrium,   ///< nothing balances this load: contact lost all round, or the load not carried
+  no_equilibrium,   ///< no balance was found; SolveReport::certain says where there is none
   iteration_limit,  ///< ended by EquilibriumOptions::max_iterations
   singular,         ///< the load leaves a displacement undetermined
   not_finite,       ///< the numbers left the range of doubles
@@ -25,6 +25,9 @@ struct SolveReport {
   double residual = unset;  ///< largest imbalance of ring and balls, scaled by load [1]
   double recovered_load_error =
       unset;  ///< loads summed again from the reported balls, relative [1]
+  /// Of `no_equilibrium`: statics alone shows that no balance exists. Elsewhere the search has
+  /// found none, which is no proof.
+  bool certain = false;
   [[nodiscard]] bool converged() const { return status == SolveStatus::converged; }
 };
 

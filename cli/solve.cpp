@@ -64,12 +64,12 @@ int run(const SolveFlags& flags) {
                        flags.model, answer.why, flags.point.speed_rpm, point.axial_load,
                        point.radial_load,
                        report.status == bearing::SolveStatus::no_equilibrium
-                           ? ": no position of the inner ring was found that carries this load"
+                           ? session::words_of_absence(report, point)
                        : report.status == bearing::SolveStatus::singular
-                           ? ": too few balls carry this load to hold the ring's tilt"
+                           ? std::string(": too few balls carry this load to hold the ring's tilt")
                        : report.status != bearing::SolveStatus::not_finite
                            ? fmt::format(" after {} Newton steps", report.iterations)
-                           : ""));
+                           : std::string()));
   return not_converged;
 }
 

@@ -7,10 +7,12 @@
 namespace raceway::results {
 
 text::json report_json(const bearing::SolveReport& report) {
-  return {{"status", bearing::name(report.status)},
-          {"iterations", report.iterations},
-          {"residual", report.residual},
-          {"recovered_load_error", report.recovered_load_error}};
+  text::json json = {{"status", bearing::name(report.status)},
+                     {"iterations", report.iterations},
+                     {"residual", report.residual},
+                     {"recovered_load_error", report.recovered_load_error}};
+  if (report.status == bearing::SolveStatus::no_equilibrium) json["certain"] = report.certain;
+  return json;
 }
 
 text::json band_json(const BandOfResult& band) {

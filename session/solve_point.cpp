@@ -14,6 +14,14 @@
 namespace raceway::session {
 namespace {}  // namespace
 
+std::string words_of_absence(const bearing::SolveReport& report,
+                             const bearing::OperatingPoint& point) {
+  if (!report.certain) return ": no position of the inner ring was found that carries this load";
+  return point.axial_load < 0.0
+             ? ": there is none, the axial load pulls the ring off its only shoulder"
+             : ": there is none, no load presses the ring against the balls";
+}
+
 PointAnswer solve_point(const model::Model& model, const bearing::OperatingPoint& point) {
   PointAnswer answer;
   answer.friction = model::predict_friction(model, point, true);

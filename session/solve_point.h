@@ -22,6 +22,11 @@ struct PointAnswer {
   [[nodiscard]] bool converged() const { return status == bearing::SolveStatus::converged; }
 };
 
+/// Of a point without balance, behind its numbers: that none exists where that is certain, and
+/// otherwise that none was found.
+[[nodiscard]] std::string words_of_absence(const bearing::SolveReport& report,
+                                           const bearing::OperatingPoint& point);
+
 [[nodiscard]] PointAnswer solve_point(const model::Model& model,
                                       const bearing::OperatingPoint& point);
 

@@ -247,6 +247,23 @@ TEST(EquilibriumPhysics, WithoutBalanceThereIsAStatusAndNoNumber) {
   const auto pulled =
       solve_bearing_equilibrium(c.bearing, {.speed = 10000 * rpm, .axial_load = -100}, c.options);
   EXPECT_EQ(pulled.report.status, SolveStatus::no_equilibrium);
+  EXPECT_TRUE(pulled.report.certain);
+}
+
+// Inner control at light load and high speed: the search finds nothing, which proves nothing.
+TEST(EquilibriumPhysics, AbsenceIsCertainOnlyWhereStaticsShowsIt) {
+  const SolvedCase c = random_cases(1, 21).at(0);
+  EXPECT_TRUE(solve_bearing_equilibrium(c.bearing, {.speed = 100.0}, c.options).report.certain);
+  EquilibriumOptions inner = c.options;
+  inner.race_control = RaceControl::inner;
+  bool found_none = false;
+  for (const double load : {0.01, 0.1, 1.0, 5.0}) {
+    const BearingEquilibrium e = solve_bearing_equilibrium(
+        c.bearing, {.speed = 20000 * rpm, .axial_load = load, .radial_load = 0.3 * load}, inner);
+    found_none = found_none || e.report.status == SolveStatus::no_equilibrium;
+    EXPECT_FALSE(e.report.certain);
+  }
+  EXPECT_TRUE(found_none);
 }
 
 TEST(EquilibriumPhysics, APointThatIsNotFiniteIsRefused) {

@@ -83,12 +83,17 @@ TEST_F(Solve, WithoutBalanceGivesStatusTwoAndNoNumber) {
   EXPECT_EQ(text.status, 2);
   EXPECT_EQ(text.out, "");
   EXPECT_THAT(text.err, HasSubstr("no_equilibrium at 20000 rpm, 5 N axial"));
+  EXPECT_THAT(text.err, HasSubstr("no position of the inner ring was found"));
+  const Result bare = solve(model_text, "--speed 1000 --axial-load 0");
+  EXPECT_THAT(bare.err, HasSubstr("there is none, no load presses the ring"));
+  EXPECT_TRUE(parsed(solve(model_text, "--speed 1000 --axial-load 0 --json"))["report"]["certain"]);
 
   for (const std::string& effect : {std::string(), spin_effect}) {
     const Result r = solve(model_text + inner_control + effect, flags + " --json");
     EXPECT_EQ(r.status, 2);
     const json d = parsed(r);
     EXPECT_EQ(d["report"]["status"], "no_equilibrium");
+    EXPECT_EQ(d["report"]["certain"], false);
     for (const char* key : {"axial_displacement_um", "radial_displacement_um", "tilt_y_mrad",
                             "friction_torque_Nmm", "power_loss_W", "inner_ring_heat_W"})
       EXPECT_TRUE(d[key].is_null()) << key;
