@@ -11,8 +11,9 @@
 #include "cli/text_table.h"
 #include "results/shaft_results.h"
 #include "session/bands.h"
-#include "session/load_notes.h"
+#include "session/judged.h"
 #include "session/shaft_answers.h"
+#include "shaft/shaft_balance.h"
 
 namespace raceway::cli {
 namespace {
@@ -40,8 +41,9 @@ void print_bearings(const bearing::Arrangement& a, const shaft::ShaftPrediction&
   fmt::print("{}", table.text(terminal_width()));
 }
 
-void print_sums(const bearing::Arrangement& a, const shaft::ShaftPrediction& p) {
+void print_sums(const model::Model& model, const shaft::ShaftPrediction& p) {
   const bearing::ArrangementEquilibrium& e = p.equilibrium;
+  const bearing::Arrangement a = shaft::mounted_arrangement(model);
   const bearing::LiftOff free = lift_off(a);
   fmt::print("\naxial displacement  {:>10} um      against standstill, positive towards the tool\n",
              number(p.displacement / um));
@@ -66,7 +68,7 @@ void print(const model::Model& model, const shaft::ShaftPoint& point,
   fmt::print("{} in {} Newton steps, loads recovered to {:.0e}\n\n", bearing::name(report.status),
              report.iterations, report.recovered_load_error);
   print_bearings(model.shaft->arrangement, p);
-  print_sums(model.shaft->arrangement, p);
+  print_sums(model, p);
 }
 
 }  // namespace
@@ -78,8 +80,10 @@ int solve_shaft(const std::string& file, const model::Model& model, const shaft:
   const bearing::SolveStatus status = p.status();
   std::optional<results::BandOfResult> half_widths;
   if (band) half_widths = session::shaft_band(*band, {&point, 1});
+  const model::Findings findings = session::judge(model, {&point, 1}, predictions);
   if (json)
-    put_document(results::shaft_solve_json(model, point, p, half_widths ? &*half_widths : nullptr));
+    put_document(results::shaft_solve_json(model, point, p, half_widths ? &*half_widths : nullptr,
+                                           findings));
   if (status != bearing::SolveStatus::converged) {
     complain(fmt::format("raceway solve: {}: {:.6g} rpm, {:.6g} N external load: {}", file,
                          point.speed / rpm, point.external_load, session::shaft_problem(model, p)));
@@ -92,18 +96,8 @@ int solve_shaft(const std::string& file, const model::Model& model, const shaft:
                band_text(half_widths->half_widths[1], N_mm),
                band_text(half_widths->half_widths[2]));
   warn(session::shaft_warnings(model, {&point, 1}, predictions));
-  session::LoadNotes notes;
-  for (std::size_t i = 0; i < p.equilibrium.bearings.size(); ++i) {
-    const bearing::BearingInSet& b = p.equilibrium.bearings[i];
-    const bearing::Arrangement& a = model.shaft->arrangement;
-    notes.look(*a.bearings()[i].bearing, results::bearing_place(a, i),
-               {.speed = point.speed, .axial_load = point.external_load},
-               {.axial_load = b.axial_load,
-                .radial_load = 0.0,
-                .inner_pressure = b.inner_pressure,
-                .outer_pressure = b.outer_pressure});
-  }
-  tell(notes.lines());
+  warn(model::warnings_of(findings));
+  tell(model::notes_of(findings));
   return done;
 }
 

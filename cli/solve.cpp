@@ -40,12 +40,13 @@ int run(const SolveFlags& flags) {
   const bearing::BearingEquilibrium& e = answer.equilibrium;
   std::optional<results::BandOfResult> half_widths;
   if (band) half_widths = session::point_band(*band, point);
+  const model::Findings findings = session::judge(file.model, point, answer);
   if (flags.json && file.model.bearing.rollers()) {
     put_document(results::roller_solve_json(file.model, point, answer.friction, answer.heat,
-                                            half_widths ? &*half_widths : nullptr));
+                                            half_widths ? &*half_widths : nullptr, findings));
   } else if (flags.json) {
     put_document(results::solve_json(file.model, point, e, answer.friction, answer.heat,
-                                     half_widths ? &*half_widths : nullptr));
+                                     half_widths ? &*half_widths : nullptr, findings));
   } else if (answer.converged()) {
     if (file.model.bearing.rollers())
       print_roller_state(file.model, point, answer);
@@ -55,8 +56,8 @@ int run(const SolveFlags& flags) {
   }
   if (answer.converged()) {
     tell(session::notes_on_point(file.model, point, answer));
-    for (const std::string& line : session::warnings_on_point(file.model, answer))
-      warn("raceway solve: " + line);
+    for (const record::Note& one : session::warnings_on_point(file.model, point, answer))
+      warn("raceway solve: " + one.text);
     return done;
   }
   const bearing::SolveReport& report = e.report;

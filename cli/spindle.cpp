@@ -48,6 +48,9 @@ void check_flags(const SpindleFlags& f) {
     fail("--steady knows no course in time; take --speed in place of --speed-profile", "--steady");
   if (f.steady && !f.start.empty())
     fail("--start: a steady state does not know where it came from", "--start");
+  if (f.steady && (!f.reading.columns.empty() || f.reading.drop_nan))
+    fail("--columns and --drop-nan are of a --speed-profile, which --steady does not read",
+         f.reading.drop_nan ? "--drop-nan" : "--columns");
   refuse_two_on_stdout("spindle", f.json, f.output);
   for (const std::string& path : {f.output, f.field}) f.csv.require_writable(path, f.if_exists());
   if (!f.end_state.empty() && f.end_state != "-")
@@ -92,6 +95,7 @@ int run_steady(const SpindleFlags& f, const files::ModelFile& file) {
   else if (f.output != "-")
     print_steady(found);
   f.report.write([&] { return found.page(); }, f.force);
+  tell(found.notes());
   warn(found.warnings());
   return found.converged() ? done : not_converged;
 }
@@ -139,6 +143,7 @@ int run_profile(const SpindleFlags& f, const files::ModelFile& file) {
   else if (f.output != "-")
     print_run(found);
   f.report.write([&] { return found.page(); }, f.force);
+  tell(found.notes());
   warn(found.warnings());
   return found.converged() ? done : not_converged;
 }

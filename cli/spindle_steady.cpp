@@ -7,6 +7,7 @@
 
 #include "cli/text_table.h"
 #include "record/units.h"
+#include "shaft/shaft_balance.h"
 
 namespace raceway::cli {
 namespace {
@@ -53,7 +54,8 @@ void print_one(const model::Model& model, const results::SteadyState& s) {
   if (model.spindle->network) return;
   const spindle::Moment& m = s.moment;
   fmt::print("forces of the sets: {} N in front, {} N at the rear; {:.4g} N as mounted\n",
-             number(m.front_force), number(m.rear_force), model.shaft->arrangement.preload());
+             number(m.front_force), number(m.rear_force),
+             shaft::mounted_arrangement(model).preload());
   fmt::print("axial stiffness of the warm sets: {} N/um\n", number(s.axial_stiffness / N_per_um));
   fmt::print("nose against flange: {} um, {} um of it from the sets alone\n",
              number(m.displacement / um), number(m.kinematic_displacement / um));

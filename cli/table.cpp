@@ -82,6 +82,10 @@ int run(const TableFlags& flags) {
   if (!flags.data.empty() && flags.report.path.empty())
     throw text::InputError("raceway table: --data is drawn in a report: --report is missing",
                            {.key = "--report"});
+  if (flags.data.empty() && (!flags.reading.columns.empty() || flags.reading.drop_nan))
+    throw text::InputError(
+        "raceway table: --columns and --drop-nan are of measurements: --data is missing",
+        {.key = "--data"});
   flags.report.check(flags.force);
   const files::ModelFile file =
       session::open_model(messages(), flags.model, session::Accepts::rig_or_shaft);
@@ -136,12 +140,14 @@ int run(const TableFlags& flags) {
     tell({"band: " + session::band_statement(*answer.band)});
   flags.report.write(
       [&] {
-        return report::table_report(
-            file.source, model, table, session::states_to_draw(model, table.axes),
-            measured ? &*measured : nullptr, {session::of_page(file, model)});
+        return report::table_report(file.source, model, table,
+                                    session::states_to_draw(model, table.axes),
+                                    measured ? &*measured : nullptr,
+                                    {session::of_page(file, model)}, texts(answer.warnings()));
       },
       flags.force);
   tell(answer.notes(model));
+  tell(answer.warnings());
   const session::TableFailures failed = session::failures(model, table);
   warn(failed.lines);
   return failed.without_torque ? not_converged : done;

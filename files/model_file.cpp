@@ -169,6 +169,10 @@ ReadModel read_ball_model(ModelTables& tables) {
   if (solver.options.tilt != bearing::Tilt::locked) written.emplace_back("tilt");
   const model::Rig rig = read_rig(tables, spindle_keys("rig", of_spindle));
   std::string catalogue = bearing.catalogue;
+  model::PrintedSpeed printed_speed;
+  if (bearing.row && !(shaft && shaft->own_bearings))
+    printed_speed = {.oil = bearing.row->speed_limit_oil,
+                     .grease = bearing.row->speed_limit_grease};
   model::Model model{
       .name = bearing.name,
       .bearing = shaft ? *shaft->arrangement.bearings()[0].bearing : std::move(bearing.bearing),
@@ -182,6 +186,7 @@ ReadModel read_ball_model(ModelTables& tables) {
       .solver = solver.options,
       .balanced_balls = solver.balanced_balls,
       .life = read_life(tables),
+      .printed_speed = printed_speed,
       .rig = rig,
       .free = {},
       .shaft = std::move(shaft),

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "model/judgement.h"
 #include "record/units.h"
 
 // Last: see text/detail/toml_text.h.
@@ -121,7 +122,9 @@ class ShaftReader {
     const auto temperatures = read_temperatures();
     const double load = number("external_load_N");
     try {
-      return {.arrangement = bearing::Arrangement(d_),
+      bearing::Arrangement arrangement(d_);
+      require_possible_preload(arrangement);
+      return {.arrangement = std::move(arrangement),
               .external_load = load,
               .temperatures = temperatures,
               .own_bearings = s_.find("front_bearing") || s_.find("rear_bearing")};
@@ -284,6 +287,21 @@ class ShaftReader {
       d_.preload = bearing::matched_preload(first_front_->bearing, class_force(*first_front_, word),
                                             first_rear_->bearing, class_force(*first_rear_, word));
     }
+  }
+
+  /// Refuses a preload that presses the balls harder than any steel is.
+  void require_possible_preload(const bearing::Arrangement& arrangement) const {
+    const bearing::ArrangementEquilibrium rest = solve_arrangement(arrangement, {});
+    double most = 0.0;
+    for (const bearing::BearingInSet& b : rest.bearings)
+      most = std::max({most, b.inner_pressure, b.outer_pressure});
+    if (!(most > model::steel_flows)) return;
+    for (const char* key : {"preload_N", "preload_offset_um", "preload_class"})
+      if (const toml::node* const node = s_.find(key))
+        s_.fail(key, fmt::format("{} = {}: presses the balls with {:.3g} GPa as mounted, {:.4g} N: "
+                                 "must be below {:.3g} GPa, at which the hardest steel flows",
+                                 key, text::shown(*node), most / GPa, arrangement.preload(),
+                                 model::steel_flows / GPa));
   }
 
   [[nodiscard]] double class_force(const NamedBearing& b, const std::string& word) const {

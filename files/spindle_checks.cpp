@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/judgement.h"
 #include "record/units.h"
 
 // Last: see text/detail/toml_text.h.
@@ -55,6 +56,7 @@ class SpindleCheck {
 
   void run() {
     check_order();
+    check_fits();
     for (std::size_t k = 0; k < sets_.bearings().size(); ++k) {
       check_inner_seat(k);
       check_outer_seat(k);
@@ -107,6 +109,42 @@ class SpindleCheck {
                                  "centres rise from the nose to the rear, one width apart or "
                                  "more",
                                  in_mm(position(k) - position(k - 1)), in_mm(2.0 * half_width_)));
+  }
+
+  /// An interference that no ring survives.
+  void check_fits() const {
+    const auto look = [&](const char* key, double interference, double sign, double diameter,
+                          const char* of) {
+      const double most = model::ring_yields * diameter;
+      if (interference > most)
+        tables_.section("seat").fail(
+            key, fmt::format("{} = {:.6g} um: must be {} {:.4g} um on the {} of {}, where the ring "
+                             "yields",
+                             key, sign * interference / um, sign > 0.0 ? "at most" : "at least",
+                             sign * most / um, of, in_mm(diameter)));
+    };
+    const bearing::BearingGeometry& g = sets_.bearings().front().bearing->geometry();
+    look("inner_interference_um", spindle_.seat.inner_interference, 1.0, g.bore, "bore");
+    look("outer_clearance_um", -spindle_.seat.outer_clearance, -1.0, g.outer_diameter,
+         "outer diameter");
+  }
+
+  /// A rotor wider than the housing around it.
+  void check_rotor() const {
+    if (!spindle_.motor || std::isnan(spindle_.motor->rotor_diameter)) return;
+    const model::HeatSource& rotor = *spindle_.motor;
+    const double half = std::isnan(rotor.length) ? 0.0 : 0.5 * rotor.length;
+    for (double from = housing_.start; const Segment& s : housing_.segments) {
+      const double to = from + s.length;
+      const bool over =
+          rotor.position + half > from + rounding && rotor.position - half < to - rounding;
+      from = to;
+      const double wall = std::isnan(s.bore) ? s.diameter : s.bore;
+      if (over && rotor.rotor_diameter >= wall)
+        fail("motor", "rotor_diameter_mm", rotor.rotor_diameter,
+             fmt::format("must be below {}, the {} of the housing around it", in_mm(wall),
+                         std::isnan(s.bore) ? "outer diameter" : "bore"));
+    }
   }
 
   void check_inner_seat(std::size_t k) const {
@@ -200,6 +238,7 @@ class SpindleCheck {
       require("support", k, body.supports[k].position);
     for (std::size_t k = 0; k < body.disks.size(); ++k) require("disk", k, body.disks[k].position);
     check_source("motor", spindle_.motor);
+    check_rotor();
     check_source("drive", spindle_.drive);
   }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <memory>
 
+#include "model/judgement.h"
 #include "record/series_channel.h"
 #include "record/units.h"
 
@@ -188,6 +189,13 @@ std::optional<model::Coolant> read_coolant(ModelTables& tables, const model::Amb
   coolant.flow = s.required("flow_l_min") * litre_per_minute;
   coolant.inlet_temperature =
       kelvin(tables.number(s, "inlet_temperature_C", celsius(ambient.temperature)));
+  if (coolant.fluid == model::Fluid::water && !(coolant.inlet_temperature >= model::water_freezes &&
+                                                coolant.inlet_temperature <= model::water_boils))
+    s.fail("inlet_temperature_C",
+           fmt::format("inlet_temperature_C = {:.6g} C: must be from {:g} to {:g} C for fluid = "
+                       "\"water\", which freezes below and boils above it",
+                       celsius(coolant.inlet_temperature), celsius(model::water_freezes),
+                       celsius(model::water_boils)));
   coolant.diameter = s.required("diameter_mm") * mm;
   coolant.channel_width = s.required("channel_width_mm") * mm;
   coolant.channel_depth = s.required("channel_depth_mm") * mm;

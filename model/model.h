@@ -44,6 +44,11 @@ struct Shaft {
   bool own_bearings = false;
 };
 
+/// Speeds that a catalogue prints for a bearing [rad/s]; NaN where it prints none.
+struct PrintedSpeed {
+  double oil = unset, grease = unset;
+};
+
 /// What the user believes of a bearing on a rig, or of the sets on a shaft. What the loop asks of
 /// it is answered by rig::RigSubject and shaft::ShaftSubject.
 struct Model {
@@ -62,6 +67,7 @@ struct Model {
   /// No race holds the balls: traction turns them. Of the contact law alone; see solve_balls().
   bool balanced_balls = false;
   LifeData life = {};
+  PrintedSpeed printed_speed = {};  ///< none where the bearings of the sets are not one kind
   Rig rig;
   /// Names of what may be re-fitted, as parameters() has them; default_free() where empty.
   std::vector<std::string> free;

@@ -84,14 +84,16 @@ text::json shapes_json(const std::vector<results::ModesAtSpeed>& speeds) {
 
 std::string modes_report(const ModelOfPage& of, const bearing::Arrangement& arrangement,
                          const spindle::Beam& beam, const std::vector<double>& places, bool warm,
-                         const std::vector<results::ModesAtSpeed>& speeds) {
+                         const std::vector<results::ModesAtSpeed>& speeds,
+                         const model::Findings& findings) {
   Document document("modes");
+  document.add("judged", model::warnings_of(findings));
   document.add("assumed", model_facts({of}));
   document.add("model", of.file);
   document.add("bearing", of.model.name);
   document.add("warm", warm);
   document.add("weight_kg", drawn_number(beam.weight()));
-  document.add_text("results", results::campbell_json(arrangement, speeds, of.file));
+  document.add_text("results", results::campbell_json(arrangement, speeds, of.file, findings));
   text::json bearings = text::json::array();
   for (std::size_t i = 0; i < arrangement.bearings().size(); ++i)
     bearings.push_back(results::bearing_place(arrangement, i));
@@ -105,14 +107,16 @@ std::string modes_report(const ModelOfPage& of, const bearing::Arrangement& arra
 std::string deflection_report(const ModelOfPage& of, const bearing::Arrangement& arrangement,
                               const spindle::Beam& beam, const std::vector<double>& places,
                               bool warm, const results::DeflectionResult& result,
-                              const Eigen::VectorXd& tangent, const Eigen::VectorXd& stiff) {
+                              const Eigen::VectorXd& tangent, const Eigen::VectorXd& stiff,
+                              const model::Findings& findings) {
   Document document("deflection");
+  document.add("judged", model::warnings_of(findings));
   document.add("assumed", model_facts({of}));
   document.add("model", of.file);
   document.add("bearing", of.model.name);
   document.add("warm", warm);
   document.add("load", results::load_words(result));
-  document.add_text("results", results::deflection_json(arrangement, result, of.file));
+  document.add_text("results", results::deflection_json(arrangement, result, of.file, findings));
   document.add("shaft", shaft_json(of.model, arrangement, places));
   document.add("nodes_mm", nodes_json(beam));
   text::json line = text::json::object();

@@ -14,7 +14,8 @@ namespace raceway::report {
 [[nodiscard]] std::string modes_report(const ModelOfPage& model,
                                        const bearing::Arrangement& arrangement,
                                        const spindle::Beam& beam, const std::vector<double>& places,
-                                       bool warm, const std::vector<results::ModesAtSpeed>& speeds);
+                                       bool warm, const std::vector<results::ModesAtSpeed>& speeds,
+                                       const model::Findings& findings = {});
 
 /// The shaft under a force. `tangent`: its line by the stiffness that the bearings have without the
 /// force, `stiff` that on bearings that do not give way at all [m]; (v, θ) of all nodes, empty
@@ -22,6 +23,7 @@ namespace raceway::report {
 [[nodiscard]] std::string deflection_report(
     const ModelOfPage& model, const bearing::Arrangement& arrangement, const spindle::Beam& beam,
     const std::vector<double>& places, bool warm, const results::DeflectionResult& result,
-    const Eigen::VectorXd& tangent, const Eigen::VectorXd& stiff);
+    const Eigen::VectorXd& tangent, const Eigen::VectorXd& stiff,
+    const model::Findings& findings = {});
 
 }  // namespace raceway::report

@@ -29,7 +29,8 @@ std::string displacement_report(const std::string& model_file, const model::Mode
                                 std::span<const shaft::ShaftPoint> points,
                                 std::span<const shaft::ShaftPrediction> predictions,
                                 const LawOfReport& law, const std::vector<std::string>& warnings,
-                                const std::vector<ModelOfPage>& facts) {
+                                const std::vector<ModelOfPage>& facts,
+                                const std::vector<std::string>& judged) {
   Document document("displacement");
   document.add("assumed", model_facts(facts));
   document.add("model", model_file);
@@ -41,6 +42,7 @@ std::string displacement_report(const std::string& model_file, const model::Mode
     places.push_back(results::bearing_place(arrangement, i));
   document.add("places", std::move(places));
   document.add("warnings", warnings);
+  document.add("judged", judged);
   document.add("law_statement", law.statement);
   if (law.fit) {
     document.add_text("law", results::kinematic_law_json(*law.fit, law.statement, std::nullopt));

@@ -10,6 +10,7 @@
 #include "report/detail/report_rows.h"
 #include "results/diagnosis_results.h"
 #include "results/results.h"
+#include "shaft/shaft_balance.h"
 
 namespace raceway::report {
 namespace {
@@ -150,8 +151,8 @@ std::string diagnosis_report(const std::string& model_file, const fit::Subject& 
   document.add("assumed", model_facts(facts));
   document.add_text("results", results::diagnosis_json(model_file, record, d));
   if (const auto* known = dynamic_cast<const model::ModelSubject*>(&subject))
-    if (const auto& shaft = known->model().shaft)
-      document.add("preload_N", shaft->arrangement.preload());
+    if (known->model().shaft)
+      document.add("preload_N", shaft::mounted_arrangement(known->model()).preload());
   const verdict::ChannelDiagnosis& first = d.channels.front();
   // A diagnosis thins large records and leaves out what has no balance.
   ReportRows rows(record, first.channel(), rows_compared(first.baseline));

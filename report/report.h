@@ -57,7 +57,8 @@ using BearingStates = std::vector<std::pair<bearing::OperatingPoint, model::Fric
 [[nodiscard]] std::string table_report(const std::string& model_file, const model::Model& model,
                                        const friction::StribeckTable& table,
                                        const BearingStates& states, const record::Record* measured,
-                                       const std::vector<ModelOfPage>& facts = {});
+                                       const std::vector<ModelOfPage>& facts = {},
+                                       const std::vector<std::string>& warnings = {});
 
 /// The fitted law of a shaft's displacement, or why there is none.
 struct LawOfReport {
@@ -65,14 +66,13 @@ struct LawOfReport {
   std::string statement;  ///< how well it follows the curve, or why none was fitted
 };
 
-/// `warnings` are what the command says of the bearings and of speeds without balance.
-[[nodiscard]] std::string displacement_report(const std::string& model_file,
-                                              const model::Model& model,
-                                              std::span<const shaft::ShaftPoint> points,
-                                              std::span<const shaft::ShaftPrediction> predictions,
-                                              const LawOfReport& law,
-                                              const std::vector<std::string>& warnings,
-                                              const std::vector<ModelOfPage>& facts = {});
+/// `warnings` are what the command says of the bearings and of speeds without balance; `judged`
+/// those of them that say which limits are passed.
+[[nodiscard]] std::string displacement_report(
+    const std::string& model_file, const model::Model& model,
+    std::span<const shaft::ShaftPoint> points, std::span<const shaft::ShaftPrediction> predictions,
+    const LawOfReport& law, const std::vector<std::string>& warnings,
+    const std::vector<ModelOfPage>& facts = {}, const std::vector<std::string>& judged = {});
 
 /// The page around a document: JSON as text, in which no `<` is left to end the data early.
 [[nodiscard]] std::string report_page(const std::string& document);

@@ -10,6 +10,7 @@
 #include "report/detail/model_facts.h"
 #include "report/detail/report_document.h"
 #include "report/report_columns.h"
+#include "shaft/shaft_balance.h"
 #include "spindle/loaded_shaft.h"
 #include "spindle/sets_at_speed.h"
 
@@ -206,14 +207,16 @@ void add_bearings(ReportColumns& columns, const model::Model& model,
 std::string spindle_run_report(const ModelOfPage& of, const std::string& programme,
                                std::size_t rows_asked, const spindle::Run& run,
                                const spindle::DrawnRun& drawn, std::span<const DrawnField> fields,
-                               const results::MeshEstimate& mesh, const std::string& mesh_text) {
+                               const results::MeshEstimate& mesh, const std::string& mesh_text,
+                               const model::Findings& findings) {
   Document document("spindle_run");
+  document.add("judged", model::warnings_of(findings));
   add_parts(document, of, fields, mesh_text);
   document.add("programme", programme);
   const spindle::Run head{.report = run.report,
                           .highest_front_force = run.highest_front_force,
                           .time_of_highest_force = run.time_of_highest_force};
-  document.add_text("results", results::spindle_run_json(of.model, {}, head, mesh));
+  document.add_text("results", results::spindle_run_json(of.model, {}, head, mesh, findings));
   document.add("rows_asked", rows_asked);
   document.add("rows_reached", run.moments.size());
   document.add("ended_at_s", run.end.time);
@@ -235,11 +238,13 @@ std::string spindle_run_report(const ModelOfPage& of, const std::string& program
 std::string spindle_steady_report(const ModelOfPage& of,
                                   std::span<const results::SteadyState> states,
                                   std::span<const DrawnField> fields,
-                                  const results::MeshEstimate& mesh, const std::string& mesh_text) {
+                                  const results::MeshEstimate& mesh, const std::string& mesh_text,
+                                  const model::Findings& findings) {
   Document document("spindle_steady");
+  document.add("judged", model::warnings_of(findings));
   add_parts(document, of, fields, mesh_text);
-  document.add_text("results", results::spindle_steady_json(of.model, {}, mesh));
-  if (of.model.shaft) document.add("preload_N", of.model.shaft->arrangement.preload());
+  document.add_text("results", results::spindle_steady_json(of.model, {}, mesh, findings));
+  if (of.model.shaft) document.add("preload_N", shaft::mounted_arrangement(of.model).preload());
   document.add("coolant_on", states.front().inputs.coolant_on);
   text::json reports = text::json::array();
   for (const results::SteadyState& s : states)

@@ -26,12 +26,14 @@ struct DrawnField {
                                              const spindle::DrawnRun& drawn,
                                              std::span<const DrawnField> fields,
                                              const results::MeshEstimate& mesh,
-                                             const std::string& mesh_text);
+                                             const std::string& mesh_text,
+                                             const model::Findings& findings = {});
 
 [[nodiscard]] std::string spindle_steady_report(const ModelOfPage& model,
                                                 std::span<const results::SteadyState> states,
                                                 std::span<const DrawnField> fields,
                                                 const results::MeshEstimate& mesh,
-                                                const std::string& mesh_text);
+                                                const std::string& mesh_text,
+                                                const model::Findings& findings = {});
 
 }  // namespace raceway::report

@@ -11,6 +11,7 @@
 #include "report/report.h"
 #include "report/report_columns.h"
 #include "results/shaft_results.h"
+#include "shaft/shaft_balance.h"
 #include "text/error.h"
 #include "text/units.h"
 
@@ -104,7 +105,8 @@ void add_measured(Document& document, record::Record record, const model::Rig& r
 
 std::string table_report(const std::string& model_file, const model::Model& model,
                          const friction::StribeckTable& table, const BearingStates& states,
-                         const record::Record* measured, const std::vector<ModelOfPage>& facts) {
+                         const record::Record* measured, const std::vector<ModelOfPage>& facts,
+                         const std::vector<std::string>& warnings) {
   if (model.bearing.rollers())
     throw text::InputError(
         model_file +
@@ -116,12 +118,13 @@ std::string table_report(const std::string& model_file, const model::Model& mode
                            {"bearing", model.name},
                            {"parts", part_names(model)},
                            {"contact_angle_deg", model.bearing.geometry().contact_angle / degree}});
+  document.add("judged", warnings);
   document.add_text("rows", rows_json(table));
   text::json list = text::json::array();
   for (const auto& [point, prediction] : states)
     list.push_back(state_json(model, point, prediction));
   document.add("states", std::move(list));
-  if (model.shaft) document.add("preload_N", model.shaft->arrangement.preload());
+  if (model.shaft) document.add("preload_N", shaft::mounted_arrangement(model).preload());
   if (measured) add_measured(document, *measured, model.rig);
   return report_page(document.text());
 }

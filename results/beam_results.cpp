@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "record/units.h"
+#include "results/detail/model_objects.h"
 #include "results/shaft_results.h"
 #include "text/detail/csv_text.h"
 #include "text/detail/json_text.h"
@@ -210,7 +211,7 @@ std::string mode_shapes_text(const spindle::Beam& beam, const std::vector<ModesA
 }
 
 std::string campbell_json(const Arrangement& a, const std::vector<ModesAtSpeed>& speeds,
-                          std::string_view source) {
+                          std::string_view source, const model::Findings& findings) {
   text::json rows = text::json::array();
   for (const ModesAtSpeed& m : speeds) {
     text::json row = {{"speed_rpm", m.speed / rpm}};
@@ -226,8 +227,10 @@ std::string campbell_json(const Arrangement& a, const std::vector<ModesAtSpeed>&
     if (!m.sets.message.empty()) row["report"]["message"] = m.sets.message;
     rows.push_back(std::move(row));
   }
-  return text::text(
-      {{"model", text::printable(source)}, {"preload_N", a.preload()}, {"rows", std::move(rows)}});
+  return text::text({{"model", text::printable(source)},
+                     {"preload_N", a.preload()},
+                     {"rows", std::move(rows)},
+                     {"judgement", judgement_json(findings)}});
 }
 
 std::string load_words(const DeflectionResult& r) {
@@ -238,7 +241,7 @@ std::string load_words(const DeflectionResult& r) {
 }
 
 std::string deflection_json(const Arrangement& a, const DeflectionResult& r,
-                            std::string_view source) {
+                            std::string_view source, const model::Findings& findings) {
   text::json document = {{"model", text::printable(source)},
                          {"speed_rpm", r.speed / rpm},
                          {"force_N", r.force},
@@ -261,6 +264,7 @@ std::string deflection_json(const Arrangement& a, const DeflectionResult& r,
   for (std::size_t i = 0; i < r.shaft.bearings.size(); ++i)
     bearings.push_back(bearing_json(a, r.shaft, i));
   document["bearings"] = std::move(bearings);
+  document["judgement"] = judgement_json(findings);
   document["report"] = {{"status", r.status()},
                         {"iterations", r.shaft.report.iterations},
                         {"residual", r.shaft.report.residual}};

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/judgement.h"
 #include "model/model.h"
 #include "spindle/loaded_shaft.h"
 #include "spindle/modes.h"
@@ -38,7 +39,8 @@ struct ModesAtSpeed {
 
 [[nodiscard]] std::string campbell_json(const bearing::Arrangement& arrangement,
                                         const std::vector<ModesAtSpeed>& speeds,
-                                        std::string_view source);
+                                        std::string_view source,
+                                        const model::Findings& findings = {});
 
 /// The shaft under a force.
 struct DeflectionResult {
@@ -66,7 +68,8 @@ struct DeflectionResult {
 [[nodiscard]] std::string load_words(const DeflectionResult& result);
 
 [[nodiscard]] std::string deflection_json(const bearing::Arrangement& arrangement,
-                                          const DeflectionResult& result, std::string_view source);
+                                          const DeflectionResult& result, std::string_view source,
+                                          const model::Findings& findings = {});
 
 /// The line of the bent shaft: position_mm, radial_displacement_um, slope_urad.
 [[nodiscard]] std::string deflection_text(const spindle::Beam& beam, const DeflectionResult& result,

@@ -15,6 +15,21 @@ text::json report_json(const bearing::SolveReport& report) {
   return json;
 }
 
+text::json judgement_json(const model::Findings& findings) {
+  text::json list = text::json::array();
+  for (const model::Finding& f : findings)
+    list.push_back({{"limit", f.limit},
+                    {"kind", f.is_warning ? "warning" : "note"},
+                    {"place", f.place.empty() ? text::json(nullptr) : text::json(f.place)},
+                    {"value", f.value},
+                    {"allowed", f.allowed},
+                    {"unit", f.unit},
+                    {"speed_rpm", f.speed / rpm},
+                    {"points", f.points},
+                    {"text", f.text}});
+  return list;
+}
+
 text::json band_json(const BandOfResult& band) {
   return {{"level", model::Band::level}, {"parameters", band.parameters}};
 }

@@ -138,7 +138,7 @@ std::string error_json(const std::string& message, const text::Place& place) {
 std::string solve_json(const model::Model& model, const bearing::OperatingPoint& point,
                        const bearing::BearingEquilibrium& e,
                        const model::FrictionPrediction& friction, const friction::HeatSplit& heat,
-                       const BandOfResult* band) {
+                       const BandOfResult* band, const model::Findings& findings) {
   text::json balls = text::json::array();
   const bearing::Bearing& bearing = bearing_of(model, friction);
   std::vector<friction::contact::BallFriction> contacts;
@@ -196,6 +196,7 @@ std::string solve_json(const model::Model& model, const bearing::OperatingPoint&
       {"power_loss_W", friction.power_loss},
       {"inner_ring_heat_W", heat.inner},
       {"outer_ring_heat_W", heat.outer},
+      {"judgement", judgement_json(findings)},
       {"report", report_json(e.report)}};
   if (e.report.converged()) add_life_and_film(document, model, point, friction);
   if (band) {
@@ -206,7 +207,7 @@ std::string solve_json(const model::Model& model, const bearing::OperatingPoint&
 }
 
 std::string table_json(const model::Model& model, const friction::StribeckTable& table,
-                       const BandOfResult* band) {
+                       const BandOfResult* band, const model::Findings& findings) {
   text::json rows = text::json::array();
   for (std::size_t i = 0; i < table.friction_moment.size(); ++i) {
     const bearing::OperatingPoint p = table.point(i);
@@ -220,7 +221,8 @@ std::string table_json(const model::Model& model, const friction::StribeckTable&
     row["status"] = bearing::name(table.status[i]);
     rows.push_back(std::move(row));
   }
-  text::json document = {{"bearing", model.name}, {"rows", rows}};
+  text::json document = {
+      {"bearing", model.name}, {"rows", rows}, {"judgement", judgement_json(findings)}};
   if (band) document["band"] = band_json(*band);
   return text::text(std::move(document));
 }

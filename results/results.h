@@ -15,6 +15,7 @@
 #include "friction/heat.h"
 #include "friction/stribeck_table.h"
 #include "loop/check.h"
+#include "model/judgement.h"
 #include "model/model.h"
 #include "model/prediction.h"
 #include "record/note.h"
@@ -30,18 +31,21 @@
 /// `channels` lists all.
 namespace raceway::results {
 
-/// `band`, of one row, may be null: then there is none in the document.
+/// `band`, of one row, may be null: then there is none in the document. `findings` stand in the
+/// member `judgement`, as in all documents that take them.
 [[nodiscard]] std::string solve_json(const model::Model& model,
                                      const bearing::OperatingPoint& point,
                                      const bearing::BearingEquilibrium& equilibrium,
                                      const model::FrictionPrediction& friction,
                                      const friction::HeatSplit& heat,
-                                     const BandOfResult* band = nullptr);
+                                     const BandOfResult* band = nullptr,
+                                     const model::Findings& findings = {});
 
 /// The columns of a band are those of the table; `band` tells its parameters, and may be null.
 [[nodiscard]] std::string table_json(const model::Model& model,
                                      const friction::StribeckTable& table,
-                                     const BandOfResult* band = nullptr);
+                                     const BandOfResult* band = nullptr,
+                                     const model::Findings& findings = {});
 
 /// `record` is what was fitted to.
 [[nodiscard]] std::string calibration_json(const verdict::Calibration& calibration,

@@ -36,7 +36,8 @@ text::json rollers_json(const bearing::RollerBearing& b, const bearing::RollerEq
 
 std::string roller_solve_json(const model::Model& model, const bearing::OperatingPoint& point,
                               const model::FrictionPrediction& friction,
-                              const friction::HeatSplit& heat, const BandOfResult* band) {
+                              const friction::HeatSplit& heat, const BandOfResult* band,
+                              const model::Findings& findings) {
   const bearing::RollerBearing& b = *model.bearing.rollers();
   const bearing::RollerEquilibrium none;
   const bearing::RollerEquilibrium& e = friction.rollers ? *friction.rollers : none;
@@ -82,6 +83,7 @@ std::string roller_solve_json(const model::Model& model, const bearing::Operatin
                          {"power_loss_W", friction.power_loss},
                          {"inner_ring_heat_W", heat.inner},
                          {"outer_ring_heat_W", heat.outer},
+                         {"judgement", judgement_json(findings)},
                          {"report", report}};
   if (solved) {
     add_life(document, model, bearing_life(model, point, friction));

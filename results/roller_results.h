@@ -4,6 +4,7 @@
 
 #include "bearing/operating_point.h"
 #include "friction/heat.h"
+#include "model/judgement.h"
 #include "model/prediction.h"
 #include "results/band_of_result.h"
 
@@ -15,6 +16,7 @@ namespace raceway::results {
                                             const bearing::OperatingPoint& point,
                                             const model::FrictionPrediction& friction,
                                             const friction::HeatSplit& heat,
-                                            const BandOfResult* band = nullptr);
+                                            const BandOfResult* band = nullptr,
+                                            const model::Findings& findings = {});
 
 }  // namespace raceway::results

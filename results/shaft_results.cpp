@@ -163,22 +163,26 @@ std::string displacement_text(const model::Model& model, std::span<const shaft::
 
 std::string displacement_json(const model::Model& model, std::span<const shaft::ShaftPoint> points,
                               std::span<const shaft::ShaftPrediction> predictions,
-                              const BandOfResult* band) {
+                              const BandOfResult* band, const model::Findings& findings) {
   text::json rows = text::json::array();
   for (std::size_t k = 0; k < points.size(); ++k) {
     rows.push_back(row_json(model, points[k], predictions[k]));
     if (band) add_band(rows.back(), *band, k);
   }
-  text::json document = {
-      {"bearing", model.name}, {"arrangement", arrangement_json(model)}, {"rows", std::move(rows)}};
+  text::json document = {{"bearing", model.name},
+                         {"arrangement", arrangement_json(model)},
+                         {"rows", std::move(rows)},
+                         {"judgement", judgement_json(findings)}};
   if (band) document["band"] = band_json(*band);
   return text::text(std::move(document));
 }
 
 std::string shaft_solve_json(const model::Model& model, const shaft::ShaftPoint& point,
-                             const shaft::ShaftPrediction& prediction, const BandOfResult* band) {
+                             const shaft::ShaftPrediction& prediction, const BandOfResult* band,
+                             const model::Findings& findings) {
   text::json document = {{"bearing", model.name}, {"arrangement", arrangement_json(model)}};
   document.update(row_json(model, point, prediction));
+  document["judgement"] = judgement_json(findings);
   if (band) {
     add_band(document, *band, 0);
     document["band"] = band_json(*band);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/judgement.h"
 #include "results/band_of_result.h"
 #include "shaft/shaft_prediction.h"
 
@@ -41,12 +42,14 @@ struct DisplacementColumn {
 [[nodiscard]] std::string displacement_json(const model::Model& model,
                                             std::span<const shaft::ShaftPoint> points,
                                             std::span<const shaft::ShaftPrediction> predictions,
-                                            const BandOfResult* band = nullptr);
+                                            const BandOfResult* band = nullptr,
+                                            const model::Findings& findings = {});
 
 /// One of these rows, with all digits of friction and heat of its bearings.
 [[nodiscard]] std::string shaft_solve_json(const model::Model& model,
                                            const shaft::ShaftPoint& point,
                                            const shaft::ShaftPrediction& prediction,
-                                           const BandOfResult* band = nullptr);
+                                           const BandOfResult* band = nullptr,
+                                           const model::Findings& findings = {});
 
 }  // namespace raceway::results

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "record/units.h"
+#include "results/detail/model_objects.h"
 #include "text/detail/csv_text.h"
 #include "text/detail/json_text.h"
 #include "text/printable.h"
@@ -127,7 +128,7 @@ std::string spindle_run_text(const model::Model& model,
 
 std::string spindle_run_json(const model::Model& model,
                              std::span<const spindle::ProfileRow> profile, const spindle::Run& run,
-                             const MeshEstimate& mesh) {
+                             const MeshEstimate& mesh, const model::Findings& findings) {
   text::json rows = text::json::array();
   for (std::size_t k = 0; k < run.moments.size(); ++k) {
     text::json row{{"time_s", run.moments[k].time}};
@@ -140,6 +141,7 @@ std::string spindle_run_json(const model::Model& model,
        {"highest_front_force",
         {{"force_N", run.highest_front_force}, {"time_s", run.time_of_highest_force}}},
        {"rows_asked", profile.size()},
+       {"judgement", judgement_json(findings)},
        {"rows", std::move(rows)}});
 }
 
@@ -159,7 +161,7 @@ std::string spindle_steady_text(const model::Model& model, std::span<const Stead
 }
 
 std::string spindle_steady_json(const model::Model& model, std::span<const SteadyState> states,
-                                const MeshEstimate& mesh) {
+                                const MeshEstimate& mesh, const model::Findings& findings) {
   text::json rows = text::json::array();
   for (const SteadyState& s : states) {
     text::json row = row_json(run_columns(model, s.inputs, s.moment));
@@ -168,7 +170,9 @@ std::string spindle_steady_json(const model::Model& model, std::span<const Stead
         s.report, mesh.speed == s.inputs.speed ? mesh : MeshEstimate{.cells = mesh.cells});
     rows.push_back(std::move(row));
   }
-  return text::text({{"spindle", model.spindle->name}, {"steady", std::move(rows)}});
+  return text::text({{"spindle", model.spindle->name},
+                     {"judgement", judgement_json(findings)},
+                     {"steady", std::move(rows)}});
 }
 
 std::string spindle_field_text(std::span<const spindle::FieldCell> cells, std::string_view name) {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/judgement.h"
 #include "model/model.h"
 #include "spindle/spindle.h"
 
@@ -48,14 +49,16 @@ struct RunColumn {
                                            const spindle::Run& run, std::string_view model_text);
 [[nodiscard]] std::string spindle_run_json(const model::Model& model,
                                            std::span<const spindle::ProfileRow> profile,
-                                           const spindle::Run& run, const MeshEstimate& mesh);
+                                           const spindle::Run& run, const MeshEstimate& mesh,
+                                           const model::Findings& findings = {});
 /// Of speeds behind each other, the same columns.
 [[nodiscard]] std::string spindle_steady_text(const model::Model& model,
                                               std::span<const SteadyState> states,
                                               std::string_view model_text);
 [[nodiscard]] std::string spindle_steady_json(const model::Model& model,
                                               std::span<const SteadyState> states,
-                                              const MeshEstimate& mesh);
+                                              const MeshEstimate& mesh,
+                                              const model::Findings& findings = {});
 /// `field.csv`: middle of each cell, its part and temperature.
 [[nodiscard]] std::string spindle_field_text(std::span<const spindle::FieldCell> cells,
                                              std::string_view name);

@@ -26,6 +26,14 @@ BeamOfModel beam_of(const files::ModelFile& file, double load_place) {
   }
 }
 
+std::string unused_coolant_off(const model::Model& model, bool coolant_on, bool warm) {
+  if (coolant_on) return {};
+  if (!model.spindle || !model.spindle->coolant)
+    return "switching the coolant off changes nothing: the model has no [coolant]";
+  if (!warm) return "switching the coolant off changes nothing: the spindle is cold, not warm";
+  return {};
+}
+
 spindle::Inputs inputs_at(const model::Model& model, double speed, bool coolant_on) {
   return {.speed = speed, .axial_load = model.shaft->external_load, .coolant_on = coolant_on};
 }

@@ -20,6 +20,9 @@ struct BeamOfModel {
 /// [shaft] with segments, and with the file's name before what is wrong with it.
 [[nodiscard]] BeamOfModel beam_of(const files::ModelFile& file, double load_place);
 
+/// Why a coolant that is switched off changes nothing, a note; empty where it does.
+[[nodiscard]] std::string unused_coolant_off(const model::Model& model, bool coolant_on, bool warm);
+
 /// What the sets run under: the external load of the model and, warm, its ambient.
 [[nodiscard]] spindle::Inputs inputs_at(const model::Model& model, double speed, bool coolant_on);
 

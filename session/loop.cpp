@@ -35,7 +35,14 @@ fit::Averaged dwells_of(const LoopModel& model, const record::Record& data) {
 
 /// Rows of a logger become dwells, unless `rows` are to stay apart; the record says so.
 void average(Messages& messages, const LoopModel& model, record::Record& data, bool rows) {
-  if (rows) return;
+  if (rows) {
+    const std::shared_ptr<const fit::Subject> subject = model.as_written();
+    if (subject->has_memory() || subject->approximates())
+      messages.say(record::note::unused(
+          "--rows changes nothing: rows of a record over time are never averaged",
+          {.key = "rows"}));
+    return;
+  }
   fit::Averaged averaged = dwells_of(model, data);
   if (!averaged.any()) return;
   const record::Note said = record::note::averaged(

@@ -12,6 +12,7 @@
 #include "model/ignored_data.h"
 #include "model/steps.h"
 #include "session/isolated.h"
+#include "session/judged.h"
 #include "shaft/displacement_rows.h"
 #include "text/error.h"
 #include "text/input_file.h"
@@ -69,6 +70,8 @@ files::ModelFile open_model(Messages& messages, const Source& source, Accepts ac
                     path == "-" ? "MODEL" : path, count == 1 ? "it" : "them"),
         {.file = path}));
   say_of(messages, file.source, file.notes);
+  say_of(messages, file.source, said_of(judge_mounted(file)));
+  say_of(messages, file.source, fit_notes(file.model));
   return file;
 }
 
@@ -119,6 +122,8 @@ record::Record open_one(Messages& messages, const Source& given, const model::Mo
         files::asked_about(files::series_doubts(data, {}), source, files::of_spindle(options));
     put(messages, data, std::exchange(data.notes, {}), from);
     put(messages, data, doubts, from);
+    require_possible(subject.model(), data);
+    put(messages, data, said_of(judge(subject.model(), data)), from);
     const auto read = std::find_if(
         data.columns.begin(), data.columns.end(),
         [](const record::Column& c) { return c.channel->role == record::Role::measured; });
@@ -130,6 +135,8 @@ record::Record open_one(Messages& messages, const Source& given, const model::Mo
     data.notes.push_back(record::note::read_as(std::move(note)));
   put(messages, data, std::exchange(data.notes, {}), from);
   put(messages, data, files::asked_about(files::doubts(subject, data), source, options), from);
+  require_possible(subject.model(), data);
+  put(messages, data, said_of(judge(subject.model(), data)), from);
   return data;
 }
 

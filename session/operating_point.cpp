@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "files/plausible.h"
+#include "session/judged.h"
 #include "text/error.h"
 #include "text/number_range.h"
 #include "text/number_text.h"
@@ -114,8 +115,14 @@ bearing::OperatingPoint operating_point(Messages& messages, const files::ModelFi
   require(asked.temperature_C, text::temperature_range, "--temperature", "temperature_C");
   require(asked.moment_y_Nmm, text::moment_range, "--moment-y", "moment_y_Nmm");
   require(asked.moment_z_Nmm, text::moment_range, "--moment-z", "moment_z_Nmm");
-  tell_of_kelvin(messages, {asked.temperature_C}, named(wording, "--temperature", "temperature_C"));
-  return point_of(file.model, asked);
+  const std::string temperature = named(wording, "--temperature", "temperature_C");
+  tell_of_kelvin(messages, {asked.temperature_C}, temperature);
+  const bearing::OperatingPoint point = point_of(file.model, asked);
+  require_possible_speed(file.model, point.speed, named(wording, "--speed", "speed_rpm"));
+  require_possible_temperature(
+      file.model, point.temperature,
+      given(asked.temperature_C) ? temperature : file.source + ": [rig] temperature_C");
+  return point;
 }
 
 friction::TableAxes table_axes(Messages& messages, const files::ModelFile& file,
@@ -133,13 +140,19 @@ friction::TableAxes table_axes(Messages& messages, const files::ModelFile& file,
   const bearing::OperatingPoint otherwise = point_of(file.model);
   const std::string temperature = named(wording, "--temperature", "temperature_C");
   tell_of_kelvin(messages, asked.temperature_C, temperature);
-  return {.speed = axis_of(asked.speed_rpm, unset, text::speed_range, speed, rpm, 0.0),
-          .axial_load = axis_of(asked.axial_load_N, otherwise.axial_load, axial_range(file.model),
-                                named(wording, "--axial-load", "axial_load_N"), 1.0, 0.0),
-          .radial_load = axis_of(asked.radial_load_N, otherwise.radial_load, text::load_range,
-                                 named(wording, "--radial-load", "radial_load_N"), 1.0, 0.0),
-          .temperature = axis_of(asked.temperature_C, otherwise.temperature,
-                                 text::temperature_range, temperature, 1.0, celsius_zero)};
+  friction::TableAxes axes{
+      .speed = axis_of(asked.speed_rpm, unset, text::speed_range, speed, rpm, 0.0),
+      .axial_load = axis_of(asked.axial_load_N, otherwise.axial_load, axial_range(file.model),
+                            named(wording, "--axial-load", "axial_load_N"), 1.0, 0.0),
+      .radial_load = axis_of(asked.radial_load_N, otherwise.radial_load, text::load_range,
+                             named(wording, "--radial-load", "radial_load_N"), 1.0, 0.0),
+      .temperature = axis_of(asked.temperature_C, otherwise.temperature, text::temperature_range,
+                             temperature, 1.0, celsius_zero)};
+  require_possible_speed(file.model, axes.speed.back(), speed);
+  require_possible_temperature(
+      file.model, axes.temperature.front(),
+      asked.temperature_C.empty() ? file.source + ": [rig] temperature_C" : temperature);
+  return axes;
 }
 
 std::vector<shaft::ShaftPoint> shaft_points(std::span<const bearing::OperatingPoint> points) {

@@ -8,6 +8,7 @@
 
 #include "report/report.h"
 #include "results/shaft_results.h"
+#include "session/judged.h"
 #include "session/law_statement.h"
 #include "session/open_input.h"
 #include "session/shaft_answers.h"
@@ -41,7 +42,8 @@ ShaftCurve::ShaftCurve(const files::ModelFile& file, std::vector<shaft::ShaftPoi
                        const std::optional<model::Band>& band)
     : file_(&file),
       points_(std::move(points)),
-      predictions_(shaft::predict_shaft(file.model, points_)) {
+      predictions_(shaft::predict_shaft(file.model, points_)),
+      findings_(judge(file.model, points_, predictions_)) {
   if (band) band_ = shaft_band(*band, points_);
 }
 
@@ -52,6 +54,7 @@ bool ShaftCurve::converged() const {
 std::vector<record::Note> ShaftCurve::warnings() const {
   std::vector<record::Note> notes =
       notes_of(record::note::unloaded, shaft_warnings(file_->model, points_, predictions_));
+  append(notes, said_of(findings_));
   const auto first = std::find_if(predictions_.begin(), predictions_.end(), has_failed);
   if (first != predictions_.end())
     notes.push_back(record::note::no_prediction(fmt::format(
@@ -64,7 +67,7 @@ std::vector<record::Note> ShaftCurve::warnings() const {
 }
 
 std::string ShaftCurve::json() const {
-  return results::displacement_json(file_->model, points_, predictions_, band());
+  return results::displacement_json(file_->model, points_, predictions_, band(), findings_);
 }
 
 std::string ShaftCurve::csv() const {
@@ -72,9 +75,9 @@ std::string ShaftCurve::csv() const {
 }
 
 std::string ShaftCurve::page() const {
-  return report::displacement_report(file_->source, file_->model, points_, predictions_,
-                                     law_of(*this), texts(warnings()),
-                                     {of_page(*file_, file_->model)});
+  return report::displacement_report(
+      file_->source, file_->model, points_, predictions_, law_of(*this), texts(warnings()),
+      {of_page(*file_, file_->model)}, model::warnings_of(findings_));
 }
 
 }  // namespace raceway::session

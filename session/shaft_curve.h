@@ -6,6 +6,7 @@
 
 #include "files/model_file.h"
 #include "model/band.h"
+#include "model/judgement.h"
 #include "record/note.h"
 #include "results/band_of_result.h"
 #include "shaft/shaft_prediction.h"
@@ -26,7 +27,7 @@ class ShaftCurve {
   [[nodiscard]] const results::BandOfResult* band() const { return band_ ? &*band_ : nullptr; }
   /// Whether every speed has a position and a torque.
   [[nodiscard]] bool converged() const;
-  /// Unloaded bearings, and speeds without a value.
+  /// Limits that are passed at the worst speed, unloaded bearings, and speeds without a value.
   [[nodiscard]] std::vector<record::Note> warnings() const;
 
   [[nodiscard]] std::string json() const;
@@ -40,6 +41,7 @@ class ShaftCurve {
   std::vector<shaft::ShaftPoint> points_;
   std::vector<shaft::ShaftPrediction> predictions_;
   std::optional<results::BandOfResult> band_;
+  model::Findings findings_;
 };
 
 }  // namespace raceway::session

@@ -8,11 +8,9 @@
 #include "bearing/shoulder.h"
 #include "model/heat_split.h"
 #include "session/contact_statement.h"
-#include "session/load_notes.h"
 #include "session/roller_notes.h"
 
 namespace raceway::session {
-namespace {}  // namespace
 
 std::string words_of_absence(const bearing::SolveReport& report,
                              const bearing::OperatingPoint& point) {
@@ -41,10 +39,14 @@ PointAnswer solve_point(const model::Model& model, const bearing::OperatingPoint
   return answer;
 }
 
-std::vector<std::string> notes_on_point(const model::Model& model,
-                                        const bearing::OperatingPoint& point,
-                                        const PointAnswer& answer) {
-  if (model.bearing.rollers()) return notes_on_rollers(model, point, answer.friction);
+model::Findings judge(const model::Model& model, const bearing::OperatingPoint& point,
+                      const PointAnswer& answer) {
+  if (!answer.converged()) return {};
+  model::Judge judge(model);
+  if (model.bearing.rollers()) {
+    judge.look_at_speed(model.bearing.pitch_diameter(), false, "", point);
+    return judge.findings();
+  }
   const bearing::Bearing& bearing = bearing_of(model, answer.friction);
   const bearing::ContactPressure pressure = largest_pressure(bearing, answer.equilibrium);
   double least = unset, largest = unset;
@@ -52,37 +54,48 @@ std::vector<std::string> notes_on_point(const model::Model& model,
     least = std::fmin(least, b.inner_contact_angle);
     largest = std::fmax(largest, b.inner_contact_angle);
   }
-  LoadNotes notes;
   // Lost balls stand in the result.
-  notes.look(bearing, "", point,
+  judge.look(bearing, "", point,
              {.axial_load = point.axial_load,
               .radial_load = std::hypot(point.radial_load, point.radial_load_z),
               .inner_pressure = pressure.inner,
               .outer_pressure = pressure.outer,
               .least_inner_angle = least,
               .largest_inner_angle = largest});
-  std::vector<std::string> lines = notes.lines();
-  for (std::string& line : notes_on_state(model, bearing, point, answer.friction))
-    lines.push_back(std::move(line));
-  return lines;
+  return judge.findings();
 }
 
-std::vector<std::string> warnings_on_point(const model::Model& model, const PointAnswer& answer) {
-  if (model.bearing.rollers()) return {};
+std::vector<record::Note> notes_on_point(const model::Model& model,
+                                         const bearing::OperatingPoint& point,
+                                         const PointAnswer& answer) {
+  std::vector<std::string> lines = model::notes_of(judge(model, point, answer));
+  for (std::string& line :
+       model.bearing.rollers()
+           ? notes_on_rollers(model, point, answer.friction)
+           : notes_on_state(model, bearing_of(model, answer.friction), point, answer.friction))
+    lines.push_back(std::move(line));
+  return notes_of(record::note::load_limit, std::move(lines));
+}
+
+std::vector<record::Note> warnings_on_point(const model::Model& model,
+                                            const bearing::OperatingPoint& point,
+                                            const PointAnswer& answer) {
+  std::vector<record::Note> notes =
+      notes_of(record::note::over_limit, model::warnings_of(judge(model, point, answer)));
+  if (model.bearing.rollers()) return notes;
   const bearing::ShoulderMargins left =
       shoulder_margins(bearing_of(model, answer.friction), answer.equilibrium);
-  std::vector<std::string> lines;
   const auto look = [&](const char* race, double margin, double cut) {
     if (margin < 0.0)
-      lines.push_back(
+      notes.push_back(record::note::cut_contact(
           fmt::format("the {} shoulder cuts the contact ellipse off, {:.2g} deg short, "
                       "{:.2g} % of its length: its edge carries more than the contact "
                       "pressure says",
-                      race, -margin / degree, 100.0 * cut));
+                      race, -margin / degree, 100.0 * cut)));
   };
   look("inner", left.inner, left.inner_cut);
   look("outer", left.outer, left.outer_cut);
-  return lines;
+  return notes;
 }
 
 }  // namespace raceway::session

@@ -5,7 +5,9 @@
 
 #include "bearing/bearing_equilibrium.h"
 #include "friction/heat.h"
+#include "model/judgement.h"
 #include "model/prediction.h"
+#include "record/note.h"
 
 namespace raceway::session {
 
@@ -30,12 +32,17 @@ struct PointAnswer {
 [[nodiscard]] PointAnswer solve_point(const model::Model& model,
                                       const bearing::OperatingPoint& point);
 
-/// What a user should know of an answer that has converged: loads above the rating, pressures that
-/// leave dents, balls that may skid; and what makes it doubtful: a shoulder that cuts an ellipse.
-[[nodiscard]] std::vector<std::string> notes_on_point(const model::Model& model,
-                                                      const bearing::OperatingPoint& point,
-                                                      const PointAnswer& answer);
-[[nodiscard]] std::vector<std::string> warnings_on_point(const model::Model& model,
-                                                         const PointAnswer& answer);
+/// Limits that an answer passes; none without balance.
+[[nodiscard]] model::Findings judge(const model::Model& model, const bearing::OperatingPoint& point,
+                                    const PointAnswer& answer);
+
+/// What a user should know of an answer that has converged: its findings, balls that may skid; and
+/// what makes it doubtful: limits of running bearings, a shoulder that cuts an ellipse.
+[[nodiscard]] std::vector<record::Note> notes_on_point(const model::Model& model,
+                                                       const bearing::OperatingPoint& point,
+                                                       const PointAnswer& answer);
+[[nodiscard]] std::vector<record::Note> warnings_on_point(const model::Model& model,
+                                                          const bearing::OperatingPoint& point,
+                                                          const PointAnswer& answer);
 
 }  // namespace raceway::session

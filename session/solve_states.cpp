@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include "model/prediction.h"
 #include "record/digits.h"
 #include "session/bands.h"
+#include "session/judged.h"
 #include "session/operating_point.h"
 #include "session/shaft_answers.h"
 #include "session/solve_point.h"
@@ -93,20 +95,30 @@ bool is_constant(const NumberArray& array) {
                      [](std::ptrdiff_t stride) { return stride == 0; });
 }
 
-void check(Messages& messages, const Input& input, const StateArrays& states, bool shaft) {
+void check(Messages& messages, const Input& input, const StateArrays& states,
+           const model::Model& model) {
   const NumberArray& array = states.*input.array;
   if (!array.given() || states.size() == 0) return;
   text::NumberRange range = input.range;
-  if (shaft && input.array == &StateArrays::axial_load_N) range = text::signed_load_range;
+  if (model.shaft && input.array == &StateArrays::axial_load_N) range = text::signed_load_range;
+  const double endless = std::numeric_limits<double>::infinity();
+  const double most =
+      input.array == &StateArrays::speed_rpm ? model::possible_speeds(model).upper / rpm : endless;
+  const double least = input.array == &StateArrays::temperature_C
+                           ? celsius(model::possible_temperatures(model.lubricant).lower)
+                           : -endless;
   const std::size_t count = is_constant(array) ? 1 : states.size();
   Walk walk(array, states.shape, 0);
   bool said = input.array != &StateArrays::temperature_C;
   for (std::size_t i = 0; i < count; ++i) {
     const double value = walk.next();
-    if (!(value >= range.lower && value <= range.upper))
-      text::require_range(value, range,
-                          std::string(input.name) +
-                              (count == 1 ? std::string() : Walk(array, states.shape, i).place()));
+    const auto name = [&] {
+      return std::string(input.name) +
+             (count == 1 ? std::string() : Walk(array, states.shape, i).place());
+    };
+    if (!(value >= range.lower && value <= range.upper)) text::require_range(value, range, name());
+    if (value > most) require_possible_speed(model, value * rpm, name());
+    if (value < least) require_possible_temperature(model, kelvin(value), name());
     if (said) continue;
     const std::string note = files::looks_like_kelvin(input.name, value);
     said = !note.empty();
@@ -125,7 +137,7 @@ bearing::OperatingPoint checked(Messages& messages, const files::ModelFile& file
                  .moments = states.moment_y_Nmm.given() || states.moment_z_Nmm.given()},
                 Wording::arguments);
   const bearing::OperatingPoint otherwise = point_of(file.model);
-  for (const Input& input : inputs()) check(messages, input, states, file.model.shaft.has_value());
+  for (const Input& input : inputs()) check(messages, input, states, file.model);
   return otherwise;
 }
 
@@ -250,10 +262,16 @@ SolvedStates solve_states(Messages& messages, const files::ModelFile& file,
   }
   solved.values.resize(places.size() * size);
   solved.status.resize(size);
+  const JudgedColumns judged(file.model, {all.begin() + 1, all.end()});
+  std::vector<model::Findings> found(size / block_size + 1);
   for_blocks(size, [&](std::size_t first, std::size_t count) {
     if (cancelled && cancelled->load()) throw fit::Cancelled();
     Block block(states, otherwise, first, count);
     block.solve(file.model, all.size() - 1, band);
+    model::Judge judge(file.model);
+    for (std::size_t i = 0; i < count; ++i)
+      judged.look(block.points()[i], block.result(i).columns, judge);
+    found[first / block_size] = judge.findings();
     for (std::size_t i = 0; i < count; ++i) {
       const friction::TablePoint& result = block.result(i);
       solved.status[first + i] = result.status;
@@ -262,6 +280,7 @@ SolvedStates solve_states(Messages& messages, const files::ModelFile& file,
             (places[c] == 0 ? result.friction_moment : result.columns[places[c] - 1]) / units[c];
     }
   });
+  messages.say(said_of(worst_of(found)));
   return solved;
 }
 
@@ -278,14 +297,15 @@ SolvedStates solve_state(Messages& messages, const files::ModelFile& file,
     const shaft::ShaftPoint asked = shaft_points({&point, 1}).front();
     const auto predictions = shaft::predict_shaft(model, {&asked, 1});
     messages.say(notes_of(record::note::unloaded, shaft_warnings(model, {&asked, 1}, predictions)));
+    messages.say(said_of(judge(model, {&asked, 1}, predictions)));
     fill_shaft_state(model, predictions.front(), result);
   } else {
     const PointAnswer answer = solve_point(model, point);
     fill_state(model, point, answer.friction, result);
     result.status = answer.status;
     if (answer.converged()) {
-      messages.say(notes_of(record::note::load_limit, notes_on_point(model, point, answer)));
-      messages.say(notes_of(record::note::cut_contact, warnings_on_point(model, answer)));
+      messages.say(notes_on_point(model, point, answer));
+      messages.say(warnings_on_point(model, point, answer));
     }
   }
   if (band) fill_band(model, *band, {&point, 1}, {&result, 1});

@@ -4,6 +4,7 @@
 
 #include "record/units.h"
 #include "report/beam_report.h"
+#include "session/judged.h"
 #include "session/open_input.h"
 #include "text/error.h"
 
@@ -90,25 +91,39 @@ void check(const DeflectionQuestion& q) {
 SpindleDeflection spindle_deflection(const files::ModelFile& file,
                                      const DeflectionQuestion& question) {
   check(question);
-  SpindleDeflection answer{.file = file, .beam = beam_of(file, question.at), .warm = question.warm};
+  require_possible_speed(file.model, question.speed,
+                         named(question.wording, "--speed", "speed_rpm"));
+  SpindleDeflection answer{.file = file,
+                           .beam = beam_of(file, question.at),
+                           .warm = question.warm,
+                           .coolant_on = question.coolant_on};
   answer.beam.sets.stop_on(question.cancelled);
   answer.result = solve_deflection(file.model, answer.beam, question);
   answer.beam.sets.stop_on(nullptr);
+  answer.findings =
+      judge(file.model, answer.beam.sets.arrangement(), answer.result, question.wording);
   return answer;
 }
 
 std::vector<std::string> SpindleDeflection::notes() const {
-  return {"the housing is rigid: what it gives way by is not in these displacements"};
+  std::vector<std::string> lines = model::notes_of(findings);
+  if (std::string unused = unused_coolant_off(file.model, coolant_on, warm); !unused.empty())
+    lines.push_back(std::move(unused));
+  if (result.axial && result.at != 0.0)
+    lines.emplace_back(
+        "the place of an axial force changes nothing: the shaft is a beam on its axis");
+  lines.emplace_back("the housing is rigid: what it gives way by is not in these displacements");
+  return lines;
 }
 
 std::vector<std::string> SpindleDeflection::warnings() const {
-  if (converged()) return {};
+  if (converged()) return model::warnings_of(findings);
   return {fmt::format("{:.6g} rpm: {}{}", result.speed / rpm, result.status(),
                       result.sets.message.empty() ? "" : ", " + result.sets.message)};
 }
 
 std::string SpindleDeflection::json() const {
-  return results::deflection_json(beam.sets.arrangement(), result, file.source);
+  return results::deflection_json(beam.sets.arrangement(), result, file.source, findings);
 }
 
 std::string SpindleDeflection::csv() const {
@@ -119,7 +134,7 @@ std::string SpindleDeflection::page() const {
   constexpr double rigid = 1e6;  // times as stiff
   return report::deflection_report(of_page(file, file.model), beam.sets.arrangement(), beam.beam,
                                    beam.places, warm, result, tangent_line(beam, result),
-                                   tangent_line(beam, result, rigid));
+                                   tangent_line(beam, result, rigid), findings);
 }
 
 }  // namespace raceway::session

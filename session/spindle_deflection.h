@@ -36,18 +36,20 @@ struct SpindleDeflection {
   files::ModelFile file;
   BeamOfModel beam;
   results::DeflectionResult result{};
-  bool warm = false;
+  bool warm = false, coolant_on = true;
+  model::Findings findings{};
 
   [[nodiscard]] bool converged() const { return result.converged(); }
   [[nodiscard]] std::vector<std::string> notes() const;
-  /// Why there is none.
+  /// Why there is none, or limits that it passes.
   [[nodiscard]] std::vector<std::string> warnings() const;
   [[nodiscard]] std::string json() const;
   [[nodiscard]] std::string csv() const;
   [[nodiscard]] std::string page() const;
 };
 
-/// Throws text::InputError as check(), and for a model whose shaft has no segments.
+/// Throws text::InputError as check(), for a model whose shaft has no segments, and for a shaft
+/// that would bend beyond what a beam is.
 [[nodiscard]] SpindleDeflection spindle_deflection(const files::ModelFile& file,
                                                    const DeflectionQuestion& question);
 

@@ -9,6 +9,7 @@
 #include "fit/problem.h"
 #include "record/units.h"
 #include "report/beam_report.h"
+#include "session/judged.h"
 #include "session/open_input.h"
 #include "text/error.h"
 
@@ -52,10 +53,15 @@ SpindleModes spindle_modes(const files::ModelFile& file, const ModesQuestion& qu
     throw text::InputError(
         fmt::format("raceway modes: {} speeds: at most {}", question.speeds.size(), most),
         {.key = "--speed"});
-  SpindleModes answer{.file = file, .beam = beam_of(file, 0.0), .warm = question.warm};
+  for (const double speed : question.speeds) require_possible_speed(file.model, speed, "speed_rpm");
+  SpindleModes answer{.file = file,
+                      .beam = beam_of(file, 0.0),
+                      .warm = question.warm,
+                      .coolant_on = question.coolant_on};
   answer.beam.sets.stop_on(question.cancelled);
   answer.speeds = find_all(file.model, answer.beam, question);
   answer.beam.sets.stop_on(nullptr);
+  answer.findings = judge_speeds(file.model, question.speeds);
   return answer;
 }
 
@@ -64,7 +70,11 @@ bool SpindleModes::converged() const {
 }
 
 std::vector<std::string> SpindleModes::notes() const {
-  return {"damping, and what gives way in the housing, are not modelled: damping_ratio is empty"};
+  std::vector<std::string> lines{
+      "damping, and what gives way in the housing, are not modelled: damping_ratio is empty"};
+  if (std::string unused = unused_coolant_off(file.model, coolant_on, warm); !unused.empty())
+    lines.push_back(std::move(unused));
+  return lines;
 }
 
 std::vector<std::string> SpindleModes::warnings() const {
@@ -73,11 +83,12 @@ std::vector<std::string> SpindleModes::warnings() const {
     if (!r.converged())
       lines.push_back(fmt::format("{:.6g} rpm: {}{}", r.speed / rpm, r.status(),
                                   r.sets.message.empty() ? "" : ", " + r.sets.message));
+  for (std::string& line : model::warnings_of(findings)) lines.push_back(std::move(line));
   return lines;
 }
 
 std::string SpindleModes::json() const {
-  return results::campbell_json(beam.sets.arrangement(), speeds, file.source);
+  return results::campbell_json(beam.sets.arrangement(), speeds, file.source, findings);
 }
 
 std::string SpindleModes::csv() const {
@@ -90,7 +101,7 @@ std::string SpindleModes::shapes_csv() const {
 
 std::string SpindleModes::page() const {
   return report::modes_report(of_page(file, file.model), beam.sets.arrangement(), beam.beam,
-                              beam.places, warm, speeds);
+                              beam.places, warm, speeds, findings);
 }
 
 }  // namespace raceway::session

@@ -23,11 +23,12 @@ struct SpindleModes {
   files::ModelFile file;
   BeamOfModel beam;
   std::vector<results::ModesAtSpeed> speeds{};
-  bool warm = false;
+  bool warm = false, coolant_on = true;
+  model::Findings findings{};
 
   [[nodiscard]] bool converged() const;
   [[nodiscard]] std::vector<std::string> notes() const;
-  /// The speeds that have no modes, and why.
+  /// The speeds that have no modes, and why, and limits that speeds pass.
   [[nodiscard]] std::vector<std::string> warnings() const;
   [[nodiscard]] std::string json() const;
   [[nodiscard]] std::string csv() const;

@@ -10,6 +10,8 @@
 #include "files/spindle_record.h"
 #include "record/units.h"
 #include "report/spindle_report.h"
+#include "session/beam_of_model.h"
+#include "session/judged.h"
 #include "session/open_input.h"
 #include "session/spindle_steady.h"
 #include "spindle/drawn_run.h"
@@ -40,6 +42,8 @@ std::vector<spindle::ProfileRow> read_profile(Messages& messages, const RunQuest
   const record::Record record = read_programme(q, file);
   messages.say(record.notes);
   warn_of_kelvin(messages, record);
+  require_possible(file.model, record);
+  require_possible_temperature(file.model, q.ambient_temperature, "ambient_temperature_C");
   const std::string& name = q.programme.name;
   if (record.runs.size() > 1)
     throw text::InputError(
@@ -88,6 +92,9 @@ SpindleRun simulate_spindle(Messages& messages, const files::ModelFile& file,
                             const RunQuestion& question) {
   require_spindle(file);
   const std::string& name = question.programme.name;
+  if (const std::string unused = unused_coolant_off(file.model, question.coolant_on, true);
+      !unused.empty())
+    messages.say(record::note::unused(unused, {.key = "coolant_on"}));
   SpindleRun answer{.file = file, .programme = name};
   answer.profile = read_profile(messages, question, file);
   const std::vector<spindle::ProfileRow>& profile = answer.profile;
@@ -101,6 +108,7 @@ SpindleRun simulate_spindle(Messages& messages, const files::ModelFile& file,
                            {.file = question.start ? question.start->name : name});
   }
   answer.field = simulator.field(answer.run.end);
+  answer.findings = judge(file.model, answer.profile, answer.run);
   const auto fastest = std::max_element(
       profile.begin(), profile.end(),
       [](const auto& a, const auto& b) { return a.inputs.speed < b.inputs.speed; });
@@ -110,14 +118,16 @@ SpindleRun simulate_spindle(Messages& messages, const files::ModelFile& file,
 }
 
 std::vector<std::string> SpindleRun::warnings() const {
-  if (converged()) return {};
-  return {fmt::format("{}: {} at {:.6g} s; {} of {} rows are there",
-                      spindle::name(run.report.status), run.report.message, run.end.time,
-                      run.moments.size(), profile.size())};
+  std::vector<std::string> lines = model::warnings_of(findings);
+  if (converged()) return lines;
+  lines.insert(lines.begin(), fmt::format("{}: {} at {:.6g} s; {} of {} rows are there",
+                                          spindle::name(run.report.status), run.report.message,
+                                          run.end.time, run.moments.size(), profile.size()));
+  return lines;
 }
 
 std::string SpindleRun::json() const {
-  return results::spindle_run_json(file.model, profile, run, mesh);
+  return results::spindle_run_json(file.model, profile, run, mesh, findings);
 }
 
 std::string SpindleRun::csv() const {
@@ -137,7 +147,7 @@ std::string SpindleRun::page() const {
                       .cells = simulator.field(state)});
   }
   return report::spindle_run_report(of_page(file, file.model), programme, profile.size(), run,
-                                    drawn, fields, mesh, words(mesh));
+                                    drawn, fields, mesh, words(mesh), findings);
 }
 
 std::string SpindleRun::end_state() const {

@@ -32,9 +32,11 @@ struct SpindleRun {
   spindle::Run run{};
   results::MeshEstimate mesh{};
   std::vector<spindle::FieldCell> field{};  ///< at the end
+  model::Findings findings{};
 
   [[nodiscard]] bool converged() const { return run.report.converged(); }
-  /// Where and why it ended early.
+  [[nodiscard]] std::vector<std::string> notes() const { return model::notes_of(findings); }
+  /// Where and why it ended early, and limits that it passes.
   [[nodiscard]] std::vector<std::string> warnings() const;
   [[nodiscard]] std::string json() const;
   [[nodiscard]] std::string csv() const;

@@ -7,6 +7,8 @@
 
 #include "record/units.h"
 #include "report/spindle_report.h"
+#include "session/beam_of_model.h"
+#include "session/judged.h"
 #include "session/open_input.h"
 #include "text/error.h"
 
@@ -105,6 +107,8 @@ std::string words(const results::MeshEstimate& mesh) {
 
 SteadySpindle steady_spindle(const files::ModelFile& file, const SteadyQuestion& question) {
   require_spindle(file);
+  for (const double speed : question.speeds) require_possible_speed(file.model, speed, "speed_rpm");
+  require_possible_temperature(file.model, question.ambient_temperature, "ambient_temperature_C");
   SteadySpindle answer{.file = file};
   spindle::Simulator simulator = simulator_of(file);
   simulator.stop_on(question.cancelled);
@@ -114,6 +118,7 @@ SteadySpindle steady_spindle(const files::ModelFile& file, const SteadyQuestion&
                                  .ambient_temperature = question.ambient_temperature,
                                  .axial_load = file.model.shaft->external_load,
                                  .coolant_on = question.coolant_on}));
+  answer.findings = judge(file.model, answer.states);
   const auto last = std::find_if(answer.states.rbegin(), answer.states.rend(),
                                  [](const auto& s) { return s.report.converged(); });
   answer.mesh = last == answer.states.rend()
@@ -130,17 +135,26 @@ bool SteadySpindle::converged() const {
                      [](const auto& s) { return s.report.converged(); });
 }
 
+std::vector<std::string> SteadySpindle::notes() const {
+  std::vector<std::string> lines = model::notes_of(findings);
+  const bool coolant_on = states.empty() || states.front().inputs.coolant_on;
+  if (std::string unused = unused_coolant_off(file.model, coolant_on, true); !unused.empty())
+    lines.push_back(std::move(unused));
+  return lines;
+}
+
 std::vector<std::string> SteadySpindle::warnings() const {
   std::vector<std::string> lines;
   for (const results::SteadyState& s : states)
     if (!s.report.converged())
       lines.push_back(fmt::format("{:.6g} rpm: {}: {}", s.inputs.speed / rpm,
                                   spindle::name(s.report.status), s.report.message));
+  for (std::string& line : model::warnings_of(findings)) lines.push_back(std::move(line));
   return lines;
 }
 
 std::string SteadySpindle::json() const {
-  return results::spindle_steady_json(file.model, states, mesh);
+  return results::spindle_steady_json(file.model, states, mesh, findings);
 }
 
 std::string SteadySpindle::csv() const {
@@ -150,7 +164,7 @@ std::string SteadySpindle::csv() const {
 std::string SteadySpindle::page() const {
   spindle::Simulator simulator = simulator_of(file);
   return report::spindle_steady_report(of_page(file, file.model), states,
-                                       fields_of(simulator, states), mesh, words(mesh));
+                                       fields_of(simulator, states), mesh, words(mesh), findings);
 }
 
 std::string SteadySpindle::end_state() const {

@@ -36,11 +36,13 @@ struct SteadySpindle {
   files::ModelFile file;
   std::vector<results::SteadyState> states{};
   results::MeshEstimate mesh{};
+  model::Findings findings{};
   spindle::State end{};                     ///< of the last speed; nothing where it has none
   std::vector<spindle::FieldCell> field{};  ///< the same, cell by cell
 
   [[nodiscard]] bool converged() const;
-  /// The speeds that have no steady state, and why.
+  [[nodiscard]] std::vector<std::string> notes() const;
+  /// The speeds that have no steady state, and why, and limits that the others pass.
   [[nodiscard]] std::vector<std::string> warnings() const;
   [[nodiscard]] std::string json() const;
   [[nodiscard]] std::string csv() const;

@@ -10,6 +10,8 @@
 #include "record/units.h"
 #include "report/step_report.h"
 #include "results/step_results.h"
+#include "session/beam_of_model.h"
+#include "session/judged.h"
 #include "session/open_input.h"
 #include "session/step_parts.h"
 #include "text/error.h"
@@ -117,6 +119,11 @@ SpindleSteps simulated_steps(Messages& messages, const files::ModelFile& file,
         fmt::format("raceway step-response: {} speeds above 0 rpm: must be from 1 to {}",
                     speeds.size(), most),
         {.key = key});
+  for (const double speed : speeds) require_possible_speed(file.model, speed, key);
+  messages.say(said_of(judge_speeds(file.model, speeds)));
+  if (const std::string unused = unused_coolant_off(file.model, question.coolant_on, true);
+      !unused.empty())
+    messages.say(record::note::unused(unused, {.key = "coolant_on"}));
   SpindleSteps steps{
       .file = file, .source = file.source, .coolant_on = question.coolant_on, .simulated = true};
   spindle::StepOptions options{.duration = question.duration, .cancelled = question.cancelled};

@@ -11,7 +11,6 @@
 #include "model/heat_split.h"
 #include "model/prediction.h"
 #include "results/shaft_results.h"
-#include "session/load_notes.h"
 #include "session/operating_point.h"
 
 namespace raceway::session {
@@ -225,44 +224,6 @@ void fill_state(const model::Model& model, const bearing::OperatingPoint& point,
 void fill_shaft_state(const model::Model& model, const shaft::ShaftPrediction& prediction,
                       friction::TablePoint& out) {
   fill_shaft_point(model, prediction, out);
-}
-
-std::vector<std::string> table_notes(const model::Model& model,
-                                     const friction::StribeckTable& table) {
-  if (model.bearing.rollers()) return {};
-  LoadNotes notes;
-  const auto column_of = [&](std::size_t i, std::string_view name) {
-    const std::string place =
-        model.shaft ? results::bearing_place(model.shaft->arrangement, i) + "_" : std::string();
-    for (std::size_t c = 0; c < table.columns.size(); ++c)
-      if (table.columns[c] == place + std::string(name)) return c;
-    return table.columns.size();
-  };
-  const std::size_t bearings = model.shaft ? model.shaft->arrangement.bearings().size() : 1;
-  for (std::size_t i = 0; i < bearings; ++i) {
-    const std::size_t lost = column_of(i, lost_balls), inner = column_of(i, inner_pressure),
-                      outer = column_of(i, outer_pressure),
-                      least = column_of(i, "inner_contact_angle_min_deg"),
-                      largest = column_of(i, "inner_contact_angle_max_deg"),
-                      load = model.shaft ? column_of(i, "axial_load_N") : 0;
-    const bearing::Bearing& bearing =
-        model.shaft ? *model.shaft->arrangement.bearings()[i].bearing : *model.bearing;
-    const std::string place =
-        model.shaft ? results::bearing_place(model.shaft->arrangement, i) : std::string();
-    for (std::size_t k = 0; k < table.points(); ++k) {
-      const bearing::OperatingPoint p = table.point(table.first() + k);
-      const auto row = table.row(k);
-      notes.look(bearing, place, p,
-                 {.axial_load = model.shaft ? row[load] : p.axial_load,
-                  .radial_load = p.radial_load,
-                  .lost_balls = row[lost],
-                  .inner_pressure = row[inner],
-                  .outer_pressure = row[outer],
-                  .least_inner_angle = model.shaft ? unset : row[least],
-                  .largest_inner_angle = model.shaft ? unset : row[largest]});
-    }
-  }
-  return notes.lines();
 }
 
 }  // namespace raceway::session

@@ -28,10 +28,4 @@ void fill_state(const model::Model& model, const bearing::OperatingPoint& point,
 void fill_shaft_state(const model::Model& model, const shaft::ShaftPrediction& prediction,
                       friction::TablePoint& out);
 
-/// What a user should know of a table beside its numbers: balls that have lost the inner race,
-/// loads above the static rating, contact pressures that leave dents. One line each, with how many
-/// points and the worst of them.
-[[nodiscard]] std::vector<std::string> table_notes(const model::Model& model,
-                                                   const friction::StribeckTable& table);
-
 }  // namespace raceway::session

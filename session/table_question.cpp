@@ -13,6 +13,7 @@
 #include "results/results.h"
 #include "session/bands.h"
 #include "session/contact_statement.h"
+#include "session/judged.h"
 #include "session/table_columns.h"
 
 namespace raceway::session {
@@ -53,9 +54,11 @@ TableAnswer make_table(const files::ModelFile& file, const TableQuestion& questi
     fill_table_line(file.model, points, out);
     if (question.band) fill_band(file.model, *question.band, points, out);
   };
-  return {.table = friction::build_stribeck_table(plan.axes, std::move(plan.columns), fill,
-                                                  progress, question.slab),
-          .band = question.band};
+  TableAnswer answer{.table = friction::build_stribeck_table(plan.axes, std::move(plan.columns),
+                                                             fill, progress, question.slab),
+                     .band = question.band};
+  answer.findings = judge(file.model, answer.table);
+  return answer;
 }
 
 std::string TableAnswer::json(const model::Model& model) const {
@@ -63,7 +66,7 @@ std::string TableAnswer::json(const model::Model& model) const {
       .parameters = band ? band->fitted() : std::vector<std::string>(),
       .names = {},
       .half_widths = {}};
-  return results::table_json(model, table, band ? &of_band : nullptr);
+  return results::table_json(model, table, band ? &of_band : nullptr, findings);
 }
 
 std::string TableAnswer::text(const files::ModelFile& file, const std::string& format,
@@ -74,7 +77,7 @@ std::string TableAnswer::text(const files::ModelFile& file, const std::string& f
 }
 
 std::vector<std::string> TableAnswer::notes(const model::Model& model) const {
-  std::vector<std::string> lines = table_notes(model, table);
+  std::vector<std::string> lines = model::notes_of(findings);
   if (table.points() > 0)  // at the highest speed of the first loads
     if (std::string balls = balls_statement(model, table.point(table.axes.speed.size() - 1));
         !balls.empty())

@@ -9,6 +9,7 @@
 #include "files/model_file.h"
 #include "friction/stribeck_table.h"
 #include "model/band.h"
+#include "model/judgement.h"
 #include "report/report.h"
 #include "session/messages.h"
 #include "session/operating_point.h"
@@ -37,6 +38,7 @@ struct TablePlan {
 struct TableAnswer {
   friction::StribeckTable table{};
   std::optional<model::Band> band{};
+  model::Findings findings{};
 
   [[nodiscard]] std::string json(const model::Model& model) const;
   /// `format`: csv, with the model in its head, plain or modelica.
@@ -44,6 +46,10 @@ struct TableAnswer {
                                  const std::function<void(double)>& progress = {}) const;
   /// What a user should know of it.
   [[nodiscard]] std::vector<std::string> notes(const model::Model& model) const;
+  /// Limits that it passes.
+  [[nodiscard]] std::vector<record::Note> warnings() const {
+    return notes_of(record::note::over_limit, model::warnings_of(findings));
+  }
 };
 
 /// Solves all points, on all cores. `progress` is called with the share that is done. Throws

@@ -15,6 +15,7 @@
 #include "results/roller_results.h"
 #include "results/shaft_results.h"
 #include "session/bands.h"
+#include "session/judged.h"
 #include "session/new_model.h"
 #include "session/open_input.h"
 #include "session/operating_point.h"
@@ -122,14 +123,18 @@ std::string solve_document(const EngineModel& model, const py::dict& given, bool
   if (!m.shaft) {
     if (band) half_widths = session::point_band(*band, point);
     const session::PointAnswer answer = session::solve_point(m, point);
+    const model::Findings findings = session::judge(m, point, answer);
     if (m.bearing.rollers())
-      return results::roller_solve_json(m, point, answer.friction, answer.heat, of_band());
+      return results::roller_solve_json(m, point, answer.friction, answer.heat, of_band(),
+                                        findings);
     return results::solve_json(m, point, answer.equilibrium, answer.friction, answer.heat,
-                               of_band());
+                               of_band(), findings);
   }
   const shaft::ShaftPoint asked = session::shaft_points({&point, 1}).front();
   if (band) half_widths = session::shaft_band(*band, {&asked, 1});
-  return results::shaft_solve_json(m, asked, shaft::predict_shaft(m, {&asked, 1})[0], of_band());
+  const auto predictions = shaft::predict_shaft(m, {&asked, 1});
+  return results::shaft_solve_json(m, asked, predictions[0], of_band(),
+                                   session::judge(m, {&asked, 1}, predictions));
 }
 
 /// Python has UTF-8: what Excel writes of umlauts becomes that.

@@ -95,6 +95,7 @@ SpindleAnswer steady(const EngineModel& model, const std::vector<double>& speed_
     return std::make_shared<const session::SteadySpindle>(
         session::steady_spindle(model.file(), question));
   });
+  heard.notes(found->notes());
   SpindleAnswer answer = answer_of(found, heard);
   if (found->states.size() > 1 || found->end.temperatures.empty()) return answer;
   answer.end_state = [found] { return found->end_state(); };
@@ -118,6 +119,7 @@ SpindleAnswer simulate(const EngineModel& model, const Data& programme,
     return std::make_shared<const session::SpindleRun>(
         session::simulate_spindle(h, model.file(), question));
   });
+  heard.notes(found->notes());
   SpindleAnswer answer = answer_of(found, heard);
   answer.end_state = [found] { return found->end_state(); };
   answer.field = [found] { return found->field_csv(); };

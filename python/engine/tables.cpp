@@ -9,6 +9,7 @@
 #include "python/engine/interruptible.h"
 #include "python/engine/model.h"
 #include "session/bands.h"
+#include "session/judged.h"
 #include "session/operating_point.h"
 #include "session/shaft_curve.h"
 #include "session/table_question.h"
@@ -43,6 +44,7 @@ class EngineTable {
     append(list, notes_of(record::note::load_limit, answer_.notes(file().model)));
     return list;
   }
+  [[nodiscard]] std::vector<record::Note> warnings() const { return answer_.warnings(); }
   /// Names, numbers by point and column, status by point.
   [[nodiscard]] py::tuple columns() const {
     std::vector<std::string> names{"speed_rpm", "axial_load_N", "radial_load_N", "temperature_C",
@@ -102,6 +104,8 @@ class EngineDisplacement {
                         .temperature = point.temperature});
     const std::optional<model::Band> band = model_->band(with_band);
     const py::gil_scoped_release others;
+    for (const shaft::ShaftPoint& p : points)
+      session::require_possible_speed(model_->file().model, p.speed, "speed_rpm");
     curve_.emplace(model_->file(), std::move(points), band);
   }
   [[nodiscard]] std::string json() const { return curve_->json(); }
@@ -131,6 +135,7 @@ void bind_tables(py::module_& module) {
                            band);
       }))
       .def_property_readonly("notes", &EngineTable::notes)
+      .def_property_readonly("warnings", &EngineTable::warnings)
       .def_property_readonly("bearing", &EngineTable::bearing)
       .def_property_readonly("points", [](const EngineTable& t) { return t.table().points(); })
       .def("json", &EngineTable::json)

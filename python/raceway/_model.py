@@ -253,7 +253,9 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
             _axis(n, v)
             for n, v in (("speed_rpm", speed_rpm), ("axial_load_N", axial_load_N), ("radial_load_N", radial_load_N), ("temperature_C", temperature_C))
         ]
-        return Table(_engine.Table(self._engine, bool(band), *axes))
+        table = _engine.Table(self._engine, bool(band), *axes)
+        _warn(table.warnings)
+        return Table(table)
 
     def displacement(
         self, speed_rpm: ArrayLike, axial_load_N: float | None = None, temperature_C: float | None = None, *, band: bool = False

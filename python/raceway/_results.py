@@ -145,6 +145,11 @@ class Table(_Document):
         """Balls that have lost the inner race, loads above the rating, pressures that leave dents."""
         return self._engine.notes
 
+    @property
+    def warnings(self) -> list[str]:
+        """Limits of running bearings that the table passes; ``data["judgement"]`` has them as numbers."""
+        return self._engine.warnings
+
     def to_frame(self) -> pandas.DataFrame:
         """Return one row per point; columns as ``raceway table --format plain``, and the status."""
         import pandas

@@ -146,8 +146,17 @@ def test_modes_and_shapes_are_those_of_the_command(small, driven, document, csv,
     assert found.notes == ["damping, and what gives way in the housing, are not modelled: damping_ratio is empty"]
     ax = plot.campbell(found)
     assert list(ax.lines[0].get_xdata()) == [0, 5000, 10000]
-    with pytest.warns(raceway.Doubt, match="200000 rpm: no_equilibrium"):
+    with pytest.warns(raceway.Doubt, match="110000 rpm: not_held"):
+        small.modes([5000, 110000])
+    with pytest.raises(raceway.InputError, match="speed_rpm = 200000 rpm: must be from 0 to 123197 rpm"):
         small.modes([5000, 200000])
+
+
+def test_a_hot_spindle_is_doubted(driven, document):
+    with pytest.warns(raceway.Doubt, match="times the 300 N as mounted"):
+        hot = driven.steady(15000)
+    assert [f["limit"] for f in hot.data["judgement"]] == ["ring_temperature", "preload_factor"]
+    assert hot.data["judgement"] == document("spindle", DRIVEN, "--speed", "15000", "--steady")["judgement"]
 
 
 @pytest.mark.parametrize(

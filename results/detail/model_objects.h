@@ -3,6 +3,7 @@
 #include "bearing/frequencies.h"
 #include "bearing/solve.h"
 #include "model/bearing_life.h"
+#include "model/judgement.h"
 #include "model/model.h"
 #include "model/prediction.h"
 #include "results/band_of_result.h"
@@ -12,6 +13,10 @@
 namespace raceway::results {
 
 [[nodiscard]] text::json report_json(const bearing::SolveReport& report);
+
+/// Limits that an answer passes: `[{limit, kind, place, value, allowed, unit, speed_rpm, points,
+/// text}]`, docs/limits.md; empty where it passes none.
+[[nodiscard]] text::json judgement_json(const model::Findings& findings);
 
 /// Level of a band and the fitted parameters behind it.
 [[nodiscard]] text::json band_json(const BandOfResult& band);

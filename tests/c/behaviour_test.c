@@ -56,6 +56,20 @@ static void what_reading_said_can_be_asked_for(void) {
   raceway_free(model);
 }
 
+static void limits_of_running_bearings_are_warnings(void) {
+  char message[1000];
+  double speed = 1000, load = 30000, out[50];
+  raceway_model* model = model_of(rig_text);
+  CHECK(raceway_solve(model, 1, &speed, &load, NULL, NULL, NULL, NULL, 0, out, NULL, message,
+                      sizeof message) == RACEWAY_DONE);
+  CHECK(strstr(message, "GPa while the bearing runs, above 2 GPa") != NULL);
+  speed = 500000;
+  CHECK(raceway_solve(model, 1, &speed, &load, NULL, NULL, NULL, NULL, 0, out, NULL, message,
+                      sizeof message) == RACEWAY_WRONG_INPUT);
+  CHECK(strstr(message, "above it the inner ring bursts") != NULL);
+  raceway_free(model);
+}
+
 static int is_utf8(const char* text) {
   for (const unsigned char* c = (const unsigned char*)text; *c != 0;) {
     const int more = *c < 0x80 ? 0 : *c >= 0xF0 ? 3 : *c >= 0xE0 ? 2 : 1;
@@ -302,6 +316,7 @@ int main(int argc, char** argv) {
   program = argv[1];
   wrong_texts_are_refused_in_the_words_of_the_command();
   what_reading_said_can_be_asked_for();
+  limits_of_running_bearings_are_warnings();
   short_texts_end_between_characters();
   null_is_an_error_and_no_crash();
   wrong_numbers_are_named_with_their_place();

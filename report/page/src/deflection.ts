@@ -5,7 +5,7 @@ import type { DeflectionReport, LoadedBearing } from './document';
 import type { Cell } from './figure';
 import { choice, Figure, tooltip } from './figure';
 import { dashes } from './look';
-import { grid, header, notes, section } from './page';
+import { grid, header, judgedBadge, notes, section, warnings } from './page';
 import { shaftSeries } from './shaft_pieces';
 import { axisTitle, dash, number, plain, shortPaths, valueList } from './text';
 
@@ -140,6 +140,7 @@ function stiffness(bearings: LoadedBearing[], before: number[]): Figure {
 export function deflection(report: DeflectionReport): (Node | undefined)[] {
   const { results: r, line } = report;
   const found = r.report.status === 'converged' && r.displacement_um !== null;
+  const judged = report.judged ?? [];
   const um = (v: number | null) => (v === null ? dash : `${number(v)} µm`);
   const radial = r.direction === 'radial';
   const under = `Shaft on ${report.bearing} under ${report.load} at ${plain(r.at_mm)} mm, ${plain(r.speed_rpm)} rpm, ${report.warm ? 'warm' : 'cold'}`;
@@ -174,7 +175,7 @@ export function deflection(report: DeflectionReport): (Node | undefined)[] {
       {
         command: 'deflection',
         files: shortPaths([report.model]),
-        ...(found ? {} : { badge: [words(r.report.status), 'open'] as [string, string] }),
+        badge: judgedBadge(found ? undefined : [words(r.report.status), 'open'], judged),
         sentence: found ? `${under}: ${um(r.displacement_um)} where it acts${r.stiffness_N_um === null ? '' : `, ${number(r.stiffness_N_um)} N/µm`}.` : `${under}: no balance${r.report.message ? `: ${r.report.message}` : ''}.`,
       },
       found
@@ -192,6 +193,7 @@ export function deflection(report: DeflectionReport): (Node | undefined)[] {
           ]
         : [],
     ),
+    warnings(judged),
     found && radial ? section('The shaft', grid(bendingLine(report))) : undefined,
     found ? section('The bearings', grid(balls(r.bearings), stiffness(r.bearings, before)), table) : undefined,
     notes(['The housing is rigid: what it gives way by is not in these displacements.']),

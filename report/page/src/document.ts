@@ -208,6 +208,7 @@ export interface ModelFacts {
 }
 
 interface Common {
+  judged?: string[]; // limits that the answer passes, a line each
   raceway_report: number;
   program: string;
   assumed: ModelFacts[];
@@ -369,6 +370,7 @@ export interface Mode {
 export type CampbellRow = { speed_rpm: number; modes: (Mode & { mode: number })[]; report: { status: string; message?: string } } & Record<string, unknown>;
 
 interface BeamPage {
+  judged?: string[]; // limits that the answer passes, a line each
   raceway_report: number;
   program: string;
   assumed: ModelFacts[];

@@ -10,7 +10,7 @@ import { modes } from './modes';
 import { overSpeed } from './over_speed';
 import { beforeAfter, changes, ladder, noiseSources } from './ladder';
 import type { Floor } from './ladder';
-import { grid, header, notes, section } from './page';
+import { grid, header, judgedBadge, notes, section, warnings } from './page';
 import { record } from './record';
 import { lawFigures, shaftFigures } from './shaft';
 import { spindleRun } from './spindle_run';
@@ -190,14 +190,15 @@ function add(report: AddReport): (Node | undefined)[] {
   ];
 }
 
-function table(report: TableReport): Node[] {
+function table(report: TableReport): (Node | undefined)[] {
   const { model, bearing } = report.results;
   const thinned = report.rows.rows < report.rows.total ? `This page holds ${report.rows.rows} of ${report.rows.total} points, evenly spread.` : '';
   return [
-    header({ command: 'table', files: shortPaths(report.data ? [model, report.data] : [model]), sentence: `Friction torque of ${bearing}`, ...(thinned ? { more: thinned } : {}) }, [
+    header({ command: 'table', files: shortPaths(report.data ? [model, report.data] : [model]), badge: judgedBadge(undefined, report.judged ?? []), sentence: `Friction torque of ${bearing}`, ...(thinned ? { more: thinned } : {}) }, [
       ['points', String(report.rows.total)],
       ['contact angle', `${plain(report.results.contact_angle_deg, 4)}°`],
     ]),
+    warnings(report.judged ?? []),
     section('Against speed', grid(...tableFigures(report))),
   ];
 }
@@ -214,6 +215,7 @@ function displacement(report: DisplacementReport): (Node | undefined)[] {
       {
         command: 'displacement',
         files: shortPaths([report.model]),
+        badge: judgedBadge(undefined, report.judged ?? []),
         sentence: last < 0 ? `No position of the shaft on ${bearing}.` : `Shaft on ${bearing}: ${signed(rows.at('axial_displacement_um', last), 4)} µm at ${plain(rows.at('speed_rpm', last))} rpm, positive towards the tool.`,
         ...(report.warnings.length ? {} : { more: 'No bearing loses its inner contacts or falls below its minimum load at these speeds.' }),
       },
@@ -226,7 +228,7 @@ function displacement(report: DisplacementReport): (Node | undefined)[] {
         ['speeds', String(report.rows.total)],
       ],
     ),
-    report.warnings.length ? section('Warnings', el('ul', { class: 'notes', id: 'warnings' }, ...report.warnings.map((w) => el('li', {}, w)))) : undefined,
+    warnings(report.warnings),
     section(
       'Displacement and the kinematic law',
       thinning(report.rows, 'speeds', drawnSpeeds),

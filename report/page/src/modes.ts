@@ -8,9 +8,9 @@ import { choice, Figure, tooltip } from './figure';
 import { lineFigure } from './line_figure';
 import type { Look } from './look';
 import { dashes, look, symbols } from './look';
-import { grid, header, notes, section } from './page';
+import { grid, header, judgedBadge, notes, section, warnings } from './page';
 import { shaftSeries } from './shaft_pieces';
-import { el, number, plain, shortPaths, valueList } from './text';
+import { number, plain, shortPaths, valueList } from './text';
 
 const words = (name: string) => name.replace(/_/g, ' ');
 const whirls = ['backward', 'forward'] as const;
@@ -264,9 +264,10 @@ export function modes(report: ModesReport): (Node | undefined)[] {
   const failed = report.results.rows.filter((r) => r.report.status !== 'converged').map((r) => `${plain(r.speed_rpm)} rpm: ${words(r.report.status)}${r.report.message ? `, ${r.report.message}` : ''}`);
   const state = report.warm ? 'warm as it runs steadily' : 'cold';
   const head = { command: 'modes', files: shortPaths([report.model]) };
-  const warnings = failed.length ? section('Warnings', el('ul', { class: 'notes', id: 'warnings' }, ...failed.map((w) => el('li', {}, w)))) : undefined;
+  const judged = report.judged ?? [];
+  const said = warnings([...failed, ...judged]);
   const first = (r: CampbellRow | undefined) => r?.modes[0]?.frequency_Hz ?? NaN;
-  if (found.length === 0) return [header({ ...head, sentence: `Shaft on ${report.bearing}: no modes at these speeds.` }, []), warnings];
+  if (found.length === 0) return [header({ ...head, sentence: `Shaft on ${report.bearing}: no modes at these speeds.` }, []), said];
   const list = tracks(report.results.rows);
   const crossed = crossings(list);
   const lowest = found.reduce((best, r) => (first(r) < first(best) ? r : best));
@@ -283,7 +284,7 @@ export function modes(report: ModesReport): (Node | undefined)[] {
     header(
       {
         ...head,
-        ...(failed.length ? { badge: [`${failed.length} of ${report.results.rows.length} speeds without modes`, 'open'] as [string, string] } : {}),
+        badge: judgedBadge(failed.length ? [`${failed.length} of ${report.results.rows.length} speeds without modes`, 'open'] : undefined, judged),
         sentence: `Shaft on ${report.bearing}, ${state}: first mode ${at(found[0])}${found.length > 1 ? `, ${at(last)}` : ''}.`,
         ...(slowest < fastest ? { more: met } : {}),
       },
@@ -294,7 +295,7 @@ export function modes(report: ModesReport): (Node | undefined)[] {
         ['speeds', String(report.results.rows.length)],
       ],
     ),
-    warnings,
+    said,
     section(
       'Frequencies against speed',
       grid(campbell(report, list, crossed)),

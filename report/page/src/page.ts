@@ -3,7 +3,7 @@ import type { Said } from './document';
 import type { Figure } from './figure';
 import { el } from './text';
 
-export function header(words: { command: string; files: string[]; badge?: [string, string]; sentence: string; more?: string }, facts: [string, string][]): HTMLElement {
+export function header(words: { command: string; files: string[]; badge?: [string, string] | undefined; sentence: string; more?: string }, facts: [string, string][]): HTMLElement {
   document.title = `${words.command}: ${words.files.join(', ')}`;
   const head = el('header', {}, el('p', { class: 'eyebrow' }, `raceway\u00a0${words.command}`));
   for (const file of words.files) (head.firstChild as HTMLElement).append(el('code', {}, file));
@@ -14,6 +14,16 @@ export function header(words: { command: string; files: string[]; badge?: [strin
   for (const [name, value] of facts) list.append(el('div', {}, el('dt', {}, name), el('dd', {}, value)));
   head.append(list);
   return head;
+}
+
+/// The badge of an answer that passes limits is not green.
+export function judgedBadge(badge: [string, string] | undefined, judged: string[]): [string, string] | undefined {
+  if (judged.length === 0 || badge?.[1] === 'open') return badge;
+  return [`${badge ? `${badge[0]}, ` : ''}limits passed`, 'open'];
+}
+
+export function warnings(lines: string[]): HTMLElement | undefined {
+  return lines.length ? section('Warnings', el('ul', { class: 'notes', id: 'warnings' }, ...lines.map((line) => el('li', {}, line)))) : undefined;
 }
 
 export function section(title: string, ...content: (Node | undefined)[]): HTMLElement {

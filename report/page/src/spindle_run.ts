@@ -4,7 +4,7 @@ import type { Option } from './chart';
 import type { SpindleRunReport } from './document';
 import { Figure } from './figure';
 import type { Look } from './look';
-import { grid, header, notes, section } from './page';
+import { grid, header, judgedBadge, notes, section, warnings } from './page';
 import { sectionFigure } from './section_view';
 import { dash, number, plain, plainCeiling, quantity, shortPaths } from './text';
 import { left, panelFigure, right, rowTooltip, stacked, table, timeAxis } from './time_panels';
@@ -184,6 +184,7 @@ export function spindleRun(report: SpindleRunReport): (Node | undefined)[] {
   const last = rows.count - 1;
   const at = (name: string) => (rows.has(name) && last >= 0 ? rows.at(name, last) : NaN);
   const converged = end.status === 'converged';
+  const judged = report.judged ?? [];
   const extreme = (name: string, sign: number) => {
     // Rounding makes no extreme.
     const values = rows.get(name).map((v) => sign * Math.round(1e4 * v));
@@ -205,7 +206,7 @@ export function spindleRun(report: SpindleRunReport): (Node | undefined)[] {
     ['time steps', `${end.steps + end.rejected}, ${end.rejected} taken back`],
     ['rows', reached],
   ];
-  const head = { command: 'spindle', files: shortPaths([report.model, report.programme]), badge: [converged ? 'ran through' : words(end.status), converged ? 'good' : 'open'] as [string, string] };
+  const head = { command: 'spindle', files: shortPaths([report.model, report.programme]), badge: judgedBadge([converged ? 'ran through' : words(end.status), converged ? 'good' : 'open'], judged) };
   if (last < 0) return [header({ ...head, sentence: `${report.results.spindle}: no row was reached.`, more: end.message }, facts)];
   return [
     header(
@@ -220,6 +221,7 @@ export function spindleRun(report: SpindleRunReport): (Node | undefined)[] {
       },
       facts,
     ),
+    warnings(judged),
     report.section ? section('The cross-section', grid(crossSection(report))) : undefined,
     section('Over time', grid(...(report.network ? [] : [nose(report, view), forces(report, view)]), temperatures(report, view), heat(view))),
     notes([

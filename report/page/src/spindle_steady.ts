@@ -6,10 +6,10 @@ import type { Cell } from './figure';
 import { Figure, tooltip } from './figure';
 import { lineFigure } from './line_figure';
 import type { Line } from './line_figure';
-import { grid, header, notes, section } from './page';
+import { grid, header, judgedBadge, notes, section, warnings } from './page';
 import { sectionFigure } from './section_view';
 import { heatParts } from './spindle_run';
-import { dash, el, number, plain, shortPaths, valueList } from './text';
+import { dash, number, plain, shortPaths, valueList } from './text';
 
 const words = (name: string) => name.replace(/_/g, ' ');
 
@@ -201,6 +201,7 @@ function overSpeed(report: SpindleSteadyReport, rows: Rows): Figure[] {
 export function spindleSteady(report: SpindleSteadyReport): (Node | undefined)[] {
   const rows = new Rows(report.rows);
   const one = report.reports.length === 1;
+  const judged = report.judged ?? [];
   const failed = report.reports.flatMap((r, k) => (r.status === 'converged' || k >= rows.count ? [] : [`${plain(rows.at('speed_rpm', k))} rpm: ${r.in_words || words(r.status)}`]));
   const found = failed.length < report.reports.length;
   let last = report.reports.length - 1;
@@ -230,13 +231,13 @@ export function spindleSteady(report: SpindleSteadyReport): (Node | undefined)[]
       {
         command: 'spindle',
         files: shortPaths([report.model]),
-        badge: failed.length ? [found ? `${failed.length} of ${report.reports.length} without a steady state` : words(report.reports[0]?.status ?? ''), 'open'] : ['steady', 'good'],
+        badge: judgedBadge(failed.length ? [found ? `${failed.length} of ${report.reports.length} without a steady state` : words(report.reports[0]?.status ?? ''), 'open'] : ['steady', 'good'], judged),
         sentence: found ? `${report.results.spindle} at ${speed}${coolant}: ${words_of}.` : `${report.results.spindle}: no steady state${coolant}.`,
         more: `${report.mesh}.`,
       },
       found ? facts : [],
     ),
-    failed.length ? section('Warnings', el('ul', { class: 'notes', id: 'warnings' }, ...failed.map((w) => el('li', {}, w)))) : undefined,
+    warnings([...failed, ...judged]),
     report.section ? section('The cross-section', grid(sectionFigure(report.section, 'speed', labels, labels.length - 1))) : undefined,
     !found ? undefined : one ? section('Heat and temperatures', figuresOfOne(report, rows)) : section('Against speed', grid(...overSpeed(report, rows))),
     found && one && report.bearings.length ? section('The bearings', bearingTable(report, rows)) : undefined,

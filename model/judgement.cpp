@@ -1,0 +1,320 @@
+#include "model/judgement.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "bearing/contact_pressure.h"
+#include "bearing/seat.h"
+#include "friction/palmgren.h"
+
+namespace raceway::model {
+namespace {
+
+constexpr double strength_of_rings = 2e9;          // [Pa]
+constexpr double solid_oil = 1e7 * mm2_per_s;      // [m²/s]
+constexpr double coldest = 50.0, hottest = 800.0;  // at which anything is asked [K]
+
+double static_load(const bearing::Bearing& bearing, const JudgedBearing& state) {
+  friction::BearingState<> s;
+  s.bearing = &bearing;
+  s.axial_load = state.axial_load;
+  s.radial_load = state.radial_load;
+  return friction::static_equivalent_load(s);
+}
+
+/// n d_m as catalogues print it [mm/min].
+double speed_factor_of(double speed, double pitch_diameter) {
+  return speed / rpm * pitch_diameter / mm;
+}
+
+const Limit& speed_limit_of(const Model& model) {
+  return model.supply == friction::Supply::grease ? limits::speed_factor_grease
+                                                  : limits::speed_factor;
+}
+
+std::string_view lubrication(const Model& model) {
+  return model.supply == friction::Supply::grease ? "grease" : "oil";
+}
+
+/// Temperature below which an oil is stiffer than this [K]; the coldest where it never is.
+double temperature_of(const friction::Lubricant& lubricant, double viscosity) {
+  double low = coldest, high = kelvin(40);
+  if (lubricant.kinematic_viscosity(low) <= viscosity) return low;
+  while (high - low > 0.001) {
+    const double middle = 0.5 * (low + high);
+    (lubricant.kinematic_viscosity(middle) > viscosity ? low : high) = middle;
+  }
+  return high;
+}
+
+}  // namespace
+
+bool has_ceramic_balls(const bearing::Bearing& bearing) {
+  return bearing.balls().density < 0.7 * bearing.rings().density;
+}
+
+bool has_ceramic_balls(const Model& model) {
+  const bearing::Bearing* const balls = model.bearing.ball_bearing();
+  return balls && has_ceramic_balls(*balls);
+}
+
+Finding finding(const Limit& limit, double value, std::string text) {
+  return {.limit = limit.id,
+          .is_warning = limit.is_warning,
+          .value = value,
+          .allowed = limit.value,
+          .unit = limit.unit,
+          .text = std::move(text)};
+}
+
+Findings worst_of(const std::vector<Findings>& parts) {
+  Findings worst;
+  for (const Findings& part : parts)
+    for (const Finding& f : part) {
+      const auto known = std::find_if(worst.begin(), worst.end(),
+                                      [&](const Finding& w) { return w.limit == f.limit; });
+      if (known == worst.end()) {
+        worst.push_back(f);
+        continue;
+      }
+      const std::size_t points = known->points + f.points;
+      if (f.value > known->value) *known = f;
+      known->points = points;
+    }
+  return worst;
+}
+
+std::vector<std::string> warnings_of(const Findings& findings) {
+  std::vector<std::string> lines;
+  for (const Finding& f : findings)
+    if (f.is_warning) lines.push_back(f.text);
+  return lines;
+}
+
+std::vector<std::string> notes_of(const Findings& findings) {
+  std::vector<std::string> lines;
+  for (const Finding& f : findings)
+    if (!f.is_warning) lines.push_back(f.text);
+  return lines;
+}
+
+Judge::Judge(const Model& model)
+    : model_(&model),
+      stiff_below_(temperature_of(model.lubricant, limits::oil_stiff.value * mm2_per_s)) {}
+
+void Judge::Worst::look(double value_here, double limit_here, const std::string& place_here,
+                        const bearing::OperatingPoint& point_here) {
+  if (!(value_here > limit_here)) return;
+  ++points;
+  if (points > 1 && !(value_here > value)) return;
+  value = value_here;
+  limit = limit_here;
+  place = place_here;
+  point = point_here;
+}
+
+void Judge::look(const bearing::Bearing& bearing, const std::string& place,
+                 const bearing::OperatingPoint& point, const JudgedBearing& state) {
+  ++points_;
+  lost_.look(state.lost_balls, 0.0, place, point);
+  load_.look(static_load(bearing, state), bearing.geometry().static_load_rating, place, point);
+  const double pressure = std::fmax(state.inner_pressure, state.outer_pressure);
+  pressure_.look(pressure, bearing::static_limit_pressure, place, point);
+  const double angle = bearing.geometry().contact_angle;
+  switch (bearing::seat(state.least_inner_angle, state.largest_inner_angle, angle)) {
+    case bearing::Seat::shoulder:
+      break;
+    case bearing::Seat::groove_bottom:
+      bottom_.look(std::fmax(bearing::seating_load(state.radial_load, angle),
+                             std::numeric_limits<double>::min()),
+                   0.0, place, point);
+      break;
+    case bearing::Seat::far_side:
+      far_.look(-state.least_inner_angle, 0.0, place, point);
+      break;
+  }
+  if (point.speed > 0.0)
+    running_.look(pressure, limits::running_pressure.value * GPa, place, point);
+  ring_.look(std::fmax(state.inner_ring_temperature, state.outer_ring_temperature),
+             kelvin(limits::ring_temperature.value), place, point);
+  look_at_speed(bearing.geometry().pitch_diameter, has_ceramic_balls(bearing), place, point);
+}
+
+void Judge::look_at_speed(double pitch_diameter, bool ceramic, const std::string& place,
+                          const bearing::OperatingPoint& point) {
+  const double more = ceramic ? limits::ceramic_speed_factor : 1.0;
+  const double printed = model_->supply == friction::Supply::grease ? model_->printed_speed.grease
+                                                                    : model_->printed_speed.oil;
+  if (printed > 0.0) catalogue_.look(point.speed, more * printed, place, point);
+  speed_factor_.look(speed_factor_of(point.speed, pitch_diameter),
+                     more * speed_limit_of(*model_).value, place, point);
+  stiff_.look(-point.temperature, -stiff_below_, place, point);
+  hot_.look(point.temperature, kelvin(limits::oil_hot.value), place, point);
+}
+
+void Judge::look_at_preload(const bearing::OperatingPoint& point, double front_force,
+                            double rear_force, double mounted) {
+  mounted_ = mounted;
+  // An external load presses one set and frees the other: preload is what both carry.
+  preload_.look(std::fmin(front_force, rear_force) / mounted, limits::preload_factor.value, "",
+                point);
+}
+
+std::string Judge::where(const Worst& worst) const {
+  std::string text =
+      fmt::format("{:.6g} rpm, {:.6g} N axial", worst.point.speed / rpm, worst.point.axial_load);
+  if (worst.place.empty()) text += fmt::format(", {:.6g} N radial", worst.point.radial_load);
+  if (!worst.place.empty()) text = fmt::format("{} at {}", worst.place, text);
+  return points_ == 1 ? std::string() : " at " + text;
+}
+
+std::string Judge::before(const Worst& worst) const {
+  if (points_ == 1) return {};
+  return worst.place.empty()
+             ? fmt::format("{:.6g} rpm: ", worst.point.speed / rpm)
+             : fmt::format("{} at {:.6g} rpm: ", worst.place, worst.point.speed / rpm);
+}
+
+Finding Judge::finding_of(const Limit& limit, const Worst& worst, double unit, std::string text,
+                          double offset) const {
+  return {.limit = limit.id,
+          .is_warning = limit.is_warning,
+          .place = worst.place,
+          .value = (worst.value - offset) / unit,
+          .allowed = (worst.limit - offset) / unit,
+          .unit = limit.unit,
+          .speed = worst.point.speed,
+          .points = worst.points,
+          .text = std::move(text)};
+}
+
+void Judge::add_notes(Findings& findings) const {
+  constexpr Limit lost{"lost_balls", 0.0, "balls", false};
+  constexpr Limit bottom{"groove_bottom", unset, "N", false};
+  constexpr Limit far_side{"far_side", unset, "deg", false};
+  const auto count = [&](const Worst& worst) {
+    return points_ == 1 ? std::string() : fmt::format("{} of {} points: ", worst.points, points_);
+  };
+  const auto add = [&](const Limit& limit, const Worst& worst, double unit, std::string text) {
+    if (worst.points > 0)
+      findings.push_back(
+          finding_of(limit, worst, unit, count(worst) + std::move(text) + where(worst)));
+  };
+  add(lost, lost_, 1.0, fmt::format("balls have lost the inner race, up to {:.0f}", lost_.value));
+  add(bottom, bottom_, 1.0,
+      fmt::format("no axial load holds the contact angle: the ring has moved back until the balls "
+                  "carry at the bottom of the grooves, at about 0 deg; {:.3g} N axial would press "
+                  "half of them against the shoulders",
+                  bottom_.value));
+  add(far_side, far_, degree,
+      fmt::format("balls carry beyond the bottom of the groove, at {:.3g} deg, where an "
+                  "angular-contact bearing has no shoulder: it needs more axial load than this",
+                  -far_.value / degree));
+  add(limits::static_load, load_, 1.0,
+      fmt::format("the static equivalent load is above C0 = {:.6g} N, up to {:.4g} N", load_.limit,
+                  load_.value));
+  add(limits::static_pressure, pressure_, GPa,
+      fmt::format("the contact pressure is above 4.2 GPa, which leaves dents, up to {:.3g} GPa",
+                  pressure_.value / GPa));
+}
+
+void Judge::add_speeds(Findings& findings) const {
+  if (catalogue_.points > 0)
+    findings.push_back(finding_of(
+        limits::catalogue_speed, catalogue_, rpm,
+        fmt::format("{}{:.6g} rpm is above {:.6g} rpm, the catalogue's speed with {} of one "
+                    "bearing on a spring; rigid sets reach less",
+                    catalogue_.place.empty() ? "" : catalogue_.place + ": ",
+                    catalogue_.point.speed / rpm, catalogue_.limit / rpm, lubrication(*model_))));
+  if (speed_factor_.points > 0)
+    findings.push_back(finding_of(
+        limits::speed_factor, speed_factor_, 1.0,
+        fmt::format("{}the speed factor n d_m of {:.3g} mm/min is above {:.3g} mm/min, that of the "
+                    "fastest bearings of the catalogue with {}: the friction law is far from "
+                    "where it was measured",
+                    before(speed_factor_), speed_factor_.value, speed_factor_.limit,
+                    lubrication(*model_))));
+}
+
+void Judge::add_heat(Findings& findings) const {
+  if (ring_.points > 0)
+    findings.push_back(finding_of(
+        limits::ring_temperature, ring_, 1.0,
+        fmt::format("{}the ring has {:.4g} C, above {:.4g} C: grease and oil age fast. Less "
+                    "preload, speed or oil, or cooling, brings it down",
+                    before(ring_), celsius(ring_.value), limits::ring_temperature.value),
+        celsius_zero));
+  if (preload_.points > 0)
+    findings.push_back(finding_of(
+        limits::preload_factor, preload_, 1.0,
+        fmt::format("{:.6g} rpm: the preload is {:.4g} N, {:.3g} times the {:.4g} N as mounted and "
+                    "above {:g} times: heat and speed press the sets together. Springs or a "
+                    "smaller preload as mounted hold it down",
+                    preload_.point.speed / rpm, preload_.value * mounted_, preload_.value, mounted_,
+                    limits::preload_factor.value)));
+  if (stiff_.points > 0) {
+    const double viscosity =
+        model_->lubricant.kinematic_viscosity(stiff_.point.temperature) / mm2_per_s;
+    Finding stiff = finding_of(
+        limits::oil_stiff, stiff_, 1.0,
+        fmt::format("{}the oil has {:.3g} mm2/s at {:.4g} C, above {:g} mm2/s: it is near its "
+                    "pour point and hardly reaches the contacts",
+                    before(stiff_), viscosity, celsius(stiff_.point.temperature),
+                    limits::oil_stiff.value));
+    stiff.value = viscosity, stiff.allowed = limits::oil_stiff.value;
+    findings.push_back(std::move(stiff));
+  }
+  if (hot_.points > 0)
+    findings.push_back(finding_of(
+        limits::oil_hot, hot_, 1.0,
+        fmt::format("{}the lubricant has {:.4g} C, above {:.4g} C: rings of bearings change their "
+                    "size there, and oil decomposes",
+                    before(hot_), celsius(hot_.value), limits::oil_hot.value),
+        celsius_zero));
+}
+
+Findings Judge::findings() const {
+  Findings findings;
+  add_notes(findings);
+  if (running_.points > 0)
+    findings.push_back(finding_of(
+        limits::running_pressure, running_, GPa,
+        fmt::format("{}the contact pressure is {:.3g} GPa while the bearing runs, above {:g} GPa: "
+                    "the raceways tire. Less load or preload brings it down",
+                    before(running_), running_.value / GPa, limits::running_pressure.value)));
+  add_speeds(findings);
+  add_heat(findings);
+  return findings;
+}
+
+Possible possible_speeds(const Model& model) {
+  double diameter = 0.0, density = 7800.0;
+  const auto look = [&](const bearing::Bearing& b) {
+    const bearing::BearingGeometry& g = b.geometry();
+    diameter = std::fmax(diameter, g.pitch_diameter - g.ball_diameter * std::cos(g.contact_angle));
+    density = b.rings().density;
+  };
+  if (const bearing::Bearing* const balls = model.bearing.ball_bearing()) look(*balls);
+  if (model.shaft)
+    for (const bearing::MountedBearing& m : model.shaft->arrangement.bearings()) look(*m.bearing);
+  if (const bearing::RollerBearing* const rollers = model.bearing.rollers())
+    diameter = rollers->geometry().pitch_diameter - rollers->geometry().roller_diameter;
+  const double most = std::sqrt(strength_of_rings / density) / (0.5 * diameter);
+  return {.lower = 0.0,
+          .upper = most,
+          .why = fmt::format("above it the inner ring bursts (2 GPa of hoop stress on {:.4g} mm)",
+                             diameter / mm)};
+}
+
+Possible possible_temperatures(const friction::Lubricant& lubricant) {
+  const double lowest = temperature_of(lubricant, solid_oil);
+  return {.lower = lowest,
+          .upper = hottest,
+          .why = lowest > coldest ? "below it this oil is solid (1e7 mm2/s)" : ""};
+}
+
+}  // namespace raceway::model
