@@ -75,8 +75,9 @@ int run(const CorrectFlags& flags) {
   flags.csv.require_writable(flags.output, if_exists);
   flags.report.check(flags.force);
   flags.learning.check(if_exists);
-  session::SeriesQuestion asked =
-      session::ask_series(messages(), flags.model, flags.data, flags.reading);
+  session::Reading reading = flags.reading;
+  reading.one_by_one = flags.learning.learn;
+  session::SeriesQuestion asked = session::ask_series(messages(), flags.model, flags.data, reading);
   if (flags.learning.learn) {
     run_learning(std::move(asked), flags.learning,
                  {flags.output, flags.csv, flags.json, if_exists});

@@ -41,7 +41,8 @@ files::CorrectionFile open_corrections(Messages& messages, const Source& source,
 
 record::Record open_series(Messages& messages, const Source& given,
                            const std::vector<correction::Model>& models,
-                           const files::ReadOptions& options, const Period& period) {
+                           const files::ReadOptions& options, const Period& period,
+                           bool one_by_one) {
   const std::string& path = given.name;
   if (path.ends_with(".toml"))
     throw text::InputError(path + ": stands where a record over time (CSV) is expected",
@@ -61,7 +62,7 @@ record::Record open_series(Messages& messages, const Source& given,
   for (record::Note& one : record.notes)
     if (one.place.file.empty()) one.place.file = path;
   messages.say(record.notes);
-  leave_out_isolated(messages, record, wanted);
+  if (!one_by_one) leave_out_isolated(messages, record, wanted);
   return record;
 }
 
@@ -69,7 +70,7 @@ SeriesQuestion ask_series(Messages& messages, const Source& model, const Source&
                           const Reading& reading, Defaults defaults) {
   SeriesQuestion asked{.file = open_corrections(messages, model, defaults)};
   asked.data = open_series(messages, data, asked.file.models, reading.options(asked.file.columns),
-                           reading.period);
+                           reading.period, reading.one_by_one);
   return asked;
 }
 

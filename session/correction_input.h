@@ -21,11 +21,12 @@ namespace raceway::session {
                                                      Defaults defaults = Defaults::count);
 
 /// Reads a record over time for all of these models, of which only readings of that period count,
-/// and says what is to be known of it.
+/// and says what is to be known of it. Readings that leave and return take no part, unless they
+/// come `one_by_one`: nobody knows then whether one returns.
 [[nodiscard]] record::Record open_series(Messages& messages, const Source& data,
                                          const std::vector<correction::Model>& models,
                                          const files::ReadOptions& options,
-                                         const Period& period = {});
+                                         const Period& period = {}, bool one_by_one = false);
 
 /// All models of a file with one record.
 struct SeriesQuestion {

@@ -13,6 +13,8 @@ struct Reading {
   std::string columns_text{};  ///< the map itself, in place of its file
   bool drop_nan = false;
   Period period{};  ///< declared where records over time are read
+  bool one_by_one =
+      false;  ///< readings come one after the other: none is judged by those behind it
 
   /// How measurements are read: by the map of the flag, else by [columns] of the model. Throws
   /// text::InputError for a period: rows of a friction rig are no course in time.

@@ -131,7 +131,8 @@ EngineAnswer correct(const EngineCorrection& correction, const Data& data,
 
 EngineAnswer learn(const EngineCorrection& correction, const Data& data, const std::string& every,
                    const std::string& forget, const py::kwargs& given) {
-  const session::Reading reading = options_of(given).reading;
+  session::Reading reading = options_of(given).reading;
+  reading.one_by_one = true;
   const session::LearningChoices choices{.every = every, .forget = forget};
   choices.check();
   return answered([&](Heard& heard) {

@@ -16,7 +16,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr double hour = 3600.0;
+constexpr double one_hour = 3600.0;
 
 const record::Channel& spindle_bearing() {
   return *record::series_channel("front_bearing_temperature_C");
@@ -26,14 +26,14 @@ const record::Channel& spindle_motor() { return *record::series_channel("motor_t
 /// A spindle whose bearing warms up in 20 min and its motor in 2 h; the displacement follows the
 /// bearing through a body of 1.2 h.
 MadeRecord machine() {
-  MadeRecord made(24.0 * hour, 30.0);
+  MadeRecord made(24.0 * one_hour, 30.0);
   std::vector<double> bearing, motor, moved;
   double b = 0.0, m = 0.0, body = 0.0;
   for (const double t : made.time) {
     bearing.push_back(b);
     motor.push_back(m);
     moved.push_back(5.0 * body);
-    const double n = stepped_speed(t, 1.5 * hour);
+    const double n = stepped_speed(t, 1.5 * one_hour);
     b += 30.0 / 1200.0 * (3e-3 * n - b);
     m += 30.0 / 7200.0 * (4.5e-3 * n * (n < 5000 ? 1.0 : 0.6) - m);
     body += 30.0 / 4300.0 * (b - body);
@@ -41,7 +41,7 @@ MadeRecord machine() {
   std::mt19937 engine(7);
   std::normal_distribution<double> noise;
   const auto row = [](double t) { return static_cast<std::size_t>(std::lround(t / 30.0)); };
-  made.with("speed_rpm", [](double t) { return stepped_speed(t, 1.5 * hour); });
+  made.with("speed_rpm", [](double t) { return stepped_speed(t, 1.5 * one_hour); });
   made.with("front_bearing_temperature_C",
             [&](double t) { return 21.0 + bearing[row(t)] + 0.02 * noise(engine); });
   made.with("motor_temperature_C",
@@ -96,7 +96,7 @@ TEST(WrongData, ExchangedColumnsAreNamed) {
 
 TEST(WrongData, ASensorThatCameLooseIsNamedWithItsTimes) {
   MadeRecord made = machine();
-  loosen(made, 9.4 * hour, 13.0 * hour, 0.4);
+  loosen(made, 9.4 * one_hour, 13.0 * one_hour, 0.4);
   const verdict::Diagnosis d = diagnosed(made);
   ASSERT_FALSE(d.sets.empty()) << d.sentence;
   EXPECT_THAT(d.sets.front(), ElementsAre("loose-sensor")) << d.sentence;
@@ -107,7 +107,7 @@ TEST(WrongData, ASensorThatCameLooseIsNamedWithItsTimes) {
 /// A sensor that comes loose where the spindle is cold shows one leap: that of its return.
 TEST(WrongData, OneEndIsEnough) {
   MadeRecord made = machine();
-  loosen(made, 4.4 * hour, 10.0 * hour, 0.5);
+  loosen(made, 4.4 * one_hour, 10.0 * one_hour, 0.5);
   const verdict::Diagnosis d = diagnosed(made);
   ASSERT_FALSE(d.sets.empty()) << d.sentence;
   EXPECT_THAT(d.sets.front(), ElementsAre("loose-sensor")) << d.sentence;

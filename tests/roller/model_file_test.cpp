@@ -118,7 +118,7 @@ TEST(RollerModel, SaysWhatToWatch) {
   const auto notes = [](const files::ModelFile& file, double speed, double load) {
     const bearing::OperatingPoint point{.speed = speed, .axial_load = 0.0, .radial_load = load};
     const session::PointAnswer answer = session::solve_point(file.model, point);
-    return session::notes_on_point(file.model, point, answer);
+    return texts(session::notes_on_point(file.model, point, answer));
   };
   using testing::ElementsAre;
   using testing::IsEmpty;
