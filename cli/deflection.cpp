@@ -111,7 +111,7 @@ int run(const DeflectionFlags& f) {
     print(f, found);
   f.report.write([&] { return found.page(); }, if_exists);
   tell(found.notes());
-  warn(found.warnings());
+  tell(found.warnings());
   return found.converged() ? done : not_converged;
 }
 

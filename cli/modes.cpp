@@ -88,7 +88,7 @@ int run(const ModesFlags& f) {
     print(f, found);
   f.report.write([&] { return found.page(); }, f.force);
   tell(found.notes());
-  warn(found.warnings());
+  tell(found.warnings());
   return found.converged() ? done : not_converged;
 }
 

@@ -96,7 +96,7 @@ int run_steady(const SpindleFlags& f, const files::ModelFile& file) {
     print_steady(found);
   f.report.write([&] { return found.page(); }, f.force);
   tell(found.notes());
-  warn(found.warnings());
+  tell(found.warnings());
   return found.converged() ? done : not_converged;
 }
 
@@ -144,7 +144,7 @@ int run_profile(const SpindleFlags& f, const files::ModelFile& file) {
     print_run(found);
   f.report.write([&] { return found.page(); }, f.force);
   tell(found.notes());
-  warn(found.warnings());
+  tell(found.warnings());
   return found.converged() ? done : not_converged;
 }
 

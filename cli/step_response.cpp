@@ -103,7 +103,7 @@ int run(const StepFlags& flags) {
   flags.report.write(
       [&] { return steps.page(error ? &*error : nullptr, flags.correction.programme); },
       flags.force);
-  warn(steps.warnings());
+  tell(steps.warnings());
   return steps.converged() && (!error || error->report.converged()) ? done : not_converged;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -71,23 +72,6 @@ Finding finding(const Limit& limit, double value, std::string text) {
           .text = std::move(text)};
 }
 
-Findings worst_of(const std::vector<Findings>& parts) {
-  Findings worst;
-  for (const Findings& part : parts)
-    for (const Finding& f : part) {
-      const auto known = std::find_if(worst.begin(), worst.end(),
-                                      [&](const Finding& w) { return w.limit == f.limit; });
-      if (known == worst.end()) {
-        worst.push_back(f);
-        continue;
-      }
-      const std::size_t points = known->points + f.points;
-      if (f.value > known->value) *known = f;
-      known->points = points;
-    }
-  return worst;
-}
-
 std::vector<std::string> warnings_of(const Findings& findings) {
   std::vector<std::string> lines;
   for (const Finding& f : findings)
@@ -115,6 +99,23 @@ void Judge::Worst::look(double value_here, double limit_here, const std::string&
   limit = limit_here;
   place = place_here;
   point = point_here;
+}
+
+void Judge::Worst::add(const Worst& other) {
+  const bool is_worse = other.points > 0 && (points == 0 || other.value > value);
+  const std::size_t both = points + other.points;
+  if (is_worse) *this = other;
+  points = both;
+}
+
+void Judge::add(const Judge& other) {
+  constexpr std::array all{&Judge::lost_,      &Judge::load_,         &Judge::pressure_,
+                           &Judge::bottom_,    &Judge::far_,          &Judge::running_,
+                           &Judge::catalogue_, &Judge::speed_factor_, &Judge::ring_,
+                           &Judge::preload_,   &Judge::stiff_,        &Judge::hot_};
+  for (Worst Judge::*const worst : all) (this->*worst).add(other.*worst);
+  if (std::isnan(mounted_)) mounted_ = other.mounted_;
+  points_ += other.points_;
 }
 
 void Judge::look(const bearing::Bearing& bearing, const std::string& place,

@@ -79,10 +79,6 @@ using Findings = std::vector<Finding>;
 /// A finding of one answer by itself, its text behind the place.
 [[nodiscard]] Finding finding(const Limit& limit, double value, std::string text);
 
-/// Findings of parts of one answer, in their order: of each limit the worst, with the points of
-/// all.
-[[nodiscard]] Findings worst_of(const std::vector<Findings>& parts);
-
 [[nodiscard]] std::vector<std::string> warnings_of(const Findings& findings);
 [[nodiscard]] std::vector<std::string> notes_of(const Findings& findings);
 
@@ -111,6 +107,8 @@ class Judge {
   /// The forces of both sets against that of mounting [N].
   void look_at_preload(const bearing::OperatingPoint& point, double front_force, double rear_force,
                        double mounted);
+  /// Looks at all that another judge of this model has seen.
+  void add(const Judge& other);
   [[nodiscard]] Findings findings() const;
 
  private:
@@ -121,6 +119,7 @@ class Judge {
     std::string place = {};
     void look(double value, double limit, const std::string& place,
               const bearing::OperatingPoint& point);
+    void add(const Worst& other);
   };
   [[nodiscard]] std::string where(const Worst& worst) const;
   [[nodiscard]] std::string before(const Worst& worst) const;

@@ -263,15 +263,13 @@ SolvedStates solve_states(Messages& messages, const files::ModelFile& file,
   solved.values.resize(places.size() * size);
   solved.status.resize(size);
   const JudgedColumns judged(file.model, {all.begin() + 1, all.end()});
-  std::vector<model::Findings> found(size / block_size + 1);
+  std::vector<model::Judge> found(size / block_size + 1, model::Judge(file.model));
   for_blocks(size, [&](std::size_t first, std::size_t count) {
     if (cancelled && cancelled->load()) throw fit::Cancelled();
     Block block(states, otherwise, first, count);
     block.solve(file.model, all.size() - 1, band);
-    model::Judge judge(file.model);
     for (std::size_t i = 0; i < count; ++i)
-      judged.look(block.points()[i], block.result(i).columns, judge);
-    found[first / block_size] = judge.findings();
+      judged.look(block.points()[i], block.result(i).columns, found[first / block_size]);
     for (std::size_t i = 0; i < count; ++i) {
       const friction::TablePoint& result = block.result(i);
       solved.status[first + i] = result.status;
@@ -280,7 +278,9 @@ SolvedStates solve_states(Messages& messages, const files::ModelFile& file,
             (places[c] == 0 ? result.friction_moment : result.columns[places[c] - 1]) / units[c];
     }
   });
-  messages.say(said_of(worst_of(found)));
+  model::Judge all_blocks(file.model);
+  for (const model::Judge& block : found) all_blocks.add(block);
+  messages.say(said_of(all_blocks.findings()));
   return solved;
 }
 

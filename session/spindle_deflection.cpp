@@ -116,10 +116,11 @@ std::vector<std::string> SpindleDeflection::notes() const {
   return lines;
 }
 
-std::vector<std::string> SpindleDeflection::warnings() const {
-  if (converged()) return model::warnings_of(findings);
-  return {fmt::format("{:.6g} rpm: {}{}", result.speed / rpm, result.status(),
-                      result.sets.message.empty() ? "" : ", " + result.sets.message)};
+std::vector<record::Note> SpindleDeflection::warnings() const {
+  if (converged()) return notes_of(record::note::over_limit, model::warnings_of(findings));
+  return {record::note::not_converged(
+      fmt::format("{:.6g} rpm: {}{}", result.speed / rpm, result.status(),
+                  result.sets.message.empty() ? "" : ", " + result.sets.message))};
 }
 
 std::string SpindleDeflection::json() const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "files/model_file.h"
+#include "record/note.h"
 #include "results/beam_results.h"
 #include "session/beam_of_model.h"
 #include "session/wording.h"
@@ -42,7 +43,7 @@ struct SpindleDeflection {
   [[nodiscard]] bool converged() const { return result.converged(); }
   [[nodiscard]] std::vector<std::string> notes() const;
   /// Why there is none, or limits that it passes.
-  [[nodiscard]] std::vector<std::string> warnings() const;
+  [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string json() const;
   [[nodiscard]] std::string csv() const;
   [[nodiscard]] std::string page() const;

@@ -77,14 +77,15 @@ std::vector<std::string> SpindleModes::notes() const {
   return lines;
 }
 
-std::vector<std::string> SpindleModes::warnings() const {
-  std::vector<std::string> lines;
+std::vector<record::Note> SpindleModes::warnings() const {
+  std::vector<record::Note> notes;
   for (const results::ModesAtSpeed& r : speeds)
     if (!r.converged())
-      lines.push_back(fmt::format("{:.6g} rpm: {}{}", r.speed / rpm, r.status(),
-                                  r.sets.message.empty() ? "" : ", " + r.sets.message));
-  for (std::string& line : model::warnings_of(findings)) lines.push_back(std::move(line));
-  return lines;
+      notes.push_back(record::note::not_converged(
+          fmt::format("{:.6g} rpm: {}{}", r.speed / rpm, r.status(),
+                      r.sets.message.empty() ? "" : ", " + r.sets.message)));
+  append(notes, notes_of(record::note::over_limit, model::warnings_of(findings)));
+  return notes;
 }
 
 std::string SpindleModes::json() const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "files/model_file.h"
+#include "record/note.h"
 #include "results/beam_results.h"
 #include "session/beam_of_model.h"
 
@@ -29,7 +30,7 @@ struct SpindleModes {
   [[nodiscard]] bool converged() const;
   [[nodiscard]] std::vector<std::string> notes() const;
   /// The speeds that have no modes, and why, and limits that speeds pass.
-  [[nodiscard]] std::vector<std::string> warnings() const;
+  [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string json() const;
   [[nodiscard]] std::string csv() const;
   [[nodiscard]] std::string shapes_csv() const;

@@ -117,13 +117,14 @@ SpindleRun simulate_spindle(Messages& messages, const files::ModelFile& file,
   return answer;
 }
 
-std::vector<std::string> SpindleRun::warnings() const {
-  std::vector<std::string> lines = model::warnings_of(findings);
-  if (converged()) return lines;
-  lines.insert(lines.begin(), fmt::format("{}: {} at {:.6g} s; {} of {} rows are there",
-                                          spindle::name(run.report.status), run.report.message,
-                                          run.end.time, run.moments.size(), profile.size()));
-  return lines;
+std::vector<record::Note> SpindleRun::warnings() const {
+  std::vector<record::Note> notes;
+  if (!converged())
+    notes.push_back(record::note::not_converged(
+        fmt::format("{}: {} at {:.6g} s; {} of {} rows are there", spindle::name(run.report.status),
+                    run.report.message, run.end.time, run.moments.size(), profile.size())));
+  append(notes, notes_of(record::note::over_limit, model::warnings_of(findings)));
+  return notes;
 }
 
 std::string SpindleRun::json() const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "files/model_file.h"
+#include "record/note.h"
 #include "results/spindle_results.h"
 #include "session/messages.h"
 #include "session/reading.h"
@@ -37,7 +38,7 @@ struct SpindleRun {
   [[nodiscard]] bool converged() const { return run.report.converged(); }
   [[nodiscard]] std::vector<std::string> notes() const { return model::notes_of(findings); }
   /// Where and why it ended early, and limits that it passes.
-  [[nodiscard]] std::vector<std::string> warnings() const;
+  [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string json() const;
   [[nodiscard]] std::string csv() const;
   [[nodiscard]] std::string page() const;

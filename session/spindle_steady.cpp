@@ -143,14 +143,15 @@ std::vector<std::string> SteadySpindle::notes() const {
   return lines;
 }
 
-std::vector<std::string> SteadySpindle::warnings() const {
-  std::vector<std::string> lines;
+std::vector<record::Note> SteadySpindle::warnings() const {
+  std::vector<record::Note> notes;
   for (const results::SteadyState& s : states)
     if (!s.report.converged())
-      lines.push_back(fmt::format("{:.6g} rpm: {}: {}", s.inputs.speed / rpm,
-                                  spindle::name(s.report.status), s.report.message));
-  for (std::string& line : model::warnings_of(findings)) lines.push_back(std::move(line));
-  return lines;
+      notes.push_back(record::note::not_converged(
+          fmt::format("{:.6g} rpm: {}: {}", s.inputs.speed / rpm, spindle::name(s.report.status),
+                      s.report.message)));
+  append(notes, notes_of(record::note::over_limit, model::warnings_of(findings)));
+  return notes;
 }
 
 std::string SteadySpindle::json() const {

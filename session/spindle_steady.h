@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "files/model_file.h"
+#include "record/note.h"
 #include "results/spindle_results.h"
 
 /// Steady states of a spindle, as they are asked for.
@@ -43,7 +44,7 @@ struct SteadySpindle {
   [[nodiscard]] bool converged() const;
   [[nodiscard]] std::vector<std::string> notes() const;
   /// The speeds that have no steady state, and why, and limits that the others pass.
-  [[nodiscard]] std::vector<std::string> warnings() const;
+  [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string json() const;
   [[nodiscard]] std::string csv() const;
   [[nodiscard]] std::string page() const;

@@ -164,11 +164,13 @@ bool SpindleSteps::converged() const {
                      [](const auto& step) { return step.converged(); });
 }
 
-std::vector<std::string> SpindleSteps::warnings() const {
-  std::vector<std::string> lines;
+std::vector<record::Note> SpindleSteps::warnings() const {
+  std::vector<record::Note> list;
   for (const spindle::StepResponse& step : responses.steps)
-    if (!step.converged()) lines.push_back(fmt::format("{}: {}", name_of(step), step.message));
-  return lines;
+    if (!step.converged())
+      list.push_back(
+          record::note::not_converged(fmt::format("{}: {}", name_of(step), step.message)));
+  return list;
 }
 
 std::string SpindleSteps::csv() const {

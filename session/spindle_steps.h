@@ -44,7 +44,7 @@ struct SpindleSteps {
   [[nodiscard]] const model::Model* model() const { return file ? &file->model : nullptr; }
   [[nodiscard]] bool converged() const;
   /// The steps that have no response, and why.
-  [[nodiscard]] std::vector<std::string> warnings() const;
+  [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string csv() const;
   /// `error` of a correction over a programme, null where none was asked for.
   [[nodiscard]] std::string json(const results::Superposition* error = nullptr) const;

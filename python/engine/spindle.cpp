@@ -56,7 +56,7 @@ SpindleAnswer answer_of(const std::shared_ptr<const Found>& found, Heard& heard)
                        .converged = found->converged(),
                        .notes = std::move(heard.notes),
                        .warnings = std::move(heard.warnings)};
-  append(answer.warnings, notes_of(record::note::not_converged, found->warnings()));
+  append(answer.warnings, found->warnings());
   return answer;
 }
 
@@ -95,7 +95,7 @@ SpindleAnswer steady(const EngineModel& model, const std::vector<double>& speed_
     return std::make_shared<const session::SteadySpindle>(
         session::steady_spindle(model.file(), question));
   });
-  heard.notes(found->notes());
+  heard.say(notes_of(record::note::load_limit, found->notes()));
   SpindleAnswer answer = answer_of(found, heard);
   if (found->states.size() > 1 || found->end.temperatures.empty()) return answer;
   answer.end_state = [found] { return found->end_state(); };
@@ -119,7 +119,7 @@ SpindleAnswer simulate(const EngineModel& model, const Data& programme,
     return std::make_shared<const session::SpindleRun>(
         session::simulate_spindle(h, model.file(), question));
   });
-  heard.notes(found->notes());
+  heard.say(notes_of(record::note::load_limit, found->notes()));
   SpindleAnswer answer = answer_of(found, heard);
   answer.end_state = [found] { return found->end_state(); };
   answer.field = [found] { return found->field_csv(); };

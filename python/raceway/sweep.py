@@ -38,6 +38,7 @@ from ._errors import Doubt, InputError
 from ._given import arrays as _arrays
 from ._given import warn as _warn
 from ._model import Model
+from ._note import Note
 from ._results import Solution
 from ._sweep_slabs import Outcome, Slab, cut, input_of, read_all, refuse_other_cut, slabs_there, storable, work_on, write_slab
 
@@ -349,8 +350,13 @@ def solve(
     parts = found.values()
     values = numpy.concatenate([part["values"] for part in parts], axis=1)
     status = numpy.concatenate([part["status"] for part in parts])
-    notes = list(dict.fromkeys(note for part in parts for note in part["notes"]))
+    notes = [Note(*fields) for fields in dict.fromkeys(tuple(fields) for part in parts for fields in part["notes"])]
     return Solution(parts[0]["names"], values.reshape(-1, *shape), status.reshape(shape), given, notes, None)
+
+
+def _fields(note: Note) -> list[str | int | None]:
+    """A note as plain data, in the order in which one is made; a folder of slabs holds no other."""
+    return [str(note), note.kind, note.code, note.file, note.line, note.key]
 
 
 @dataclass(frozen=True)
@@ -362,7 +368,7 @@ class _States:
 
     def __call__(self, given: Mapping[str, numpy.ndarray]) -> dict[str, Any]:
         found = self.model.solve(**given, columns=self.columns)  # type: ignore[arg-type]
-        return {"names": list(found), "values": found._values, "status": found._status, "notes": list(found.notes)}
+        return {"names": list(found), "values": found._values, "status": found._status, "notes": [_fields(n) for n in found.notes]}
 
 
 @contextlib.contextmanager

@@ -140,8 +140,8 @@ def test_without_known_noise_its_size_is_fitted_too(make, document, tmp_path, tr
 
 def test_parameters_have_errors_starts_and_bounds(calibration, make, document):
     report = fit_report(calibration)
-    assert "f0: 1.678519 +- 0.01693 (1.01%) (start 2, bounds 0.01 to 30)" in report
-    assert "C(f0, z) = -0.5220" in report
+    assert "f0: 1.678514 +- 0.01694 (1.01%) (start 2, bounds 0.01 to 30)" in report
+    assert "C(f0, z) = -0.5221" in report
     dyno = fit_report(make("Calibration", document("calibrate", "data/measurements/spindle_dyno.toml", "data/measurements/spindle_dyno.csv")))
     assert "f0: 0.01 no stderr (start 1.5, bounds 0.01 to 30), at its lower bound" in dyno
     assert "C(" not in dyno  # one of the two has no error

@@ -130,7 +130,7 @@ def test_bars_of_the_ladder_are_the_errors_of_the_document(diagnosis):
     ax = plot.ladder(diagnosis)
     assert widths(ax) == [data["rmse_before"], data["rmse_after"], data["noise"]["rms"]]
     assert labels(ax) == ["before", "after", "noise"]
-    assert [t.get_text() for t in ax.texts] == ["44.9", "10.7", "10.1"]
+    assert [t.get_text() for t in ax.texts] == ["44.9", "10.7", "10.4"]
     assert ax.get_xlabel() == "RMS error of friction torque in N mm"
 
 

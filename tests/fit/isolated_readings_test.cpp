@@ -16,18 +16,18 @@ constexpr double um = 1e-6;
 record::Record lagging(double noise = 0.2) {
   std::mt19937 random(3);
   std::normal_distribution<double> gauss;
-  std::vector<double> time, speed, read;
+  std::vector<double> time, speeds, read;
   double now = 0.0;
   for (int i = 0; i < 600; ++i) {
     const double n = 1000.0 * ((i / 60) * 7 % 5);
     now += (0.01 * n - now) / 10.0;
     time.push_back(60.0 * i);
-    speed.push_back(n * rpm);
+    speeds.push_back(n * rpm);
     read.push_back((now + noise * gauss(random)) * um);
   }
   record::Record record;
   record.set(record::time, time);
-  record.set(record::speed, speed);
+  record.set(record::speed, speeds);
   record.set(record::axial_displacement, read);
   return record;
 }
@@ -90,11 +90,11 @@ TEST(IsolatedReadings, BeyondTheRangeOfAllOthersNeedNoSteadySpeed) {
 /// A spindle that runs for a minute every half hour moves at once, and is at rest for all the rest.
 TEST(IsolatedReadings, ShortRunsOfAMachineAtRestAreNone) {
   record::Record record = lagging();
-  std::vector<double>& speed = record.find(record::speed)->values;
+  std::vector<double>& speeds = record.find(record::speed)->values;
   std::vector<double>& read = record.find(record::axial_displacement)->values;
-  for (std::size_t i = 0; i < speed.size(); ++i) {
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
     const bool runs = i % 30 == 15;
-    speed[i] = runs ? 6000 * rpm : 0.0;
+    speeds[i] = runs ? 6000 * rpm : 0.0;
     read[i] = (runs ? 20.0 : 0.1 * static_cast<double>(i % 3)) * um;
   }
   EXPECT_FALSE(without_isolated_readings(record).any());

@@ -10,21 +10,21 @@ namespace raceway::fit {
 namespace {
 
 /// At each load the speed is stepped up; the temperature follows the speed and jitters.
-Record stepped(const std::vector<double>& loads) {
+Record stepped(const std::vector<double>& at_loads) {
   std::mt19937 random(1);
   std::normal_distribution<double> gauss;
-  std::vector<double> speed, load, temperature;
-  for (const double F : loads)
+  std::vector<double> speeds, forces, temperatures;
+  for (const double F : at_loads)
     for (const double n :
          {600.0, 900.0, 1360.0, 2060.0, 3100.0, 4670.0, 7040.0, 10600.0, 16000.0}) {
-      speed.push_back(n * rpm);
-      load.push_back(F);
-      temperature.push_back(kelvin(23.5 + 1.8e-3 * n + 1.2 * gauss(random)));
+      speeds.push_back(n * rpm);
+      forces.push_back(F);
+      temperatures.push_back(kelvin(23.5 + 1.8e-3 * n + 1.2 * gauss(random)));
     }
   Record record;
-  record.set(record::speed, speed);
-  record.set(record::axial_load, load);
-  record.set(record::temperature, temperature);
+  record.set(record::speed, speeds);
+  record.set(record::axial_load, forces);
+  record.set(record::temperature, temperatures);
   return record;
 }
 
@@ -55,12 +55,12 @@ TEST(RowOrder, ABlockMayHaveALevelOfItsOwn) {
 
 TEST(RowOrder, ATemperatureSeparatesBlocksWhereNothingElseDoes) {
   Record record = stepped({250, 600, 1400});
-  std::vector<double> one(record.rows(), 100.0), temperature;
+  std::vector<double> one(record.rows(), 100.0), temperatures;
   for (std::size_t i = 0; i < one.size(); ++i)
-    temperature.push_back(kelvin(20.0 + 5.0 * static_cast<double>(i % 9)));
+    temperatures.push_back(kelvin(20.0 + 5.0 * static_cast<double>(i % 9)));
   record.set(record::speed, one);
   record.set(record::axial_load, one);
-  record.set(record::temperature, temperature);
+  record.set(record::temperature, temperatures);
   const RowOrder order = row_order(record, in_file(record));
   EXPECT_EQ(begins(order), (std::vector<std::size_t>{0, 9, 18}));
   EXPECT_FALSE(order.own_levels);

@@ -129,12 +129,20 @@ TEST(Judgement, ARingBurstsAtItsHoopStress) {
 }
 
 TEST(Judgement, PartsOfAnAnswerAreOneJudgement) {
-  const Finding small{.limit = "a", .value = 1.0, .points = 2, .text = "small"};
-  const Finding large{.limit = "a", .value = 3.0, .points = 1, .text = "large"};
-  const Findings worst = worst_of({{small}, {}, {large}});
-  ASSERT_EQ(worst.size(), 1U);
-  EXPECT_EQ(worst[0].text, "large");
-  EXPECT_EQ(worst[0].points, 3U);
+  const Model model = fit::synthetic_model();
+  const auto at = [&](const std::vector<double>& temperatures_C) {
+    Judge judge(model);
+    for (const double t : temperatures_C)
+      judge.look_at_speed(50 * mm, false, "", {.speed = 10.0, .temperature = kelvin(t)});
+    return judge;
+  };
+  Judge all(model);
+  for (const Judge& part : {at({250.0, 20.0}), at({20.0}), at({300.0, 270.0})}) all.add(part);
+  const Finding together = of(limits::oil_hot, all.findings()),
+                one = of(limits::oil_hot, at({250.0, 20.0, 20.0, 300.0, 270.0}).findings());
+  EXPECT_EQ(together.points, 3U);
+  EXPECT_NEAR(together.value, 300.0, 1e-9);
+  EXPECT_EQ(together.text, one.text);
 }
 
 }  // namespace
