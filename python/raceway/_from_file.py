@@ -18,7 +18,8 @@ class FromFile:
 
     if TYPE_CHECKING:
 
-        def __init__(self, source: str, text: str) -> None: ...
+        def __init__(self, source: str, text: str) -> None:
+            ...
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Self:

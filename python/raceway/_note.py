@@ -26,15 +26,7 @@ class Note(str):
     line: int | None
     key: str | None
 
-    def __new__(
-        cls,
-        text: str,
-        kind: str = "note",
-        code: str = "",
-        file: str | None = None,
-        line: int | None = None,
-        key: str | None = None,
-    ) -> Note:
+    def __new__(cls, text: str, kind: str = "note", code: str = "", file: str | None = None, line: int | None = None, key: str | None = None) -> Note:
         note = super().__new__(cls, text)
         note.kind, note.code, note.file, note.line, note.key = kind, code, file, line, key
         return note

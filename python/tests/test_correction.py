@@ -230,7 +230,7 @@ def test_export(command, tmp_path, format):
 
 def test_suggest_columns():
     """Columns of a machine's own export for a correction."""
-    correction = raceway.Correction.from_text("[correction]\ndisplacement = \"displacement_z_um\"\n")
+    correction = raceway.Correction.from_text('[correction]\ndisplacement = "displacement_z_um"\n')
     frame = pandas.DataFrame({"Zeit [min]": [0.0, 2.0, 4.0], "T Lager [°C]": [20.1, 21.4, 20.9], "Weg Z [mm]": [0.0, 1e-3, 2e-3]})
     columns = correction.suggest_columns(raceway.Record.from_pandas(frame, name="machine"))
     assert 'displacement_z_um = { column = "Weg Z [mm]", unit = "mm" }' in columns

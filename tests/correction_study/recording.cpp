@@ -66,10 +66,9 @@ class Writer {
 void spoil(const Setup& setup, const Machine& machine, const std::vector<PlannedRow>& plan,
            std::vector<Recording::Column>& columns) {
   const auto of = [&](const std::string& sensor) -> std::vector<double>& {
-    return std::find_if(columns.begin(), columns.end(),
-                        [&](const Recording::Column& c) {
-                          return c.name == sensor + "_temperature_C";
-                        })
+    return std::find_if(
+               columns.begin(), columns.end(),
+               [&](const Recording::Column& c) { return c.name == sensor + "_temperature_C"; })
         ->values;
   };
   if (!setup.exchanged_with.empty()) of("front_bearing").swap(of(setup.exchanged_with));

@@ -51,7 +51,8 @@ std::vector<std::string> right_verdicts(const Class& wished) {
   if (wished.outside) return {"not-in-catalogue", "effect-like"};
   if (wished.hidden.size() > 1) return {"several-effects"};
   // Evidence without a parameter: no fit takes it away.
-  if (wished.id == "sensor-quantisation" || is_wrong_data(wished)) return {"effect", "ambiguous", "effect-like"};
+  if (wished.id == "sensor-quantisation" || is_wrong_data(wished))
+    return {"effect", "ambiguous", "effect-like"};
   return {"effect", "ambiguous"};
 }
 

@@ -199,7 +199,8 @@ void hide(std::string_view id, double size, Setup& s, Random& random) {
     if (s.columns.rear) others.emplace_back("rear_bearing");
     if (s.columns.motor) others.emplace_back("motor");
     if (s.columns.headstock) others.emplace_back("headstock");
-    s.exchanged_with = others.at(static_cast<std::size_t>(random.whole(0, static_cast<int>(others.size()) - 1)));
+    s.exchanged_with =
+        others.at(static_cast<std::size_t>(random.whole(0, static_cast<int>(others.size()) - 1)));
   } else if (id == "loose-sensor") {
     for (const double t : calm_times(s.train, 1, 700.0, random)) s.loose_from = t;
     s.loose_to = s.loose_from > 0.0 ? s.loose_from + random.between(3.0, 6.0) * hour : 0.0;
@@ -241,9 +242,8 @@ void draw_plans(const Class& wished, Setup& s, Random& random) {
   constexpr std::array all{Profile::heat_cool, Profile::stairs, Profile::spectrum_30,
                            Profile::spectrum_60, Profile::spectrum_120};
   const auto any = [&](auto... ids) { return (hides(wished, ids) || ...); };
-  const bool dense =
-      any("kinematic-displacement", "offset-jump", "sensor-quantisation", "sensor-lag",
-          "loose-sensor");
+  const bool dense = any("kinematic-displacement", "offset-jump", "sensor-quantisation",
+                         "sensor-lag", "loose-sensor");
   const bool one_run = dense || any("slow-drift");
   PlanWish& wish = s.train_wish;
   wish.hours = random.whole(24, 30);

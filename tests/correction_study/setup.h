@@ -44,7 +44,7 @@ struct Setup {
   double noise = 0.25;       ///< standard deviation of a displacement [um]
   double table_scale = 1.0;  ///< the friction table is another spindle's
   double table_exponent = 0.6;
-  double strays = 0.0;  ///< share of the readings that a chip under the probe falsifies
+  double strays = 0.0;           ///< share of the readings that a chip under the probe falsifies
   std::string exchanged_with{};  ///< sensor whose column has the name of the front bearing's
   double loose_from = 0.0, loose_to = 0.0;  ///< while the front sensor hangs in the air [s]
   double loose_sees = 1.0;                  ///< of the rise of its bearing above the room [1]

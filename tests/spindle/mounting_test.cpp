@@ -1,10 +1,11 @@
+#include "effects/mounting.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "effects/catalogue.h"
-#include "effects/mounting.h"
 #include "model/model.h"
 #include "spindle/spindle.h"
 #include "spindle/spindle_subject.h"
@@ -25,8 +26,8 @@ model::Model mounted(bearing::Mounting mounting) {
 
 double steady_displacement(const model::Model& model) {
   Report report;
-  const Moment m = Simulator(model).steady(
-      {.speed = 8000.0 * rpm, .ambient_temperature = kelvin(20)}, report);
+  const Moment m =
+      Simulator(model).steady({.speed = 8000.0 * rpm, .ambient_temperature = kelvin(20)}, report);
   EXPECT_TRUE(report.converged()) << report.message;
   return m.displacement;
 }
