@@ -41,8 +41,9 @@ std::string noise_text(const verdict::Comparison& c) {
   if (!std::isnan(c.noise.rms))
     return fmt::format("{} {} ({})", error_text(c.noise.rms, of, 3), error_unit(of),
                        fit::name(c.noise.source));
-  const auto column = std::find_if(record::channels.begin(), record::channels.end(),
-                                   [&](const record::Channel& c) { return c.of == of.name; });
+  const auto column =
+      std::find_if(record::channels.begin(), record::channels.end(),
+                   [&](const record::Channel& other) { return other.of == of.name; });
   return fmt::format(
       "not known ({}){}",
       record::find_channel(of.name) == nullptr  // of a record over time

@@ -12,7 +12,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string coarse = "\n[solver]\ncells = \"coarse\"\n";
+const std::string of_coarse_cells = "\n[solver]\ncells = \"coarse\"\n";
 
 class Judged : public testing::Test {
  protected:
@@ -33,7 +33,7 @@ class Judged : public testing::Test {
 // word.
 TEST_F(Judged, AHotSpindleIsNotWithoutAWord) {
   const std::string flags = "--speed 15000 --steady ";
-  const Result r = command("spindle", base_spindle + coarse, flags + "--json");
+  const Result r = command("spindle", base_spindle + of_coarse_cells, flags + "--json");
   EXPECT_EQ(r.status, 0);
   const json answer = parsed(r);
   const json preload = of(answer, "preload_factor"), ring = of(answer, "ring_temperature");
@@ -52,20 +52,21 @@ TEST_F(Judged, AHotSpindleIsNotWithoutAWord) {
                            HasSubstr("warning: " + preload["text"].get<std::string>())));
   if (!has_reports()) return;
   const std::string page = scratch_.file("page.html");
-  ASSERT_EQ(command("spindle", base_spindle + coarse, flags + "--report " + page).status, 0);
+  ASSERT_EQ(command("spindle", base_spindle + of_coarse_cells, flags + "--report " + page).status, 0);
   EXPECT_THAT(page_document(page)["judged"].dump(), HasSubstr("as mounted and above 3 times"));
 }
 
 TEST_F(Judged, AWarmRunIsJudgedAsTheSteadyState) {
   const std::string profile =
       scratch_.write("day.csv", "time_s,speed_rpm\n0,0\n7200,8000\n14400,8000\n");
-  const Result r = command("spindle", base_spindle + coarse, "--json --speed-profile " + profile);
+  const Result r =
+      command("spindle", base_spindle + of_coarse_cells, "--json --speed-profile " + profile);
   EXPECT_EQ(of(parsed(r), "preload_factor")["kind"], "warning");
   EXPECT_THAT(r.err, HasSubstr("times the 300 N as mounted"));
 }
 
 TEST_F(Judged, AQuietAnswerPassesNoLimit) {
-  const Result r = command("spindle", base_spindle + coarse, "--speed 3000 --steady --json");
+  const Result r = command("spindle", base_spindle + of_coarse_cells, "--speed 3000 --steady --json");
   EXPECT_EQ(parsed(r)["judgement"], json::array());
   EXPECT_THAT(r.err, Not(HasSubstr("warning")));
 }
@@ -85,7 +86,8 @@ TEST_F(Judged, PressureWhileItRunsIsJudgedInEveryCommand) {
 // A preload of 3e5 N presses the balls of this bearing with 5.2 GPa: solve and table said so, the
 // rest of the commands did not.
 TEST_F(Judged, APreloadThatLeavesDentsIsSaidByAll) {
-  const std::string text = replaced(base_spindle, "preload_N = 300", "preload_N = 300000") + coarse;
+  const std::string text =
+      replaced(base_spindle, "preload_N = 300", "preload_N = 300000") + of_coarse_cells;
   const std::string said = "as mounted, above 4.2 GPa, which leaves dents";
   for (const auto& [verb, flags] : {std::pair("displacement", "--speed 0,100"),
                                     {"check", ""},
@@ -158,7 +160,7 @@ TEST_F(Judged, PartsThatDoNotFitAreRefused) {
 }
 
 TEST_F(Judged, AShaftBentBeyondABeamIsRefused) {
-  const std::string text = base_spindle + coarse;
+  const std::string text = base_spindle + of_coarse_cells;
   EXPECT_THAT(command("deflection", text, "--force 100").err, Not(HasSubstr("slopes by")));
   expect_refused(command("deflection", text, "--force 50000000"), "the nose would slope by");
 }
@@ -167,7 +169,7 @@ TEST_F(Judged, AShaftBentBeyondABeamIsRefused) {
 // the mounted ones.
 TEST_F(Judged, OneMountedPreloadIsSaidByAll) {
   const std::string text = replaced(base_spindle, "preload_N = 300", "preload_offset_um = 15") +
-                           coarse +
+                           of_coarse_cells +
                            "\n[[effect]]\nid = \"interference-fit\"\ninterference_um = 6\n";
   const double mounted =
       parsed(command("displacement", text, "--speed 0 --json"))["arrangement"]["preload_N"];
@@ -192,7 +194,7 @@ TEST_F(Judged, OneMountedPreloadIsSaidByAll) {
 // with the force that the fit would make.
 TEST_F(Judged, AFitThatDoesNotActOnThePreloadIsNamed) {
   const std::string ground =
-      replaced(base_spindle, "preload_N = 300", "preload_offset_um = 15") + coarse;
+      replaced(base_spindle, "preload_N = 300", "preload_offset_um = 15") + of_coarse_cells;
   const std::string said =
       "inner_interference_um = 6 um acts on the heat through the seat, and not";
   const std::string err = command("displacement", ground, "--speed 0").err;
@@ -201,7 +203,7 @@ TEST_F(Judged, AFitThatDoesNotActOnThePreloadIsNamed) {
       "displacement", ground + "\n[[effect]]\nid = \"interference-fit\"\ninterference_um = 6\n",
       "--speed 0 --json"))["arrangement"]["preload_N"];
   EXPECT_THAT(err, HasSubstr(fmt::format("it is {:.4g} N as mounted", fitted)));
-  EXPECT_THAT(command("displacement", base_spindle + coarse, "--speed 0").err,
+  EXPECT_THAT(command("displacement", base_spindle + of_coarse_cells, "--speed 0").err,
               Not(HasSubstr("acts on the heat")));
   EXPECT_THAT(command("displacement",
                       ground + "\n[[effect]]\nid = \"interference-fit\"\ninterference_um = 8\n",
@@ -213,8 +215,8 @@ TEST_F(Judged, AFitThatDoesNotActOnThePreloadIsNamed) {
 // Flags that change nothing were taken without a word.
 TEST_F(Judged, FlagsThatChangeNothingAreNamed) {
   const std::string dry = base_spindle.substr(0, base_spindle.find("[coolant]")) +
-                          base_spindle.substr(base_spindle.find("[ambient]")) + coarse;
-  const std::string wet = base_spindle + coarse;
+                          base_spindle.substr(base_spindle.find("[ambient]")) + of_coarse_cells;
+  const std::string wet = base_spindle + of_coarse_cells;
   for (const auto& [verb, flags] : {std::pair("spindle", "--speed 3000 --steady"),
                                     {"deflection", "--force 100 --warm"},
                                     {"modes", "--speed 0 --warm"}}) {

@@ -63,9 +63,9 @@ Model driven_by_the_bearing() {
 
 void loosen(MadeRecord& made, double from, double to, double seen) {
   std::vector<double>& read = made.record.find(spindle_bearing())->values;
-  const double room = spindle_bearing().to_SI(21.0);
+  const double cold = spindle_bearing().to_SI(21.0);
   for (std::size_t k = 0; k < read.size(); ++k)
-    if (made.time[k] >= from && made.time[k] < to) read[k] = room + seen * (read[k] - room);
+    if (made.time[k] >= from && made.time[k] < to) read[k] = cold + seen * (read[k] - cold);
 }
 
 verdict::Diagnosis diagnosed(const MadeRecord& made) {
