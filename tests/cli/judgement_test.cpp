@@ -52,7 +52,8 @@ TEST_F(Judged, AHotSpindleIsNotWithoutAWord) {
                            HasSubstr("warning: " + preload["text"].get<std::string>())));
   if (!has_reports()) return;
   const std::string page = scratch_.file("page.html");
-  ASSERT_EQ(command("spindle", base_spindle + of_coarse_cells, flags + "--report " + page).status, 0);
+  ASSERT_EQ(command("spindle", base_spindle + of_coarse_cells, flags + "--report " + page).status,
+            0);
   EXPECT_THAT(page_document(page)["judged"].dump(), HasSubstr("as mounted and above 3 times"));
 }
 
@@ -66,7 +67,8 @@ TEST_F(Judged, AWarmRunIsJudgedAsTheSteadyState) {
 }
 
 TEST_F(Judged, AQuietAnswerPassesNoLimit) {
-  const Result r = command("spindle", base_spindle + of_coarse_cells, "--speed 3000 --steady --json");
+  const Result r =
+      command("spindle", base_spindle + of_coarse_cells, "--speed 3000 --steady --json");
   EXPECT_EQ(parsed(r)["judgement"], json::array());
   EXPECT_THAT(r.err, Not(HasSubstr("warning")));
 }
