@@ -30,19 +30,19 @@ std::string displacement_report(const std::string& model_file, const model::Mode
                                 std::span<const shaft::ShaftPrediction> predictions,
                                 const LawOfReport& law, const std::vector<std::string>& warnings,
                                 const std::vector<ModelOfPage>& facts,
-                                const std::vector<std::string>& judged) {
+                                const model::Findings& findings) {
   Document document("displacement");
   document.add("assumed", model_facts(facts));
   document.add("model", model_file);
   // The rows stand below, as columns: as JSON each takes some kB.
-  document.add_text("results", results::displacement_json(model, {}, {}));
+  document.add_text("results", results::displacement_json(model, {}, {}, nullptr, findings));
   const bearing::Arrangement& arrangement = model.shaft->arrangement;
   text::json places = text::json::array();
   for (std::size_t i = 0; i < arrangement.bearings().size(); ++i)
     places.push_back(results::bearing_place(arrangement, i));
   document.add("places", std::move(places));
   document.add("warnings", warnings);
-  document.add("judged", judged);
+  document.add("judged", model::warnings_of(findings));
   document.add("law_statement", law.statement);
   if (law.fit) {
     document.add_text("law", results::kinematic_law_json(*law.fit, law.statement, std::nullopt));

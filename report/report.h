@@ -8,6 +8,7 @@
 
 #include "files/used_default.h"
 #include "friction/stribeck_table.h"
+#include "model/judgement.h"
 #include "model/model.h"
 #include "model/prediction.h"
 #include "record/record.h"
@@ -66,13 +67,13 @@ struct LawOfReport {
   std::string statement;  ///< how well it follows the curve, or why none was fitted
 };
 
-/// `warnings` are what the command says of the bearings and of speeds without balance; `judged`
-/// those of them that say which limits are passed.
+/// `warnings` are what the command says of the bearings, of speeds without balance and of limits
+/// that are passed, which `findings` has as data.
 [[nodiscard]] std::string displacement_report(
     const std::string& model_file, const model::Model& model,
     std::span<const shaft::ShaftPoint> points, std::span<const shaft::ShaftPrediction> predictions,
     const LawOfReport& law, const std::vector<std::string>& warnings,
-    const std::vector<ModelOfPage>& facts = {}, const std::vector<std::string>& judged = {});
+    const std::vector<ModelOfPage>& facts = {}, const model::Findings& findings = {});
 
 /// The page around a document: JSON as text, in which no `<` is left to end the data early.
 [[nodiscard]] std::string report_page(const std::string& document);

@@ -75,9 +75,9 @@ std::string ShaftCurve::csv() const {
 }
 
 std::string ShaftCurve::page() const {
-  return report::displacement_report(
-      file_->source, file_->model, points_, predictions_, law_of(*this), texts(warnings()),
-      {of_page(*file_, file_->model)}, model::warnings_of(findings_));
+  return report::displacement_report(file_->source, file_->model, points_, predictions_,
+                                     law_of(*this), texts(warnings()),
+                                     {of_page(*file_, file_->model)}, findings_);
 }
 
 }  // namespace raceway::session
