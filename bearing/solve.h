@@ -25,8 +25,8 @@ struct SolveReport {
   double residual = unset;  ///< largest imbalance of ring and balls, scaled by load [1]
   double recovered_load_error =
       unset;  ///< loads summed again from the reported balls, relative [1]
-  /// Of `no_equilibrium`: statics alone shows that no balance exists. Elsewhere the search has
-  /// found none, which is no proof.
+  /// True where statics alone proves that no balance exists. With false, `no_equilibrium` only says
+  /// that the search found none.
   bool certain = false;
   [[nodiscard]] bool converged() const { return status == SolveStatus::converged; }
 };

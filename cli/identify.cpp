@@ -28,8 +28,8 @@ struct IdentifyFlags {
   bool json = false, force = false;
 };
 
-/// What the found models are worth on a record that they did not see; they are judged by it from
-/// then on.
+/// Validates the found models on a record that they did not see, and judges them by it from then
+/// on.
 std::vector<results::Validation> validated(std::vector<correction::Identification>& found,
                                            const IdentifyFlags& flags,
                                            const files::CorrectionFile& file) {

@@ -123,8 +123,8 @@ struct ControlAxis {
   bool counts = false;   ///< whole numbers of it
   std::string output{};  ///< "offset_z_um", "offset_z_mm", "offset_z_counts"
   double offset_um = 0.0;
-  /// How far its model may be trusted, in the words of correction::name(), and why; empty where
-  /// that is not known.
+  /// Trust in its model, in the words of correction::name(), and the reason; empty where that is
+  /// not known.
   std::string trust{}, trust_because{};
   std::vector<ControlSection> sections{};
   std::vector<ControlElement> elements{};

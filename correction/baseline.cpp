@@ -209,8 +209,8 @@ Identification regression_baseline(const Model& model, const std::vector<const C
   see(found, record);
   found.evidence = evidence_on(found, record, result.rms_held_out);
   result.model = std::move(found);
-  result.messages.push_back(record::note::limits(
-      "a regression has no memory, and goes on in straight lines where nobody measured"));
+  result.messages.push_back(
+      record::note::limits("a regression has no memory, and it extrapolates in straight lines"));
   return result;
 }
 

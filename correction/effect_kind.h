@@ -92,7 +92,7 @@ class EffectKind {
   /// Columns that it needs beside those of its input.
   [[nodiscard]] virtual std::vector<const Channel*> other_columns(const Effect& effect) const;
 
-  /// Where the record itself shows it, of an effect that is evidence. Default: nowhere.
+  /// Faults of this kind that the record itself shows. Default: none.
   [[nodiscard]] virtual std::vector<fit::Fault> faults(const FittedRecord& in) const;
 
   /// What it adds to the displacement.

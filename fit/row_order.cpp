@@ -45,8 +45,8 @@ std::vector<bool> blocks_of(const record::Column& column, std::span<const std::s
   return begins;
 }
 
-/// Whether a rig may have been set up anew before each block: the clock, where there is one, shows
-/// the time that it took.
+/// True if a rig may have been set up anew before each block. A clock shows the time that this
+/// took.
 bool may_be_set_up_anew(const Record& record, std::span<const std::size_t> rows,
                         const std::vector<bool>& begins) {
   if (!record.complete(record::time)) return true;
@@ -57,7 +57,7 @@ bool may_be_set_up_anew(const Record& record, std::span<const std::size_t> rows,
   return record::median(between) > a_pause * record::median(within);
 }
 
-/// Whether each block has a level of its own of a load that stays within it.
+/// True if some load is constant in each block and differs between all blocks.
 bool has_own_levels(const Record& record, std::span<const std::size_t> rows,
                     const std::vector<bool>& begins) {
   for (const record::Column& column : record.columns) {

@@ -269,9 +269,9 @@ class Inquiry {
       return only.empty() || std::find(only.begin(), only.end(), id) != only.end();
     };
     faults_ = fitted(base_)->faults(record_);
+    const bool something_is_left = worst_held_out(base_) > 1.0;
     for (const fit::Fault& e : faults_) {
-      const bool has_to_explain = worst_held_out(base_) > 1.0;
-      if (!asked(e.id) || (!e.certain && !has_to_explain)) continue;
+      if (!asked(e.id) || (!e.certain && !something_is_left)) continue;
       const Recorded without = recorded(*subject_, for_search(e.without), usual_width(record_));
       Tried t{.shown = &e};
       t.fit = approximate(subject_, without, subject_->free(), search());

@@ -154,8 +154,8 @@ void Investigation::tell_of_runs() {
   if (blocks)
     result_.messages.push_back(record::note::plan(
         "nothing tells how much these blocks differ by themselves: what changes from block to "
-        "block "
-        "was not looked for; measure each of them twice, or say with run_id which rows are a run"));
+        "block was not looked for; measure each of them twice, or say with run_id which rows are a "
+        "run"));
   const std::string nested = fit::nested_settings(*problem_.record);
   // Where levels were measured in two runs it is no plan that lacks anything.
   if (!runs || (!nested.empty() && fit::nested_settings(*problem_.record, true).empty())) return;

@@ -28,7 +28,7 @@ struct Loose {
   double seen = unset, until = unset;
 };
 
-/// One on a body; one in the room hangs in the air as it is.
+/// True for a sensor on a body. One that measures the room hangs in the air already.
 bool can_come_loose(const Channel* column) {
   return record::is_temperature(*column) && !record::is_ambient(*column);
 }
@@ -100,7 +100,7 @@ class Sensor {
  private:
   [[nodiscard]] static bool is_share(double share) { return share >= 0.0 && share < most_seen; }
   [[nodiscard]] double rise(std::size_t row) const { return read_[row] - room_[row]; }
-  /// Whether coming loose there, or no longer being loose, would not show as a leap.
+  /// True where the rise is so small that a sensor could come loose, or return, without a leap.
   [[nodiscard]] bool is_cold(std::size_t row, double seen) const {
     return std::abs(rise(row)) * (1.0 - seen) <
            seen_leap_of_a_sensor * std::max(seen, told_by_share);

@@ -14,8 +14,8 @@
 namespace raceway::correction {
 namespace {
 
-/// Whether an error of this size is much of what is left. A feedthrough of an input in steps is
-/// found a third too small [errors in variables], and its error with it.
+/// True if an error of this size makes up much of what is left. A feedthrough of an input in steps
+/// is found a third too small [errors in variables], and its error with it.
 bool explains(double rms, std::span<const double> left) {
   constexpr double much_of_it = 0.4;  // of the mean square
   double sum = 0.0, square = 0.0, count = 0.0;
@@ -28,7 +28,7 @@ bool explains(double rms, std::span<const double> left) {
   return rms * rms * count >= much_of_it * (square - sum * sum / count);
 }
 
-/// Whether what is left steps back wherever the input steps, by what the feedthrough made of it.
+/// True if the residual steps back wherever the input steps, by the step that the feedthrough made.
 bool steps_with(const std::vector<double>& input, std::span<const double> left, double feedthrough,
                 const std::vector<bool>& begins) {
   constexpr double surely = 8.0;  // standard errors
