@@ -73,7 +73,7 @@ std::optional<results::Superposition> StepCorrectionFlags::superposition(
   if (programme.empty()) return std::nullopt;
   const files::CorrectionFile written = files::read_correction(file);
   results::Superposition s =
-      session::superposition_of_steps(steps, written.models.front(), programme);
+      session::superposition_of_steps(messages(), steps, written.models.front(), programme);
   if (s.report.converged())
     say(fmt::format("over {} the correction differs from the simulation by {}", programme,
                     results::superposition_text(s)));

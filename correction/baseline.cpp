@@ -70,7 +70,7 @@ class Design {
 
   /// False for one that says nothing beyond the others.
   bool add(const Input& input) {
-    const Series::Values values = series_.input(input);
+    const Series::Values values = series_.at_once(input);
     Eigen::MatrixXd with(columns_.rows(), columns_.cols() + 1);
     with << columns_, Eigen::VectorXd(columns_.rows());
     for (std::size_t i = 0; i < rows_.size(); ++i)

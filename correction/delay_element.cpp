@@ -12,7 +12,7 @@ void delay_response(const Clock& clock, std::span<const double> power, const Del
       displacement[k] = 0.0;
       continue;
     }
-    const double P = power[k - 1], before = displacement[k - 1];
+    const double P = power[clock.held_until(k)], before = displacement[k - 1];
     if (!(P >= 0.0 && P < limit)) {
       displacement[k] = unset;
       continue;

@@ -30,7 +30,7 @@ struct DelayElement {
   [[nodiscard]] double target(double power) const { return power > 0.0 ? gain(power) : 0.0; }
 };
 
-/// Displacement at every row [m]; P of a row holds until the next. Runs begin from rest.
+/// Displacement at every row [m]; P holds as the settings of the clock do. Runs begin from rest.
 /// NaN from the first P on that lies outside the domain, to the end of its run. Beyond the powers
 /// that were seen K and T are continued(); at P = 0 nothing heats, seen or not.
 void delay_response(const Clock& clock, std::span<const double> power, const DelayElement& element,

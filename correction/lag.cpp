@@ -16,8 +16,8 @@ void lag_response(const Clock& clock, std::span<const double> input, Hold hold,
       last = clock.steps[k];
       step = lag_step(last / time_constant, hold);
     }
-    state[k] =
-        step.decay * state[k - 1] + step.old_weight * input[k - 1] + step.new_weight * input[k];
+    const double before = input[hold == Hold::held ? clock.held_until(k) : k - 1];
+    state[k] = step.decay * state[k - 1] + step.old_weight * before + step.new_weight * input[k];
   }
 }
 

@@ -4,12 +4,14 @@
 #include <span>
 #include <vector>
 
+#include "record/record.h"
+
 namespace raceway::correction {
 
 /// How an input goes from one sample to the next.
 enum class Hold {
   straight,  ///< along a straight line, as temperatures do: first-order hold
-  held       ///< as it was until the next one, as a programmed speed is: zero-order hold
+  held       ///< as it was set, by the clock's settings_hold: zero-order hold
 };
 
 /// One step of a first-order lag T dx/dt = u - x over a time dt.
@@ -41,7 +43,17 @@ inline LagStep lag_step(double ratio, Hold hold) {
 struct Clock {
   std::vector<double> steps{};  ///< time since the row before [s]; 0 where a run begins
   std::vector<bool> begins{};   ///< a run begins with this row, and with it the simulation
+  record::SettingsHold settings_hold = record::SettingsHold::sampled;
+
   [[nodiscard]] std::size_t rows() const { return steps.size(); }
+  /// Row whose settings hold from the row before until `row`, which begins no run.
+  [[nodiscard]] std::size_t held_until(std::size_t row) const {
+    return settings_hold == record::SettingsHold::until_row ? row : row - 1;
+  }
+  /// Row with whose settings the reading in `row` was taken.
+  [[nodiscard]] std::size_t seen_at(std::size_t row) const {
+    return settings_hold == record::SettingsHold::from_row && !begins[row] ? row - 1 : row;
+  }
 };
 
 /// State of a first-order lag of time constant T > 0 [s] at every row, in the unit of the input.

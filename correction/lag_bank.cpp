@@ -125,7 +125,7 @@ class Bank {
       const LaggedInput& s = inputs_[j];
       const Input& input = model_.channels[s.channel].input;
       const Series::Values all =
-          s.time_constant > 0.0 ? series_.lag(input, s.time_constant, {}) : series_.input(input);
+          s.time_constant > 0.0 ? series_.lag(input, s.time_constant, {}) : series_.at_once(input);
       for (Eigen::Index k = 0; k < x_.rows(); ++k)
         x_(k, place(j)) = (*all)[rows_[static_cast<std::size_t>(k)]] / s.unit;
     }

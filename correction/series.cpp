@@ -33,6 +33,7 @@ double driving_size(double value, double exponent) {
 }
 
 Series::Series(const record::Record& record) : record_(record) {
+  clock_.settings_hold = record.settings_hold;
   const std::span<const double> time = record.values(record::time);
   if (time.empty()) throw std::invalid_argument("a displacement over time needs a column time_s");
   const record::Channel* const setup = record::series_channel("setup_id");
@@ -192,6 +193,16 @@ Series::Values Series::input(const Input& input) const {
   });
 }
 
+Series::Values Series::at_once(const Input& of) const {
+  Values driving = input(of);
+  if (clock_.settings_hold != record::SettingsHold::from_row ||
+      of.course() == record::Course::straight)
+    return driving;
+  auto seen = std::make_shared<std::vector<double>>(rows());
+  for (std::size_t k = 0; k < rows(); ++k) (*seen)[k] = (*driving)[clock_.seen_at(k)];
+  return seen;
+}
+
 /// Steps of a lag whose time constant changes from row to row, exact while it holds.
 void Series::answer(const std::vector<double>& input, record::Course course, double time_constant,
                     const Answer& by, std::vector<double>& state) const {
@@ -205,16 +216,16 @@ void Series::answer(const std::vector<double>& input, record::Course course, dou
       x[k] = 0.0;
       continue;
     }
-    // What holds from the row before to this one.
-    if (!speed_rpm_.empty() && speed_rpm_[k - 1] != speed) {
-      speed = speed_rpm_[k - 1];
+    const std::size_t set = clock_.held_until(k);
+    if (!speed_rpm_.empty() && speed_rpm_[set] != speed) {
+      speed = speed_rpm_[set];
       f = continued(factor, by.speed, speed);
       gain_factor =
           continued([&](double n) { return std::pow(factor(n), by.gain_power); }, by.speed, speed);
     }
-    const bool off = !coolant_.empty() && coolant_[k - 1] < 0.5;
+    const bool off = !coolant_.empty() && coolant_[set] < 0.5;
     const double gain = gain_factor * (off ? by.off_gain : 1.0);
-    const double before = gain * input[k - 1];
+    const double before = gain * input[hold == Hold::straight ? k - 1 : set];
     const double after = hold == Hold::straight ? gain * input[k] : before;
     double tau = time_constant * f * (off ? by.off_time_constant : 1.0);
     if (0.5 * (before + after) < x[k - 1]) tau *= by.falling;
@@ -250,8 +261,8 @@ Series::Values Series::kinematic(double B, double C, const Interval& seen) const
       throw std::invalid_argument("the kinematic displacement needs a column speed_rpm");
     double last = -1.0, value = 0.0;
     for (std::size_t k = 0; k < rows(); ++k) {
-      if (speed_rpm_[k] != last) {
-        last = speed_rpm_[k];
+      if (const double speed = speed_rpm_[clock_.seen_at(k)]; speed != last) {
+        last = speed;
         value = continued(law, from_rest, last);
       }
       out[k] = value;

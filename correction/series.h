@@ -55,6 +55,8 @@ class Series {
   /// What drives, at every row, SI: a rise of temperature [K], a power [W], a speed, a feed. Throws
   /// std::invalid_argument for a column that the record lacks.
   [[nodiscard]] Values input(const Input& input) const;
+  /// Input of a part that answers at once, as the reading in each row sees it.
+  [[nodiscard]] Values at_once(const Input& input) const;
   /// Rows at which it turns and the power lies outside the axes of its friction table.
   [[nodiscard]] std::size_t rows_beyond_table(const Input& input) const;
 

@@ -18,7 +18,7 @@ struct Adder {
     if (s.gain == 0.0) return;
     const double size = s.gain * um / s.input.factor();
     if (std::isnan(s.time_constant))
-      sink(size, *series.input(s.input));
+      sink(size, *series.at_once(s.input));
     else
       sink(size, *series.lag(s.input, s.time_constant, {}));
   }

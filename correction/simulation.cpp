@@ -53,7 +53,7 @@ void add_channel(const Model& model, const DrivenChannel& channel, const Series&
     sink(c.scale, u);
   }
   if (c.printed) sink(c.scale, run_printed(*c.printed, series, *input, c.name));
-  if (c.feedthrough != 0.0) sink(c.scale * c.feedthrough, *input);
+  if (c.feedthrough != 0.0) sink(c.scale * c.feedthrough, *series.at_once(c.input));
   const Answer answer = answer_of(model, channel);
   for (const Section& s : c.sections)
     if (s.gain != 0.0) sink(c.scale * s.gain, *series.lag(c.input, s.time_constant, answer));

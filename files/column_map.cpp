@@ -25,6 +25,13 @@ constexpr Key columns_keys[]{
      "two ways"},
     {"date_order", one_of("day first|month first"), unset,
      "of dates with slashes. Asked for where it changes the time between rows"},
+    {"settings_hold", one_of("from row|until row"), unset,
+     "of records over time. \"from row\": speed, loads, feeds and coolant hold from their row "
+     "until "
+     "the next, as in a programme of events, and a reading in their row was taken just before; "
+     "\"until row\": from the row before, as loggers stamp the end of an interval. Otherwise "
+     "a record of a spindle is read as \"until row\"; for a correction settings hold from "
+     "their row, and the reading in it was taken with them"},
 };
 constexpr Key rule_keys[]{
     {"column", a_text, is_required,
@@ -224,11 +231,17 @@ ColumnMap read_columns(const ModelTables& tables) {
   if (const auto order = s.choice("date_order"))
     map.date_order =
         order->starts_with('d') ? text::DateOrder::day_first : text::DateOrder::month_first;
+  if (const auto hold = s.choice("settings_hold"))
+    map.settings_hold =
+        *hold == "from row" ? record::SettingsHold::from_row : record::SettingsHold::until_row;
+  const auto is_of_file = [](std::string_view name) {
+    return std::any_of(std::begin(columns_keys), std::end(columns_keys),
+                       [&](const Key& k) { return k.name == name; });
+  };
   // In the order of the file, for messages.
   std::map<std::uint64_t, std::pair<const toml::key*, const toml::node*>> lines;
   for (const auto& [key, node] : *s.table())
-    if (key.str() != columns_keys[0].name && key.str() != columns_keys[1].name)
-      lines.emplace(order_of(key), std::pair(&key, &node));
+    if (!is_of_file(key.str())) lines.emplace(order_of(key), std::pair(&key, &node));
   for (const auto& [_, entry] : lines) {
     ColumnRule rule = read_rule(s, *entry.first, *entry.second);
     for (const ColumnRule& other : map.rules) {

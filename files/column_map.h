@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "record/channel.h"
+#include "record/record.h"
 #include "rig/torque_sensor.h"
 #include "text/error.h"
 #include "text/timestamp.h"
@@ -66,8 +67,9 @@ struct ColumnRule {
 struct ColumnMap {
   std::string source{};
   std::vector<ColumnRule> rules{};
-  char decimal_mark = '\0';                     ///< of the file; '\0': not said
-  std::optional<text::DateOrder> date_order{};  ///< of dates with slashes
+  char decimal_mark = '\0';                             ///< of the file; '\0': not said
+  std::optional<text::DateOrder> date_order{};          ///< of dates with slashes
+  std::optional<record::SettingsHold> settings_hold{};  ///< of records over time
 
   [[nodiscard]] const ColumnRule* find(std::string_view header) const;
 };

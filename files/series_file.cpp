@@ -33,6 +33,8 @@ class SeriesReader {
         found_(recognise(table_, options.columns, true, options.of_spindle)),
         of_spindle_(options.of_spindle),
         date_order_(options.columns.date_order),
+        settings_hold_(options.columns.settings_hold.value_or(
+            options.of_spindle ? record::SettingsHold::until_row : record::SettingsHold::sampled)),
         dropped_(options.drop_nan ? drop_empty_rows(table_, inputs()) : std::string()),
         cells_(table_) {
     require(record::time);
@@ -41,7 +43,7 @@ class SeriesReader {
   }
 
   Record read() {
-    Record result{.source = table_.source};
+    Record result{.source = table_.source, .settings_hold = settings_hold_};
     for (const ColumnSource& source : found_.columns) {
       const Channel& c = *source.channel;
       if (c.role == Role::measured && !is_wanted(c)) {
@@ -206,8 +208,8 @@ class SeriesReader {
               "{} gap{} in time, the first before {}, the longest {:.4g} s where rows come every "
               "{:.4g} s: {}",
               count, count == 1 ? "" : "s", result.place(first), longest, usual,
-              of_spindle_
-                  ? "the inputs of the row behind it hold"
+              settings_hold_ == record::SettingsHold::until_row
+                  ? "the settings of the row behind it hold"
                   : "temperatures are carried over it in a straight line, all else as it was"),
           {.line = result.line(first)}));
   }
@@ -237,3 +239,4 @@ record::Record read_series(const Source& source, const Channels& wanted, const C
 }
 
 }  // namespace raceway::files
+  record::SettingsHold settings_hold_;

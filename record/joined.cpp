@@ -50,9 +50,15 @@ Record joined(std::vector<Record> records) {
           r.source +
           ": its readings have a common factor that nobody knows (inertia_kgm2 = \"unknown\"), so "
           "they cannot be held against those of another record");
+  for (const Record& r : records)
+    if (r.settings_hold != records.front().settings_hold)
+      throw std::invalid_argument(r.source +
+                                  ": its settings hold between other rows than those of " +
+                                  records.front().source);
   std::sort(records.begin(), records.end(),
             [](const Record& a, const Record& b) { return a.source < b.source; });
   Record result;
+  result.settings_hold = records.front().settings_hold;
   result.parts = parts_of(records);
   result.columns = empty_columns(records);
   const bool by_line =

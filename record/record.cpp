@@ -93,6 +93,7 @@ Record Record::without_rows() const {
                 .lines = {},
                 .notes = notes,
                 .up_to_a_factor = up_to_a_factor,
+                .settings_hold = settings_hold,
                 .parts = parts};
   for (const Column& c : columns) result.columns.push_back({c.channel, {}, c.known});
   return result;

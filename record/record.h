@@ -25,6 +25,13 @@ struct Part {
   std::string source;  ///< file name, for messages
 };
 
+/// Rows between which a setting of a record over time holds: a speed, a load, the coolant.
+enum class SettingsHold {
+  sampled,    ///< from its row until the next; a reading in its row was taken with it
+  from_row,   ///< from its row until the next; a reading in its row was taken just before it
+  until_row,  ///< from the row before until its own
+};
+
 /// What was measured: columns over rows. Rows are known by their place here; the line of a file is
 /// kept for messages alone.
 struct Record {
@@ -35,6 +42,7 @@ struct Record {
   std::vector<Note> notes{};        ///< what the reader did that the user should know
   /// The readings have one factor in common that nobody knows.
   bool up_to_a_factor = false;
+  SettingsHold settings_hold = SettingsHold::sampled;  ///< of a record over time
   /// Of a record that joined() made, to which the column `part` has indices; otherwise empty.
   std::vector<Part> parts{};
 

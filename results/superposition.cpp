@@ -8,18 +8,27 @@
 
 #include "correction/simulation.h"
 #include "record/channel.h"
+#include "spindle/record_rows.h"
 
 namespace raceway::results {
+namespace {
+
+spindle::Inputs with_speed(spindle::Inputs inputs, double speed) {
+  inputs.speed = speed;
+  return inputs;
+}
+
+}  // namespace
 
 Superposition superposition(const model::Model& model, const correction::Model& correction,
                             const record::Record& programme, const spindle::Inputs& inputs,
                             const std::atomic<bool>* cancelled) {
-  const std::span<const double> time = programme.values(record::time);
   const std::span<const double> speed = programme.values(record::speed);
-  std::vector<spindle::ProfileRow> profile;
-  for (std::size_t k = 0; k < time.size(); ++k) {
-    profile.push_back({.time = time[k] - time.front(), .inputs = inputs});
-    profile.back().inputs.speed = speed[k];
+  std::vector<spindle::ProfileRow> profile = spindle::profile_of(programme);
+  const double begin = profile.front().time;
+  for (spindle::ProfileRow& row : profile) {
+    row.time -= begin;
+    row.inputs = with_speed(inputs, row.inputs.speed);
   }
   spindle::Simulator simulator(model);
   simulator.stop_on(cancelled);
@@ -49,19 +58,17 @@ Superposition superposition(const model::Model& model, const correction::Model& 
 }
 
 record::Record trial_programme(double fastest) {
-  constexpr double half_hour = 1800.0, row = 60.0, change = 1.0;  // [s]
-  std::vector<double> time, speed;
+  constexpr double half_hour = 1800.0, row = 60.0;  // [s]
+  std::vector<double> time{0.0}, speed{0.0};
   double begin = 0.0;
   for (const double share : {0.5, 1.0, 0.0, 0.7, 0.3, 1.0, 0.0, 0.5}) {
-    time.push_back(begin + (time.empty() ? 0.0 : change));
-    speed.push_back(share * fastest);
     for (double t = row; t <= half_hour; t += row) {
       time.push_back(begin + t);
       speed.push_back(share * fastest);
     }
     begin += half_hour;
   }
-  record::Record programme;
+  record::Record programme{.settings_hold = record::SettingsHold::until_row};
   programme.set(record::time, std::move(time));
   programme.set(record::speed, std::move(speed));
   return programme;

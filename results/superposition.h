@@ -23,10 +23,8 @@ struct Superposition {
   std::vector<double> time = {}, speed = {}, simulated = {}, corrected = {};
 };
 
-/// Runs both over a programme: a record with time and speed. `inputs`: all else of the simulation.
-///
-/// Speeds hold from the row before for the simulation and to the row after for the correction, so a
-/// change of speed needs two rows close together. Both begin at rest at the ambient temperature.
+/// Runs both over a programme: a record with time and speed, which holds for both as the record
+/// says. `inputs`: all else of the simulation. Both begin at rest at the ambient temperature.
 /// Throws std::invalid_argument for a model that is no spindle, and a record that lacks a column,
 /// fit::Cancelled where `cancelled` is set meanwhile.
 [[nodiscard]] Superposition superposition(const model::Model& model,

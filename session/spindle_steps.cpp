@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "files/series_file.h"
+#include "files/spindle_record.h"
 #include "record/units.h"
 #include "report/step_report.h"
 #include "results/step_results.h"
@@ -199,14 +199,16 @@ correction::Model correction_of_steps(Messages& messages, const SpindleSteps& st
                        .law = step_law_of(question.law)});
 }
 
-results::Superposition superposition_of_steps(const SpindleSteps& steps,
+results::Superposition superposition_of_steps(Messages& messages, const SpindleSteps& steps,
                                               const correction::Model& correction,
                                               const Source& programme,
                                               const std::atomic<bool>* cancelled) {
-  const std::vector<const record::Channel*> wanted{&record::time, &record::speed};
-  const record::Record record = files::read_series(programme, {}, wanted);
-  return results::superposition(*steps.model(), correction, record, conditions_of(steps),
-                                cancelled);
+  const model::Model& model = *steps.model();
+  if (!model.spindle) throw std::invalid_argument("the model is no spindle");
+  const record::Record record =
+      files::read_spindle_record(programme, *model.spindle, {.columns = steps.file->columns});
+  messages.say(record.notes);
+  return results::superposition(model, correction, record, conditions_of(steps), cancelled);
 }
 
 }  // namespace raceway::session

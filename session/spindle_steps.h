@@ -76,9 +76,10 @@ struct StepCorrectionQuestion {
 [[nodiscard]] correction::Model correction_of_steps(Messages& messages, const SpindleSteps& steps,
                                                     const StepCorrectionQuestion& question);
 
-/// A correction of them against the whole simulation, over a programme of speeds.
+/// A correction of them against the whole simulation, over a programme of speeds, read as that of a
+/// spindle is. Throws std::invalid_argument as results::superposition().
 [[nodiscard]] results::Superposition superposition_of_steps(
-    const SpindleSteps& steps, const correction::Model& correction, const Source& programme,
-    const std::atomic<bool>* cancelled = nullptr);
+    Messages& messages, const SpindleSteps& steps, const correction::Model& correction,
+    const Source& programme, const std::atomic<bool>* cancelled = nullptr);
 
 }  // namespace raceway::session

@@ -52,15 +52,18 @@ std::vector<ProfileRow> profile_of(const record::Record& record) {
       throw std::invalid_argument(
           fmt::format("{}: time_s = {:.10g} s: time must rise; {:.10g} s stands before it",
                       record.place(row), time[row], time[row - 1]));
+    // Temperatures are read in their own row.
+    const bool from_row = record.settings_hold != record::SettingsHold::until_row;
+    const std::size_t set = from_row && row > 0 ? row - 1 : row;
     rows.push_back({.time = time[row],
-                    .inputs = {.speed = std::abs(speed[row]),  // heat does not know the direction
+                    .inputs = {.speed = std::abs(speed[set]),  // heat does not know the direction
                                .ambient_temperature = at(ambient, row, unset),
                                .machine_temperature = at(machine, row, unset),
                                .coolant_inlet = at(inlet, row, unset),
-                               .motor_heat = at(motor, row, unset),
-                               .axial_load = at(axial, row, 0.0),
-                               .radial_load = at(radial, row, 0.0),
-                               .coolant_on = at(coolant, row, 1.0) >= 0.5}});
+                               .motor_heat = at(motor, set, unset),
+                               .axial_load = at(axial, set, 0.0),
+                               .radial_load = at(radial, set, 0.0),
+                               .coolant_on = at(coolant, set, 1.0) >= 0.5}});
   }
   return rows;
 }

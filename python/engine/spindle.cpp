@@ -253,11 +253,11 @@ std::string superposition(const StepAnswer& answer, const std::string& correctio
     throw text::InputError(answer.steps->source +
                            ": load cases were read, and there is no simulation of them");
   Heard heard;
-  return asked(heard, no_limit, [&](Heard&, const std::atomic<bool>& cancelled) {
+  return asked(heard, no_limit, [&](Heard& h, const std::atomic<bool>& cancelled) {
     const files::CorrectionFile written = files::read_correction(correction);
     try {
       const results::Superposition error = session::superposition_of_steps(
-          *answer.steps, written.models.front(), *programme, &cancelled);
+          h, *answer.steps, written.models.front(), *programme, &cancelled);
       return answer.steps->json(&error);
     } catch (const std::invalid_argument& e) {
       throw text::InputError(programme->name + ": " + e.what(), {.file = programme->name});

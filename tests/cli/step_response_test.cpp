@@ -170,6 +170,31 @@ TEST(StepResponseCommand, MakesACorrectionOfASpindle) {
   EXPECT_GT(step["highest_front_force_N"], step["front_force_N"]);
 }
 
+// Rows that say what begins and rows that say what was until then: one programme, one error.
+TEST(StepResponseCommand, AProgrammeMeansTheSameToSimulationAndCorrection) {
+  const ScratchFolder scratch;
+  std::string events = "time_s,speed_rpm\n", intervals = "time_s,speed_rpm\n0,0\n";
+  constexpr int speeds[] = {3000, 0, 4500, 1500};
+  for (int k = 0; k < 24; ++k) {
+    events += fmt::format("{},{}\n", 600 * k, speeds[k / 6]);
+    intervals += fmt::format("{},{}\n", 600 * (k + 1), speeds[k / 6]);
+  }
+  events += "14400,0\n";
+  const auto error = [&](const std::string& hold, const std::string& programme) {
+    const std::string model = scratch.write(
+        "spindle.toml", small_spindle + "[columns]\nsettings_hold = \"" + hold + "\"\n");
+    const Result r =
+        run("step-response " + model + " --speed 1500:4500:1500 --lags two --correction " +
+            scratch.file("z.toml") + " --force --programme " + scratch.write("day.csv", programme) +
+            " --json");
+    EXPECT_EQ(r.status, 0) << r.err;
+    return parsed(r)["superposition"]["rms_um"].get<double>();
+  };
+  const double of_events = error("from row", events), of_intervals = error("until row", intervals);
+  EXPECT_NEAR(of_events, of_intervals, 1e-9 * of_events);
+  EXPECT_LT(of_events, 1.0);
+}
+
 TEST(StepResponseCommand, ItsFilesDoNotWriteOverEachOther) {
   const ScratchFolder scratch;
   const std::string table = scratch.file("z_fast.csv");

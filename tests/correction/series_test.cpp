@@ -160,6 +160,43 @@ TEST(Series, RunsAndClampingsHaveZerosOfTheirOwn) {
   EXPECT_FALSE(series.clock().begins[8]);
 }
 
+/// What was set from each row on, as a logger has it that stamps the end of an interval.
+MadeRecord stamped_at_the_end(MadeRecord made) {
+  for (record::Column& column : made.record.columns)
+    if (column.channel->is_input() && record::course_of(*column.channel) == record::Course::held)
+      for (std::size_t k = column.values.size() - 1; k > 0; --k)
+        column.values[k] = column.values[k - 1];
+  made.record.settings_hold = record::SettingsHold::until_row;
+  return made;
+}
+
+TEST(Series, EventsAndIntervalsOfOneProgrammeAreAnsweredAlike) {
+  MadeRecord events = day();
+  events.record.settings_hold = record::SettingsHold::from_row;
+  const MadeRecord intervals = stamped_at_the_end(day());
+  const Series a(events.record), b(intervals.record);
+  const Input feed = input("x_feed_m_min"), warmth = input("spindle_temperature_C");
+  EXPECT_EQ(*a.lag(feed, 2500, {}), *b.lag(feed, 2500, {}));
+  EXPECT_EQ(*a.at_once(feed), *b.at_once(feed));
+  EXPECT_EQ(*a.motor(3000, 900), *b.motor(3000, 900));
+  EXPECT_EQ(*a.kinematic(0.697, 5.3e-4), *b.kinematic(0.697, 5.3e-4));
+  const Answer answer{.off_gain = 1.6, .speed_factor = 2.0};
+  EXPECT_EQ(*a.lag(warmth, 2500, answer), *b.lag(warmth, 2500, answer));
+  EXPECT_EQ(*a.lag(feed, 2500, answer), *b.lag(feed, 2500, answer));
+}
+
+TEST(Series, AReadingWithoutAStatementSeesTheSpeedOfItsRow) {
+  const MadeRecord sampled = day();
+  MadeRecord events = day();
+  events.record.settings_hold = record::SettingsHold::from_row;
+  const Series a(sampled.record), b(events.record);
+  constexpr std::size_t change = 200;  // 6000 s
+  const auto law = [](const Series& s) { return *s.kinematic(0.697, 5.3e-4); };
+  EXPECT_EQ(law(a)[change], law(a)[change + 1]);
+  EXPECT_EQ(law(b)[change], law(b)[change - 1]);
+  EXPECT_EQ(*a.lag(input("x_feed_m_min"), 2500, {}), *b.lag(input("x_feed_m_min"), 2500, {}));
+}
+
 TEST(Series, TimeThatGoesBackIsRefused) {
   record::Record record{.source = "made.csv"};
   record.set(record::time, {0, 60, 30});

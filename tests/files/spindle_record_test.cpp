@@ -17,7 +17,10 @@ namespace raceway::files {
 namespace {
 
 using testing::Contains;
+using testing::DoubleEq;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 const model::Spindle& spindle_of_records() {
   static const model::Spindle spindle =
@@ -91,6 +94,34 @@ TEST(SpindleRecord, SpeedIsNeeded) {
 TEST(SpindleRecord, MisspeltSensorIsNamed) {
   EXPECT_THAT(rows_error("time_s,speed_rpm,shaft_ent_temperature_C\n60,1000,20\n"),
               HasSubstr("did you mean shaft_end_temperature_C?"));
+}
+
+// 6000 rpm from 100 s to 200 s, written as events and as a logger stamps them.
+TEST(SpindleRecord, SettingsHoldAsTheMapSays) {
+  const auto speeds = [](const std::string& text, const std::string& hold) {
+    const record::Record r =
+        read_spindle_record({"day.csv", "time_s,speed_rpm\n" + text}, spindle_of_records(),
+                            {.columns = parse_column_map(hold, "map.toml")});
+    std::vector<double> list;
+    for (const spindle::ProfileRow& row : spindle::profile_of(r))
+      list.push_back(row.inputs.speed / rpm);
+    list.erase(list.begin());
+    EXPECT_THAT(texts(r.notes), Not(Contains(HasSubstr("settings_hold"))));
+    return list;
+  };
+  EXPECT_THAT(speeds("0,0\n100,6000\n200,0\n300,0\n", "[columns]\nsettings_hold = \"from row\""),
+              ElementsAre(0, DoubleEq(6000), 0));
+  EXPECT_THAT(speeds("0,0\n100,0\n200,6000\n300,0\n", "[columns]\nsettings_hold = \"until row\""),
+              ElementsAre(0, DoubleEq(6000), 0));
+}
+
+TEST(SpindleRecord, SettingsWithoutAStatementHoldUntilTheirRowWithANote) {
+  const record::Record r = read_rows("time_s,speed_rpm\n0,0\n100,6000\n");
+  EXPECT_DOUBLE_EQ(spindle::profile_of(r)[1].inputs.speed, 6000 * rpm);
+  EXPECT_THAT(texts(r.notes),
+              Contains(HasSubstr("hold since the row before it; settings_hold = \"until row\"")));
+  EXPECT_THAT(texts(read_rows("time_s,speed_rpm\n0,6000\n100,6000\n").notes),
+              Not(Contains(HasSubstr("settings_hold"))));
 }
 
 TEST(SpindleRecord, SensorThatTheModelLacksIsTold) {
