@@ -73,6 +73,7 @@ class SeriesReader {
         if (std::string note = fill_input(*source.channel, result, cells_.bad); !note.empty())
           filled_.push_back(std::move(note));
     cells_.bad.throw_if_any();
+    take_offsets_off(result);
     result.notes = notes(result);
     return result;
   }
@@ -106,6 +107,29 @@ class SeriesReader {
                     table_.header_line, channel.name, text::suggestion(channel.name, others),
                     text::listed(table_.header)),
         place_in_header(table_, channel.name));
+  }
+
+  /// Subtracts the offsets that a control added: the displacements are then those of the machine.
+  void take_offsets_off(Record& result) {
+    std::vector<std::string> lone;
+    for (const record::Column& offset : result.columns) {
+      if (offset.channel->kind != record::offset_kind) continue;
+      const std::string of =
+          "displacement" + std::string(offset.channel->variable.substr(6)) + "_um";
+      record::Column* const read = result.find(*record::series_channel(of));
+      if (!read) {
+        if (!found_.find(*record::series_channel(of))) lone.emplace_back(offset.channel->name);
+        continue;
+      }
+      for (std::size_t row = 0; row < read->values.size(); ++row)
+        read->values[row] -= offset.values[row];
+      without_.push_back(fmt::format("{1}, which the control added, is subtracted from {0}", of,
+                                     offset.channel->name));
+    }
+    if (!lone.empty())
+      lone_ = fmt::format("{}: the record has no displacement of that name", text::listed(lone));
+    std::erase_if(result.columns,
+                  [](const record::Column& c) { return c.channel->kind == record::offset_kind; });
   }
 
   /// A sensor that the model has under a name much like it, and the file not at all.
@@ -147,7 +171,7 @@ class SeriesReader {
           text::listed(found_.others) + (found_.others.size() == 1 ? " is" : " are"),
           of_spindle_ ? "of a spindle has " + text::listed(known)
                       : "over time has NAME_temperature_C, NAME_feed_m_min, NAME_speed_rpm, "
-                        "coolant_on, displacement_NAME_um");
+                        "coolant_on, displacement_NAME_um, offset_NAME_um");
   }
 
   void set_constant(const Recognised::Constant& constant, Record& result) {
@@ -178,7 +202,9 @@ class SeriesReader {
     if (!dropped_.empty()) list.push_back(record::note::left_out(dropped_));
     append(list, notes_of(record::note::filled_in, filled_));
     append(list, notes_of(record::note::filled_in, constants_));
+    append(list, notes_of(record::note::read_as, without_));
     if (!unknown_.empty()) list.push_back(record::note::unused(unknown_));
+    if (!lone_.empty()) list.push_back(record::note::unused(lone_));
     if (!unused_.empty())
       list.push_back(record::note::unused("not predicted by the model: " + text::listed(unused_)));
     note_gaps(result, list);
@@ -219,10 +245,11 @@ class SeriesReader {
   Recognised found_;
   bool of_spindle_;
   std::optional<text::DateOrder> date_order_;
+  record::SettingsHold settings_hold_;
   std::string dropped_;
   ColumnReader cells_;
-  std::vector<std::string> unused_, constants_, filled_;
-  std::string unknown_;
+  std::vector<std::string> unused_, constants_, filled_, without_;
+  std::string unknown_, lone_;
 };
 
 }  // namespace
@@ -239,4 +266,3 @@ record::Record read_series(const Source& source, const Channels& wanted, const C
 }
 
 }  // namespace raceway::files
-  record::SettingsHold settings_hold_;

@@ -32,6 +32,7 @@ constexpr std::array series_kinds{
                "coolant_on"},
     SeriesKind{"displacement_", "_um",
                "verlagerung verschiebung displacement dehnung growth drift probe taster weg"},
+    SeriesKind{"offset_", "_um", "korrektur kompensation correction compensation offset"},
     SeriesKind{"", "_temperature_C", "temperatur temperature temp t"},
     SeriesKind{"", "_feed_m_min", "vorschub feed feedrate"},
     SeriesKind{"", "_speed_rpm", "drehzahl speed drehfrequenz rpm n", "speed_rpm"}};

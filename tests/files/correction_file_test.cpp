@@ -11,7 +11,11 @@
 namespace raceway::files {
 namespace {
 
+using testing::Contains;
+using testing::DoubleEq;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsNan;
 using testing::ThrowsMessage;
 
 const std::string head = "[correction]\ndisplacement = \"displacement_z_um\"\n";
@@ -286,6 +290,28 @@ TEST(SeriesFile, InputsAreFilledBetweenTheirReadings) {
       texts(r.notes),
       testing::Contains(testing::HasSubstr("3 of 5 rows have no speed_rpm: the last value holds")));
   EXPECT_THAT(texts(r.notes), testing::Contains(testing::HasSubstr("over gaps of up to 1200 s")));
+}
+
+// Measured with a correction switched on: the machine itself moved by what was read less the
+// offset.
+TEST(SeriesFile, AnOffsetThatTheControlAddedIsTakenOff) {
+  const record::Channel& z = *record::series_channel("displacement_z_um");
+  const auto read = [&](const std::string& map) {
+    return read_series({"r.csv",
+                        "time_s,offset_z_um,displacement_z_um,offset_y_um\n"
+                        "0,0,1,5\n60,-4,3,5\n120,,3,5\n180,-6,,5\n"},
+                       {&z}, {}, {.columns = parse_column_map(map, "map.toml")});
+  };
+  const record::Record r = read("[columns]\n");
+  EXPECT_THAT(r.values(z), ElementsAre(DoubleEq(1e-6), DoubleEq(7e-6), DoubleEq(7e-6), IsNan()));
+  EXPECT_FALSE(r.has(*record::series_channel("offset_z_um")));
+  EXPECT_THAT(
+      texts(r.notes),
+      Contains("offset_z_um, which the control added, is subtracted from displacement_z_um"));
+  EXPECT_THAT(texts(r.notes), Contains(HasSubstr("offset_y_um: the record has no displacement")));
+  EXPECT_DOUBLE_EQ(
+      read("[columns]\noffset_z_um = { column = \"offset_z_um\", factor = -1 }\n").values(z)[1],
+      -1e-6);
 }
 
 TEST(SeriesFile, WhatNoReadingIsNearIsRefused) {
