@@ -25,7 +25,7 @@ Takes takes(const CLI::Option& option) {
     const std::string name = option.get_name();
     if (name.find("EFFECT") != name.npos) return Takes::file_or_effect;
     if (name == "ID") return Takes::effect;
-    for (const std::string_view of_file : {"MODEL", "DATA", "FILES", "SLABS", "CSV"})
+    for (const std::string_view of_file : {"MODEL", "MODELS", "DATA", "FILES", "SLABS", "CSV"})
       if (name == of_file) return Takes::file;
     return Takes::value;
   }
@@ -55,8 +55,6 @@ std::string ids_over_time() {
   return words_of(correction::catalogue(), [](const auto& effect) { return effect.id; });
 }
 
-std::string ids() { return ids_on_bearings() + " " + ids_over_time(); }
-
 std::string command_names(const CLI::App& app) {
   return words_of(app.get_subcommands({}), [](const auto* command) { return command->get_name(); });
 }
@@ -78,27 +76,19 @@ std::string zsh_text(std::string_view help) {
 }
 
 std::string zsh_action(Takes what) {
-  switch (what) {
-    case Takes::file:
-      return "_files";
-    case Takes::effect:
-      return "(" + ids() + ")";
-    case Takes::file_or_effect:
-      return "_raceway_files_and_effects";
-    default:
-      return " ";
-  }
+  if (what == Takes::file) return "_files";
+  if (what == Takes::effect) return fmt::format("({} {})", ids_on_bearings(), ids_over_time());
+  return what == Takes::file_or_effect ? "_raceway_files_and_effects" : " ";
 }
 
 std::string zsh_flag(const CLI::Option& option) {
   std::string lines;
   const Takes what = takes(option);
-  for (const std::string& name : names_of(option)) {
-    lines += fmt::format("        '{}[{}]", name, zsh_text(option.get_description()));
-    if (what != Takes::nothing)
-      lines += fmt::format(":{}:{}", option.get_type_name(), zsh_action(what));
-    lines += "' \\\n";
-  }
+  const std::string value =
+      what == Takes::nothing ? "" : fmt::format(":{}:{}", option.get_type_name(), zsh_action(what));
+  for (const std::string& name : names_of(option))
+    lines +=
+        fmt::format("        '{}[{}]{}' \\\n", name, zsh_text(option.get_description()), value);
   return lines;
 }
 

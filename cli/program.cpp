@@ -53,6 +53,7 @@ constexpr std::array commands{
             setup_correct},
     Command{"export", "A correction as something that runs in a control: Python, C, CSV, LinuxCNC",
             setup_export},
+    Command{"join", "Make one correction of several that move the same axis", setup_join},
     Command{"effects", "The catalogue of physical effects, or one of them explained",
             setup_effects},
     Command{"keys", "The keys of model files, with unit, default and range", setup_keys},

@@ -9,6 +9,7 @@
 #include "correction/record_check.h"
 #include "correction/series.h"
 #include "correction/simulation.h"
+#include "files/correction_join.h"
 #include "files/series_doubts.h"
 #include "files/series_file.h"
 #include "session/isolated.h"
@@ -37,6 +38,16 @@ files::CorrectionFile open_corrections(Messages& messages, const Source& source,
                                {.file = path}));
   say_of(messages, file.source, file.notes);
   return file;
+}
+
+files::CorrectionFile join(Messages& messages, const std::vector<Source>& parts,
+                           const std::string& path) {
+  std::vector<files::CorrectionFile> files;
+  for (const Source& part : parts)
+    files.push_back(open_corrections(messages, part, Defaults::keep));
+  files::JoinedCorrection joined = files::join_corrections(files, path);
+  messages.say(joined.notes);
+  return files::parse_correction(std::move(joined.text), path, std::move(joined.files));
 }
 
 record::Record open_series(Messages& messages, const Source& given,

@@ -20,6 +20,11 @@ namespace raceway::session {
 [[nodiscard]] files::CorrectionFile open_corrections(Messages& messages, const Source& file,
                                                      Defaults defaults = Defaults::count);
 
+/// The sum of corrections of one displacement as a file at `path`: see files::join_corrections().
+/// Says what it does not have.
+[[nodiscard]] files::CorrectionFile join(Messages& messages, const std::vector<Source>& parts,
+                                         const std::string& path);
+
 /// Reads a record over time for all of these models, of which only readings of that period count,
 /// and says what is to be known of it. Readings that leave and return take no part, unless they
 /// come `one_by_one`: nobody knows then whether one returns.

@@ -220,6 +220,21 @@ py::list EngineCorrection::inputs() const {
   return py::cast(names);
 }
 
+namespace {
+
+/// The text of the sum, the files that it names, and what is to be known of it.
+py::tuple joined(const std::vector<std::shared_ptr<EngineCorrection>>& parts) {
+  Heard heard;
+  std::vector<session::Source> sources;
+  for (const std::shared_ptr<EngineCorrection>& part : parts) sources.push_back(part->source());
+  const files::CorrectionFile sum = session::join(heard, sources, "");
+  HeldFiles held;
+  for (const files::NamedFile& file : sum.files) held.emplace_back(file.name, file.path, file.text);
+  return py::make_tuple(sum.text, held, heard.notes);
+}
+
+}  // namespace
+
 void bind_correction(py::module_& module) {
   py::class_<EngineCorrection, EngineFile, std::shared_ptr<EngineCorrection>>(module, "Correction")
       .def(py::init<const std::string&, const std::string&, const HeldFiles&>(), py::arg("source"),
@@ -234,6 +249,7 @@ void bind_correction(py::module_& module) {
       .def_property_readonly("inputs", &EngineCorrection::inputs)
       .def("parameters", &EngineCorrection::parameters)
       .def("trust", &EngineCorrection::trust);
+  module.def("joined", &joined);
   module.def("identify", &identify);
   module.def("correct", &correct);
   module.def("learn", &learn);

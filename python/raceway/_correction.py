@@ -185,6 +185,21 @@ class Correction(LoopModel):
         warn(answer.warnings)
         return CorrectionRun(answer, self._fitted(answer, ", learnt").get(""))
 
+    def join(self, *others: Correction) -> Correction:
+        """Return the sum of this correction and `others`, all of one displacement.
+
+        Channels, laws and effects stand in it as they are written; offsets are added. What the files
+        fit stays free, but for delay elements and laws of step responses.
+
+        Raises
+        ------
+        InputError
+            Another displacement, two channels of one name, two laws of instant displacement, ranges
+            that have nothing in common.
+        """
+        text, files, _ = _engine.joined([self._engine, *(other._engine for other in others)])
+        return Correction(" and ".join([self.source, *(other.source for other in others)]), text, files)
+
     def export(
         self,
         format: str,

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "files/correction_file.h"
+
+namespace raceway::files {
+
+/// One correction file made of several.
+struct JoinedCorrection {
+  std::string text;
+  std::vector<NamedFile> files{};     ///< that it names, where there is no path to find them from
+  std::vector<record::Note> notes{};  ///< on what it leaves out
+};
+
+/// Sums corrections of one displacement: the file has all their channels, laws and effects, as they
+/// are written. Offsets are added; a range that several files state is what all of them have seen.
+/// Parameters that a file fits stay free. Delay elements and laws of step responses are not: a
+/// record of the whole machine seldom tells them apart. Names of files are relative to `path`.
+///
+/// Throws InputError: fewer than two files, one with several displacements or another one, two
+/// channels of one name, two laws of instant displacement, ranges that have nothing in common.
+[[nodiscard]] JoinedCorrection join_corrections(std::span<const CorrectionFile> files,
+                                                const std::string& path);
+
+}  // namespace raceway::files
