@@ -186,10 +186,9 @@ void print_comparison(const std::string& model, const Comparisons& comparisons,
 
 void print_ladders(const std::vector<std::string>& models,
                    const std::vector<Comparisons>& comparisons) {
-  const Comparisons& first = comparisons.front();
-  for (const verdict::Comparison& of : first) {
-    if (first.size() > 1)
-      fmt::print("{}{}\n", &of == &first.front() ? "" : "\n", of.channel->words);
+  const Comparisons& all = comparisons.front();
+  for (const verdict::Comparison& of : all) {
+    if (all.size() > 1) fmt::print("{}{}\n", &of == &all.front() ? "" : "\n", of.channel->words);
     std::vector<Rung> rungs;
     for (std::size_t i = 0; i < models.size(); ++i)
       for (const verdict::Comparison& c : comparisons[i])

@@ -9,8 +9,7 @@
 #include "cli/messages.h"
 #include "cli/report_flag.h"
 #include "cli/shared_flags.h"
-#include "cli/spindle_steady.h"
-#include "cli/text_table.h"
+#include "cli/spindle_text.h"
 #include "session/open_input.h"
 #include "session/reading.h"
 #include "session/spindle_run.h"
@@ -100,32 +99,6 @@ int run_steady(const SpindleFlags& f, const files::ModelFile& file) {
   return found.converged() ? done : not_converged;
 }
 
-void print_run(const session::SpindleRun& found) {
-  const model::Model& model = found.file.model;
-  const spindle::Run& run = found.run;
-  fmt::print("{}: {} of {} rows, {} steps, {} of them taken back\n", model.spindle->name,
-             run.moments.size(), found.profile.size(), run.report.steps + run.report.rejected,
-             run.report.rejected);
-  if (run.moments.empty()) return;
-  const spindle::Moment& m = run.moments.back();
-  if (!model.spindle->network) {
-    const auto by_displacement = [](const spindle::Moment& a, const spindle::Moment& b) {
-      return a.displacement < b.displacement;
-    };
-    const auto [least, most] =
-        std::minmax_element(run.moments.begin(), run.moments.end(), by_displacement);
-    fmt::print(
-        "nose against flange: {} um at the end, from {} um at {:.6g} s to {} um at {:.6g} s\n",
-        number(m.displacement / um), number(least->displacement / um), least->time,
-        number(most->displacement / um), most->time);
-    fmt::print("front force: {} N at the end, {} N at the highest, at {:.6g} s\n",
-               number(m.front_force), number(run.highest_front_force), run.time_of_highest_force);
-  }
-  fmt::print("friction {} W at the end; energy kept within {:.1g} of the turnover\n",
-             number(m.heat.friction), run.report.energy_error);
-  fmt::print("{}\n", session::words(found.mesh));
-}
-
 int run_profile(const SpindleFlags& f, const files::ModelFile& file) {
   session::RunQuestion question{.programme = f.profile,
                                 .reading = f.reading,
@@ -167,7 +140,8 @@ Run setup_spindle(CLI::App& command) {
       .add_option("--speed-profile", flags->profile,
                   "CSV with time_s, speed_rpm and, where they are known, coolant_on,\n"
                   "ambient_temperature_C, machine_temperature_C, coolant_inlet_temperature_C,\n"
-                  "axial_load_N, radial_load_N, motor_heat_W; a row's hold from the row before it")
+                  "axial_load_N, radial_load_N, motor_heat_W; [columns] settings_hold of\n"
+                  "MODEL says between which rows they hold")
       ->type_name("FILE");
   command.add_option("--speed", flags->speed, "[rpm], as 6000 or as from:to:step; with --steady")
       ->type_name("VALUES");

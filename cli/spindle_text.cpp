@@ -1,4 +1,4 @@
-#include "cli/spindle_steady.h"
+#include "cli/spindle_text.h"
 
 #include <fmt/core.h>
 
@@ -94,6 +94,32 @@ void print_steady(const session::SteadySpindle& found) {
   else
     print_list(model, states);
   fmt::print("{}{}\n", states.size() == 1 ? "" : "\n", session::words(found.mesh));
+}
+
+void print_run(const session::SpindleRun& found) {
+  const model::Model& model = found.file.model;
+  const spindle::Run& run = found.run;
+  fmt::print("{}: {} of {} rows, {} steps, {} of them taken back\n", model.spindle->name,
+             run.moments.size(), found.profile.size(), run.report.steps + run.report.rejected,
+             run.report.rejected);
+  if (run.moments.empty()) return;
+  const spindle::Moment& m = run.moments.back();
+  if (!model.spindle->network) {
+    const auto by_displacement = [](const spindle::Moment& a, const spindle::Moment& b) {
+      return a.displacement < b.displacement;
+    };
+    const auto [least, most] =
+        std::minmax_element(run.moments.begin(), run.moments.end(), by_displacement);
+    fmt::print(
+        "nose against flange: {} um at the end, from {} um at {:.6g} s to {} um at {:.6g} s\n",
+        number(m.displacement / um), number(least->displacement / um), least->time,
+        number(most->displacement / um), most->time);
+    fmt::print("front force: {} N at the end, {} N at the highest, at {:.6g} s\n",
+               number(m.front_force), number(run.highest_front_force), run.time_of_highest_force);
+  }
+  fmt::print("friction {} W at the end; energy kept within {:.1g} of the turnover\n",
+             number(m.heat.friction), run.report.energy_error);
+  fmt::print("{}\n", session::words(found.mesh));
 }
 
 }  // namespace raceway::cli
