@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -71,6 +74,58 @@ class CorrectionPredictor : public fit::Predictor {
   std::vector<double*> places_;
   std::vector<double> factors_;
 };
+
+/// Part in which each row lies; all parts have equally many rows of `read`.
+std::vector<int> in_parts(std::size_t rows, std::span<const std::size_t> read) {
+  std::vector<int> part(rows);
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < rows; ++k) {
+    while (next < read.size() && read[next] < k) ++next;
+    part[k] = std::min(parts - 1, static_cast<int>(next * parts / read.size()));
+  }
+  return part;
+}
+
+/// Parts of each run by itself, see in_parts().
+std::vector<int> in_parts_of_runs(const fit::Record& record, std::span<const std::size_t> read) {
+  std::map<int, std::vector<std::size_t>> by_run;
+  for (const std::size_t k : read) by_run[record.run_of(k)].push_back(k);
+  std::vector<int> part(record.rows(), -1);
+  for (const auto& [run, rows] : by_run) {
+    const std::vector<int> of_run = in_parts(record.rows(), rows);
+    for (std::size_t k = 0; k < record.rows(); ++k)
+      if (record.run_of(k) == run) part[k] = of_run[k];
+  }
+  return part;
+}
+
+/// An input that moves within one part alone: without that part nothing is known of its channel.
+struct WithinPart {
+  const Channel* input = nullptr;
+  int part = 0;
+};
+
+std::vector<WithinPart> inputs_within_a_part(const fit::Record& record, std::span<const int> part) {
+  constexpr double nearly_all = 0.8;  // of the sum of squares of its rise
+  std::vector<WithinPart> list;
+  for (const record::Column& c : record.columns) {
+    if (!c.channel->is_input()) continue;
+    const bool from_first = record::course_of(*c.channel) == record::Course::straight;
+    std::array<double, parts> squares{};
+    double first = 0.0;
+    for (std::size_t k = 0; k < c.values.size(); ++k) {
+      if (k == 0 || record.run_of(k) != record.run_of(k - 1))
+        first = from_first ? c.values[k] : 0.0;
+      if (part[k] >= 0)
+        squares[static_cast<std::size_t>(part[k])] += std::pow(c.values[k] - first, 2);
+    }
+    const auto most = std::max_element(squares.begin(), squares.end());
+    const double all = std::accumulate(squares.begin(), squares.end(), 0.0);
+    if (all > 0.0 && *most > nearly_all * all)
+      list.push_back({c.channel, static_cast<int>(most - squares.begin())});
+  }
+  return list;
+}
 
 fit::Parameter beginning_parameter(std::string name) {
   fit::Parameter p;
@@ -211,6 +266,13 @@ std::vector<Effect> CorrectionSubject::possible() const {
         list.push_back(std::move(e));
     }
   }
+  // What drives an effect with a name of its own is not offered twice.
+  std::vector<std::vector<const Channel*>> named;
+  for (const Effect& e : list)
+    if (!card_of(e).by_column) named.push_back(e.columns);
+  std::erase_if(list, [&](const Effect& e) {
+    return card_of(e).by_column && std::find(named.begin(), named.end(), e.columns) != named.end();
+  });
   return list;
 }
 
@@ -227,11 +289,14 @@ std::vector<fit::Candidate> CorrectionSubject::candidates() const {
     fit::Candidate candidate{.id = full_id(e),
                              .size = card.size,
                              .of_the_user = e.own != nullptr,
-                             .of_reading = card.of_reading};
+                             .of_reading = card.of_reading,
+                             .by_column = card.by_column};
     Model with = model_;
     if (!e.own) with.effects.push_back(e);
     if (card.at_channel)
       candidate.acts_on = {{"channel", find_channel(model_, e.where)->name}};
+    else if (card.by_column)
+      candidate.acts_on = {{"column", std::string(e.columns.front()->name)}};
     else if (!e.where.empty())
       candidate.acts_on = {{"axis", e.where}};
     const std::string prefix = candidate.id + ".";
@@ -341,15 +406,15 @@ std::vector<fit::Blocking> CorrectionSubject::blockings(const fit::Record& recor
     if (std::isfinite(record.value(*model_.displacement, k))) read.push_back(k);
   if (read.size() < static_cast<std::size_t>(2 * parts)) return {};
   fit::Blocking blocking{
-      .variable = "time", .block = std::vector<int>(record.rows(), -1), .blocks = parts};
-  const bool warm = model_.initial_state == InitialState::free;
-  std::size_t next = 0;
-  int part = 0;
-  for (std::size_t k = 0; k < record.rows(); ++k) {
-    while (next < read.size() && read[next] < k) ++next;
-    part = std::min(parts - 1, static_cast<int>(next * parts / read.size()));
-    blocking.block[k] = warm && part == 0 ? -1 : part;
+      .variable = "time", .block = in_parts(record.rows(), read), .blocks = parts};
+  if (record.runs.size() > 1 && !inputs_within_a_part(record, blocking.block).empty())
+    blocking.block = in_parts_of_runs(record, read);
+  for (const WithinPart& only : inputs_within_a_part(record, blocking.block)) {
+    std::replace(blocking.block.begin(), blocking.block.end(), only.part, -1);
+    blocking.untold.emplace_back(only.input->words);
   }
+  if (model_.initial_state == InitialState::free)
+    std::replace(blocking.block.begin(), blocking.block.end(), 0, -1);
   return {std::move(blocking)};
 }
 

@@ -51,8 +51,9 @@ class CorrectionSubject : public fit::Subject {
   /// Sensors of which the last digit shows: it moves the displacement at once, and what is left
   /// steps back with it and is no larger than that makes it. Asked of a model that was fitted.
   [[nodiscard]] std::vector<fit::Fault> faults(const fit::Record& record) const override;
-  /// Eight parts of the record, one after the other, with as many readings each. Where the record
-  /// began warm the first is in none.
+  /// Eight parts of the record, one after the other, with as many readings each; eight of every run
+  /// where an input moves within one part alone. Parts that still hold nearly all of what an input
+  /// does are in none, nor is the first of a record that began warm.
   [[nodiscard]] std::vector<fit::Blocking> blockings(const fit::Record& record) const override;
 
   /// What is no number of the model: the zero of each run after the first, and the states with

@@ -25,6 +25,7 @@ struct EffectCard {
   std::size_t size = 0;      ///< which of them changes nothing at its neutral value
   bool of_channel = false;   ///< changes how a channel answers; otherwise adds a share of its own
   bool at_channel = false;   ///< `where` names a channel, or is empty for the first one
+  bool by_column = false;    ///< named by the column that drives it
   bool of_reading = false;   ///< of this record alone: not carried to another one, nor to a control
   bool evidence = false;     ///< told by the record itself: has no number, is never switched on
   bool needs_input = false;  ///< its columns cannot be left out in a file

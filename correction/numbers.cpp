@@ -195,6 +195,8 @@ double shortest_time_constant(const Input& input, const TimeConstantLimits& limi
 }
 
 std::string full_id(const Effect& effect) {
+  if (card_of(effect).by_column)
+    return fmt::format("{}:{}", effect.id, effect.columns.front()->name);
   return effect.where.empty() ? effect.id : effect.id + ":" + effect.where;
 }
 

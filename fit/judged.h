@@ -80,6 +80,7 @@ struct Blocking {
   std::string variable;      ///< Channel::variable of what is held out
   std::vector<int> block{};  ///< of each row
   int blocks = 0;
+  std::vector<std::string> untold{};  ///< inputs that move only outside of all blocks, in words
   bool ordered =
       false;  ///< blocks rise with an input: the first and the last are ends of its range
 };

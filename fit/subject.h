@@ -69,6 +69,8 @@ struct Candidate {
   std::vector<std::vector<double>> only{};
   /// Nothing that is carried to another record: it cleans this one.
   bool of_reading = false;
+  /// Named by the column that drives it: two of its kind are two explanations.
+  bool by_column = false;
   /// What is wrong where this explains a misfit: a datum rather than what may be missing, in words
   /// ("the oil card"); empty for all else.
   std::string datum{};

@@ -29,9 +29,7 @@ constexpr double much_of_it = 0.5;       // of a mean square
 constexpr double surely_better = 0.95;   // of the held-out error
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 constexpr std::size_t costly_members = 4;  // of pairs: the best singles
-
-/// "second-time-constant" of "second-time-constant:ambient".
-std::string plain(const std::string& id) { return id.substr(0, id.find(':')); }
+constexpr std::size_t most_members = 16;   // of all pairs: beyond that the best singles
 
 /// The channel that errs most, in its tolerances; 0 where nothing was held out.
 std::size_t worst_channel(const std::vector<double>& errors) {
@@ -63,6 +61,15 @@ struct Tried {
     std::vector<std::string> list;
     if (shown) list.push_back(shown->id);
     for (const fit::Candidate* c : on) list.push_back(c->id);
+    return list;
+  }
+  /// Kinds of the effects, sorted: second-time-constant of second-time-constant:ambient.
+  [[nodiscard]] std::vector<std::string> kinds() const {
+    std::vector<std::string> list;
+    if (shown) list.push_back(shown->id);
+    for (const fit::Candidate* c : on)
+      list.push_back(c->by_column ? c->id : c->id.substr(0, c->id.find(':')));
+    std::sort(list.begin(), list.end());
     return list;
   }
 };
@@ -132,13 +139,19 @@ class Inquiry {
     if (options_.progress) options_.progress(share, what);
   }
 
-  void require_readings() const {
+  void require_readings() {
     const auto count = static_cast<std::size_t>(recorded_.means.size());
-    constexpr std::size_t least = 40;
+    constexpr std::size_t least = 16, enough = 40;
     if (count < least)
       throw std::invalid_argument(
           fmt::format("{} readings of {} at {} different minutes: a verdict needs {} or more",
                       count, channel().channel->words, count, least));
+    few_readings_ = count < enough;
+    if (few_readings_)
+      result_.messages.push_back(record::note::limits(fmt::format(
+          "only {} readings of {}: the verdict is a hint, and pairs of effects are not tried; take "
+          "{} readings or more",
+          count, channel().channel->words, enough)));
     bool all_go_one_way = true;
     for (std::size_t c = 0; c < channels_.size(); ++c)
       all_go_one_way = all_go_one_way && goes_one_way(recorded_.means, c);
@@ -190,6 +203,13 @@ class Inquiry {
                         base_.parameters[k].name,
                         verdict::with_unit(base_.parameters[k].value, base_.parameters[k].unit)),
             {.key = base_.parameters[k].name}));
+    for (const fit::Blocking& b : subject_->blockings(record_))
+      if (!b.untold.empty())
+        result_.messages.push_back(record::note::plan(fmt::format(
+            "{} {} in one part of the record alone. That part is not held out, so what follows {} "
+            "is not tested: record such a phase twice",
+            fmt::join(b.untold, ", "), b.untold.size() == 1 ? "changes" : "change",
+            b.untold.size() == 1 ? "it" : "them")));
     for (const std::string& id : subject_->catalogue())
       if (std::string why = subject_->lacks(id, record_); !why.empty())
         result_.not_testable.push_back({id, "needs " + why});
@@ -303,14 +323,7 @@ class Inquiry {
   [[nodiscard]] std::vector<const Tried*> near_best(const std::vector<Tried>& list) const {
     std::vector<const Tried*> set{&list.front()};
     for (const Tried& t : list) {
-      const auto same = [&](const Tried* s) {
-        std::vector<std::string> a = t.ids(), b = s->ids();
-        for (auto* ids : {&a, &b}) {
-          for (std::string& id : *ids) id = plain(id);
-          std::sort(ids->begin(), ids->end());
-        }
-        return a == b;
-      };
+      const auto same = [&](const Tried* s) { return t.kinds() == s->kinds(); };
       if (std::none_of(set.begin(), set.end(), same) && rivals(t, list.front())) set.push_back(&t);
     }
     return set;
@@ -363,7 +376,7 @@ class Inquiry {
       result_.course = course_of_worst(base_);
       return;
     }
-    if (options_.pairs) try_pairs();
+    if (options_.pairs && !few_readings_) try_pairs();
     if (!pairs_.empty() && pairs_.front().worst() <= 1.0 && is_believable(pairs_.front()) &&
         comes_near * pairs_.front().error() <= singles_.front().error()) {
       found_ = causes_first(near_best(pairs_));
@@ -396,10 +409,13 @@ class Inquiry {
   }
 
   [[nodiscard]] std::vector<std::vector<const fit::Candidate*>> all_pairs() const {
+    std::vector<const fit::Candidate*> members;
+    for (const Tried& t : singles_)
+      if (!t.on.empty() && members.size() < most_members) members.push_back(t.on.front());
+    std::sort(members.begin(), members.end());
     std::vector<std::vector<const fit::Candidate*>> sets;
-    for (std::size_t i = 0; i < candidates_.size(); ++i)
-      for (std::size_t j = i + 1; j < candidates_.size(); ++j)
-        sets.push_back({&candidates_[i], &candidates_[j]});
+    for (std::size_t i = 0; i < members.size(); ++i)
+      for (std::size_t j = i + 1; j < members.size(); ++j) sets.push_back({members[i], members[j]});
     return sets;
   }
 
@@ -471,6 +487,7 @@ class Inquiry {
     for (const fit::Candidate* c : t.on)
       if (c->id == effect.id) {
         effect.acts_on = c->acts_on;
+        effect.by_column = c->by_column;
         effect.size = c->size;
       }
     effect.rmse = in_SI(t.fit.channel_rms);
@@ -612,7 +629,7 @@ class Inquiry {
         const Tried& best = *found_.front();
         const Tried* next = nullptr;
         for (const Tried& t : singles_)
-          if (!next && plain(t.ids().front()) != plain(best.ids().front())) next = &t;
+          if (!next && t.kinds().front() != best.kinds().front()) next = &t;
         return fmt::format(
             "Consistent with {}: {}; with it {}{}.", found_text(), base, error(best),
             next ? fmt::format(", next best {} {}", next->ids().front(), error(*next)) : "");
@@ -669,7 +686,8 @@ class Inquiry {
   const record::Record& record_;
   std::shared_ptr<const fit::Subject> subject_;
   std::vector<fit::Measured> channels_;  // with their tolerances
-  std::vector<std::size_t> told_;        // of these, in the results
+  bool few_readings_ = false;
+  std::vector<std::size_t> told_;  // of these, in the results
   Recorded recorded_;
   std::vector<fit::Candidate> candidates_;
   std::vector<fit::Fault> faults_;

@@ -51,6 +51,7 @@ struct RankedEffect {
   /// Candidate::acts_on; the id then ends in ":" and the name of it, unless that goes without
   /// saying.
   std::vector<std::pair<std::string, std::string>> acts_on{};
+  bool by_column = false;  ///< Candidate::by_column
   bool in_verdict = false;
   /// Fall of -2 ln L against the model without it, less ln N for each free shape; of the whole set
   /// where the verdict is `several_effects` and this effect is in it.
@@ -65,9 +66,9 @@ struct RankedEffect {
   std::vector<std::string> indistinguishable_from{};  ///< ids; names of base parameters
   double remaining_p_value = unset;  ///< of the gate with this effect on; NaN where not asked
 
-  /// The id of its kind, wherever it acts.
+  /// The id of its kind, wherever it acts; with its column where that is all that is known of it.
   [[nodiscard]] std::string plain_id() const {
-    return acts_on.empty() ? id : id.substr(0, id.find(':'));
+    return acts_on.empty() || by_column ? id : id.substr(0, id.find(':'));
   }
 };
 

@@ -60,10 +60,18 @@ bool is_data(const Diagnosis& d, const std::string& id) {
   return e && !e->datum.empty();
 }
 
+/// "second time constant (ambient)" of second-time-constant:ambient; a column keeps its name.
+std::string in_words(const std::string& id) {
+  const std::size_t colon = id.find(':');
+  return colon == id.npos
+             ? spaced(id)
+             : fmt::format("{} ({})", spaced(id.substr(0, colon)), id.substr(colon + 1));
+}
+
 /// "lubricant drag and windage".
 std::string names(const std::vector<std::string>& ids, const char* last) {
   std::vector<std::string> words;
-  for (const std::string& id : ids) words.push_back(spaced(id));
+  for (const std::string& id : ids) words.push_back(in_words(id));
   return joined(words, last);
 }
 
@@ -157,7 +165,7 @@ std::string by_verdict(const Diagnosis& d) {
       if (!near.empty())
         return fmt::format(
             "Something is missing that acts like {}, and it is not sure that it is: {}",
-            spaced(near), error_and_noise(d));
+            in_words(near), error_and_noise(d));
       break;
     default:
       break;

@@ -10,6 +10,7 @@
 #include "correction/effects/loose_sensor.h"
 #include "correction/effects/motor_heat.h"
 #include "correction/effects/offset_jump.h"
+#include "correction/effects/recorded_input.h"
 #include "correction/effects/second_time_constant.h"
 #include "correction/effects/sensor_lag.h"
 #include "correction/effects/sensor_quantisation.h"
@@ -20,9 +21,9 @@
 namespace raceway::correction {
 
 /// The list of the catalogue, by id. A new effect is a header of this folder and its name here.
-using AllEffects =
-    std::tuple<AmbientDrift, CoolingSwitch, ExchangedColumns, FeedAxisHeat, KinematicDisplacement,
-               LooseSensor, MotorHeat, OffsetJump, SecondTimeConstant, SensorLag,
-               SensorQuantisation, SlowDrift, SpeedDependentTimeConstant, ThermalAsymmetry>;
+using AllEffects = std::tuple<AmbientDrift, CoolingSwitch, ExchangedColumns, FeedAxisHeat,
+                              RecordedInput, KinematicDisplacement, LooseSensor, MotorHeat,
+                              OffsetJump, SecondTimeConstant, SensorLag, SensorQuantisation,
+                              SlowDrift, SpeedDependentTimeConstant, ThermalAsymmetry>;
 
 }  // namespace raceway::correction

@@ -137,6 +137,56 @@ TEST(CorrectionSubject, PartsAreContiguousAndEqual) {
   EXPECT_EQ(CorrectionSubject(m).blockings(made.record)[0].block.front(), -1);
 }
 
+/// Five runs of 8000 s; the room moves in all, the feed in the last one alone.
+MadeRecord one_source_per_run(double runs) {
+  MadeRecord made(8000 * runs - 10, 10);
+  std::vector<double> run;
+  for (const double t : made.time) run.push_back(std::floor(t / 8000));
+  for (int k = 0; k < static_cast<int>(runs); ++k) made.record.runs.push_back(std::to_string(k));
+  made.record.set(record::run, run);
+  made.with("ambient_temperature_C", [](double t) { return 20 + std::sin(t / 700); })
+      .with("x_feed_m_min", [=](double t) { return t < 8000 * (runs - 1) ? 0.0 : 5.0; })
+      .with("displacement_z_um", [](double t) { return t; });
+  return made;
+}
+
+TEST(CorrectionSubject, APartNeverHoldsAllThatAnInputDoes) {
+  // Within the last of eight parts: each run has parts of its own.
+  const MadeRecord made = one_source_per_run(10);
+  const fit::Blocking b = CorrectionSubject(two_channels()).blockings(made.record).at(0);
+  EXPECT_THAT(b.untold, testing::IsEmpty());
+  for (int run = 0; run < 10; ++run)
+    for (int part = 0; part < 8; ++part)
+      EXPECT_EQ(b.block[static_cast<std::size_t>(800 * run + 100 * part + 50)], part);
+}
+
+TEST(CorrectionSubject, APartThatHoldsAllThatAnInputDoesIsNotHeldOut) {
+  MadeRecord made(8000, 10);
+  made.with("x_feed_m_min", [](double t) { return t > 5100 && t < 5900 ? 5.0 : 0.0; })
+      .with("displacement_z_um", [](double t) { return t; });
+  const fit::Blocking b = CorrectionSubject(two_channels()).blockings(made.record).at(0);
+  EXPECT_THAT(b.untold, testing::ElementsAre("x feed"));
+  EXPECT_EQ(b.block[550], -1);
+  EXPECT_EQ(b.block[450], 4);
+  EXPECT_EQ(b.block[650], 6);
+}
+
+TEST(CorrectionSubject, EveryRecordedTemperatureIsACandidate) {
+  MadeRecord made(40000, 60);
+  made.with("speed_rpm", [](double t) { return stepped_speed(t, 5000); })
+      .with("front_temperature_C", [](double t) { return 20 + t / 1e4; })
+      .with("table_temperature_C", [](double t) { return 20 + std::sin(t / 3000); })
+      .with("door_temperature_C", [](double t) { return 20 + std::sin(t / 2000); })
+      .with("motor_temperature_C", [](double t) { return 20 + std::cos(t / 3000); })
+      .with("bolt_temperature_C", [](double) { return 20.0; })
+      .with("displacement_z_um", [](double t) { return t / 1e4; });
+  const auto subject = CorrectionSubject(two_channels()).informed_by(made.record);
+  std::vector<std::string> ids;
+  for (const fit::Candidate& c : subject->candidates())
+    if (c.by_column) ids.push_back(c.id);
+  EXPECT_THAT(ids, testing::ElementsAre("input:door_temperature_C", "input:table_temperature_C"));
+}
+
 TEST(CorrectionSubject, UnknownEffectsAreRefusedWithTheNearest) {
   const CorrectionSubject subject(two_channels());
   const auto add = [&](std::vector<std::string> ids) {

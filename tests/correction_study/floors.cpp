@@ -242,6 +242,8 @@ std::vector<Choice> Forms::additions(std::string_view id) const {
     out.push_back(followers(&ambient, false, 1));
   } else if (id == "motor-heat" && !train_.motor.empty()) {
     out.push_back(followers([](const Signals& s) { return s.motor; }, false, 1));
+  } else if (id == "input" && !train_.column.empty()) {
+    out.push_back(followers([](const Signals& s) { return s.column; }, false, 1));
   } else if (id == "motor-heat") {
     for (const double fade : {300.0, 700.0, 1500.0, 3000.0, 7000.0})
       out.push_back(followers(

@@ -20,6 +20,7 @@ struct Signals {
   std::vector<double> spindle;                ///< input of the main channel [K] or [W]
   std::vector<double> ambient;                ///< mean of its sensors [C]
   std::vector<double> motor;                  ///< [C]
+  std::vector<double> column;                 ///< of the machine [C]
   std::array<std::vector<double>, 3> feed{};  ///< of an axis, absolute [m/min]
   std::vector<double> coolant;                ///< 0 or 1
   std::vector<double> hidden;                 ///< what is hidden moves, known to the generator [um]

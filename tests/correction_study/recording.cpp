@@ -122,6 +122,7 @@ Recording record(const Setup& setup, bool later, std::uint64_t seed) {
   if (has.motor) w.temperature("motor", motor_sensor, 0.1);
   if (has.headstock) w.temperature("headstock", headstock, 0.1);
   if (has.base) w.temperature("base", bed, 0.1);
+  if (has.column) w.temperature("column", column, 0.1);
   w.ambient(machine);
   for (std::size_t axis = 0; has.feeds && axis < 3; ++axis)
     w.add(std::string(1, "xyz"[axis]) + "_feed_m_min", 2,
@@ -178,6 +179,7 @@ Signals signals(const Setup& setup, const Recording& recording) {
     for (std::size_t i = 0; c.name.starts_with("ambient") && i < s.time.size(); ++i)
       s.ambient[i] += c.values[i] / setup.columns.ambient;
   if (setup.columns.motor) s.motor = recording.column("motor_temperature_C");
+  if (setup.columns.column) s.column = recording.column("column_temperature_C");
   for (std::size_t axis = 0; setup.columns.feeds && axis < 3; ++axis)
     for (const double f : recording.column(std::string(1, "xyz"[axis]) + "_feed_m_min"))
       s.feed[axis].push_back(std::abs(f));

@@ -37,6 +37,7 @@ const std::vector<Class>& all_classes() {
       {"stray-readings"},
       {"exchanged-columns", {"exchanged-columns"}},
       {"loose-sensor", {"loose-sensor"}},
+      {"input", {"input"}},  // the column is heated, and its temperature recorded
   };
   return all;
 }
@@ -205,7 +206,7 @@ void hide(std::string_view id, double size, Setup& s, Random& random) {
     for (const double t : calm_times(s.train, 1, 700.0, random)) s.loose_from = t;
     s.loose_to = s.loose_from > 0.0 ? s.loose_from + random.between(3.0, 6.0) * hour : 0.0;
     s.loose_sees = std::max(0.1, random.between(0.3, 0.7) / size);
-  } else if (id == "hydraulics") {
+  } else if (id == "hydraulics" || id == "input") {
     m.aggregate = intervals(end, random.between(2.5, 5.0) * hour, random.between(0.8, 1.6) * hour,
                             0.03, random);
     m.aggregate_power = random.between(500.0, 900.0) * size;
@@ -300,6 +301,7 @@ Setup draw_setup(const Class& wished, std::uint64_t seed, double size) {
   s.columns.motor = random.chance(0.3) || (hides(wished, "motor-heat") && random.chance(0.6));
   s.columns.headstock = random.chance(0.3) || wished.id == "exchanged-columns";
   s.columns.base = random.chance(0.4);
+  s.columns.column = wished.id == "input";
   s.columns.ambient = random.chance(0.3) ? 2 : 1;
   s.noise = random.between(0.1, 0.3);
   s.noise_declared = random.chance(0.7);

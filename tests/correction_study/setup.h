@@ -28,7 +28,7 @@ struct Class {
 
 /// Columns that the user has recorded.
 struct Columns {
-  bool rear = false, motor = false, headstock = false, base = false;
+  bool rear = false, motor = false, headstock = false, base = false, column = false;
   int ambient = 1;  ///< sensors in the room
   bool feeds = false, coolant = false;
 };
