@@ -63,6 +63,9 @@ struct Tried {
     for (const fit::Candidate* c : on) list.push_back(c->id);
     return list;
   }
+  [[nodiscard]] bool has_column() const {
+    return std::any_of(on.begin(), on.end(), [](const auto* c) { return c->by_column; });
+  }
   /// Kinds of the effects, sorted: second-time-constant of second-time-constant:ambient.
   [[nodiscard]] std::vector<std::string> kinds() const {
     std::vector<std::string> list;
@@ -320,13 +323,23 @@ class Inquiry {
   }
 
   /// The best and all that come near it, without other forms of the same.
-  [[nodiscard]] std::vector<const Tried*> near_best(const std::vector<Tried>& list) const {
-    std::vector<const Tried*> set{&list.front()};
-    for (const Tried& t : list) {
-      const auto same = [&](const Tried* s) { return t.kinds() == s->kinds(); };
-      if (std::none_of(set.begin(), set.end(), same) && rivals(t, list.front())) set.push_back(&t);
+  [[nodiscard]] std::vector<const Tried*> near_best(const std::vector<const Tried*>& list) const {
+    std::vector<const Tried*> set{list.front()};
+    for (const Tried* t : list) {
+      const auto same = [&](const Tried* s) { return t->kinds() == s->kinds(); };
+      if (std::none_of(set.begin(), set.end(), same) && rivals(*t, *list.front())) set.push_back(t);
     }
     return set;
+  }
+
+  /// All of a list in its order, or those alone that a mechanism stands for: a column that happens
+  /// to follow the displacement is no explanation where one of these is.
+  [[nodiscard]] static std::vector<const Tried*> chosen(const std::vector<Tried>& list,
+                                                        bool with_columns) {
+    std::vector<const Tried*> some;
+    for (const Tried& t : list)
+      if (with_columns || !t.has_column()) some.push_back(&t);
+    return some;
   }
 
   /// Of pairs that are not told apart those of the machine come before those of its readings: three
@@ -346,6 +359,37 @@ class Inquiry {
     return 1.0 + one_sided / std::sqrt(2.0 * recorded_.duration / half_an_hour);
   }
 
+  /// Whether one of these, the best first, brings the error within the tolerance; it and its rivals
+  /// are the verdict then.
+  [[nodiscard]] bool explained_by(const std::vector<const Tried*>& list) {
+    if (list.empty() || !is_believable(*list.front())) return false;
+    std::vector<const Tried*> near = near_best(list);
+    // What is beyond the tolerance by chance has at least taken as much of the misfit.
+    const double slack = as_good_as_within(), base = worst_held_out(base_);
+    const auto is_within = [&](const Tried* t) {
+      return t->worst() <= 1.0 || (t->worst() <= slack && slack * t->worst() <= base);
+    };
+    if (std::none_of(near.begin(), near.end(), is_within)) return false;
+    for (const Tried& t : singles_)
+      if (t.has_column() && t.worst() <= 1.0 && comes_near * t.error() <= near.front()->error() &&
+          std::find(near.begin(), near.end(), &t) == near.end()) {
+        near.push_back(&t);
+        break;
+      }
+    found_ = std::move(near);
+    result_.verdict = found_.size() == 1 ? verdict::Verdict::effect : verdict::Verdict::ambiguous;
+    return true;
+  }
+
+  [[nodiscard]] bool explained_by_pairs(const std::vector<const Tried*>& list) {
+    if (list.empty() || list.front()->worst() > 1.0 || !is_believable(*list.front()) ||
+        comes_near * list.front()->error() > singles_.front().error())
+      return false;
+    found_ = causes_first(near_best(list));
+    result_.verdict = verdict::Verdict::several_effects;
+    return true;
+  }
+
   void decide() {
     result_.within_tolerance = worst_held_out(base_) <= 1.0;
     if (result_.within_tolerance) {
@@ -354,20 +398,7 @@ class Inquiry {
           result_.significant_but_immaterial.push_back(t.ids().front());
       return;
     }
-    if (!singles_.empty()) {
-      std::vector<const Tried*> near = near_best(singles_);
-      // What is beyond the tolerance by chance has at least taken as much of the misfit.
-      const double slack = as_good_as_within(), base = worst_held_out(base_);
-      const auto is_within = [&](const Tried* t) {
-        return t->worst() <= 1.0 || (t->worst() <= slack && slack * t->worst() <= base);
-      };
-      if (std::any_of(near.begin(), near.end(), is_within) && is_believable(singles_.front())) {
-        found_ = std::move(near);
-        result_.verdict =
-            found_.size() == 1 ? verdict::Verdict::effect : verdict::Verdict::ambiguous;
-        return;
-      }
-    }
+    if (explained_by(chosen(singles_, false))) return;
     const auto shown = std::find_if(singles_.begin(), singles_.end(),
                                     [](const Tried& t) { return t.shown && t.shown->certain; });
     if (shown != singles_.end()) {
@@ -376,13 +407,10 @@ class Inquiry {
       result_.course = course_of_worst(base_);
       return;
     }
+    if (explained_by(chosen(singles_, true))) return;
     if (options_.pairs && !few_readings_) try_pairs();
-    if (!pairs_.empty() && pairs_.front().worst() <= 1.0 && is_believable(pairs_.front()) &&
-        comes_near * pairs_.front().error() <= singles_.front().error()) {
-      found_ = causes_first(near_best(pairs_));
-      result_.verdict = verdict::Verdict::several_effects;
-      return;
-    }
+    for (const bool with_columns : {false, true})
+      if (explained_by_pairs(chosen(pairs_, with_columns))) return;
     const double base = base_.rms_held_out;
     const bool like = !singles_.empty() && singles_.front().error() * singles_.front().error() <=
                                                much_of_it * base * base;
@@ -415,7 +443,9 @@ class Inquiry {
     std::sort(members.begin(), members.end());
     std::vector<std::vector<const fit::Candidate*>> sets;
     for (std::size_t i = 0; i < members.size(); ++i)
-      for (std::size_t j = i + 1; j < members.size(); ++j) sets.push_back({members[i], members[j]});
+      for (std::size_t j = i + 1; j < members.size(); ++j)
+        if (!members[i]->by_column || !members[j]->by_column)
+          sets.push_back({members[i], members[j]});
     return sets;
   }
 

@@ -23,7 +23,7 @@ struct RecordedInput final : EffectKind {
 
   [[nodiscard]] std::vector<Effect> possible(const Surroundings& in) const override {
     std::vector<Effect> list;
-    for (const Channel* c : in.unused(record::is_temperature)) list.push_back(at({}, {c}));
+    for (const Channel* c : in.unused(is_nameless)) list.push_back(at({}, {c}));
     return list;
   }
 
@@ -38,6 +38,10 @@ struct RecordedInput final : EffectKind {
   }
 
  private:
+  /// Temperatures of the room are those of ambient-drift.
+  static bool is_nameless(const Channel& c) {
+    return record::is_temperature(c) && !record::is_ambient(c);
+  }
   /// Of all channels that temperatures drive, but for that of the reference itself; null for none.
   static const Channel* common_reference(const Model& m) {
     const Channel* common = nullptr;

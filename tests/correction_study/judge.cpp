@@ -108,8 +108,12 @@ void rank(const verdict::Diagnosis& d, Outcome& o) {
     best = error;
     if (&best == &wrong) o.best_wrong = fmt::format("{}", fmt::join(set, "+"));
   };
+  // A column that is recorded beside follows what it does not cause; no mechanism is ranked by it.
+  const auto counts = [&](const verdict::RankedEffect& e) {
+    return !e.by_column || accepts(o.of, {e.id});
+  };
   for (const verdict::RankedEffect& e : d.effects)
-    if (d.verdict != verdict::Verdict::several_effects || !e.in_verdict)
+    if (counts(e) && (d.verdict != verdict::Verdict::several_effects || !e.in_verdict))
       take({e.id}, e.rmse_held_out.front() / raceway::um);
   if (d.verdict == verdict::Verdict::several_effects)
     take(d.sets.front(), d.channels.front().rmse_held_out_after / raceway::um);
