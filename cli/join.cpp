@@ -39,8 +39,8 @@ Run setup_join(CLI::App& command) {
   auto flags = std::make_shared<JoinFlags>();
   command
       .add_option("MODELS", flags->models,
-                  "files with [correction] of one displacement, as step-response and identify\n"
-                  "write them: a spindle, an axis, the room")
+                  "files with [correction] of one displacement, as step-response and\n"
+                  "identify write them: a spindle, an axis, the room")
       ->required()
       ->type_name("");
   command.add_option("-o,--output", flags->output, "file to write (TOML); - for stdout")

@@ -371,9 +371,12 @@ class Inquiry {
     };
     if (std::none_of(near.begin(), near.end(), is_within)) return false;
     for (const Tried& t : singles_)
-      if (t.has_column() && t.worst() <= 1.0 && comes_near * t.error() <= near.front()->error() &&
-          std::find(near.begin(), near.end(), &t) == near.end()) {
-        near.push_back(&t);
+      if (t.has_column() && comes_near * t.error() <= near.front()->error()) {
+        result_.messages.push_back(
+            record::note::plan(fmt::format("{} follows the displacement more closely ({}), without "
+                                           "a mechanism: is it the body that "
+                                           "moves?",
+                                           t.ids().front(), error(t))));
         break;
       }
     found_ = std::move(near);
@@ -659,7 +662,9 @@ class Inquiry {
         const Tried& best = *found_.front();
         const Tried* next = nullptr;
         for (const Tried& t : singles_)
-          if (!next && t.kinds().front() != best.kinds().front()) next = &t;
+          if (!next && t.kinds().front() != best.kinds().front() &&
+              (best.has_column() || !t.has_column()))
+            next = &t;
         return fmt::format(
             "Consistent with {}: {}; with it {}{}.", found_text(), base, error(best),
             next ? fmt::format(", next best {} {}", next->ids().front(), error(*next)) : "");

@@ -191,8 +191,8 @@ TEST(StepResponseCommand, AProgrammeMeansTheSameToSimulationAndCorrection) {
     return parsed(r)["superposition"]["rms_um"].get<double>();
   };
   const double of_events = error("from row", events), of_intervals = error("until row", intervals);
-  EXPECT_NEAR(of_events, of_intervals, 1e-9 * of_events);
-  EXPECT_LT(of_events, 1.0);
+  EXPECT_NEAR(of_events, of_intervals, 1e-8 * of_events);
+  EXPECT_LT(of_events, 3.0);  // two delay elements on a spindle that is warm
 }
 
 TEST(StepResponseCommand, ItsFilesDoNotWriteOverEachOther) {
