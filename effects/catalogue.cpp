@@ -57,6 +57,7 @@ constexpr Description describe() {
   if constexpr (requires { &E::spindle; }) d.spindle = &E::spindle;
   if constexpr (requires { E::friction_alone; }) d.friction_alone = E::friction_alone;
   if constexpr (requires { E::as_mounted; }) d.as_mounted = E::as_mounted;
+  if constexpr (requires { E::of_each_record; }) d.of_each_record = E::of_each_record;
   if constexpr (requires { E::form; }) {
     d.for_rig = E::form == Form::rig;
     d.for_shaft = E::form == Form::shaft;

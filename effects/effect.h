@@ -211,6 +211,7 @@ struct Nature {
   bool spin = false;            ///< its moment arises where the balls spin
   bool friction_alone = false;  ///< a condition that does not move the sets
   bool as_mounted = false;      ///< a condition of the sets as they were mounted, before they turn
+  bool of_each_record = false;  ///< a datum that may be another one in each of several records
 };
 
 /// The steps of a reading at which an effect acts: those that are not null. `values` are in the

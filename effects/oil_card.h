@@ -76,6 +76,8 @@ struct ViscositySlope {
                                                    .neutral = 1.0}};
   static constexpr std::array needs{Need::viscosity_levels};
   static constexpr Form form = Form::rig;
+  static constexpr bool for_spindle = true;  // f0 takes up any other error of its oil
+  static constexpr bool of_each_record = true;
 
   static void entry(Entry& entry, std::span<const double> values) {
     entry.viscosity_100C *= values[0];

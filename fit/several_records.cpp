@@ -238,6 +238,27 @@ std::unique_ptr<Subject> SeveralRecords::with_shape(const std::string& id,
   return with ? with_model(std::move(with)) : nullptr;
 }
 
+std::unique_ptr<SeveralRecords> SeveralRecords::with_data_of_each_record(
+    const Record& record) const {
+  if (own_.empty()) return nullptr;
+  std::vector<std::string> ids;
+  std::vector<const Parameter*> numbers;
+  const std::vector<Candidate> all = model_->candidates();
+  for (const Candidate& c : all) {
+    if (!c.of_each_record || !lacks(c.id, record).empty() || !lacks_levels(c.id, record).empty())
+      continue;
+    ids.push_back(c.id);
+    for (const Parameter& p : c.parameters) numbers.push_back(&p);
+  }
+  if (ids.empty()) return nullptr;
+  std::unique_ptr<SeveralRecords> copy = with_model(model_->with_candidates(ids));
+  for (const Parameter* const p : numbers) {
+    copy->own_.push_back(p->name);
+    copy->values_.emplace_back(records_.size(), std::isnan(p->neutral) ? p->start : p->neutral);
+  }
+  return copy;
+}
+
 std::vector<OtherBase> SeveralRecords::other_bases() const {
   std::vector<OtherBase> list = model_->other_bases();
   for (OtherBase& base : list) {

@@ -63,6 +63,7 @@ struct Candidate {
   bool base_law = false;     ///< corrects the law of the subject itself, which comes before physics
   bool of_the_user = false;  ///< nothing is known of its size
   bool empirical = false;    ///< a shape without a law behind it: what it explains acts like it
+  bool of_each_record = false;  ///< a datum that may be another one in each of several records
   /// The only values that a parameter may take, rising, by parameter; empty, or empty for one: all
   /// within its bounds. In what only approximates such a parameter is the place of the one before
   /// it, which is in proportion; places after the first are taken as far as they are needed.

@@ -110,6 +110,21 @@ void tell_not_predicted(Messages& messages, const std::string& file, const model
           {.file = file}));
 }
 
+/// The model with effects switched on of which a number is named and that it does not have, as the
+/// oil of each record.
+model::Model with_named(const model::Model& model, const fit::Subject& alone, const Names& own) {
+  const std::vector<record::Parameter> known = alone.parameters();
+  Names ids;
+  for (const fit::Candidate& c : alone.candidates())
+    if (std::any_of(c.parameters.begin(), c.parameters.end(), [&](const record::Parameter& p) {
+          return std::find(own.begin(), own.end(), p.name) != own.end() &&
+                 std::none_of(known.begin(), known.end(),
+                              [&](const record::Parameter& k) { return k.name == p.name; });
+        }))
+      ids.push_back(c.id);
+  return ids.empty() ? model : model::model_of(*alone.with_candidates(ids));
+}
+
 /// A model as the loop sees it: of one record, or of several that were joined. What is named has a
 /// value in each of them and is free, whether or not it is in the model.
 std::shared_ptr<const fit::Subject> subject_of(const model::Model& model,
@@ -130,14 +145,15 @@ std::shared_ptr<const fit::Subject> subject_of(const model::Model& model,
   const std::shared_ptr<const fit::Subject> alone = files::make_subject(model);
   if (model.spindle || data.parts.empty()) return alone;
   // Free in the model too, so that an effect of which a number is named counts as one to be learnt.
-  model::Model wanted = model;
+  model::Model wanted = with_named(model, *alone, own);
   wanted.free = alone->free();
   for (const std::string& name : own)
     if (std::find(wanted.free.begin(), wanted.free.end(), name) == wanted.free.end())
       wanted.free.push_back(name);
   try {
-    (void)fit::find_parameters(*alone, own);
-    return std::make_shared<fit::SeveralRecords>(files::make_subject(wanted), data, own);
+    const std::shared_ptr<const fit::Subject> subject = files::make_subject(wanted);
+    (void)fit::find_parameters(*subject, own);
+    return std::make_shared<fit::SeveralRecords>(subject, data, own);
   } catch (const std::invalid_argument& e) {
     fail(fmt::format(": {}", e.what()));
     throw;

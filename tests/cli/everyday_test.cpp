@@ -124,5 +124,20 @@ TEST(Everyday, DegreesFahrenheitAreAskedAboutBeforeTheVerdict) {
       "Say so in [columns]: temperature_C = { column = \"temperature_C\", unit = \"F\" }");
 }
 
+TEST(Everyday, TwoOilsOfOneModelAreToldAndHideNoEffect) {
+  const std::string both = everyday + "two-oils/model.toml " + everyday + "two-oils/vg32.csv " +
+                           everyday + "two-oils/vg68.csv";
+  const Result found = run("diagnose " + both + " --per-record f0,z --json");
+  ASSERT_EQ(found.status, 0) << found.err;
+  const json d = json::parse(found.out);
+  EXPECT_THAT(d["verdict"].get<std::string>(), AnyOf("effect", "ambiguous")) << d["sentence"];
+  EXPECT_THAT(d["explanations"].dump(), AnyOf(HasSubstr("lubricant-drag"), HasSubstr("windage")));
+  EXPECT_THAT(found.err, HasSubstr("check the oil of vg68"));
+  const Result fitted = run("calibrate " + both +
+                            " --per-record f0,z,viscosity-slope.factor_at_100_C --json");
+  ASSERT_EQ(fitted.status, 0) << fitted.err;
+  EXPECT_THAT(fitted.out, HasSubstr("viscosity-slope.factor_at_100_C@vg68"));
+}
+
 }  // namespace
 }  // namespace raceway::tests

@@ -282,13 +282,21 @@ void add_noise(const Setup& setup, Random& random, std::vector<Reading>& rows) {
   }
 }
 
-std::vector<Reading> readings(const Rig& rig, std::span<const Point> points, int first_run) {
+/// VG 68 where VG 32 is entered.
+Machine with_thicker_oil(Machine machine) {
+  machine.viscosity_40 *= 68.0 / 32.0;
+  machine.viscosity_100 *= 8.7 / 5.9;
+  return machine;
+}
+
+std::vector<Reading> readings(const Rig& rig, const Bearing& bearing, std::span<const Point> points,
+                              int first_run) {
   std::vector<Reading> rows;
   for (std::size_t i = 0; i < points.size(); ++i)
     rows.push_back({.point = points[i],
                     .run = first_run + run_of(rig.setup.plan, i),
-                    .torque = torque_of_rig(rig.bearing, rig.setup.law, rig.setup.mistake,
-                                            points[i], rig.hidden),
+                    .torque = torque_of_rig(bearing, rig.setup.law, rig.setup.mistake, points[i],
+                                            rig.hidden),
                     .sigma = 0.0,
                     .measured = 0.0,
                     .seen = points[i].temperature});
@@ -350,7 +358,8 @@ Rig make_rig(const Setup& setup) {
           .hidden = {},
           .shares = {},
           .train = {},
-          .test = {}};
+          .test = {},
+          .second_record = 0};
   const std::vector<Point> train = plan_points(setup, false, random);
   const std::vector<Point> test = plan_points(setup, true, random);
   for (const Wish& wish : setup.hidden) {
@@ -364,8 +373,15 @@ Rig make_rig(const Setup& setup) {
     for (std::size_t i = 0; i < change.size(); ++i) change[i] -= base[i];
     rig.shares.push_back(rms(change) / rms(base));
   }
-  rig.train = readings(rig, train, 0);
-  rig.test = readings(rig, test, 0);
+  rig.train = readings(rig, rig.bearing, train, 0);
+  if (setup.mistake.second_oil) {
+    rig.second_record = rig.train.size();
+    const std::vector<Point> again = plan_points(setup, false, random);
+    for (const Reading& r : readings(rig, Bearing(with_thicker_oil(*setup.machine)), again,
+                                     rig.train.back().run + 1))
+      rig.train.push_back(r);
+  }
+  rig.test = readings(rig, rig.bearing, test, 0);
   add_noise(setup, random, rig.train);
   read_temperatures(setup.mistake, setup.logger.rows > 0, random, rig.train);
   Setup plain = setup;
@@ -380,7 +396,7 @@ std::vector<Reading> measure(const Rig& rig, std::span<const Point> points, std:
   std::vector<Point> timed(points.begin(), points.end());
   for (std::size_t i = 0; i < timed.size(); ++i)
     timed[i].time = rig.train.back().point.time + seconds_per_row * static_cast<double>(i + 1);
-  std::vector<Reading> rows = readings(rig, timed, rig.train.back().run + 1);
+  std::vector<Reading> rows = readings(rig, rig.bearing, timed, rig.train.back().run + 1);
   Setup plain = rig.setup;
   plain.noise = Noise::independent;
   plain.logger = {};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -97,6 +98,7 @@ struct Rig {
   std::vector<Hidden> hidden;
   std::vector<double> shares;  ///< reached by each hidden effect; below the wish at a limit
   std::vector<Reading> train, test;
+  std::size_t second_record = 0;  ///< row of `train` with which it begins; 0: there is one record
 
   /// Ids by which an answer is right: of the hidden effects, and of those that have their shape.
   [[nodiscard]] std::vector<std::string_view> accepted() const;

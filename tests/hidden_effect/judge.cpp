@@ -13,6 +13,7 @@
 #include "files/model_file.h"
 #include "files/subject.h"
 #include "fit/dwells.h"
+#include "fit/several_records.h"
 #include "loop/loop.h"
 
 namespace hidden_effect {
@@ -55,8 +56,9 @@ std::shared_ptr<const model::ModelSubject> subject_of(const std::string& model_t
   return files::make_subject(files::parse_model(model_text, "model.toml").model);
 }
 
-record::Record read(const std::string& csv, const model::ModelSubject& subject) {
-  record::Record record = files::read_record({"train.csv", csv}, subject);
+record::Record read(const std::string& csv, const model::ModelSubject& subject,
+                    const std::string& file = "train.csv") {
+  record::Record record = files::read_record({file, csv}, subject);
   // As the program does it before any question.
   fit::Averaged averaged = fit::average_dwells(record);
   return averaged.any() ? std::move(averaged.record) : record;
@@ -143,7 +145,28 @@ Answer ask(const std::string& model_text, const std::string& train_text,
   return answer;
 }
 
+namespace {
+
+/// Two records of one model, each with its own f0 and z.
+Answer ask_both(const Rig& rig, std::span<const Reading> readings) {
+  Answer answer;
+  try {
+    const auto subject = subject_of(model_text(rig));
+    const record::Record both = record::joined(
+        {read(measurement_text(rig, readings.first(rig.second_record)), *subject),
+         read(measurement_text(rig, readings.subspan(rig.second_record)), *subject, "second.csv")});
+    fill(answer, loop::diagnose(fit::SeveralRecords(subject, both, {"f0", "z"}), both, {}));
+  } catch (const std::exception& e) {
+    answer.verdict = "failed";
+    answer.message = e.what();
+  }
+  return answer;
+}
+
+}  // namespace
+
 Answer ask(const Rig& rig, std::span<const Reading> readings, const Presentation& presentation) {
+  if (rig.second_record > 0) return ask_both(rig, readings);
   return ask(model_text(rig), measurement_text(rig, readings), presentation);
 }
 

@@ -34,6 +34,9 @@ struct Mistake {
   double creep = 0.0;       ///< of the sensor's zero over a day, anew each day, of the rms torque
   double reset = 0.0;       ///< scatter of the zero that is set before each run, of the rms torque
   double hysteresis = 0.0;  ///< between rising and falling speed, of the rms torque
+  /// A second record of the same plan follows, with the oil of another grade; f0 and z are left to
+  /// each record.
+  bool second_oil = false;
 };
 
 struct Reading {

@@ -99,6 +99,10 @@ constexpr std::array<Demand, 2> data_named{{{"the right name in the verdict", tr
 constexpr std::array<Demand, 2> data_named_85{
     {{"the right name in the verdict", true, 85, 95, right},
      {"a single wrong name", false, 0, 0, single_wrong}}};
+constexpr std::array<Demand, 2> oils_named{{{"the right name", true, 85, 95, names_hidden},
+                                            {"a single wrong name", false, 0, 0, single_wrong}}};
+constexpr std::array<Demand, 2> oils_quiet{
+    {{"nothing missing", true, 85, 95, quiet}, {"a single wrong name", false, 0, 0, not_quiet}}};
 constexpr std::array<Demand, 3> quiet_90{
     {{"nothing missing", true, 90, 98, quiet},
      {"a single wrong name", false, 0, 0, not_quiet},
@@ -259,6 +263,11 @@ std::vector<RealRig> make_real_rigs() {
       {"speeds up and down, hysteresis", twice({.hysteresis = 0.04}, Plan::up_and_down), 3,
        hysteresis, data_named_85},
       {"speeds up and down", twice({}, Plan::up_and_down), 8, none, quiet_lab},
+      {"two oils, drag 10 %",
+       hiding(twice({.second_oil = true}, Plan::one_stairs), {{"lubricant-drag", 0.1}}), 3, none,
+       oils_named},
+      {"two oils, nothing missing", twice({.second_oil = true}, Plan::one_stairs), 3, none,
+       oils_quiet},
   };
 }
 
