@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "record/median.h"
 
@@ -14,7 +15,8 @@ namespace raceway::fit {
 namespace {
 
 constexpr std::size_t reach = 2;       // neighbours on either side
-constexpr std::size_t longest = 2;     // rows in succession
+constexpr std::size_t longest = 2;     // rows in succession, or
+constexpr std::size_t longest_by_model = 3;  // where a model tells them
 constexpr double far_away = 6.0;       // robust standard deviations
 constexpr double farther = 3.0;        // than the neighbours are from each other
 constexpr double finest = 0.003;       // of the range of nine in ten readings
@@ -25,11 +27,11 @@ constexpr double most_isolated = 0.1;  // of the readings
 constexpr std::size_t fewest_steady = 30;
 constexpr std::size_t most_lines = 20;  // that a statement lists
 
-/// The readings of one channel in the order of their rows.
+/// The readings of one channel in the order of their rows, or what a model leaves of them.
 class Readings {
  public:
-  Readings(const record::Record& record, const record::Column& column)
-      : record_(record), values_(column.values) {
+  Readings(const record::Record& record, std::vector<double> values, bool by_model)
+      : record_(record), values_(std::move(values)), by_model_(by_model) {
     for (std::size_t i = 0; i < values_.size(); ++i)
       if (std::isfinite(values_[i])) rows_.push_back(i);
     std::vector<double> steps;
@@ -44,22 +46,37 @@ class Readings {
   }
 
   [[nodiscard]] std::size_t count() const { return rows_.size(); }
+  [[nodiscard]] bool by_model() const { return by_model_; }
   [[nodiscard]] std::size_t row(std::size_t k) const { return rows_[k]; }
   [[nodiscard]] double operator[](std::size_t k) const { return values_[rows_[k]]; }
 
-  /// Whether nothing that is set changes over these readings, and none is missing between them.
+  /// Whether nothing that is set changes over these readings, unless a model knows what it does,
+  /// and none is missing between them.
   [[nodiscard]] bool steady(std::size_t first, std::size_t last) const {
     for (std::size_t k = first; k < last; ++k)
       if (record_.run_of(rows_[k]) != record_.run_of(rows_[k + 1]) ||
           !(step(k, k + 1) <= longest_step_))
         return false;
-    return std::all_of(set_.begin(), set_.end(), [&](const auto& of) {
+    return by_model_ || std::all_of(set_.begin(), set_.end(), [&](const auto& of) {
       double low = std::numeric_limits<double>::infinity(), high = -low;
       for (std::size_t row = rows_[first]; row <= rows_[last]; ++row) {
         low = std::fmin(low, of.column->values[row]);
         high = std::fmax(high, of.column->values[row]);
       }
       return high - low <= of.step;
+    });
+  }
+
+  /// Whether something that is set leaves with these readings and returns.
+  [[nodiscard]] bool set_otherwise(std::size_t first, std::size_t last, std::size_t before,
+                                   std::size_t after) const {
+    return std::any_of(set_.begin(), set_.end(), [&](const auto& of) {
+      const std::vector<double>& values = of.column->values;
+      for (std::size_t k = first; k <= last; ++k)
+        if (std::abs(values[rows_[k]] - values[rows_[before]]) > of.step &&
+            std::abs(values[rows_[k]] - values[rows_[after]]) > of.step)
+          return true;
+      return false;
     });
   }
 
@@ -74,17 +91,23 @@ class Readings {
   };
 
   const record::Record& record_;
-  const std::vector<double>& values_;
+  std::vector<double> values_;
+  bool by_model_;
   std::vector<Setting> set_{};
   std::vector<std::size_t> rows_{};
   double longest_step_ = 0.0;
 };
 
-/// Which stretches of readings about each reading are steady.
+/// Which stretches of readings about each reading are steady. A model says what is usual at the
+/// ends, too.
 std::vector<bool> steady_ones(const Readings& readings) {
   std::vector<bool> steady(readings.count(), false);
-  for (std::size_t k = reach; k + reach < readings.count(); ++k)
-    steady[k] = readings.steady(k - reach, k + reach);
+  for (std::size_t k = 0; k < readings.count(); ++k) {
+    const std::size_t after = std::min(k + reach, readings.count() - 1);
+    const bool whole = k >= reach && k + reach < readings.count();
+    if (whole || (readings.by_model() && k > 0))
+      steady[k] = readings.steady(k < reach ? 0 : k - reach, after);
+  }
   return steady;
 }
 
@@ -115,7 +138,7 @@ double whole_range(const std::vector<double>& by_size) {
 double scatter_of(const Readings& readings, const std::vector<bool>& steady, double range) {
   std::vector<double> off;
   for (std::size_t k = 0; k < readings.count(); ++k) {
-    if (!steady[k]) continue;
+    if (!steady[k] || k < reach || k + reach >= readings.count()) continue;
     std::array around{readings[k - 2], readings[k - 1], readings[k + 1], readings[k + 2]};
     std::sort(around.begin(), around.end());
     off.push_back(std::abs(readings[k] - 0.5 * (around[1] + around[2])));
@@ -144,10 +167,10 @@ std::string Isolated::statement() const {
     lines += fmt::format("{}{}", k == 0 ? "" : ", ", record.line(rows[k]));
   if (rows.size() > most_lines) lines += fmt::format(" and {} more", rows.size() - most_lines);
   return fmt::format(
-      "{} reading{} of {} leave{} and return{} while the speed is steady{} and take{} no part, {} "
-      "{}",
-      rows.size(), rows.size() == 1 ? "" : "s", channel->words, rows.size() == 1 ? "s" : "",
+      "{} reading{} of {} leave{} and return{}{}{} and take{} no part, {} {}", rows.size(),
+      rows.size() == 1 ? "" : "s", channel->words, rows.size() == 1 ? "s" : "",
       rows.size() == 1 ? "s" : "",
+      by_model ? ", against the fitted model," : " while the speed is steady",
       impossible ? ", or by more than three times the range of the others," : "",
       rows.size() == 1 ? "s" : "", record.lines.empty() ? "rows" : "lines", lines);
 }
@@ -160,22 +183,33 @@ Isolated without_isolated_readings(const record::Record& record) {
 }
 
 Isolated without_isolated_readings(const record::Record& record, const record::Channel& channel) {
-  Isolated result{.record = record};
+  return without_isolated_readings(record, channel, {});
+}
+
+Isolated without_isolated_readings(const record::Record& record, const record::Channel& channel,
+                                   std::span<const double> predicted) {
+  const bool by_model = !predicted.empty();
+  Isolated result{.record = record, .by_model = by_model};
   record::Column* const column = result.record.find(channel);
   if (!column || !record.complete(record::time)) return result;
-  const Readings readings(record, *record.find(channel));
+  std::vector<double> values = column->values;
+  for (std::size_t k = 0; k < predicted.size(); ++k) values[k] -= predicted[k];
+  const Readings readings(record, std::move(values), by_model);
   const std::vector<bool> steady = steady_ones(readings);
   const std::vector<double> sorted = by_size(readings);
   const double scatter = scatter_of(readings, steady, usual_range(sorted)),
                whole = whole_range(sorted);
   if (!(scatter > 0.0) && !(whole > 0.0)) return result;
   std::vector<bool> isolated(readings.count(), false);
-  for (std::size_t length = 1; length <= longest; ++length)
-    for (std::size_t k = reach; k + length + reach <= readings.count(); ++k) {
+  const std::size_t margin = by_model ? 0 : reach, most = by_model ? longest_by_model : longest;
+  for (std::size_t length = 1; length <= most; ++length)
+    for (std::size_t k = by_model ? 1 : reach; k + length + margin <= readings.count(); ++k) {
       const std::size_t last = k + length - 1;
       std::size_t before = k - 1, after = last + 1;
       while (before > 0 && isolated[before]) --before;
       while (after + 1 < readings.count() && isolated[after]) ++after;
+      // Whether the last readings return nothing tells; a fit is better off without them.
+      if (after == readings.count()) after = before > 0 ? before - 1 : before;
       const auto leave_by = [&](double far) {
         return far > 0.0 &&
                leave_and_return(readings, k, last, readings[before], readings[after], far);
@@ -185,6 +219,7 @@ Isolated without_isolated_readings(const record::Record& record, const record::C
                                          [](bool is) { return is; });
       const bool leaves_all = leave_by(impossible * whole);
       if (!leaves_all && !(is_steady && leave_by(far_away * scatter))) continue;
+      if (by_model && readings.set_otherwise(k, last, before, after)) continue;
       result.impossible = result.impossible || (leaves_all && !is_steady);
       std::fill_n(isolated.begin() + static_cast<std::ptrdiff_t>(k), length, true);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct Isolated {
   std::vector<std::size_t> rows{};           ///< of isolated readings, rising
   const record::Channel* channel = nullptr;  ///< of which they are; null where there are none
   bool impossible = false;  ///< some are beyond the range of the others, whatever the speed does
+  bool by_model = false;    ///< told by what a model leaves of them
 
   [[nodiscard]] bool any() const { return !rows.empty(); }
   /// "56 readings of axial displacement leave and return ...", for people.
@@ -36,5 +38,12 @@ struct Isolated {
 /// The same of another channel.
 [[nodiscard]] Isolated without_isolated_readings(const record::Record& record,
                                                  const record::Channel& channel);
+
+/// The same of what a model leaves of them: `predicted` is what it says of each row. What is set
+/// may change then, but for a speed or a load that leaves and returns with the reading itself; up to
+/// three rows in succession leave, and the last ones of a record need not return.
+[[nodiscard]] Isolated without_isolated_readings(const record::Record& record,
+                                                 const record::Channel& channel,
+                                                 std::span<const double> predicted);
 
 }  // namespace raceway::fit

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "tolerance/approximation_loop.h"
+#include "tolerance/stray_readings.h"
 #include "tolerance/thinned_record.h"
 #include "verdict/verdict_text.h"
 
@@ -131,7 +132,9 @@ verdict::Calibration calibration_of(const fit::Subject& before, const Approximat
 }  // namespace
 
 verdict::Calibration calibrate_approximation(const fit::Subject& subject,
-                                             const record::Record& record) {
+                                             const record::Record& whole) {
+  const WithoutStrays without = without_strays(subject, whole);
+  const record::Record& record = *without.record;
   const auto of = informed(subject, record);
   const Recorded on = means_of_record(*of, record);
   if (on.means.size() == 0)
@@ -140,12 +143,16 @@ verdict::Calibration calibrate_approximation(const fit::Subject& subject,
   require_fit(fit);
   require_readings(fit, on, record);
   hold_out(fit, on);
-  return calibration_of(*of, fit, on, record);
+  verdict::Calibration result = calibration_of(*of, fit, on, record);
+  result.messages.insert(result.messages.begin(), without.notes.begin(), without.notes.end());
+  return result;
 }
 
 verdict::AddResult add_approximation(const fit::Subject& subject, std::span<const std::string> ids,
-                                     const record::Record& record) {
+                                     const record::Record& whole) {
   if (ids.empty()) throw std::invalid_argument("no effect to add");
+  const WithoutStrays without = without_strays(subject, whole);
+  const record::Record& record = *without.record;
   const auto of = informed(subject, record);
   (void)of->with_candidates(ids);  // what cannot be added is said before anything is fitted
   const Recorded on = means_of_record(*of, record);
@@ -187,6 +194,7 @@ verdict::AddResult add_approximation(const fit::Subject& subject, std::span<cons
   result.refits = {refit_of(base, on), refit_of(with, on)};
   result.refits.back().subject = result.calibration.subject;
   result.messages = result.calibration.messages;
+  result.messages.insert(result.messages.begin(), without.notes.begin(), without.notes.end());
   for (const fit::Candidate* c : chosen)
     if (c->of_reading)
       result.messages.push_back(record::note::limits(fmt::format(

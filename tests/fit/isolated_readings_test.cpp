@@ -106,5 +106,35 @@ TEST(IsolatedReadings, SoManyAreNone) {
   EXPECT_FALSE(without_isolated_readings(with(lagging(), rows, -8.0)).any());
 }
 
+/// Every five minutes, where speeds change every quarter of an hour.
+TEST(IsolatedReadings, AreToldByAModelWhereTheSpeedChanges) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> gauss;
+  std::vector<double> time, speeds, read, predicted;
+  for (int i = 0; i < 200; ++i) {
+    const double n = 1000.0 * ((i / 3) * 7 % 5), drift = 3.0 * std::sin(i / 30.0);
+    time.push_back(300.0 * i);
+    speeds.push_back(n * rpm);
+    predicted.push_back(0.004 * n * um);
+    read.push_back((0.004 * n + drift + 0.2 * gauss(random)) * um);
+  }
+  const std::vector<std::size_t> chips{31, 90, 91, 150};
+  for (const std::size_t row : chips) read[row] -= 9.0 * um;
+  // This one the machine did, with its speed, and the model does not know of it.
+  speeds[120] += 900.0 * rpm;
+  read[120] += 9.0 * um;
+  record::Record record;
+  record.set(record::time, time);
+  record.set(record::speed, speeds);
+  record.set(record::axial_displacement, read);
+  EXPECT_FALSE(without_isolated_readings(record).any());
+  const Isolated found =
+      without_isolated_readings(record, record::axial_displacement, predicted);
+  EXPECT_EQ(found.rows, chips);
+  EXPECT_EQ(found.statement(),
+            "4 readings of axial displacement leave and return, against the fitted model, and take "
+            "no part, rows 32, 91, 92, 151");
+}
+
 }  // namespace
 }  // namespace raceway::fit
