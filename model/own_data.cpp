@@ -11,27 +11,59 @@
 namespace raceway::model {
 namespace {
 
+/// A number that may be wrong. Of each thermometer the name of the sensor stands in the place of
+/// {} in its texts.
 struct OwnDatum {
   std::string_view id, parameter, words, datum;
   double usual;  ///< error of it that is met, either way, in the unit of the parameter
+  bool of_spindle;
+  std::string_view explained;  ///< where it stands
 };
 
 // A bearing of 15 for 18 deg or 25 for 26.5 is another variant of its series; makers let the angle
 // of one bearing differ by some 2 deg. Groove radii are 0.51 to 0.54 of the ball diameter and are
-// on few data sheets.
+// on few data sheets. A thermometer is screwed into the next free bore; a chiller is set anew.
 constexpr std::array all{
-    OwnDatum{"contact-angle", "contact_angle_deg", "contact angle", "the bearing card", 4.0},
-    OwnDatum{"conformity", "conformity", "conformity of the grooves", "the bearing card", 0.02}};
+    OwnDatum{"contact-angle", "contact_angle_deg", "contact angle", "the bearing card", 4.0, false,
+             "the contact angle of the bearings on a shaft, under [bearing]"},
+    OwnDatum{"conformity", "conformity", "conformity of the grooves", "the bearing card", 0.02,
+             false, "the conformity of the grooves of the bearings on a shaft, under [bearing]"},
+    OwnDatum{"coolant-inlet", "inlet_temperature_C", "inlet", "the inlet temperature of the coolant",
+             8.0, true, "the inlet temperature of a spindle's coolant, under [coolant]"},
+    OwnDatum{"sensor-place:{}", "sensor.{}.position_mm", "position",
+             "the place of the thermometer {}", 25.0, true,
+             "the position_mm of a [[sensor]] in a spindle, one candidate for each of them, as "
+             "sensor-place:NAME"}};
 
-const OwnDatum* find(std::string_view id) {
-  const auto* const found =
-      std::find_if(all.begin(), all.end(), [&](const OwnDatum& d) { return d.id == id; });
-  return found == all.end() ? nullptr : found;
+constexpr std::string_view any_sensor = "{}";
+
+/// The datum of an id, and the sensor in its name.
+struct Found {
+  const OwnDatum* datum = nullptr;
+  std::string_view sensor{};
+  [[nodiscard]] std::string text(std::string_view with) const {
+    std::string result(with);
+    if (const std::size_t at = result.find(any_sensor); at != result.npos)
+      result.replace(at, any_sensor.size(), sensor);
+    return result;
+  }
+};
+
+Found find(std::string_view id) {
+  for (const OwnDatum& d : all) {
+    if (d.id == id) return {&d};
+    const std::size_t at = d.id.find(any_sensor);
+    if (at != d.id.npos && id.size() > at && id.starts_with(d.id.substr(0, at)))
+      return {&d, id.substr(at)};
+  }
+  return {};
 }
 
-std::optional<fit::Parameter> parameter_of(const Model& model, const OwnDatum& datum) {
+std::optional<fit::Parameter> parameter_of(const Model& model, const Found& found) {
+  if (!found.datum || found.datum->of_spindle != model.spindle.has_value()) return std::nullopt;
+  const std::string name = found.text(found.datum->parameter);
   for (fit::Parameter& p : parameters(model))
-    if (p.name == datum.parameter) return std::move(p);
+    if (p.name == name) return std::move(p);
   return std::nullopt;
 }
 
@@ -39,47 +71,63 @@ std::optional<fit::Parameter> parameter_of(const Model& model, const OwnDatum& d
 
 std::vector<std::string> own_data(const Model& model) {
   std::vector<std::string> ids;
-  for (const OwnDatum& d : all)
-    if (parameter_of(model, d)) ids.emplace_back(d.id);
+  const auto add = [&](const Found& found) {
+    if (parameter_of(model, found)) ids.push_back(found.text(found.datum->id));
+  };
+  for (const OwnDatum& d : all) {
+    if (d.id.find(any_sensor) == d.id.npos) {
+      add({&d});
+      continue;
+    }
+    if (!model.spindle) continue;
+    for (const ThermometerPlace& sensor : model.spindle->sensors) add({&d, sensor.name});
+  }
   return ids;
 }
 
 std::optional<fit::Candidate> own_datum(const Model& model, std::string_view id) {
-  const OwnDatum* const datum = find(id);
-  if (!datum || !parameter_of(model, *datum)) return std::nullopt;
+  const Found found = find(id);
+  if (!parameter_of(model, found)) return std::nullopt;
   fit::Candidate c{.id = std::string(id)};
   c.parameters.push_back(own_datum_parameter(model, id));
-  c.datum = datum->datum;
+  c.datum = found.text(found.datum->datum);
   return c;
 }
 
 fit::Parameter own_datum_parameter(const Model& model, std::string_view id) {
-  const OwnDatum* const datum = find(id);
-  std::optional<fit::Parameter> p = datum ? parameter_of(model, *datum) : std::nullopt;
+  const Found found = find(id);
+  std::optional<fit::Parameter> p = parameter_of(model, found);
   if (!p) throw std::invalid_argument(fmt::format("{}: the model has no such number", id));
-  p->name = fmt::format("{}.{}", id, datum->parameter);
+  const double usual = found.datum->usual;
+  p->name = fmt::format("{}.{}", id, p->name.substr(p->name.rfind('.') + 1));
   p->neutral = p->start;
-  p->plausible_lower = std::max(p->lower, p->start - datum->usual);
-  p->plausible_upper = std::min(p->upper, p->start + datum->usual);
-  p->scale = 0.5 * datum->usual;
+  p->plausible_lower = std::max(p->lower, p->start - usual);
+  p->plausible_upper = std::min(p->upper, p->start + usual);
+  p->scale = 0.5 * usual;
+  // Beyond what people get wrong a number of a spindle would only stand for something else.
+  if (found.datum->of_spindle) {
+    p->lower = p->plausible_lower;
+    p->upper = p->plausible_upper;
+  }
   return *std::move(p);
 }
 
 std::string own_datum_explained(std::string_view id) {
-  const OwnDatum* const datum = find(id);
-  if (!datum) return {};
-  return fmt::format(
-      "{}: no effect but a number of the model that may be wrong, the {} of the bearings on a "
-      "shaft. diagnose tries it, usually wrong by {:g} at most; add puts it right under [bearing].",
-      datum->id, datum->words, datum->usual);
+  const std::string_view plain = id.substr(0, id.find(':'));
+  for (const OwnDatum& d : all)
+    if (d.id.substr(0, d.id.find(':')) == plain)
+      return fmt::format(
+          "{}: no effect but a number of the model that may be wrong, {}. diagnose tries it, "
+          "usually wrong by {:g} at most; add puts it right.",
+          plain, d.explained, d.usual);
+  return {};
 }
 
 std::string own_datum_text(const Model& model, std::string_view id, double value) {
-  const OwnDatum* const datum = find(id);
-  if (!datum) return {};
-  const std::optional<fit::Parameter> p = parameter_of(model, *datum);
+  const Found found = find(id);
+  const std::optional<fit::Parameter> p = parameter_of(model, found);
   if (!p) return {};
-  return fmt::format("{} {:.4g}{} where {:.4g} is entered", datum->words, value,
+  return fmt::format("{} {:.4g}{} where {:.4g} is entered", found.datum->words, value,
                      p->unit == "1" ? "" : " " + p->unit, p->start);
 }
 

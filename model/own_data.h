@@ -10,8 +10,9 @@
 #include "model/model.h"
 
 /// Numbers of the model itself that may have been entered wrong and that what is measured feels: of
-/// the bearings on a shaft the contact angle and the conformity of the grooves. They are tried as
-/// effects are, and put right where they stand.
+/// the bearings on a shaft the contact angle and the conformity of the grooves, of a spindle the
+/// inlet temperature of its coolant and the place of each thermometer. They are tried as effects
+/// are, and put right where they stand.
 namespace raceway::model {
 
 /// Ids of those that this model has.

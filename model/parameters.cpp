@@ -5,11 +5,15 @@
 #include <charconv>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
 #include <variant>
+
+#include "model/judgement.h"
+#include "model/sensor_place.h"
 
 namespace raceway::model {
 namespace {
@@ -48,6 +52,8 @@ constexpr std::array spindle_numbers{
                   [](Spindle& s) -> double& { return s.seat.outer_conductance; }},
     SpindleNumber{"housing", "flange_conductance_W_K", "W/K", 0.0, 1e4,
                   [](Spindle& s) -> double& { return s.housing.flange_conductance; }}};
+
+constexpr double coldest_oil_C = -50.0, hottest_oil_C = 150.0;  // that a file may say
 
 double value_in(const Spindle& spindle, const SpindleNumber& number) {
   return number.in(const_cast<Spindle&>(spindle));  // looked at only
@@ -150,6 +156,20 @@ void add_spindle(std::vector<Parameter>& list, const Model& model) {
     add(list,
         parameter_at(model, {std::move(address)}, std::string(n.name), n.unit, n.lower, n.upper));
   }
+  if (model.spindle->network) return;
+  if (const std::optional<Coolant>& coolant = model.spindle->coolant) {
+    const bool water = coolant->fluid == Fluid::water;
+    add(list, parameter_at(model, {"coolant.inlet_temperature_C"}, "inlet_temperature_C", "C",
+                           water ? celsius(water_freezes) : coldest_oil_C,
+                           water ? celsius(water_boils) : hottest_oil_C));
+  }
+  for (std::size_t k = 0; k < model.spindle->sensors.size(); ++k) {
+    const ThermometerPlace& sensor = model.spindle->sensors[k];
+    const auto [from, to] = reach_of(model, sensor);
+    if (from < to)
+      add(list, parameter_at(model, {"sensor." + std::to_string(k) + ".position_mm"},
+                             "sensor." + sensor.name + ".position_mm", "mm", from / mm, to / mm));
+  }
 }
 
 void add_effect(std::vector<Parameter>& list, const Model& model, std::size_t k) {
@@ -221,6 +241,18 @@ void ParameterPlace::resolve(const Model& model, const std::string& address) {
   if (dot == text.npos) refuse(address);
   const std::string_view table = text.substr(0, dot);
   std::string_view name = text.substr(dot + 1);
+  if (model.spindle && table == "sensor") {
+    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index_);
+    if (error != std::errc() || std::string_view(end, name.data() + name.size()) != ".position_mm" ||
+        index_ >= model.spindle->sensors.size())
+      refuse(address);
+    kind_ = Kind::sensor;
+    return;
+  }
+  if (model.spindle && model.spindle->coolant && address == "coolant.inlet_temperature_C") {
+    kind_ = Kind::inlet;
+    return;
+  }
   const auto of_spindle = std::find_if(
       spindle_numbers.begin(), spindle_numbers.end(),
       [&](const SpindleNumber& n) { return model.spindle && n.table == table && n.name == name; });
@@ -264,6 +296,10 @@ double ParameterPlace::get(const Model& model) const {
       return model.bearing.geometry().*members_.front() / factor_;
     case Kind::spindle:
       return value_in(*model.spindle, spindle_numbers[index_]);
+    case Kind::inlet:
+      return celsius(model.spindle->coolant->inlet_temperature);
+    case Kind::sensor:
+      return model.spindle->sensors.at(index_).position / mm;
   }
   return unset;
 }
@@ -291,6 +327,12 @@ void ParameterPlace::set(Model& model, double value) const {
     }
     case Kind::spindle:
       spindle_numbers[index_].in(*model.spindle) = value;
+      return;
+    case Kind::inlet:
+      model.spindle->coolant->inlet_temperature = kelvin(value);
+      return;
+    case Kind::sensor:
+      model.spindle->sensors.at(index_).position = value * mm;
       return;
   }
 }

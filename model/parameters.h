@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,14 +57,18 @@ class ParameterPlace {
   void set(Model& model, double value) const;
   /// Index of the effect that it belongs to, -1 for all else.
   [[nodiscard]] int effect() const { return effect_; }
+  /// The thermometer of a spindle of which it is the position; nothing for all else.
+  [[nodiscard]] std::optional<std::size_t> sensor() const {
+    return kind_ == Kind::sensor ? std::optional(index_) : std::nullopt;
+  }
 
  private:
-  enum class Kind { law, effect, preload, bearing, spindle };
+  enum class Kind { law, effect, preload, bearing, spindle, inlet, sensor };
   void resolve(const Model& model, const std::string& address);
 
   Kind kind_ = Kind::law;
   int effect_ = -1;
-  std::size_t index_ = 0;  // in the values of law or effect
+  std::size_t index_ = 0;  // in the values of law or effect, of a number or a sensor of a spindle
   std::vector<double bearing::BearingGeometry::*> members_;
   double factor_ = 1.0;  // to the unit of the members
 };

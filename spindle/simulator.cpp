@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "fit/problem.h"
+#include "model/corrected_data.h"
 #include "spindle/detail/time_steps.h"
 #include "spindle/expansion_rows.h"
 #include "spindle/heat_flow.h"
@@ -42,7 +43,9 @@ struct Simulator::Parts {
   const std::atomic<bool>* cancelled = nullptr;
 
   Parts(const model::Model& m, const effects::SpindleCondition& c)
-      : model(m), condition(c), flow(model, condition, model.spindle->cells) {
+      : model(model::with_corrected_data(m)),
+        condition(c),
+        flow(model, condition, model.spindle->cells) {
     watch();
   }
 

@@ -8,11 +8,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "model/own_data.h"
 #include "model/row.h"
 #include "record/spindle_channel.h"
 #include "spindle/record_rows.h"
+#include "spindle/layout.h"
 #include "spindle/spindle.h"
+#include "spindle/thermometer.h"
 #include "spindle/warm_start.h"
 
 namespace raceway::spindle {
@@ -122,9 +123,14 @@ class SpindlePredictor : public fit::Predictor {
       : model_(model), record_(record), series_(std::move(series)), places_(std::move(places)) {
     if (std::any_of(model_.effects.begin(), model_.effects.end(), acts_on_reading))
       rows_ = model::rows_of(record);
-    for (const model::ParameterPlace& p : places_)
-      moves_heat_.push_back(p.effect() < 0 ||
-                            !acts_on_reading(model_.effects[static_cast<std::size_t>(p.effect())]));
+    for (const model::ParameterPlace& p : places_) {
+      if (p.sensor()) moved_.push_back(*p.sensor());
+      const bool reads =
+          p.effect() >= 0 &&
+          acts_on_reading(model_.effects[static_cast<std::size_t>(p.effect())]);
+      moves_heat_.push_back(!p.sensor() && !reads);
+    }
+    if (!moved_.empty()) look_around();
   }
 
   void readings(std::span<const double> values, std::span<double> out) override {
@@ -142,6 +148,8 @@ class SpindlePredictor : public fit::Predictor {
       return;
     }
     std::copy(simulated_.begin(), simulated_.end(), out.begin());
+    // Heat does not know where a thermometer sits: it is read anew from the cells around it.
+    for (const std::size_t s : moved_) read_there(s, out.subspan((1 + s) * record_.rows()));
     for (const effects::Effect& e : model_.effects) {
       if (!acts_on_reading(e)) continue;
       for (std::size_t row = 0; row < record_.rows(); ++row)
@@ -152,10 +160,50 @@ class SpindlePredictor : public fit::Predictor {
   }
 
  private:
+  /// A thermometer in the middle of each cell of the bodies in which one moves.
+  void look_around() {
+    mesh_ = make_layout(model_, model_.spindle->cells).mesh;
+    place_of_cell_.assign(mesh_.size(), 0);
+    using Part = model::ThermometerPlace::Part;
+    const auto part_of = [](Body body) {
+      return body == Body::shaft     ? Part::shaft
+             : body == Body::housing ? Part::housing
+                                     : Part::ring;
+    };
+    for (std::size_t k = 0; k < mesh_.size(); ++k) {
+      const Cell& cell = mesh_.cells[k];
+      if (cell.body == Body::spacer ||
+          std::none_of(moved_.begin(), moved_.end(), [&](std::size_t sensor) {
+            return model_.spindle->sensors[sensor].part == part_of(cell.body);
+          }))
+        continue;
+      place_of_cell_[k] = probes_.size();
+      probes_.push_back({.name = {},
+                         .part = part_of(cell.body),
+                         .position = 0.5 * (cell.start + cell.end),
+                         .radius = cell.middle_radius()});
+    }
+  }
+
+  /// Fills in what the sensor reads where it sits now.
+  void read_there(std::size_t sensor, std::span<double> out) const {
+    const Shares shares = thermometer(mesh_, model_.spindle->sensors[sensor]);
+    for (std::size_t row = 0; row < record_.rows(); ++row) {
+      out[row] = 0.0;
+      for (const Share& s : shares)
+        out[row] += s.share * temperatures_[place_of_cell_[static_cast<std::size_t>(s.cell)] *
+                                                record_.rows() +
+                                            row];
+    }
+  }
+
   void simulate() {
     const std::size_t rows = record_.rows(), sensors = model_.spindle->sensors.size();
     std::vector<double> all((1 + sensors) * rows, unset);
-    Simulator simulator(model_);
+    temperatures_.assign(probes_.size() * rows, unset);
+    model::Model probed = model_;
+    probed.spindle->sensors.insert(probed.spindle->sensors.end(), probes_.begin(), probes_.end());
+    Simulator simulator(probed);
     for (std::size_t r = 0; r < series_->runs.size(); ++r) {
       const RunRows& run = series_->runs[r];
       Run result = simulated(simulator, run, series_->step_ends[r]);
@@ -166,6 +214,8 @@ class SpindlePredictor : public fit::Predictor {
         all[run.rows[i]] = moment.displacement;
         for (std::size_t s = 0; s < sensors; ++s)
           all[(1 + s) * rows + run.rows[i]] = moment.sensors[s];
+        for (std::size_t c = 0; c < probes_.size(); ++c)
+          temperatures_[c * rows + run.rows[i]] = moment.sensors[sensors + c];
       }
     }
     simulated_ = std::move(all);
@@ -177,6 +227,11 @@ class SpindlePredictor : public fit::Predictor {
   std::vector<model::Row> rows_;  // of what effects on a reading see
   std::vector<model::ParameterPlace> places_;
   std::vector<bool> moves_heat_;
+  std::vector<std::size_t> moved_{};     // sensors whose place is fitted
+  Mesh mesh_{};                          // where there are such
+  std::vector<model::ThermometerPlace> probes_{};  // in the cells that they may read
+  std::vector<std::size_t> place_of_cell_{};       // in probes_
+  std::vector<double> temperatures_{};             // of these, by cell and row [K]
   std::vector<double> simulated_, simulated_for_;
 };
 
@@ -256,18 +311,16 @@ std::vector<fit::Candidate> SpindleSubject::candidates() const {
   std::vector<fit::Candidate> list = ModelSubject::candidates();
   std::erase_if(list, [&](const fit::Candidate& c) {
     const effects::Description* const d = description(c.id);
-    return !d || (d->condition && !d->as_mounted);
+    return d && d->condition && !d->as_mounted;
   });
   return list;
 }
 
 std::vector<std::string> SpindleSubject::catalogue() const {
   std::vector<std::string> ids = ModelSubject::catalogue();
-  const std::vector<std::string> data = model::own_data(model());
   std::erase_if(ids, [&](const std::string& id) {
     const effects::Description* const d = description(id);
-    return std::find(data.begin(), data.end(), id) != data.end() ||
-           (d && !d->for_shaft && !d->for_spindle);  // of a rig
+    return d && !d->for_shaft && !d->for_spindle;  // of a rig
   });
   return ids;
 }

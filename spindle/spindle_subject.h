@@ -30,7 +30,7 @@ class SpindleSubject : public model::ModelSubject {
   /// The runs of a record that start warm, a sentence each.
   [[nodiscard]] std::vector<std::string> warm_starts(const fit::Record& record) const;
 
-  /// Without numbers of the bearings: in a spindle they do what friction and preload do.
+  /// Without conditions of turning sets, which its own temperatures make.
   [[nodiscard]] std::vector<fit::Candidate> candidates() const override;
   [[nodiscard]] std::vector<std::string> catalogue() const override;
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;

@@ -14,6 +14,7 @@
 #include "algebra/detail/decompositions.h"
 #include "tolerance/one_way.h"
 #include "tolerance/residual_course.h"
+#include "tolerance/stray_readings.h"
 #include "tolerance/thinned_record.h"
 #include "verdict/effect_sizes.h"
 #include "verdict/headline.h"
@@ -364,6 +365,7 @@ class Inquiry {
   [[nodiscard]] bool explained_by(const std::vector<const Tried*>& list) {
     if (list.empty() || !is_believable(*list.front())) return false;
     std::vector<const Tried*> near = near_best(list);
+    std::erase_if(near, [&](const Tried* t) { return !is_believable(*t); });
     // What is beyond the tolerance by chance has at least taken as much of the misfit.
     const double slack = as_good_as_within(), base = worst_held_out(base_);
     const auto is_within = [&](const Tried* t) {
@@ -522,6 +524,7 @@ class Inquiry {
         effect.acts_on = c->acts_on;
         effect.by_column = c->by_column;
         effect.size = c->size;
+        effect.datum = c->datum;
       }
     effect.rmse = in_SI(t.fit.channel_rms);
     effect.rmse_held_out = in_SI(t.fit.channel_held_out);
@@ -540,7 +543,22 @@ class Inquiry {
         effect.parameters.push_back(std::move(p));
       }
     }
+    if (!t.shown && !effect.datum.empty()) {
+      std::vector<double> values;
+      for (const record::Parameter& p : effect.parameters) values.push_back(p.value);
+      effect.correction = subject_->correction(effect.id, values);
+    }
     return effect;
+  }
+
+  /// "the place of the thermometer housing: position 62 mm where 50 is entered", of every datum in
+  /// an explanation that was ranked.
+  [[nodiscard]] std::vector<std::string> data_of(const Tried& t) const {
+    std::vector<std::string> list;
+    for (const std::string& id : t.ids())
+      for (const verdict::RankedEffect& e : result_.effects)
+        if (e.id == id && !e.datum.empty()) list.push_back(e.datum + ": " + e.correction);
+    return list;
   }
 
   [[nodiscard]] bool is_told(const std::string& id) const {
@@ -586,11 +604,9 @@ class Inquiry {
       result_.channels[c].rmse_after = after[c];
       result_.channels[c].rmse_held_out_after = held_out_after[c];
     }
-    if (best.shown)
-      result_.messages.push_back(
-          record::note::check_data(best.shown->datum + ": " + best.shown->correction));
-    else
-      explain(best);
+    for (const std::string& wrong : data_of(best))
+      result_.messages.push_back(record::note::check_data(wrong));
+    if (!best.shown) explain(best);
     for (const fit::Candidate* c : best.on)
       if (c->of_reading)
         result_.messages.push_back(record::note::limits(fmt::format(
@@ -638,7 +654,12 @@ class Inquiry {
   }
   [[nodiscard]] std::string error(const Tried& t) const { return error(t.fit); }
 
+  /// Of wrong data of the model alone what they should say.
   [[nodiscard]] std::string found_text() const {
+    const Tried& best = *found_.front();
+    if (const std::vector<std::string> data = data_of(best);
+        found_.size() == 1 && !best.shown && data.size() == best.ids().size())
+      return "wrong data rather than missing physics, " + verdict::joined(data, "and");
     std::vector<std::string> names;
     for (const Tried* t : found_) names.push_back(verdict::joined(t->ids(), "and"));
     return verdict::joined(names, "or");
@@ -736,7 +757,10 @@ class Inquiry {
 
 verdict::Diagnosis diagnose_approximation(const fit::Subject& subject, const record::Record& record,
                                           const verdict::DiagnoseOptions& options) {
-  return Inquiry(subject, record, options).run();
+  const WithoutStrays without = without_strays(subject, record);
+  verdict::Diagnosis found = Inquiry(subject, *without.record, options).run();
+  found.messages.insert(found.messages.begin(), without.notes.begin(), without.notes.end());
+  return found;
 }
 
 }  // namespace raceway::tolerance

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "tests/correction_study/random.h"
 #include "tests/spindle_study/base_spindle.h"
@@ -176,6 +177,33 @@ Wish hide(std::string_view kind, const Spindle& s, double draw, double strength)
   return w;
 }
 
+/// Makes the spindle another one than its user believes it to be: where a number was entered wrong.
+/// Returns what is wrong with it in the unit of its file, and the name that is right.
+std::pair<double, std::string> differ(std::string_view kind, Spindle& s, Random& random) {
+  if (kind == "sensor-place") {
+    // A bore that was free, next to the one on the drawing.
+    std::vector<Thermometer*> movable;
+    for (Thermometer& t : s.thermometers)
+      if (t.part != Thermometer::Part::ring) movable.push_back(&t);
+    Thermometer& t =
+        *movable[static_cast<std::size_t>(random.whole(0, static_cast<int>(movable.size()) - 1))];
+    const double way = t.name == "shaft_end" || random.chance(0.5) ? -12.0 : 12.0;
+    t.position += way * mm;
+    return {way, "sensor-place:" + t.name};
+  }
+  if (kind == "oil-card") {
+    const double factor = random.chance(0.5) ? random.between(0.75, 0.88) : random.between(1.14, 1.3);
+    s.oil.at_100 *= factor;
+    return {factor, "viscosity-slope"};
+  }
+  if (kind == "coolant-inlet") {
+    const double warmer = (random.chance(0.5) ? 1.0 : -1.0) * random.between(2.0, 6.0);
+    s.helix.inlet += warmer;
+    return {warmer, "coolant-inlet"};
+  }
+  return {nan, ""};
+}
+
 void read(std::vector<Row>& rows, Random& random) {
   for (Row& row : rows) {
     row.ambient_read = row.inputs.ambient + 0.05 * random.normal();
@@ -204,7 +232,11 @@ std::span<const Class> classes() {
       {"flange-conductance", {"flange-conductance"}, effect},
       {"seal-heat", {"seal-heat"}, effect},
       {"churning", {"churning", "windage", "rig-viscous-drag", "lubricant-drag"}, effect},
-      {"outside", {}, {"not-in-catalogue", "effect-like"}, true}};
+      {"outside", {}, {"not-in-catalogue", "effect-like"}, true},
+      // Numbers of the file that are wrong; the name that is right is the spindle's own.
+      {"sensor-place", {}, effect, false, true},
+      {"oil-card", {}, effect, false, true},
+      {"coolant-inlet", {}, effect, false, true}};
   return all;
 }
 
@@ -227,17 +259,23 @@ Rig make_rig(const Class& of, std::uint64_t seed, const Hours& hours) {
   rig.truth = random_spindle(random);
   if (of.id == "coolant") rig.truth.cooled = false;
   if (of.id == "convection-factor" || of.id == "flange-conductance") rig.truth.cooled = false;
+  if (of.id == "coolant-inlet") rig.truth.cooled = true;
   place_thermometers(rig.truth, random);
   rig.believed = rig.truth;
   rig.believed.f0 = std::round(rig.truth.f0 * random.between(0.85, 1.15) * 1000.0) / 1000.0;
   if (of.id == "preload-growth") rig.believed.preload_feedback = false;
+  if (of.data) {
+    const auto [size, right] = differ(of.id, rig.truth, random);
+    rig.size = size;
+    rig.accept = {right};
+  }
   rig.train = make_plan(hours.train, rig.truth.cooled, random);
   rig.test = make_plan(hours.test, rig.truth.cooled, random);
   const double draw = random.between(0.0, 1.0);
 
   std::vector<Row> without = rig.train, other = rig.train;
-  Spindle plain = rig.truth;
-  plain.preload_feedback = rig.believed.preload_feedback;
+  Spindle plain = rig.believed;
+  plain.f0 = rig.truth.f0;
   simulate(plain, {}, without);
   plain.f0 *= 1.05;
   simulate(plain, {}, other);
@@ -245,10 +283,10 @@ Rig make_rig(const Class& of, std::uint64_t seed, const Hours& hours) {
   for (double strength : {1.0, 1.4, 2.0}) {
     const Wish wish = hide(of.id, rig.truth, draw, strength);
     rig.hidden = wish.hidden;
-    rig.size = wish.size;
+    if (!of.data) rig.size = wish.size;
     simulate(rig.truth, rig.hidden, rig.train, &rig.balance, &rig.cells);
     rig.signal = signal(weighed(rig.train), plain_signal, other_signal);
-    if (of.id == "nothing" || of.id == "preload-growth" || rig.signal > enough) break;
+    if (of.id == "nothing" || of.id == "preload-growth" || of.data || rig.signal > enough) break;
   }
   if (of.id != "nothing" && rig.signal < enough) rig.verdicts.push_back("nothing-missing");
   simulate(rig.truth, rig.hidden, rig.test);

@@ -17,6 +17,7 @@ struct Class {
       accept;  ///< names that are right; none where nothing is, or no name fits
   std::vector<std::string> verdicts;  ///< that are right
   bool outside = false;               ///< in no catalogue
+  bool data = false;                  ///< a number of the model that is wrong
 };
 
 [[nodiscard]] std::span<const Class> classes();
