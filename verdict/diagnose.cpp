@@ -19,7 +19,7 @@ namespace {
 
 constexpr double surely_other = 4.0;  // standard errors of a datum of one record
 constexpr double a_bound = 0.02;      // share of its range at either end
-constexpr double much_better = 10.0;  // in -2 ln L with its penalty, where a verdict stands already
+constexpr double clearly = 10.0;      // in -2 ln L with its penalty
 
 Diagnosis investigated(const fit::Subject& subject, const record::Record& record,
                        const DiagnoseOptions& options) {
@@ -77,8 +77,12 @@ Diagnosis with_data_of_each_record(Diagnosis given, const fit::Subject& subject,
     return given;
   }
   const std::vector<const record::Parameter*> wrong = wrong_ones(found, given);
-  const bool stands = is_single(given) || given.verdict == Verdict::several_effects;
-  if (!is_single(found) || wrong.empty() || (stands && bic_of(found) > bic_of(given) - much_better))
+  if (!is_single(found) || wrong.empty()) return given;
+  // One effect stays unless another oil is clearly better; two at once, which another oil looks
+  // like, only where they are.
+  const double better = bic_of(given) - bic_of(found);
+  if ((is_single(given) && !(better > clearly)) ||
+      (given.verdict == Verdict::several_effects && !(better > -clearly)))
     return given;
   for (const record::Parameter* const p : wrong) {
     const std::size_t dot = p->name.find('.'), at = p->name.rfind('@');

@@ -7,6 +7,7 @@
 #include "loop/loop.h"
 #include "model/parameters.h"
 #include "record/spindle_channel.h"
+#include "spindle/spindle.h"
 #include "spindle/spindle_subject.h"
 #include "tests/spindle/base_spindle.h"
 
