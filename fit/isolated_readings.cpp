@@ -14,16 +14,16 @@ namespace raceway::fit {
 
 namespace {
 
-constexpr std::size_t reach = 2;       // neighbours on either side
-constexpr std::size_t longest = 2;     // rows in succession, or
+constexpr std::size_t reach = 2;             // neighbours on either side
+constexpr std::size_t longest = 2;           // rows in succession, or
 constexpr std::size_t longest_by_model = 3;  // where a model tells them
-constexpr double far_away = 6.0;       // robust standard deviations
-constexpr double farther = 3.0;        // than the neighbours are from each other
-constexpr double finest = 0.003;       // of the range of nine in ten readings
-constexpr double impossible = 3.0;     // of the range of nearly all readings
-constexpr double steady_speed = 0.01;  // of the largest
-constexpr double neighbours = 3.0;     // median steps in time
-constexpr double most_isolated = 0.1;  // of the readings
+constexpr double far_away = 6.0;             // robust standard deviations
+constexpr double farther = 3.0;              // than the neighbours are from each other
+constexpr double finest = 0.003;             // of the range of nine in ten readings
+constexpr double impossible = 3.0;           // of the range of nearly all readings
+constexpr double steady_speed = 0.01;        // of the largest
+constexpr double neighbours = 3.0;           // median steps in time
+constexpr double most_isolated = 0.1;        // of the readings
 constexpr std::size_t fewest_steady = 30;
 constexpr std::size_t most_lines = 20;  // that a statement lists
 
@@ -58,13 +58,13 @@ class Readings {
           !(step(k, k + 1) <= longest_step_))
         return false;
     return by_model_ || std::all_of(set_.begin(), set_.end(), [&](const auto& of) {
-      double low = std::numeric_limits<double>::infinity(), high = -low;
-      for (std::size_t row = rows_[first]; row <= rows_[last]; ++row) {
-        low = std::fmin(low, of.column->values[row]);
-        high = std::fmax(high, of.column->values[row]);
-      }
-      return high - low <= of.step;
-    });
+             double low = std::numeric_limits<double>::infinity(), high = -low;
+             for (std::size_t row = rows_[first]; row <= rows_[last]; ++row) {
+               low = std::fmin(low, of.column->values[row]);
+               high = std::fmax(high, of.column->values[row]);
+             }
+             return high - low <= of.step;
+           });
   }
 
   /// Whether something that is set leaves with these readings and returns.
@@ -166,13 +166,12 @@ std::string Isolated::statement() const {
   for (std::size_t k = 0; k < rows.size() && k < most_lines; ++k)
     lines += fmt::format("{}{}", k == 0 ? "" : ", ", record.line(rows[k]));
   if (rows.size() > most_lines) lines += fmt::format(" and {} more", rows.size() - most_lines);
-  return fmt::format(
-      "{} reading{} of {} leave{} and return{}{}{} and take{} no part, {} {}", rows.size(),
-      rows.size() == 1 ? "" : "s", channel->words, rows.size() == 1 ? "s" : "",
-      rows.size() == 1 ? "s" : "",
-      by_model ? ", against the fitted model," : " while the speed is steady",
-      impossible ? ", or by more than three times the range of the others," : "",
-      rows.size() == 1 ? "s" : "", record.lines.empty() ? "rows" : "lines", lines);
+  return fmt::format("{} reading{} of {} leave{} and return{}{}{} and take{} no part, {} {}",
+                     rows.size(), rows.size() == 1 ? "" : "s", channel->words,
+                     rows.size() == 1 ? "s" : "", rows.size() == 1 ? "s" : "",
+                     by_model ? ", against the fitted model," : " while the speed is steady",
+                     impossible ? ", or by more than three times the range of the others," : "",
+                     rows.size() == 1 ? "s" : "", record.lines.empty() ? "rows" : "lines", lines);
 }
 
 Isolated without_isolated_readings(const record::Record& record) {

@@ -40,8 +40,8 @@ struct Isolated {
                                                  const record::Channel& channel);
 
 /// The same of what a model leaves of them: `predicted` is what it says of each row. What is set
-/// may change then, but for a speed or a load that leaves and returns with the reading itself; up to
-/// three rows in succession leave, and the last ones of a record need not return.
+/// may change then, but for a speed or a load that leaves and returns with the reading itself; up
+/// to three rows in succession leave, and the last ones of a record need not return.
 [[nodiscard]] Isolated without_isolated_readings(const record::Record& record,
                                                  const record::Channel& channel,
                                                  std::span<const double> predicted);

@@ -35,9 +35,9 @@ class SeveralRecords : public Subject {
   /// they are. Empty for one of another record.
   [[nodiscard]] std::string name_in(std::size_t record, const std::string& name) const;
 
-  /// Itself with data that may be other ones in each record, as the oil (Candidate::of_each_record),
-  /// among the numbers that records have for themselves; null where they have none, or where the
-  /// data cannot tell.
+  /// Itself with data that may be other ones in each record, as the oil
+  /// (Candidate::of_each_record), among the numbers that records have for themselves; null where
+  /// they have none, or where the data cannot tell.
   [[nodiscard]] std::unique_ptr<SeveralRecords> with_data_of_each_record(
       const Record& record) const;
 

@@ -28,8 +28,9 @@ constexpr std::array all{
              "the contact angle of the bearings on a shaft, under [bearing]"},
     OwnDatum{"conformity", "conformity", "conformity of the grooves", "the bearing card", 0.02,
              false, "the conformity of the grooves of the bearings on a shaft, under [bearing]"},
-    OwnDatum{"coolant-inlet", "inlet_temperature_C", "inlet", "the inlet temperature of the coolant",
-             8.0, true, "the inlet temperature of a spindle's coolant, under [coolant]"},
+    OwnDatum{"coolant-inlet", "inlet_temperature_C", "inlet",
+             "the inlet temperature of the coolant", 8.0, true,
+             "the inlet temperature of a spindle's coolant, under [coolant]"},
     OwnDatum{"sensor-place:{}", "sensor.{}.position_mm", "position",
              "the place of the thermometer {}", 25.0, true,
              "the position_mm of a [[sensor]] in a spindle, one candidate for each of them, as "

@@ -243,7 +243,8 @@ void ParameterPlace::resolve(const Model& model, const std::string& address) {
   std::string_view name = text.substr(dot + 1);
   if (model.spindle && table == "sensor") {
     const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index_);
-    if (error != std::errc() || std::string_view(end, name.data() + name.size()) != ".position_mm" ||
+    if (error != std::errc() ||
+        std::string_view(end, name.data() + name.size()) != ".position_mm" ||
         index_ >= model.spindle->sensors.size())
       refuse(address);
     kind_ = Kind::sensor;

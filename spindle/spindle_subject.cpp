@@ -10,8 +10,8 @@
 
 #include "model/row.h"
 #include "record/spindle_channel.h"
-#include "spindle/record_rows.h"
 #include "spindle/layout.h"
+#include "spindle/record_rows.h"
 #include "spindle/spindle.h"
 #include "spindle/thermometer.h"
 #include "spindle/warm_start.h"
@@ -126,8 +126,7 @@ class SpindlePredictor : public fit::Predictor {
     for (const model::ParameterPlace& p : places_) {
       if (p.sensor()) moved_.push_back(*p.sensor());
       const bool reads =
-          p.effect() >= 0 &&
-          acts_on_reading(model_.effects[static_cast<std::size_t>(p.effect())]);
+          p.effect() >= 0 && acts_on_reading(model_.effects[static_cast<std::size_t>(p.effect())]);
       moves_heat_.push_back(!p.sensor() && !reads);
     }
     if (!moved_.empty()) look_around();
@@ -166,9 +165,7 @@ class SpindlePredictor : public fit::Predictor {
     place_of_cell_.assign(mesh_.size(), 0);
     using Part = model::ThermometerPlace::Part;
     const auto part_of = [](Body body) {
-      return body == Body::shaft     ? Part::shaft
-             : body == Body::housing ? Part::housing
-                                     : Part::ring;
+      return body == Body::shaft ? Part::shaft : body == Body::housing ? Part::housing : Part::ring;
     };
     for (std::size_t k = 0; k < mesh_.size(); ++k) {
       const Cell& cell = mesh_.cells[k];
@@ -191,9 +188,9 @@ class SpindlePredictor : public fit::Predictor {
     for (std::size_t row = 0; row < record_.rows(); ++row) {
       out[row] = 0.0;
       for (const Share& s : shares)
-        out[row] += s.share * temperatures_[place_of_cell_[static_cast<std::size_t>(s.cell)] *
-                                                record_.rows() +
-                                            row];
+        out[row] +=
+            s.share *
+            temperatures_[place_of_cell_[static_cast<std::size_t>(s.cell)] * record_.rows() + row];
     }
   }
 
@@ -227,8 +224,8 @@ class SpindlePredictor : public fit::Predictor {
   std::vector<model::Row> rows_;  // of what effects on a reading see
   std::vector<model::ParameterPlace> places_;
   std::vector<bool> moves_heat_;
-  std::vector<std::size_t> moved_{};     // sensors whose place is fitted
-  Mesh mesh_{};                          // where there are such
+  std::vector<std::size_t> moved_{};               // sensors whose place is fitted
+  Mesh mesh_{};                                    // where there are such
   std::vector<model::ThermometerPlace> probes_{};  // in the cells that they may read
   std::vector<std::size_t> place_of_cell_{};       // in probes_
   std::vector<double> temperatures_{};             // of these, by cell and row [K]

@@ -51,8 +51,7 @@ WithoutStrays without_strays(const fit::Subject& subject, const record::Record& 
   }
   for (const fit::Isolated& of : strays)
     if (of.any())
-      result.notes.push_back(
-          record::note::left_out(of.statement(), {.file = record.source}));
+      result.notes.push_back(record::note::left_out(of.statement(), {.file = record.source}));
   return result;
 }
 

@@ -133,8 +133,8 @@ TEST(Everyday, TwoOilsOfOneModelAreToldAndHideNoEffect) {
   EXPECT_THAT(d["verdict"].get<std::string>(), AnyOf("effect", "ambiguous")) << d["sentence"];
   EXPECT_THAT(d["explanations"].dump(), AnyOf(HasSubstr("lubricant-drag"), HasSubstr("windage")));
   EXPECT_THAT(found.err, HasSubstr("check the oil of vg68"));
-  const Result fitted = run("calibrate " + both +
-                            " --per-record f0,z,viscosity-slope.factor_at_100_C --json");
+  const Result fitted =
+      run("calibrate " + both + " --per-record f0,z,viscosity-slope.factor_at_100_C --json");
   ASSERT_EQ(fitted.status, 0) << fitted.err;
   EXPECT_THAT(fitted.out, HasSubstr("viscosity-slope.factor_at_100_C@vg68"));
 }

@@ -14,7 +14,8 @@ namespace {
 std::vector<Outcome> small_study() {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "small_study";
   std::vector<Case> cases;
-  for (const char* const id : {"nothing-missing", "ambient-drift", "sensor-quantisation", "door"})
+  for (const char* const id :
+       {"nothing-missing", "ambient-drift", "sensor-quantisation", "door", "stray-readings"})
     for (const unsigned seed : {900U, 901U}) {
       const Rig rig = make_rig(find_class(id), seed);
       write_rig(rig, folder);

@@ -128,8 +128,7 @@ TEST(IsolatedReadings, AreToldByAModelWhereTheSpeedChanges) {
   record.set(record::speed, speeds);
   record.set(record::axial_displacement, read);
   EXPECT_FALSE(without_isolated_readings(record).any());
-  const Isolated found =
-      without_isolated_readings(record, record::axial_displacement, predicted);
+  const Isolated found = without_isolated_readings(record, record::axial_displacement, predicted);
   EXPECT_EQ(found.rows, chips);
   EXPECT_EQ(found.statement(),
             "4 readings of axial displacement leave and return, against the fitted model, and take "

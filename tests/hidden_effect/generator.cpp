@@ -293,13 +293,13 @@ std::vector<Reading> readings(const Rig& rig, const Bearing& bearing, std::span<
                               int first_run) {
   std::vector<Reading> rows;
   for (std::size_t i = 0; i < points.size(); ++i)
-    rows.push_back({.point = points[i],
-                    .run = first_run + run_of(rig.setup.plan, i),
-                    .torque = torque_of_rig(bearing, rig.setup.law, rig.setup.mistake, points[i],
-                                            rig.hidden),
-                    .sigma = 0.0,
-                    .measured = 0.0,
-                    .seen = points[i].temperature});
+    rows.push_back(
+        {.point = points[i],
+         .run = first_run + run_of(rig.setup.plan, i),
+         .torque = torque_of_rig(bearing, rig.setup.law, rig.setup.mistake, points[i], rig.hidden),
+         .sigma = 0.0,
+         .measured = 0.0,
+         .seen = points[i].temperature});
   misread_torques(rig.setup.mistake, rig.setup.seed, rows);
   return rows;
 }
@@ -377,8 +377,8 @@ Rig make_rig(const Setup& setup) {
   if (setup.mistake.second_oil) {
     rig.second_record = rig.train.size();
     const std::vector<Point> again = plan_points(setup, false, random);
-    for (const Reading& r : readings(rig, Bearing(with_thicker_oil(*setup.machine)), again,
-                                     rig.train.back().run + 1))
+    for (const Reading& r :
+         readings(rig, Bearing(with_thicker_oil(*setup.machine)), again, rig.train.back().run + 1))
       rig.train.push_back(r);
   }
   rig.test = readings(rig, rig.bearing, test, 0);

@@ -37,7 +37,10 @@ record::Record recorded(const model::Model& model) {
   std::vector<ProfileRow> rows;
   for (int k = 1; k <= 120; ++k)
     rows.push_back({.time = 120.0 * k,
-                    .inputs = {.speed = (k < 40 ? 8000.0 : k < 70 ? 3000.0 : 6000.0) * rpm,
+                    .inputs = {.speed = (k < 40   ? 8000.0
+                                         : k < 70 ? 3000.0
+                                                  : 6000.0) *
+                                        rpm,
                                .ambient_temperature = room}});
   const Run run = Simulator(model).simulate(rows);
   std::vector<double> time, speed, ambient, moved;
@@ -65,8 +68,8 @@ bool has(const std::vector<fit::Candidate>& all, const std::string& id) {
 
 TEST(SpindleWrongData, AreCandidatesThatAreWordedAsData) {
   const std::vector<fit::Candidate> all = SpindleSubject(measured_spindle()).candidates();
-  for (const char* id : {"sensor-place:front", "sensor-place:ring", "coolant-inlet",
-                         "viscosity-slope", "mounting"})
+  for (const char* id :
+       {"sensor-place:front", "sensor-place:ring", "coolant-inlet", "viscosity-slope", "mounting"})
     EXPECT_TRUE(has(all, id)) << id;
   for (const fit::Candidate& c : all)
     if (c.id.starts_with("sensor-place:")) {
@@ -122,8 +125,9 @@ TEST(SpindleWrongData, AThermometerAwayFromItsPlaceIsFoundAndPutThere) {
   const verdict::RankedEffect& found = d.effects.front();
   EXPECT_EQ(found.id, "sensor-place:front");
   EXPECT_NEAR(found.parameters.front().value, 78.0, 2.0);
-  EXPECT_TRUE(d.headline.starts_with("Wrong data rather than missing physics: check the place of "
-                                     "the thermometer front, position 7"))
+  EXPECT_TRUE(
+      d.headline.starts_with("Wrong data rather than missing physics: check the place of "
+                             "the thermometer front, position 7"))
       << d.headline;
   const verdict::AddResult added =
       loop::add(subject, std::vector<std::string>{"sensor-place:front"}, record);

@@ -192,7 +192,8 @@ std::pair<double, std::string> differ(std::string_view kind, Spindle& s, Random&
     return {way, "sensor-place:" + t.name};
   }
   if (kind == "oil-card") {
-    const double factor = random.chance(0.5) ? random.between(0.75, 0.88) : random.between(1.14, 1.3);
+    const double factor =
+        random.chance(0.5) ? random.between(0.75, 0.88) : random.between(1.14, 1.3);
     s.oil.at_100 *= factor;
     return {factor, "viscosity-slope"};
   }
