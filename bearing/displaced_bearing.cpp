@@ -22,20 +22,25 @@ DisplacedBearing::DisplacedBearing(const Bearing& bearing, double speed, const R
                                    const EquilibriumOptions& options)
     : bearing_(&bearing),
       options_(options),
-      point_(unloaded_point(bearing, options)),
+      unshifted_(unloaded_point(bearing, options)),
       circle_(ball_circle(bearing, {}, options)),
-      axial_shift_(shift.axial),
       one_shoulder_(bearing.geometry().contact_angle > 0.0) {
   require_between("speed", speed, 0.0, 1e6 * rpm, rpm, "rpm");
-  point_.ball.full_centrifugal = full_centrifugal(bearing, speed);
+  unshifted_.ball.full_centrifugal = full_centrifugal(bearing, speed);
+  unshifted_.ball_scale = std::max(least_ball_scale, 0.2 * unshifted_.ball.full_centrifugal);
+  unshifted_.load_scale = unshifted_.ball_scale * circle_.count;
+  circle_.symmetry = Symmetry::none;
+  set_shift(shift);
+  model_ = ball_model(point_, options);
+  balls_.resize(static_cast<std::size_t>(circle_.count));
+}
+
+void DisplacedBearing::set_shift(const RingShift& shift) {
+  axial_shift_ = shift.axial;
+  point_ = unshifted_;
   point_.free.radial += shift.radial;
   point_.ball.inner_radius += shift.inner_length;
   point_.ball.outer_radius += shift.outer_length;
-  point_.ball_scale = std::max(least_ball_scale, 0.2 * point_.ball.full_centrifugal);
-  point_.load_scale = point_.ball_scale * circle_.count;
-  circle_.symmetry = Symmetry::none;
-  model_ = ball_model(point_, options);
-  balls_.resize(static_cast<std::size_t>(circle_.count));
 }
 
 Plane DisplacedBearing::thrown_ball() const {

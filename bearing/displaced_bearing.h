@@ -10,7 +10,7 @@ namespace raceway::bearing {
 
 /// One bearing whose inner ring is held: the balls find their places between the grooves, and what
 /// they press on the ring with follows. The other way round than solve_bearing_equilibrium().
-/// For one speed and state of the rings and for many displacements; each is solved from the one
+/// For one speed and for many displacements and states of the rings; each is solved from the one
 /// before it. Keeps a reference to the bearing.
 ///
 /// Domain:   speed >= 0; grooves that a shift has moved, see RingShift.
@@ -22,6 +22,8 @@ class DisplacedBearing {
   DisplacedBearing(const Bearing& bearing, double speed, const RingShift& shift = {},
                    const EquilibriumOptions& options = {});
 
+  /// The same bearing with its rings in another state.
+  void set_shift(const RingShift& shift);
   /// Balances the balls at this displacement of the inner ring, counted as in BearingEquilibrium;
   /// the shift comes on top. False where a ball finds no balance: force and stiffness are not
   /// valid then.
@@ -48,7 +50,7 @@ class DisplacedBearing {
 
   const Bearing* bearing_;
   EquilibriumOptions options_;
-  RingPoint<double> point_;
+  RingPoint<double> unshifted_, point_;
   BallCircle circle_;
   BallModel model_;
   double axial_shift_;

@@ -21,12 +21,17 @@ constexpr double search_slope = 0.5;     // share of the slope at which a line s
 constexpr int search_steps = 60;
 constexpr double singular_share = 1e-12;  // of the larger eigenvalue of (Ki + Ko) [1]
 
-/// Force and stiffness of one race against the middle and the tilt of a roller. Tilts are times
-/// half the length, so that all unknowns are lengths.
-struct RaceForce {
-  Vector2 force = Vector2::Zero();
-  Matrix2 stiffness = Matrix2::Zero();
-};
+Matrix2 pseudo_inverse(const Matrix2& a) {
+  const Eigen::SelfAdjointEigenSolver<Matrix2> e(a);
+  const double largest = e.eigenvalues().cwiseAbs().maxCoeff();
+  Matrix2 inverse = Matrix2::Zero();
+  for (int i = 0; i < 2; ++i)
+    if (e.eigenvalues()[i] > singular_share * largest)
+      inverse += e.eigenvectors().col(i) * e.eigenvectors().col(i).transpose() / e.eigenvalues()[i];
+  return inverse;
+}
+
+}  // namespace
 
 /// Ring and rollers at one set of unknowns.
 class RollerBalance {
@@ -42,6 +47,7 @@ class RollerBalance {
 
   [[nodiscard]] double lever() const { return lever_; }
   [[nodiscard]] double centrifugal() const { return centrifugal_; }
+  void set_clearance(double clearance) { half_clearance_ = 0.5 * clearance; }
 
   /// Puts the ring there, and the rollers near the places where they end.
   void start(const Vector4& ring) {
@@ -55,6 +61,21 @@ class RollerBalance {
       rollers_[k][0] = std::max(rollers_[k][0], 0.0) + thrown;
       if (e[0] <= 0.0) rollers_[k][1] = 0.0;
     }
+  }
+
+  /// Puts the ring there, and the rollers where their stiffness at the last balance takes them.
+  void follow(const Vector4& ring, double clearance) {
+    const double moved = 0.5 * clearance - half_clearance_;
+    half_clearance_ = 0.5 * clearance;
+    for (std::size_t k = 0; k < rollers_.size(); ++k) {
+      const Vector2 by = lever_matrix(k) * (ring - ring_) - Vector2(moved, 0.0);
+      if (!(centrifugal_ > 0.0))
+        rollers_[k] = 0.5 * approach(k, ring);
+      else if (inner_[k].force[0] > 0.0)
+        rollers_[k] +=
+            pseudo_inverse(inner_[k].stiffness + outer_[k].stiffness) * inner_[k].stiffness * by;
+    }
+    ring_ = ring;
   }
 
   /// Newton's method; the first `free` of y, z, θ_y, θ_z are unknown, the others stay.
@@ -80,25 +101,30 @@ class RollerBalance {
     }
   }
 
+  /// What holds the ring, and its tangent stiffness.
+  void ring_into(Vector4& load, Matrix4& stiffness) const {
+    load.setZero();
+    stiffness.setZero();
+    for (std::size_t k = 0; k < rollers_.size(); ++k) {
+      if (!(inner_[k].force[0] > 0.0)) continue;
+      const Matrix24 B = lever_matrix(k);
+      load += B.transpose() * inner_[k].force;
+      stiffness += B.transpose() * in_series(k) * B;
+    }
+    load.tail<2>() *= lever_;
+    stiffness.bottomRows<2>() *= lever_;
+    stiffness.rightCols<2>() *= lever_;
+  }
+
   void report_into(RollerEquilibrium& result) const {
     result.displacement = ring_;
     result.displacement.tail<2>() /= lever_;
-    result.load.setZero();
-    result.stiffness.setZero();
     result.clearance = 2.0 * half_clearance_;
     result.centrifugal_force = centrifugal_;
+    ring_into(result.load, result.stiffness);
+    result.sum_by_clearance = sum_by_clearance(result.stiffness.topLeftCorner<2, 2>());
     result.rollers.resize(rollers_.size());
-    for (std::size_t k = 0; k < rollers_.size(); ++k) {
-      const Matrix24 B = lever_matrix(k);
-      result.load += B.transpose() * inner_[k].force;
-      const Matrix2& Ki = inner_[k].stiffness;
-      result.stiffness +=
-          B.transpose() * (Ki - Ki * pseudo_inverse(Ki + outer_[k].stiffness) * Ki) * B;
-      fill(k, result.rollers[k]);
-    }
-    result.load.tail<2>() *= lever_;
-    result.stiffness.bottomRows<2>() *= lever_;
-    result.stiffness.rightCols<2>() *= lever_;
+    for (std::size_t k = 0; k < rollers_.size(); ++k) fill(k, result.rollers[k]);
   }
 
   [[nodiscard]] bool inner_contact() const {
@@ -107,6 +133,13 @@ class RollerBalance {
   }
 
  private:
+  /// Force and stiffness of one race against the middle and the tilt of a roller. Tilts are times
+  /// half the length, so that all unknowns are lengths.
+  struct RaceForce {
+    Vector2 force = Vector2::Zero();
+    Matrix2 stiffness = Matrix2::Zero();
+  };
+
   /// Approach and its slope at a roller, B times the ring, less the clearance.
   [[nodiscard]] Vector2 approach(std::size_t k, const Vector4& ring) const {
     const auto& a = bearing_.azimuths()[k];
@@ -248,15 +281,29 @@ class RollerBalance {
     evaluate(load, free);
   }
 
-  static Matrix2 pseudo_inverse(const Matrix2& a) {
-    const Eigen::SelfAdjointEigenSolver<Matrix2> e(a);
-    const double largest = e.eigenvalues().cwiseAbs().maxCoeff();
-    Matrix2 inverse = Matrix2::Zero();
-    for (int i = 0; i < 2; ++i)
-      if (e.eigenvalues()[i] > singular_share * largest)
-        inverse +=
-            e.eigenvectors().col(i) * e.eigenvectors().col(i).transpose() / e.eigenvalues()[i];
-    return inverse;
+  /// Of both contacts of a roller, its middle and tilt following.
+  [[nodiscard]] Matrix2 in_series(std::size_t k) const {
+    const Matrix2& Ki = inner_[k].stiffness;
+    return Ki - Ki * pseudo_inverse(Ki + outer_[k].stiffness) * Ki;
+  }
+
+  /// A clearance that grows by ds takes ds/2 from every approach; the ring moves until its forces
+  /// are what they were.
+  [[nodiscard]] double sum_by_clearance(const Matrix2& radial_stiffness) const {
+    Vector2 missing = Vector2::Zero();
+    for (std::size_t k = 0; k < rollers_.size(); ++k) {
+      if (!(inner_[k].force[0] > 0.0)) continue;
+      const auto& a = bearing_.azimuths()[k];
+      missing += 0.5 * in_series(k)(0, 0) * Vector2(a.cosine, a.sine);
+    }
+    const Vector2 moved = pseudo_inverse(radial_stiffness) * missing;
+    double sum = 0.0;
+    for (std::size_t k = 0; k < rollers_.size(); ++k) {
+      if (!(inner_[k].force[0] > 0.0)) continue;
+      const auto& a = bearing_.azimuths()[k];
+      sum += in_series(k)(0, 0) * (a.cosine * moved[0] + a.sine * moved[1] - 0.5);
+    }
+    return sum;
   }
 
   void fill(std::size_t k, LoadedRoller& roller) const {
@@ -284,6 +331,8 @@ class RollerBalance {
   std::vector<Matrix2> inverses_;
   double residual_ = unset, scale_ = unset;
 };
+
+namespace {
 
 void require(const OperatingPoint& point) {
   validate(point);
@@ -359,18 +408,54 @@ RollerEquilibrium solve_roller_bearing(const RollerBearing& bearing, const Opera
   return result;
 }
 
+DisplacedRollerBearing::DisplacedRollerBearing(const RollerBearing& bearing, double speed,
+                                               double clearance)
+    : clearance_(std::isnan(clearance) ? bearing.geometry().radial_clearance : clearance),
+      balance_(std::make_unique<RollerBalance>(bearing, speed, clearance_)) {}
+DisplacedRollerBearing::DisplacedRollerBearing(DisplacedRollerBearing&&) noexcept = default;
+DisplacedRollerBearing& DisplacedRollerBearing::operator=(DisplacedRollerBearing&&) noexcept =
+    default;
+DisplacedRollerBearing::~DisplacedRollerBearing() = default;
+
+void DisplacedRollerBearing::set_clearance(double clearance) { clearance_ = clearance; }
+
+bool DisplacedRollerBearing::hold(const Vector5& displacement) {
+  Vector4 ring = displacement.tail<4>();
+  ring.tail<2>() *= balance_->lever();
+  if (report_.converged()) {
+    balance_->follow(ring, clearance_);
+    report_ = balance_->solve(Vector4::Zero(), 0, {});
+  }
+  if (!report_.converged()) {
+    balance_->set_clearance(clearance_);
+    balance_->start(ring);
+    report_ = balance_->solve(Vector4::Zero(), 0, {});
+  }
+  if (!report_.converged()) return false;
+  Vector4 load;
+  Matrix4 stiffness;
+  balance_->ring_into(load, stiffness);
+  force_ << 0.0, load;
+  stiffness_.setZero();
+  stiffness_.bottomRightCorner<4, 4>() = stiffness;
+  return true;
+}
+
+RollerEquilibrium DisplacedRollerBearing::equilibrium() const {
+  RollerEquilibrium result;
+  result.report = report_;
+  if (report_.converged()) balance_->report_into(result);
+  return result;
+}
+
 RollerEquilibrium displaced_roller_bearing(const RollerBearing& bearing,
                                            const Vector4& displacement, double speed,
                                            double clearance) {
-  RollerEquilibrium result;
-  RollerBalance balance(bearing, speed,
-                        std::isnan(clearance) ? bearing.geometry().radial_clearance : clearance);
-  Vector4 ring = displacement;
-  ring.tail<2>() *= balance.lever();
-  balance.start(ring);
-  result.report = balance.solve(Vector4::Zero(), 0, {});
-  if (result.report.converged()) balance.report_into(result);
-  return result;
+  DisplacedRollerBearing held(bearing, speed, clearance);
+  Vector5 place;
+  place << 0.0, displacement;
+  (void)held.hold(place);
+  return held.equilibrium();
 }
 
 ContactPressure largest_pressure(const RollerBearing& bearing,

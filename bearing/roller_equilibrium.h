@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -51,6 +52,9 @@ struct RollerEquilibrium {
   std::vector<LoadedRoller> rollers;
   double clearance = unset;          ///< s of this balance [m]
   double centrifugal_force = unset;  ///< of one roller [N]
+  /// ∂(Σ Qi)/∂s, and of Σ Qo alike, where forces and tilt of the ring stay as they are: what a
+  /// clearance takes from the rollers, below zero [N/m].
+  double sum_by_clearance = unset;
   /// No load, and nothing touches the inner ring: it lies anywhere within its play. Counts as a
   /// balance, with no displacement and no stiffness.
   bool loose = false;
@@ -90,6 +94,38 @@ struct RollerEquilibrium {
 [[nodiscard]] RollerEquilibrium solve_roller_bearing(const RollerBearing& bearing,
                                                      const OperatingPoint& point,
                                                      const RollerOptions& options = {});
+
+class RollerBalance;
+
+/// One bearing whose inner ring is held: the rollers find their places between the raceways. As
+/// DisplacedBearing of balls, in the same five coordinates; the axial one changes nothing. For many
+/// displacements and clearances, each solved from the one before it. Keeps a reference to the
+/// bearing.
+class DisplacedRollerBearing {
+ public:
+  /// `clearance` NaN: of the geometry.
+  DisplacedRollerBearing(const RollerBearing& bearing, double speed, double clearance = unset);
+  DisplacedRollerBearing(DisplacedRollerBearing&&) noexcept;
+  DisplacedRollerBearing& operator=(DisplacedRollerBearing&&) noexcept;
+  ~DisplacedRollerBearing();
+
+  void set_clearance(double clearance);
+  /// False where the rollers find no balance: force and stiffness are not valid then.
+  [[nodiscard]] bool hold(const Vector5& displacement);
+  /// F_x = 0, F_y, F_z [N], M_y, M_z [N m] that hold the ring against its rollers.
+  [[nodiscard]] const Vector5& force() const { return force_; }
+  /// ∂force/∂displacement, the rollers following.
+  [[nodiscard]] const Matrix5& stiffness() const { return stiffness_; }
+  /// All of it at the last displacement.
+  [[nodiscard]] RollerEquilibrium equilibrium() const;
+
+ private:
+  double clearance_;
+  std::unique_ptr<RollerBalance> balance_;
+  SolveReport report_;
+  Vector5 force_ = Vector5::Constant(unset);
+  Matrix5 stiffness_ = Matrix5::Constant(unset);
+};
 
 /// Balances the rollers below an inner ring that is held at a displacement; `load` is what holds
 /// it there. `clearance` NaN: of the geometry.

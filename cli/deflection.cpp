@@ -83,6 +83,24 @@ void print(const DeflectionFlags& f, const session::SpindleDeflection& found) {
                number(r.sets.bearings[i].stiffness(1, 1) / N_per_um)});
   }
   fmt::print("{}", table.text(terminal_width()));
+  if (r.shaft.rollers.empty()) return;
+  TextTable rollers({{"roller bearing", "", true},
+                     {"clearance", "um"},
+                     {"radial", "N"},
+                     {"before", "N"},
+                     {"moment", "N m"},
+                     {"loaded", "rollers"},
+                     {"K radial", "N/um"},
+                     {"before", "N/um"}});
+  for (std::size_t i = 0; i < r.shaft.rollers.size(); ++i) {
+    const bearing::RollerEquilibrium &e = r.shaft.rollers[i], &before = r.unloaded->rollers[i];
+    rollers.add({r.roller_names[i], number(e.clearance / um),
+                 number(std::hypot(e.load[0], e.load[1])),
+                 number(std::hypot(before.load[0], before.load[1])),
+                 number(std::hypot(e.load[2], e.load[3])), fmt::format("{}", e.loaded_rollers()),
+                 number(e.stiffness(0, 0) / N_per_um), number(before.stiffness(0, 0) / N_per_um)});
+  }
+  fmt::print("\n{}", rollers.text(terminal_width()));
 }
 
 int run(const DeflectionFlags& f) {

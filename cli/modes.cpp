@@ -41,6 +41,8 @@ void print(const ModesFlags& f, const session::SpindleModes& found) {
   std::vector<TextTable::Column> columns{{"speed", "rpm"}, {"front", "N"}, {"rear", "N"}};
   for (std::size_t i = 0; i < a.bearings().size(); ++i)
     columns.push_back({fmt::format("K {}", i + 1), "N/um"});
+  for (const std::string& name : found.beam.roller_names)
+    columns.push_back({fmt::format("K {}", name), "N/um"});
   for (int k = 1; k <= f.count; ++k) columns.push_back({fmt::format("f{}", k), "Hz"});
   TextTable table(columns);
   for (const results::ModesAtSpeed& r : found.speeds) {
@@ -50,6 +52,8 @@ void print(const ModesFlags& f, const session::SpindleModes& found) {
                                  number(known ? r.sets.equilibrium.rear_force : unset)};
     for (std::size_t i = 0; i < a.bearings().size(); ++i)
       row.push_back(number(known ? r.sets.bearings[i].stiffness(1, 1) / N_per_um : unset));
+    for (std::size_t i = 0; i < found.beam.roller_names.size(); ++i)
+      row.push_back(number(known && r.shaft ? r.shaft->rollers[i].stiffness(0, 0) / N_per_um : unset));
     for (std::size_t k = 0; k < static_cast<std::size_t>(f.count); ++k) {
       if (k >= r.modes.modes.size()) {
         row.emplace_back("-");

@@ -12,6 +12,7 @@
 #include "cli/spindle_text.h"
 #include "session/open_input.h"
 #include "session/reading.h"
+#include "session/spindle_deflection.h"
 #include "session/spindle_run.h"
 #include "session/spindle_steady.h"
 #include "text/error.h"
@@ -25,6 +26,7 @@ struct SpindleFlags {
   std::string coolant = "on";
   bool steady = false, json = false, force = false;
   double ambient = unset;
+  double axial_load_N = unset, radial_load_N = 0.0, moment_Nm = 0.0, belt_force_N = unset;
   session::Reading reading;
   CsvStyle csv;
   ReportFlag report;
@@ -45,6 +47,12 @@ void check_flags(const SpindleFlags& f) {
          "--steady");
   if (f.steady && !f.profile.empty())
     fail("--steady knows no course in time; take --speed in place of --speed-profile", "--steady");
+  const bool loads = !std::isnan(f.axial_load_N) || f.radial_load_N != 0.0 || f.moment_Nm != 0.0 ||
+                     !std::isnan(f.belt_force_N);
+  if (!f.steady && loads)
+    fail("--axial-load, --radial-load, --moment and --belt-force are of a state that is steady; a "
+         "--speed-profile has columns for them",
+         "--radial-load");
   if (f.steady && !f.start.empty())
     fail("--start: a steady state does not know where it came from", "--start");
   if (f.steady && (!f.reading.columns.empty() || f.reading.drop_nan))
@@ -77,7 +85,11 @@ double ambient_of(const SpindleFlags& f) {
 int run_steady(const SpindleFlags& f, const files::ModelFile& file) {
   session::SteadyQuestion question{.speeds = axis(f.speed, "--speed"),
                                    .ambient_temperature = ambient_of(f),
-                                   .coolant_on = f.coolant == "on"};
+                                   .coolant_on = f.coolant == "on",
+                                   .axial_load = f.axial_load_N,
+                                   .radial_load = f.radial_load_N,
+                                   .moment = f.moment_Nm,
+                                   .belt_force = f.belt_force_N};
   require_all(question.speeds, speed_range, "--speed");
   for (double& speed : question.speeds) speed *= rpm;
   if ((!f.field.empty() || !f.end_state.empty()) && question.speeds.size() > 1)
@@ -140,8 +152,8 @@ Run setup_spindle(CLI::App& command) {
       .add_option("--speed-profile", flags->profile,
                   "CSV with time_s, speed_rpm and, where they are known, coolant_on,\n"
                   "ambient_temperature_C, machine_temperature_C, coolant_inlet_temperature_C,\n"
-                  "axial_load_N, radial_load_N, motor_heat_W; [columns] settings_hold of\n"
-                  "MODEL says between which rows they hold")
+                  "axial_load_N, radial_load_N, moment_Nm, belt_force_N, motor_heat_W; [columns]\n"
+                  "settings_hold of MODEL says between which rows they hold")
       ->type_name("FILE");
   command.add_option("--speed", flags->speed, "[rpm], as 6000 or as from:to:step; with --steady")
       ->type_name("VALUES");
@@ -151,6 +163,14 @@ Run setup_spindle(CLI::App& command) {
       ->type_name("STATE");
   add_number(command, "--ambient", flags->ambient, temperature_range,
              "[C] in every row; default: its column, else [ambient] of the model");
+  add_number(command, "--axial-load", flags->axial_load_N, signed_load_range,
+             "[N] at the nose, positive towards the tool; with --steady; default: of the model");
+  add_number(command, "--radial-load", flags->radial_load_N, signed_load_range,
+             "[N] at the nose; with --steady; default 0");
+  add_number(command, "--moment", flags->moment_Nm, session::moment_load_range,
+             "[N m] at the nose, positive: as the radial load further in front; with --steady");
+  add_number(command, "--belt-force", flags->belt_force_N, load_range,
+             "[N]; with --steady; default: [drive] of the model");
   command
       .add_option("-o,--output", flags->output,
                   "CSV file to write, - for stdout: displacement, forces, heat and temperatures")

@@ -16,15 +16,25 @@ std::string in_celsius(double kelvins) { return number(celsius(kelvins)); }
 
 void print_temperatures(const model::Model& model, const spindle::Moment& m) {
   if (!m.bearings.empty()) {
-    TextTable table({{"bearing", "", true},
-                     {"inner ring", "C"},
-                     {"outer ring", "C"},
-                     {"force", "N"},
-                     {"friction", "W"}});
-    for (std::size_t k = 0; k < m.bearings.size(); ++k)
-      table.add({results::bearing_label(model, k), in_celsius(m.bearings[k].inner_ring_temperature),
-                 in_celsius(m.bearings[k].outer_ring_temperature), number(m.bearings[k].force),
-                 number(m.bearings[k].power)});
+    const bool rollers = !model.spindle->rollers.empty();
+    const bool across = rollers || std::any_of(m.bearings.begin(), m.bearings.end(),
+                                               [](const auto& b) { return b.radial_force > 0.0; });
+    std::vector<TextTable::Column> columns{
+        {"bearing", "", true}, {"inner ring", "C"}, {"outer ring", "C"}, {"force", "N"}};
+    if (across) columns.push_back({"radial", "N"});
+    if (rollers) columns.push_back({"clearance", "um"});
+    columns.push_back({"friction", "W"});
+    TextTable table(columns);
+    for (std::size_t k = 0; k < m.bearings.size(); ++k) {
+      const spindle::BearingState& b = m.bearings[k];
+      std::vector<std::string> row{results::bearing_label(model, k),
+                                   in_celsius(b.inner_ring_temperature),
+                                   in_celsius(b.outer_ring_temperature), number(b.force)};
+      if (across) row.push_back(number(b.radial_force));
+      if (rollers) row.push_back(number(b.clearance / um));
+      row.push_back(number(b.power));
+      table.add(std::move(row));
+    }
     fmt::print("{}\n", table.text(terminal_width()));
   }
   if (m.sensors.empty()) return;

@@ -203,6 +203,8 @@ std::optional<NamedChannel> named_spindle_channel(std::string_view name) {
                                     &record::speed,
                                     &record::axial_load,
                                     &record::radial_load,
+                                    &record::nose_moment,
+                                    &record::belt_force,
                                     &record::motor_heat,
                                     &record::axial_displacement,
                                     &record::displacement_deviation};

@@ -78,8 +78,8 @@ const Key contact_law_keys[]{
 
 const std::string words_of_roller_law = names_as_words(friction::roller_friction_laws);
 const std::string words_of_roller_load = names_as_words(std::array{F1Load::F_r, F1Load::rollers});
-const Key roller_law_keys[]{
-    {"law", one_of(words_of_roller_law), "palmgren", "base law of friction"},
+const Key roller_law_keys[]{{"law", one_of(words_of_roller_law), "palmgren", "base law of friction"}};
+const Key roller_load_keys[]{
     {"f1_load", one_of(words_of_roller_load), "rollers",
      "the load that the law counts: the radial load, as the laws are printed, or what the rollers "
      "carry, so that a preload has torque"},
@@ -140,6 +140,16 @@ void refuse_values_of_other_law(const Section& s, FrictionLaw law,
         s.fail(key.str(), belongs_to_other(key.str(), node, other, law));
 }
 
+/// Fills in what the law of `result` reads in a table.
+void read_values_of_rollers(ModelTables& tables, const Section& s,
+                            std::optional<friction::Supply> supply, LawOfFile& result) {
+  result.f1_load =
+      tables.choice(s, "f1_load") == friction::name(F1Load::F_r) ? F1Load::F_r : F1Load::rollers;
+  for (const friction::Parameter& p : friction::parameters(result.law))
+    result.values.push_back(
+        tables.number(s, p.name, p.name == "f0" ? friction::usual_roller_f0(supply) : p.initial));
+}
+
 /// A law of ball bearings, and the numbers that rollers have another one for.
 void refuse_friction_of_balls(const Section& s) {
   if (s.text_or_empty("law") == friction::name(FrictionLaw::contact))
@@ -165,6 +175,7 @@ std::vector<KeyTable> friction_tables() {
     for (const std::span<const Key> keys : keys_of_law(law))
       tables.push_back({"friction", keys, only});
   tables.push_back({"friction", roller_law_keys, "of cylindrical rollers"});
+  tables.push_back({"friction", roller_load_keys, "of cylindrical rollers"});
   tables.push_back({"friction", roller_palmgren_keys, "of cylindrical rollers, law palmgren"});
   tables.push_back({"friction", roller_skf_keys, "of cylindrical rollers, law skf"});
   return tables;
@@ -210,6 +221,15 @@ LawOfFile read_friction(ModelTables& tables, bool from_catalogue, const Keys& fu
   return result;
 }
 
+Keys palmgren_keys_of_rollers() { return {roller_palmgren_keys, roller_load_keys}; }
+
+LawOfFile read_palmgren_of_rollers(ModelTables& tables, const Section& s,
+                                   std::optional<friction::Supply> supply) {
+  LawOfFile result{.law = FrictionLaw::roller_palmgren, .values = {}};
+  read_values_of_rollers(tables, s.part(palmgren_keys_of_rollers()), supply, result);
+  return result;
+}
+
 LawOfFile read_friction_of_rollers(ModelTables& tables, std::optional<friction::Supply> supply) {
   const Section table = tables.section("friction");
   refuse_friction_of_balls(table);
@@ -217,14 +237,9 @@ LawOfFile read_friction_of_rollers(ModelTables& tables, std::optional<friction::
       .law = *friction::find_roller_law(tables.choice(table.part({roller_law_keys}), "law")),
       .values = {}};
   refuse_values_of_other_law(table, result.law, friction::roller_friction_laws);
-  Keys known{roller_law_keys};
+  Keys known{roller_law_keys, roller_load_keys};
   for (const std::span<const Key> keys : keys_of_law(result.law)) known.push_back(keys);
-  const Section s = table.with(known);
-  result.f1_load =
-      tables.choice(s, "f1_load") == friction::name(F1Load::F_r) ? F1Load::F_r : F1Load::rollers;
-  for (const friction::Parameter& p : friction::parameters(result.law))
-    result.values.push_back(
-        tables.number(s, p.name, p.name == "f0" ? friction::usual_roller_f0(supply) : p.initial));
+  read_values_of_rollers(tables, table.with(known), supply, result);
   return result;
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 
@@ -12,6 +13,7 @@
 #include "files/detail/friction_section.h"
 #include "files/detail/rig_section.h"
 #include "files/detail/roller_section.h"
+#include "files/detail/spindle_parts.h"
 #include "files/detail/spindle_section.h"
 
 namespace raceway::files {
@@ -55,6 +57,23 @@ constexpr Key keys_of_rollers[]{
      "built in, or the NAME of a [material.NAME]"},
     {"static_load_rating_N", between(1, 1e9, "N"), "44 (1 - D/d_m) Z L D", "C0"},
 };
+/// Those of the geometry, without name and rating.
+constexpr std::span<const Key> keys_of_geometry =
+    std::span(keys_of_rollers).subspan(1, std::size(keys_of_rollers) - 2);
+
+constexpr Key keys_on_shaft[]{
+    {"name", a_text, is_required,
+     "letters, digits and _; gives the columns NAME_clearance_um, NAME_radial_force_N and so on"},
+    {"position_mm", on_the_shaft, is_required, "of its middle, behind the nose face"},
+    {"inner_interference_um", between(-500, 500, "um"), "that of [seat]",
+     "diametral, of its inner ring on the shaft"},
+    {"drive_up_mm", between(0, 50, "mm"), unset,
+     "how far its inner ring is driven up the taper, in place of inner_interference_um"},
+    {"outer_clearance_um", between(-500, 500, "um"), "that of [seat]",
+     "diametral, of its outer ring in the housing"},
+    {"lubricant_conductance_W_K", between(0, 1000, "W/K"), "that of [bearing]",
+     "heat from ring to ring by oil film, oil and rolling, beside the contacts"},
+};
 
 bool has(std::span<const Key> keys, std::string_view name) {
   return std::any_of(keys.begin(), keys.end(), [&](const Key& key) { return key.name == name; });
@@ -78,7 +97,7 @@ void refuse_keys_of_balls(const Section& s) {
     }
 }
 
-RollerGeometry read_roller_geometry(ModelTables& tables, const Section& s) {
+RollerGeometry read_roller_geometry(ModelTables& tables, const Section& s, double rating = unset) {
   RollerGeometry g;
   g.roller_count = *s.whole_number("roller_count");
   g.roller_diameter = s.required("roller_diameter_mm") * mm;
@@ -93,7 +112,7 @@ RollerGeometry read_roller_geometry(ModelTables& tables, const Section& s) {
     g.clearance_state = bearing::ClearanceState::free;
   g.taper = tables.number(s, "taper");
   if (tables.choice(s, "profile") == "none") g.profile = bearing::RollerProfile::none;
-  if (const auto given = s.number("static_load_rating_N")) g.static_load_rating = *given;
+  g.static_load_rating = rating;
   try {
     return bearing::validated(g);
   } catch (const std::invalid_argument& error) {
@@ -110,7 +129,8 @@ RollersOfFile read_rollers(ModelTables& tables) {
   const Section table = tables.section("bearing");
   refuse_keys_of_balls(table);
   const Section s = table.with({type_keys, keys_of_rollers});
-  const RollerGeometry geometry = read_roller_geometry(tables, s);
+  const RollerGeometry geometry =
+      read_roller_geometry(tables, s, s.number("static_load_rating_N").value_or(unset));
   std::string name = s.text("name").value_or("");
   if (name.empty()) {
     name = std::filesystem::path(tables.source()).stem().string();
@@ -122,14 +142,60 @@ RollersOfFile read_rollers(ModelTables& tables) {
           std::move(name)};
 }
 
+Keys all_keys_on_shaft() {
+  Keys keys{keys_on_shaft, keys_of_geometry};
+  for (const std::span<const Key> part : palmgren_keys_of_rollers()) keys.push_back(part);
+  return keys;
+}
+
+std::string name_on_shaft(const Section& s, const std::vector<model::RollerOnShaft>& before) {
+  std::string name = s.text("name").value_or("");
+  if (!s.find("name")) s.fail_missing("name");
+  const auto fail = [&](const std::string& why) {
+    s.fail("name", fmt::format("name = \"{}\": {}", name, why));
+  };
+  if (!names_a_column(name))
+    fail("must be letters, digits and _, since it gives the column NAME_clearance_um");
+  for (const char* set : {"front_", "rear_"})
+    if (name.starts_with(set)) fail("is that of a bearing of the sets; take another name");
+  for (const model::RollerOnShaft& other : before)
+    if (other.name == name) fail("another roller bearing has this name");
+  return name;
+}
+
+void read_seats_on_shaft(const Section& s, model::RollerOnShaft& roller) {
+  const bearing::RollerGeometry& g = roller.bearing.geometry();
+  for (const auto& [key, value] :
+       {std::pair("bore_mm", g.bore), {"outer_diameter_mm", g.outer_diameter}, {"width_mm", g.width}})
+    if (std::isnan(value)) s.fail_missing(key, ", which a bearing on a shaft needs");
+  const auto drive_up = s.number("drive_up_mm");
+  if (const auto given = s.number("inner_interference_um")) {
+    if (drive_up)
+      s.fail("drive_up_mm", "drive_up_mm: inner_interference_um says it too; take one");
+    roller.inner_interference = *given * um;
+  }
+  if (drive_up) {
+    if (!(g.taper > 0.0))
+      s.fail("drive_up_mm",
+             fmt::format("drive_up_mm = {:.6g} mm: needs a taper, as 12 for 1:12; the bore is "
+                         "cylindrical",
+                         *drive_up));
+    roller.inner_interference = *drive_up * mm / g.taper;
+  }
+  if (const auto given = s.number("outer_clearance_um")) roller.outer_clearance = *given * um;
+  if (const auto given = s.number("lubricant_conductance_W_K"))
+    roller.lubricant_conductance = *given;
+}
+
 void refuse_sets_and_spindles(const ModelTables& tables) {
   Names others = tables_of_spindle();
   others.emplace_back("arrangement");
   for (const std::string& table : others)
     if (const toml::node* const node = tables.root().get(table))
       throw text::InputError(
-          fmt::format("{}:{}: [{}]: a bearing of type \"{}\" stands on a rig by itself; sets and "
-                      "spindles have ball bearings",
+          fmt::format("{}:{}: [{}]: a [bearing] of type \"{}\" stands on a rig by itself; sets have "
+                      "ball bearings, and a spindle has roller bearings beside them as "
+                      "[[shaft.roller_bearing]]",
                       tables.source(), node->source().begin.line, table, roller_type),
           {.file = tables.source(),
            .line = static_cast<int>(node->source().begin.line),
@@ -153,7 +219,33 @@ model::Rig read_roller_rig(ModelTables& tables) {
 std::span<const Key> keys_of_type() { return type_keys; }
 
 std::vector<KeyTable> roller_tables() {
-  return {{"bearing", type_keys}, {"bearing", keys_of_rollers, "of cylindrical rollers"}};
+  std::vector<KeyTable> tables{{"bearing", type_keys},
+                               {"bearing", keys_of_rollers, "of cylindrical rollers"}};
+  for (const std::span<const Key> keys : all_keys_on_shaft())
+    tables.push_back({"shaft.roller_bearing", keys});
+  return tables;
+}
+
+std::vector<model::RollerOnShaft> read_rollers_on_shaft(ModelTables& tables) {
+  std::vector<model::RollerOnShaft> list;
+  const std::vector<Section> sections =
+      tables_in(tables.section("shaft"), "roller_bearing", all_keys_on_shaft());
+  if (sections.empty()) return list;
+  BearingReader materials(tables);
+  const auto supply = read_lubricant(tables).supply;
+  for (const Section& s : sections) {
+    const LawOfFile law = read_palmgren_of_rollers(tables, s, supply);
+    list.push_back({.name = name_on_shaft(s, list),
+                    .position = s.required("position_mm") * mm,
+                    .bearing = {read_roller_geometry(tables, s),
+                                materials.material(s, "roller_material"),
+                                materials.material(s, "ring_material")},
+                    .f0 = law.values[0],
+                    .f1 = law.values[1],
+                    .counted = law.f1_load});
+    read_seats_on_shaft(s, list.back());
+  }
+  return list;
 }
 
 bool has_rollers(const ModelTables& tables) {
@@ -164,8 +256,8 @@ void refuse_keys_of_rollers(const Section& bearing) {
   const auto type = bearing.part({type_keys}).choice("type");
   if (type == roller_type)
     bearing.fail("type",
-                 fmt::format("type = \"{}\": sets and spindles have ball bearings; such a bearing "
-                             "stands on a rig by itself",
+                 fmt::format("type = \"{}\": sets have ball bearings; such a bearing stands on a "
+                             "rig by itself, or in a spindle as [[shaft.roller_bearing]]",
                              roller_type));
   for (const Key& key : keys_of_rollers) {
     const toml::node* const node = bearing.find(key.name);

@@ -58,7 +58,8 @@ class SeriesReader {
         result.set(c, cells_.times(source, date_order_));
       } else {
         // A control tells the direction; heat does not know it.
-        const bool with_sign = c == record::speed || c == record::axial_load;
+        const bool with_sign =
+            c == record::speed || c == record::axial_load || c == record::radial_load;
         result.set(c,
                    cells_.numbers(source, with_sign, [&](std::size_t) { return may_be_empty(c); }));
       }
@@ -155,6 +156,8 @@ class SeriesReader {
                "coolant_on",
                "ambient_temperature_C",
                "radial_load_N",
+               "moment_Nm",
+               "belt_force_N",
                "motor_heat_W",
                "machine_temperature_C",
                "coolant_inlet_temperature_C"};

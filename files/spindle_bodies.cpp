@@ -53,8 +53,10 @@ constexpr Key shaft_keys[]{
     {"bore_mm", between(0, 5000, "mm"), 0.0, "of all segments that have none of their own"},
     {"segment", a_list, is_required, "the pieces of the shaft, from the nose to the rear"},
     {"disk", a_list, unset, "masses on the shaft, [[shaft.disk]]"},
+    {"roller_bearing", a_list, unset,
+     "cylindrical roller bearings beside the sets, free along the axis, [[shaft.roller_bearing]]"},
     {"support", a_list, unset,
-     "springs that are none of the sets, as a cylindrical-roller bearing, [[shaft.support]]"},
+     "springs for bearings of which only a stiffness is known, [[shaft.support]]"},
 };
 constexpr Key shaft_segment_keys[]{
     {"length_mm", a_length, is_required, "along the shaft"},

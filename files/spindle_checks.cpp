@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "model/judgement.h"
+#include "model/rings.h"
 #include "record/units.h"
 
 // Last: see text/detail/toml_text.h.
@@ -52,12 +53,12 @@ class SpindleCheck {
         notes_(notes),
         shaft_{.segments = spindle.shaft.segments},
         housing_{.start = spindle.housing.start, .segments = spindle.housing.segments},
-        half_width_(0.5 * spindle.bearing_width) {}
+        rings_(model::rings_of(spindle, shaft.arrangement)) {}
 
   void run() {
     check_order();
     check_fits();
-    for (std::size_t k = 0; k < sets_.bearings().size(); ++k) {
+    for (std::size_t k = 0; k < rings_.size(); ++k) {
       check_inner_seat(k);
       check_outer_seat(k);
     }
@@ -70,14 +71,13 @@ class SpindleCheck {
   }
 
  private:
-  [[nodiscard]] double position(std::size_t bearing) const {
-    const std::size_t front = spindle_.front_positions.size();
-    return bearing < front ? spindle_.front_positions[bearing]
-                           : spindle_.rear_positions[bearing - front];
-  }
+  [[nodiscard]] double position(std::size_t bearing) const { return rings_[bearing].position; }
   /// "front_position_mm = 60 mm", and where that number stands.
   [[noreturn]] void fail_bearing(std::size_t bearing, const std::string& why) const {
     const std::size_t front = spindle_.front_positions.size();
+    if (const std::size_t sets = sets_.bearings().size(); bearing >= sets)
+      tables_in(tables_.section("shaft"), "roller_bearing")[bearing - sets].fail(
+          "position_mm", fmt::format("position_mm = {}: {}", in_mm(position(bearing)), why));
     const char* const key = bearing < front ? "front_position_mm" : "rear_position_mm";
     const Section s = tables_.section("arrangement");
     const toml::node* const list = s.find(key);
@@ -103,30 +103,43 @@ class SpindleCheck {
 
   void check_order() const {
     for (std::size_t k = 1; k < sets_.bearings().size(); ++k)
-      if (position(k) - position(k - 1) < 2.0 * half_width_ - rounding)
+      if (position(k) - position(k - 1) < rings_[k].width - rounding)
         fail_bearing(k,
                      fmt::format("stands {} behind the bearing before it; their width_mm is {}: "
                                  "centres rise from the nose to the rear, one width apart or "
                                  "more",
-                                 in_mm(position(k) - position(k - 1)), in_mm(2.0 * half_width_)));
+                                 in_mm(position(k) - position(k - 1)), in_mm(rings_[k].width)));
+    for (std::size_t k = sets_.bearings().size(); k < rings_.size(); ++k)
+      for (std::size_t other = 0; other < k; ++other)
+        if (rings_[k].front() < rings_[other].rear() - rounding &&
+            rings_[other].front() < rings_[k].rear() - rounding)
+          fail_bearing(k, fmt::format("with width_mm = {} it reaches into the bearing at {}",
+                                      in_mm(rings_[k].width), in_mm(position(other))));
   }
 
   /// An interference that no ring survives.
   void check_fits() const {
-    const auto look = [&](const char* key, double interference, double sign, double diameter,
-                          const char* of) {
+    const auto look = [&](const Section& s, const char* key, double interference, double sign,
+                          double diameter, const char* of) {
       const double most = model::ring_yields * diameter;
       if (interference > most)
-        tables_.section("seat").fail(
+        s.fail(
             key, fmt::format("{} = {:.6g} um: must be {} {:.4g} um on the {} of {}, where the ring "
                              "yields",
                              key, sign * interference / um, sign > 0.0 ? "at most" : "at least",
                              sign * most / um, of, in_mm(diameter)));
     };
-    const bearing::BearingGeometry& g = sets_.bearings().front().bearing->geometry();
-    look("inner_interference_um", spindle_.seat.inner_interference, 1.0, g.bore, "bore");
-    look("outer_clearance_um", -spindle_.seat.outer_clearance, -1.0, g.outer_diameter,
-         "outer diameter");
+    const std::vector<Section> rollers = tables_in(tables_.section("shaft"), "roller_bearing");
+    const std::size_t first = rings_.size() - rollers.size();
+    for (std::size_t k = 0; k < rings_.size(); ++k) {
+      // The seats of all bearings of the sets are alike.
+      if (k > 0 && k < first) continue;
+      const Section s = k < first ? tables_.section("seat") : rollers[k - first];
+      look(s, s.find("drive_up_mm") ? "drive_up_mm" : "inner_interference_um",
+           rings_[k].inner_interference, 1.0, rings_[k].bore, "bore");
+      look(s, "outer_clearance_um", -rings_[k].outer_clearance, -1.0, rings_[k].outer_diameter,
+           "outer diameter");
+    }
   }
 
   /// A rotor wider than the housing around it.
@@ -148,11 +161,11 @@ class SpindleCheck {
   }
 
   void check_inner_seat(std::size_t k) const {
-    const double at = position(k), bore = sets_.bearings()[k].bearing->geometry().bore;
-    if (!shaft_.holds(at - half_width_, at + half_width_))
+    const double at = position(k), bore = rings_[k].bore;
+    if (!shaft_.holds(rings_[k].front(), rings_[k].rear()))
       fail_bearing(k, fmt::format("the bearing, {} wide, is not all on the shaft: {}",
-                                  in_mm(2.0 * half_width_), shaft_reach()));
-    const double inset = 0.99 * half_width_;
+                                  in_mm(rings_[k].width), shaft_reach()));
+    const double inset = 0.99 * (0.5 * rings_[k].width);
     for (const double place : {at, at - inset, at + inset}) {
       const double diameter = shaft_.at(place)->diameter;
       if (diameter > bore + other_size || (place == at && diameter < bore - other_size))
@@ -168,19 +181,21 @@ class SpindleCheck {
   }
 
   void check_outer_seat(std::size_t k) const {
-    const double at = position(k), outer = sets_.bearings()[k].bearing->geometry().outer_diameter;
-    if (!housing_.holds(at - half_width_, at + half_width_))
+    const double at = position(k), outer = rings_[k].outer_diameter;
+    if (!housing_.holds(rings_[k].front(), rings_[k].rear()))
       fail_bearing(k, fmt::format("the bearing, {} wide, is not all in the housing: {}",
-                                  in_mm(2.0 * half_width_), housing_reach()));
+                                  in_mm(rings_[k].width), housing_reach()));
     const Segment& around = *housing_.at(at);
     if (around.diameter <= outer)
       fail_bearing(k, fmt::format("the housing has outer_diameter_mm = {} there, and the bearing "
                                   "{}: no wall is left",
                                   in_mm(around.diameter), in_mm(outer)));
-    if (std::abs(around.bore - outer) > other_size)
+    // Where a piece leaves it open, it is bored to the bearings of the sets.
+    const double bore = std::isnan(around.bore) ? rings_.front().outer_diameter : around.bore;
+    if (std::abs(bore - outer) > other_size)
       fail_bearing(k, fmt::format("the housing has bore_mm = {} there, but the bearing has "
                                   "outer_diameter_mm = {}",
-                                  in_mm(around.bore), in_mm(outer)));
+                                  in_mm(bore), in_mm(outer)));
   }
 
   void check_flange() const {
@@ -194,7 +209,7 @@ class SpindleCheck {
   /// Bore of the housing at a position; where it is open, that of the bearings.
   [[nodiscard]] double bore_at(double place) const {
     const Segment* const s = housing_.at(place);
-    return std::isnan(s->bore) ? sets_.bearings()[0].bearing->geometry().outer_diameter : s->bore;
+    return std::isnan(s->bore) ? rings_.front().outer_diameter : s->bore;
   }
 
   void check_coolant() const {
@@ -288,13 +303,11 @@ class SpindleCheck {
   }
 
   void check_ring_sensor(const Section& s, const ThermometerPlace& place) const {
-    for (std::size_t k = 0; k < sets_.bearings().size(); ++k) {
-      if (std::abs(place.position - position(k)) > half_width_ + rounding) continue;
-      const bearing::BearingGeometry& g = sets_.bearings()[k].bearing->geometry();
-      const bool inner =
-          place.radius < 0.25 * (spindle_.inner_ring_shoulder + spindle_.outer_ring_shoulder);
-      require_radius(s, place.radius, 0.5 * (inner ? g.bore : spindle_.outer_ring_shoulder),
-                     0.5 * (inner ? spindle_.inner_ring_shoulder : g.outer_diameter),
+    for (const model::Rings& r : rings_) {
+      if (std::abs(place.position - r.position) > 0.5 * r.width + rounding) continue;
+      const bool inner = place.radius < 0.25 * (r.inner_shoulder + r.outer_shoulder);
+      require_radius(s, place.radius, 0.5 * (inner ? r.bore : r.outer_shoulder),
+                     0.5 * (inner ? r.inner_shoulder : r.outer_diameter),
                      inner ? "the inner ring" : "the outer ring");
       return;
     }
@@ -307,7 +320,7 @@ class SpindleCheck {
   const bearing::Arrangement& sets_;
   Names& notes_;
   Stack shaft_, housing_;
-  double half_width_;
+  std::vector<model::Rings> rings_;
 };
 
 }  // namespace

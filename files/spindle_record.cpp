@@ -1,11 +1,15 @@
 #include "files/spindle_record.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
 #include "files/series_file.h"
 #include "record/series_channel.h"
+#include "record/spindle_channel.h"
 #include "spindle/record_rows.h"
+#include "text/error.h"
 
 namespace raceway::files {
 namespace {
@@ -16,6 +20,24 @@ bool settings_change(const record::Record& record) {
     return c.channel->is_input() && record::course_of(*c.channel) == record::Course::held &&
            record.varies(*c.channel);
   });
+}
+
+/// Loads that the spindle has nothing to carry with.
+void refuse_loads(const record::Record& record, const model::Spindle& spindle) {
+  const auto refuse = [&](const record::Channel& load, const char* why) {
+    if (!record.has(load)) return;
+    const auto values = record.values(load);
+    if (std::all_of(values.begin(), values.end(), [](double v) { return v == 0.0; })) return;
+    throw text::InputError(fmt::format("{}: {}: {}", record.source, load.name, why),
+                           {.file = record.source, .key = std::string(load.name)});
+  };
+  if (!spindle.belt)
+    refuse(record::belt_force,
+           "the model has no belt: give [drive] belt_force_N, 0 if need be, and position_mm");
+  if (spindle.network)
+    for (const record::Channel* load :
+         {&record::axial_load, &record::radial_load, &record::nose_moment})
+      refuse(*load, "a [network] has no shaft that carries a load");
 }
 
 }  // namespace
@@ -34,6 +56,7 @@ record::Record read_spindle_record(const Source& source, const model::Spindle& s
         "the settings of a row are taken to hold since the row before it; settings_hold = \"until "
         "row\" in [columns] confirms that, \"from row\" is for a programme of events",
         {.key = "settings_hold"}));
+  refuse_loads(record, spindle);
   return record;
 }
 

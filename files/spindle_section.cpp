@@ -5,6 +5,7 @@
 #include "record/units.h"
 
 // Last: see text/detail/toml_text.h.
+#include "files/detail/roller_section.h"
 #include "files/detail/spindle_parts.h"
 #include "files/detail/spindle_section.h"
 
@@ -209,11 +210,13 @@ model::Spindle read_spindle(ModelTables& tables, const NamedBearing& bearing,
   }
   spindle.sensors = read_sensors(tables);
   spindle.shaft = read_shaft_body(tables);
+  spindle.rollers = read_rollers_on_shaft(tables);
   spindle.housing = read_housing(tables);
   spindle.seat = read_seat(tables);
   spindle.coolant = read_coolant(tables, spindle.ambient);
   spindle.motor = read_heat_source(tables, "motor");
   spindle.drive = read_heat_source(tables, "drive");
+  spindle.belt = read_belt(tables);
   spindle.gap = read_gap(tables);
   check_spindle(tables, spindle, *shaft, notes);
   return spindle;

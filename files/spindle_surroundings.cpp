@@ -49,9 +49,14 @@ const Key motor_keys[]{
     {"rotor_share", between(0, 1), usual_share, "of its heat, to the rotor"},
 };
 const Key drive_keys[]{
-    {"heat_W", between(0, 1e6, "W"), is_required, heat_meaning},
+    {"heat_W", between(0, 1e6, "W"), "0 with belt_force_N, else required", heat_meaning},
+    {"belt_force_N", between(0, 1e8, "N"), unset,
+     "pull of the belt on the shaft; a programme may have it by rows"},
+    {"belt_angle_deg", between(-360, 360, "deg"), 0.0,
+     "of its pull, from the direction of radial loads at the nose (+y) towards +z"},
     {"position_mm", on_the_shaft, "the shaft behind the last bearing",
-     "of the middle of the part that is heated, behind the nose face"},
+     "of the middle of the part that is heated, and of the belt, behind the nose face; required "
+     "with belt_force_N"},
     {"length_mm", between(0.1, longest_mm, "mm"), unset, "of the part that is heated"},
     {"rotor_diameter_mm", between(0.1, 5000, "mm"), unset, "of the part that is heated"},
     {"rotor_share", between(0, 1), usual_share, "of its heat, to the shaft"},
@@ -102,8 +107,8 @@ std::shared_ptr<const record::Expression> read_heat(ModelTables& tables, const S
   const toml::node* const node = s.find("heat_W");
   std::string formula;
   if (!node) {
-    // A record may bring that of the motor; a drive without heat says nothing.
-    if (s.name() != "motor")
+    // A record may bring that of the motor; a drive without heat and belt says nothing.
+    if (s.name() != "motor" && !s.find("belt_force_N"))
       s.fail_missing("heat_W", ", a number or a formula as \"0.015*speed_rpm\"");
     tables.note_default(s.name(), "heat_W", "0");
     formula = "0";
@@ -227,6 +232,20 @@ std::optional<model::HeatSource> read_heat_source(ModelTables& tables, std::stri
   take(source.rotor_diameter, "rotor_diameter_mm");
   source.rotor_share = motor ? tables.number(s, "rotor_share") : s.value("rotor_share");
   return source;
+}
+
+std::optional<model::Belt> read_belt(const ModelTables& tables) {
+  const Section s = tables.section("drive", {drive_keys});
+  const auto force = s.number("belt_force_N");
+  if (!force) {
+    if (s.find("belt_angle_deg"))
+      s.fail("belt_angle_deg",
+             "belt_angle_deg: is that of belt_force_N, which is missing; 0 leaves it to programmes");
+    return std::nullopt;
+  }
+  return model::Belt{.force = *force,
+                     .angle = s.value("belt_angle_deg") * degree,
+                     .position = s.required("position_mm") * mm};
 }
 
 std::vector<ThermometerPlace> read_sensors(const ModelTables& tables) {

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "bearing/roller_bearing.h"
+#include "friction/state.h"
 #include "record/channel.h"
 #include "record/expression.h"
 #include "record/units.h"
@@ -57,8 +59,7 @@ struct Disk {
   double polar_inertia = unset;      ///< about the shaft [kg m²]
 };
 
-/// A spring from shaft to housing that is none of the bearings of the sets: a cylindrical-roller
-/// bearing at the rear stands as its stiffness.
+/// A spring from shaft to housing: a bearing of which only the stiffness is known.
 struct Support {
   double position = unset;          ///< behind the nose face [m]
   double radial_stiffness = unset;  ///< [N/m]
@@ -95,6 +96,28 @@ struct Seat {
 };
 
 enum class Fluid { water, oil };
+
+/// A cylindrical roller bearing on the shaft beside the sets, free along the axis. Its law of
+/// friction is that of Palmgren.
+struct RollerOnShaft {
+  std::string name;         ///< gives the columns NAME_clearance_um and so on
+  double position = unset;  ///< behind the nose face [m]
+  /// With bore, outer diameter and width.
+  bearing::RollerBearing bearing;
+  double f0 = unset, f1 = unset;  ///< [1]
+  friction::F1Load counted = friction::F1Load::rollers;
+  /// Of its own seats, diametral [m]; NaN: as Seat has them.
+  double inner_interference = unset, outer_clearance = unset;
+  /// Beside the contacts [W/K]; NaN: as of the ball bearings.
+  double lubricant_conductance = unset;
+};
+
+/// A belt that pulls at the shaft.
+struct Belt {
+  double force = 0.0;       ///< [N]
+  double angle = 0.0;       ///< of its pull, from +y towards +z [rad]
+  double position = unset;  ///< behind the nose face [m]
+};
 
 /// A helical channel around the housing.
 struct Coolant {
@@ -181,12 +204,14 @@ struct Spindle {
   /// Share of a bearing's friction power that arises at its inner ring; NaN: split_heat().
   double inner_heat_share = unset;
   ShaftBody shaft = {};
+  std::vector<RollerOnShaft> rollers = {};
   Housing housing = {};
   Seat seat = {};
   std::optional<Coolant> coolant = {};
   Ambient ambient = {};
   std::optional<HeatSource> motor = {};
   std::optional<HeatSource> drive = {};
+  std::optional<Belt> belt = {};
   std::optional<Gap> gap = {};
   std::vector<ThermometerPlace> sensors = {};
   std::optional<Network> network = {};  ///< then there is no geometry

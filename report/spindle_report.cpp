@@ -100,6 +100,11 @@ text::json section_json(const model::Model& model, std::span<const DrawnField> f
   return section;
 }
 
+/// Of the sets, and roller bearings behind them.
+std::size_t bearings_on_shaft(const model::Model& model) {
+  return model.shaft->arrangement.bearings().size() + model.spindle->rollers.size();
+}
+
 /// What both pages have of a model.
 void add_parts(Document& document, const ModelOfPage& of, std::span<const DrawnField> fields,
                const std::string& mesh_text) {
@@ -111,7 +116,7 @@ void add_parts(Document& document, const ModelOfPage& of, std::span<const DrawnF
   document.add("has_coolant", model.spindle->coolant.has_value());
   text::json bearings = text::json::array(), sensors = text::json::array();
   if (!model.spindle->network)
-    for (std::size_t i = 0; i < model.shaft->arrangement.bearings().size(); ++i)
+    for (std::size_t i = 0; i < bearings_on_shaft(model); ++i)
       bearings.push_back(results::bearing_label(model, i));
   for (const model::ThermometerPlace& t : model.spindle->sensors) sensors.push_back(t.name);
   document.add("bearings", std::move(bearings));
@@ -133,7 +138,10 @@ class MomentColumns {
   explicit MomentColumns(std::size_t rows) : columns_(rows) {}
 
   void add(const model::Model& model, const Inputs& inputs, const Moment& moment) {
-    const std::vector<results::RunColumn> row = results::run_columns(model, inputs, moment);
+    std::vector<results::RunColumn> row = results::run_columns(model, inputs, moment);
+    // The page draws the axial force of every bearing.
+    for (const model::RollerOnShaft& r : model.spindle->rollers)
+      row.push_back({r.name + "_force_N", 0.0});
     if (values_.empty()) {
       for (const results::RunColumn& c : row) names_.push_back(c.name);
       values_.resize(row.size());
@@ -169,6 +177,8 @@ void add_inputs(Document& document, ReportColumns& columns, const spindle::Drawn
   add("motor_heat_W", [](const Inputs& i) { return i.motor_heat; });
   add("axial_load_N", [](const Inputs& i) { return i.axial_load; });
   add("radial_load_N", [](const Inputs& i) { return i.radial_load; });
+  add("moment_Nm", [](const Inputs& i) { return i.moment; });
+  add("belt_force_N", [](const Inputs& i) { return i.belt_force; });
   document.add("inputs", std::move(names));
 }
 
@@ -181,11 +191,13 @@ void add_bearings(ReportColumns& columns, const model::Model& model,
     for (const results::SteadyState& s : states) values.push_back(value(s));
     columns.add(name, std::move(values));
   };
-  for (std::size_t i = 0; i < model.shaft->arrangement.bearings().size(); ++i) {
+  const std::size_t balls = model.shaft->arrangement.bearings().size();
+  for (std::size_t i = 0; i < bearings_on_shaft(model); ++i) {
     const std::string label = results::bearing_label(model, i);
-    add(label + "_friction_W", [&](const results::SteadyState& s) {
-      return i < s.moment.bearings.size() ? s.moment.bearings[i].power : unset;
-    });
+    if (i < balls)
+      add(label + "_friction_W", [&](const results::SteadyState& s) {
+        return i < s.moment.bearings.size() ? s.moment.bearings[i].power : unset;
+      });
     const auto of_set = [&](const std::string& name, auto value) {
       add(label + name, [&](const results::SteadyState& s) {
         return i < s.bearings.size() ? value(s.bearings[i]) : unset;

@@ -69,6 +69,14 @@ std::vector<SetNumber> set_numbers(const Arrangement& a, const ModesAtSpeed& m) 
           {place + "_outer_ring_temperature_C", celsius(warm.outer_ring_temperature)});
     }
   }
+  for (std::size_t i = 0; m.shaft && i < m.shaft->rollers.size(); ++i) {
+    const std::string& name = m.roller_names[i];
+    const bearing::RollerEquilibrium& e = m.shaft->rollers[i];
+    numbers.push_back({name + "_clearance_um", e.clearance / um});
+    numbers.push_back({name + "_radial_force_N", std::hypot(e.load[0], e.load[1])});
+    numbers.push_back({name + "_radial_N_um", e.stiffness(0, 0) / N_per_um});
+    numbers.push_back({name + "_tilt_Nm_rad", e.stiffness(3, 3)});
+  }
   return numbers;
 }
 
@@ -123,6 +131,32 @@ text::json bearing_json(const Arrangement& a, const spindle::LoadedShaft& shaft,
           {"tilt_stiffness_Nm_rad", b.stiffness(4, 4)},
           {"stiffness_SI", std::move(stiffness)},
           {"balls", std::move(balls)}};
+}
+
+/// `before`: without the force.
+text::json roller_json(const std::string& name, const bearing::RollerEquilibrium& e,
+                       const bearing::RollerEquilibrium& before) {
+  text::json stiffness = text::json::array(), rollers = text::json::array();
+  for (int r = 0; r < 4; ++r) {
+    text::json row = text::json::array();
+    for (int c = 0; c < 4; ++c) row.push_back(e.stiffness(r, c));
+    stiffness.push_back(std::move(row));
+  }
+  for (const bearing::LoadedRoller& r : e.rollers)
+    rollers.push_back({{"azimuth_deg", r.azimuth / degree},
+                       {"inner_load_N", r.inner_load},
+                       {"outer_load_N", r.outer_load}});
+  return {{"name", name},
+          {"clearance_um", e.clearance / um},
+          {"radial_load_N", std::hypot(e.load[0], e.load[1])},
+          {"moment_Nm", std::hypot(e.load[2], e.load[3])},
+          {"unloaded_radial_load_N", std::hypot(before.load[0], before.load[1])},
+          {"loaded_rollers", e.loaded_rollers()},
+          {"radial_stiffness_N_um", e.stiffness(0, 0) / N_per_um},
+          {"unloaded_radial_stiffness_N_um", before.stiffness(0, 0) / N_per_um},
+          {"tilt_stiffness_Nm_rad", e.stiffness(3, 3)},
+          {"stiffness_SI", std::move(stiffness)},
+          {"rollers", std::move(rollers)}};
 }
 
 }  // namespace
@@ -264,6 +298,10 @@ std::string deflection_json(const Arrangement& a, const DeflectionResult& r,
   for (std::size_t i = 0; i < r.shaft.bearings.size(); ++i)
     bearings.push_back(bearing_json(a, r.shaft, i));
   document["bearings"] = std::move(bearings);
+  text::json rollers = text::json::array();
+  for (std::size_t i = 0; i < r.shaft.rollers.size(); ++i)
+    rollers.push_back(roller_json(r.roller_names[i], r.shaft.rollers[i], r.unloaded->rollers[i]));
+  document["roller_bearings"] = std::move(rollers);
   document["judgement"] = judgement_json(findings);
   document["report"] = {{"status", r.status()},
                         {"iterations", r.shaft.report.iterations},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,8 @@ struct ModesAtSpeed {
   double speed = unset;  ///< [rad/s]
   spindle::SetsAtSpeed sets;
   std::vector<spindle::Spring> springs;
+  std::optional<spindle::LoadedShaft> shaft = {};  ///< as DeflectionResult::unloaded
+  std::vector<std::string> roller_names = {};
   spindle::Modes modes;
   [[nodiscard]] bool converged() const { return sets.converged() && modes.converged(); }
   /// "converged", or how sets or modes ended.
@@ -52,6 +55,9 @@ struct DeflectionResult {
   double moment = 0.0;
   spindle::SetsAtSpeed sets;    ///< without the force
   spindle::LoadedShaft shaft;   ///< under it; not run where the sets have no balance
+  /// Without the force, where a belt bends the shaft or rollers hold it.
+  std::optional<spindle::LoadedShaft> unloaded = {};
+  std::vector<std::string> roller_names = {};
   double displacement = unset;  ///< where the force acts, in its direction [m]
   double nose = unset;          ///< of the nose face in that direction [m]
   double slope = unset;         ///< of the section at the nose [rad]

@@ -87,12 +87,17 @@ std::vector<RunColumn> run_columns(const model::Model& model, const Inputs& inpu
     list.push_back(
         {sensors[k].name + "_temperature_C", k < m.sensors.size() ? celsius(m.sensors[k]) : unset});
   if (model.spindle->network) return list;
-  for (std::size_t k = 0; k < model.shaft->arrangement.bearings().size(); ++k) {
+  const std::size_t balls = model.shaft->arrangement.bearings().size();
+  for (std::size_t k = 0; k < balls + model.spindle->rollers.size(); ++k) {
     const spindle::BearingState b = k < m.bearings.size() ? m.bearings[k] : spindle::BearingState{};
     const std::string label = bearing_label(model, k);
     list.push_back({label + "_inner_ring_temperature_C", celsius(b.inner_ring_temperature)});
     list.push_back({label + "_outer_ring_temperature_C", celsius(b.outer_ring_temperature)});
-    list.push_back({label + "_force_N", b.force});
+    if (k < balls) list.push_back({label + "_force_N", b.force});
+    list.push_back({label + "_radial_force_N", b.radial_force});
+    if (k < balls) continue;
+    list.push_back({label + "_clearance_um", b.clearance / um});
+    list.push_back({label + "_friction_W", b.power});
   }
   const bool measured = std::any_of(sensors.begin(), sensors.end(),
                                     [](const auto& s) { return s.name == "coolant_outlet"; });
@@ -103,6 +108,8 @@ std::vector<RunColumn> run_columns(const model::Model& model, const Inputs& inpu
 
 std::string bearing_label(const model::Model& model, std::size_t bearing) {
   const std::size_t front = model.shaft->arrangement.front_count();
+  const std::size_t sets = model.shaft->arrangement.bearings().size();
+  if (bearing >= sets) return model.spindle->rollers[bearing - sets].name;
   return bearing < front ? fmt::format("front_{}", bearing + 1)
                          : fmt::format("rear_{}", bearing - front + 1);
 }

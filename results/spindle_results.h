@@ -72,7 +72,8 @@ struct RunColumn {
 [[nodiscard]] spindle::State parse_spindle_state(const std::string& text,
                                                  const std::string& source);
 
-/// "front_1": a bearing as columns name it, counted from the nose in each set.
+/// "front_1": a bearing as columns name it, counted from the nose in each set; the name of a roller
+/// bearing.
 [[nodiscard]] std::string bearing_label(const model::Model& model, std::size_t bearing);
 
 }  // namespace raceway::results

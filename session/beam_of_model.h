@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,9 @@ namespace raceway::session {
 
 /// A spindle as a beam on its bearings, for deflection and modes.
 struct BeamOfModel {
-  std::vector<double> places;  ///< of the bearings [m]
+  std::vector<double> places;         ///< of the bearings of the sets [m]
+  std::vector<double> roller_places;  ///< [m]
+  std::vector<std::string> roller_names;
   spindle::Beam beam;
   spindle::SetsOfSpindle sets;
 };
@@ -19,6 +22,22 @@ struct BeamOfModel {
 /// Nodes at the bearings and at `load_place` [m]. Throws text::InputError for a model that has no
 /// [shaft] with segments, and with the file's name before what is wrong with it.
 [[nodiscard]] BeamOfModel beam_of(const files::ModelFile& file, double load_place);
+
+/// The shaft on all its bearings under belt and nose loads of the inputs and, where there is one,
+/// a further load at a node of the beam.
+[[nodiscard]] spindle::LoadedShaft bend(const model::Model& model, const BeamOfModel& b,
+                                        const spindle::SetsAtSpeed& sets,
+                                        const spindle::Inputs& inputs,
+                                        const spindle::ShaftLoad* further = nullptr);
+
+/// Tangent stiffness of all bearings: those of the sets as SetsAtSpeed has them, and the rollers of
+/// the bent shaft.
+[[nodiscard]] std::vector<spindle::Spring> springs_of(
+    const BeamOfModel& b, const spindle::SetsAtSpeed& sets,
+    const std::optional<spindle::LoadedShaft>& bent);
+
+/// Whether anything but a further load bends the shaft, or rollers hold it.
+[[nodiscard]] bool bends(const model::Spindle& spindle);
 
 /// Why a coolant that is switched off changes nothing, a note; empty where it does.
 [[nodiscard]] std::string unused_coolant_off(const model::Model& model, bool coolant_on, bool warm);

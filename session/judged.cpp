@@ -56,18 +56,20 @@ void judge_running(const model::Model& model, std::size_t bearing, const spindle
   judge.look(*model.shaft->arrangement.bearings()[bearing].bearing, place_of(model, bearing),
              {.speed = inputs.speed, .axial_load = inputs.axial_load, .temperature = oil},
              {.axial_load = state.force,
-              .radial_load = 0.0,
+              .radial_load = state.radial_force,
               .inner_pressure = pressures.inner,
               .outer_pressure = pressures.outer,
               .inner_ring_temperature = state.inner_ring_temperature,
               .outer_ring_temperature = state.outer_ring_temperature});
 }
 
-/// The pressure of a bearing alone under an axial load; NaN without balance.
+/// The pressure of a bearing alone under an axial and a radial load; NaN without balance.
 bearing::ContactPressure pressure_under(const model::Model& model, const bearing::Bearing& bearing,
-                                        double speed, double force) {
+                                        double speed, const spindle::BearingState& state) {
   const bearing::BearingEquilibrium e = bearing::solve_bearing_equilibrium(
-      bearing, {.speed = speed, .axial_load = force}, model.solver);
+      bearing,
+      {.speed = speed, .axial_load = state.force, .radial_load = state.radial_force},
+      model.solver);
   return e.report.converged() ? largest_pressure(bearing, e) : bearing::ContactPressure{};
 }
 
@@ -223,7 +225,8 @@ Findings judge(const model::Model& model, std::span<const results::SteadyState> 
   const double mounted = mounted_preload(model);
   for (const results::SteadyState& s : states) {
     if (!s.report.converged()) continue;
-    for (std::size_t k = 0; k < s.moment.bearings.size(); ++k) {
+    const std::size_t balls = model.shaft->arrangement.bearings().size();
+    for (std::size_t k = 0; k < std::min(balls, s.moment.bearings.size()); ++k) {
       bearing::ContactPressure pressures;
       if (k < s.bearings.size())
         pressures = {.inner = s.bearings[k].inner_pressure, .outer = s.bearings[k].outer_pressure};
@@ -243,7 +246,7 @@ Findings judge(const model::Model& model, std::span<const spindle::ProfileRow> p
   const auto bearings = model.shaft->arrangement.bearings();
   for (std::size_t i = 0; i < bearings.size(); ++i) {
     const auto force = [&](const spindle::Moment& m) {
-      return i < m.bearings.size() ? m.bearings[i].force : 0.0;
+      return i < m.bearings.size() ? m.bearings[i].force + m.bearings[i].radial_force : 0.0;
     };
     const auto most = std::max_element(
         run.moments.begin(), run.moments.end(),
@@ -253,7 +256,8 @@ Findings judge(const model::Model& model, std::span<const spindle::ProfileRow> p
           profile[static_cast<std::size_t>(m - run.moments.begin())].inputs;
       if (i >= m->bearings.size()) continue;
       judge_running(model, i, inputs, m->bearings[i],
-                    m == most ? pressure_under(model, *bearings[i].bearing, inputs.speed, force(*m))
+                    m == most ? pressure_under(model, *bearings[i].bearing, inputs.speed,
+                                               m->bearings[i])
                               : bearing::ContactPressure{},
                     judge);
     }

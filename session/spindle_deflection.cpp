@@ -16,16 +16,17 @@ namespace {
 Eigen::VectorXd tangent_line(const BeamOfModel& b, const results::DeflectionResult& r,
                              double stiffer = 1.0) {
   if (r.axial || !r.sets.converged()) return {};
+  std::vector<double> places;
   std::vector<spindle::PlaneSpring> in_y;
-  for (const spindle::Spring& s :
-       spindle::bearing_springs(b.sets.arrangement(), b.places, r.sets.bearings)) {
+  for (const spindle::Spring& s : springs_of(b, r.sets, r.unloaded)) {
+    places.push_back(s.position);
     in_y.push_back(s.y);
     in_y.back().radial *= stiffer;
     in_y.back().coupling *= stiffer;
     in_y.back().tilt *= stiffer;
   }
   const spindle::BeamLoad load[] = {{.position = r.at, .force = r.force, .moment = -r.moment}};
-  const spindle::Deflection d = spindle::deflect(b.beam, b.places, in_y, load);
+  const spindle::Deflection d = spindle::deflect(b.beam, places, in_y, load);
   return d.found ? d.shape : Eigen::VectorXd();
 }
 
@@ -45,9 +46,19 @@ results::DeflectionResult solve_deflection(const model::Model& model, BeamOfMode
                               .axial_force = q.axial_force,
                               .moment = q.moment,
                               .sets = {},
-                              .shaft = {}};
-  r.sets = b.sets.at(inputs_at(model, r.speed, q.coolant_on), q.warm);
+                              .shaft = {},
+                              .roller_names = b.roller_names};
+  const spindle::Inputs inputs = inputs_at(model, r.speed, q.coolant_on);
+  r.sets = b.sets.at(inputs, q.warm);
   if (!r.sets.converged()) return r;
+  if (bends(*model.spindle)) {
+    r.unloaded = bend(model, b, r.sets, inputs);
+    if (!r.unloaded->report.converged()) {
+      r.shaft.report = r.unloaded->report;
+      return r;
+    }
+    r.sets.bearings = r.unloaded->bearings;
+  }
   r.tangent = tangent_displacement(b, r);
   spindle::ShaftLoad load{.position = r.at};
   if (r.axial) {
@@ -56,17 +67,15 @@ results::DeflectionResult solve_deflection(const model::Model& model, BeamOfMode
     // θ = dv/ds counts rearwards: a force in front of its place turns the shaft against it.
     load.radial = r.force, load.axial = r.axial_force, load.moment = -r.moment;
   }
-  // Balls that no race holds turn as they do without the load.
-  const std::vector<bearing::GivenRotation> rotations = r.sets.equilibrium.rotations();
-  bearing::EquilibriumOptions options = model.solver;
-  options.rotations = rotations;
-  r.shaft = spindle::solve_loaded_shaft(b.beam, b.sets.arrangement(), b.places, r.sets.condition,
-                                        load, options);
+  r.shaft = bend(model, b, r.sets, inputs, &load);
   if (!r.shaft.report.converged()) return r;
-  const double axial = r.shaft.position - r.sets.equilibrium.position;
-  r.displacement = r.axial ? axial : b.beam.at(r.at, r.shaft.y)[0];
-  r.nose = r.axial ? axial : r.shaft.y[0];
-  r.slope = r.shaft.y[1];
+  const double axial = r.shaft.position -
+                       (r.unloaded ? r.unloaded->position : r.sets.equilibrium.position);
+  Eigen::VectorXd line = r.shaft.y;
+  if (r.unloaded) line -= r.unloaded->y;
+  r.displacement = r.axial ? axial : b.beam.at(r.at, line)[0];
+  r.nose = r.axial ? axial : line[0];
+  r.slope = line[1];
   return r;
 }
 

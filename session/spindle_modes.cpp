@@ -16,6 +16,13 @@
 namespace raceway::session {
 namespace {
 
+/// Nothing else has a direction: with the belt in the plane of y the two planes are those of the
+/// springs.
+model::Model in_plane_of_belt(model::Model model) {
+  if (model.spindle->belt) model.spindle->belt->angle = 0.0;
+  return model;
+}
+
 std::vector<results::ModesAtSpeed> find_all(const model::Model& model, BeamOfModel& b,
                                             const ModesQuestion& q) {
   std::vector<results::ModesAtSpeed> results(q.speeds.size());
@@ -24,9 +31,20 @@ std::vector<results::ModesAtSpeed> find_all(const model::Model& model, BeamOfMod
   for (std::size_t i = 0; i < q.speeds.size(); ++i) {
     results::ModesAtSpeed& r = results[i];
     r.speed = q.speeds[i];
-    r.sets = b.sets.at(inputs_at(model, r.speed, q.coolant_on), q.warm);
+    const spindle::Inputs inputs = inputs_at(model, r.speed, q.coolant_on);
+    r.sets = b.sets.at(inputs, q.warm);
     if (!r.sets.converged()) continue;
-    r.springs = spindle::bearing_springs(b.sets.arrangement(), b.places, r.sets.bearings);
+    r.roller_names = b.roller_names;
+    if (bends(*model.spindle)) {
+      r.shaft = bend(in_plane_of_belt(model), b, r.sets, inputs);
+      if (!r.shaft->report.converged()) {
+        r.sets.status = spindle::Status::no_equilibrium;
+        r.sets.message = "the shaft has no balance under its belt";
+        continue;
+      }
+      r.sets.bearings = r.shaft->bearings;
+    }
+    r.springs = springs_of(b, r.sets, r.shaft);
     held_at.push_back(r.speed);
     springs.push_back(r.springs);
   }

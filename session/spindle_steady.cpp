@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/contact_pressure.h"
 #include "record/units.h"
 #include "report/spindle_report.h"
 #include "session/beam_of_model.h"
 #include "session/judged.h"
 #include "session/open_input.h"
+#include "spindle/loaded_shaft.h"
 #include "text/error.h"
 
 namespace raceway::session {
@@ -35,6 +37,15 @@ results::SteadyState steady_state(spindle::Simulator& simulator, const spindle::
   if (s.report.converged() && simulator.sets()) {
     s.axial_stiffness = simulator.sets()->axial_stiffness;
     s.bearings = simulator.sets()->bearings;
+    const auto mounted = simulator.arrangement()->bearings();
+    if (const spindle::LoadedShaft* const bent = simulator.shaft())
+      for (std::size_t k = 0; k < s.bearings.size(); ++k) {
+        const bearing::ContactPressure most =
+            largest_pressure(*mounted[k].bearing, bent->bearings[k]);
+        s.bearings[k].axial_load = bent->loads[k][0];
+        s.bearings[k].inner_pressure = most.inner;
+        s.bearings[k].outer_pressure = most.outer;
+      }
   }
   return s;
 }
@@ -55,6 +66,19 @@ std::vector<report::DrawnField> fields_of(spindle::Simulator& simulator,
     fields.push_back({.speed = s.inputs.speed, .cells = simulator.field(simulator.state())});
   }
   return fields;
+}
+
+/// Refuses loads that the spindle has nothing to carry with.
+void require_carried(const model::Model& model, const SteadyQuestion& q) {
+  if (!std::isnan(q.belt_force) && !model.spindle->belt)
+    throw text::InputError(
+        "belt_force_N: the model has no belt: give [drive] belt_force_N, 0 if need be, and "
+        "position_mm",
+        {.key = "belt_force_N"});
+  const bool loaded = q.radial_load != 0.0 || q.moment != 0.0 ||
+                      (!std::isnan(q.axial_load) && q.axial_load != 0.0);
+  if (loaded && model.spindle->network)
+    throw text::InputError("a [network] has no shaft that carries a load", {.key = "network"});
 }
 
 }  // namespace
@@ -109,6 +133,7 @@ SteadySpindle steady_spindle(const files::ModelFile& file, const SteadyQuestion&
   require_spindle(file);
   for (const double speed : question.speeds) require_possible_speed(file.model, speed, "speed_rpm");
   require_possible_temperature(file.model, question.ambient_temperature, "ambient_temperature_C");
+  require_carried(file.model, question);
   SteadySpindle answer{.file = file};
   spindle::Simulator simulator = simulator_of(file);
   simulator.stop_on(question.cancelled);
@@ -116,7 +141,12 @@ SteadySpindle steady_spindle(const files::ModelFile& file, const SteadyQuestion&
     answer.states.push_back(
         steady_state(simulator, {.speed = speed,
                                  .ambient_temperature = question.ambient_temperature,
-                                 .axial_load = file.model.shaft->external_load,
+                                 .axial_load = std::isnan(question.axial_load)
+                                                   ? file.model.shaft->external_load
+                                                   : question.axial_load,
+                                 .radial_load = question.radial_load,
+                                 .moment = question.moment,
+                                 .belt_force = question.belt_force,
                                  .coolant_on = question.coolant_on}));
   answer.findings = judge(file.model, answer.states);
   const auto last = std::find_if(answer.states.rbegin(), answer.states.rend(),

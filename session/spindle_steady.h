@@ -29,6 +29,10 @@ struct SteadyQuestion {
   std::vector<double> speeds{};        ///< [rad/s]
   double ambient_temperature = unset;  ///< [K]; NaN: of the model
   bool coolant_on = true;
+  double axial_load = unset;  ///< at the nose, towards the tool [N]; NaN: of the model
+  double radial_load = 0.0;   ///< at the nose, in the direction of y [N]
+  double moment = 0.0;        ///< there, in the sense of a force further in front [N m]
+  double belt_force = unset;  ///< [N]; NaN: of the model
   const std::atomic<bool>* cancelled = nullptr;  ///< as Simulator::stop_on()
 };
 

@@ -4,9 +4,16 @@
 
 #include "bearing/balls.h"
 #include "bearing/bearing.h"
+#include "model/spindle.h"
 #include "record/units.h"
 
 namespace raceway::spindle {
+
+/// λ of balls or rollers of a material [W/(m K)]: 30 of silicon nitride, else that of the rings.
+/// What is lighter than 6000 kg/m³ is no steel.
+[[nodiscard]] inline double conductivity_of_element(const bearing::Material& material) {
+  return material.density < 6000.0 ? 30.0 : model::steel_of_rings.conductivity;
+}
 
 /// Heat from ring to ring through the balls of a bearing.
 ///

@@ -1,16 +1,17 @@
 #include "spindle/bearing_coupling.h"
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
 #include "spindle/expansion_rows.h"
 
 namespace raceway::spindle {
 namespace {
 
-/// Numbers felt of one bearing: inner ring, outer ring, cells at both raceways.
-constexpr Eigen::Index per_bearing = 4;
-/// λ of silicon nitride balls [W/(m K)].
-constexpr double ceramic_conductivity = 30.0;
-/// Balls lighter than this are no steel [kg/m³].
-constexpr double lightest_steel = 6000.0;
+/// Numbers felt of one bearing: inner ring, outer ring, cells at both raceways; of one with rollers
+/// shaft and housing too.
+constexpr Eigen::Index per_bearing = 4, per_rollers = 6;
 /// Steps of differences: ring temperatures [K], elongation [um].
 constexpr double temperature_step = 1e-3, elongation_step = 1e-3;
 
@@ -34,36 +35,41 @@ Raceway raceway_of(const Joints& joints) {
 BearingCoupling::BearingCoupling(const model::Model& model,
                                  const effects::SpindleCondition& condition,
                                  const ThermalSystem& system)
-    : sets_(model, condition),
-      lubricant_(model.spindle->lubricant_conductance),
-      factor_(condition.bearing_conductance_factor) {
+    : sets_(model, condition), factor_(condition.bearing_conductance_factor) {
   const Layout& layout = system.layout();
   const Eigen::Index nodes = system.paths().size();
-  const auto bearings = static_cast<Eigen::Index>(layout.bearings.size());
-  const Eigen::Index count = per_bearing * bearings + 1;
+  const std::size_t count = layout.bearings.size();
+  for (const model::RollerOnShaft& r : model.spindle->rollers)
+    rollers_.emplace_back(model, r, layout, layout.bearings[sets_.bearings() + rollers_.size()]);
   std::vector<Eigen::Triplet<double>> entries;
   const auto add = [&](Eigen::Index row, const Shares& shares) {
     for (const Share& s : shares) entries.emplace_back(row, s.cell, s.share);
   };
-  given_.setZero(nodes, 2 * bearings);
-  for (Eigen::Index b = 0; b < bearings; ++b) {
-    const BearingPlace& place = layout.bearings[static_cast<std::size_t>(b)];
-    const Raceway inner = raceway_of(place.inner_raceway), outer = raceway_of(place.outer_raceway);
-    add(per_bearing * b, place.inner_ring);
-    add(per_bearing * b + 1, place.outer_ring);
-    add(per_bearing * b + 2, inner.cells);
-    add(per_bearing * b + 3, outer.cells);
+  given_.setZero(nodes, static_cast<Eigen::Index>(2 * count));
+  for (std::size_t k = 0; k < count; ++k) {
+    const BearingPlace& bearing = layout.bearings[k];
+    const Raceway inner = raceway_of(bearing.inner_raceway);
+    const Raceway outer = raceway_of(bearing.outer_raceway);
+    const Eigen::Index at = place(k), b = static_cast<Eigen::Index>(k);
+    add(at, bearing.inner_ring);
+    add(at + 1, bearing.outer_ring);
+    add(at + 2, inner.cells);
+    add(at + 3, outer.cells);
+    double lubricant = model.spindle->lubricant_conductance;
+    if (k >= sets_.bearings()) {
+      add(at + 4, bearing.shaft_below);
+      add(at + 5, bearing.housing_above);
+      const double own = model.spindle->rollers[k - sets_.bearings()].lubricant_conductance;
+      if (std::isfinite(own)) lubricant = own;
+    }
     for (const Share& s : inner.cells) given_(s.cell, 2 * b) = s.share;
     for (const Share& s : outer.cells) given_(s.cell, 2 * b + 1) = s.share;
     inner_raceway_.push_back(inner.conductance);
     outer_raceway_.push_back(outer.conductance);
-    const bearing::Bearing& bearing =
-        *sets_.arrangement().bearings()[static_cast<std::size_t>(b)].bearing;
-    const double rings = model::steel_of_rings.conductivity;
-    balls_.emplace_back(
-        bearing, bearing.balls().density < lightest_steel ? ceramic_conductivity : rings, rings);
+    lubricant_.push_back(lubricant);
   }
-  offset_.setZero(count);
+  const Eigen::Index last = place(count);
+  offset_.setZero(last + 1);
   if (std::isfinite(layout.rear_centre)) {
     const Vector row =
         (expansion_row(layout.mesh, Body::shaft, layout.front_centre, layout.rear_centre, nodes) -
@@ -71,39 +77,75 @@ BearingCoupling::BearingCoupling(const model::Model& model,
                        nodes)) /
         um;
     for (Eigen::Index k = 0; k < nodes; ++k)
-      if (row[k] != 0.0) entries.emplace_back(count - 1, k, row[k]);
-    offset_[count - 1] = -row.sum() * sets_.arrangement().design().mounting_temperature;
+      if (row[k] != 0.0) entries.emplace_back(last, k, row[k]);
+    offset_[last] = -row.sum() * sets_.arrangement().design().mounting_temperature;
   }
-  felt_.resize(count, nodes);
+  felt_.resize(last + 1, nodes);
   felt_.setFromTriplets(entries.begin(), entries.end());
+  if (!model.spindle->belt) return;
+  Vector cold = Vector::Constant(
+      last + 1, sets_.arrangement().design().mounting_temperature);
+  cold[last] = 0.0;
+  if (!set_inputs({}) || !bear(cold))
+    throw std::invalid_argument("the belt takes the sets apart at standstill");
+  bent_rest_ = sets_.position() - sets_.sets().position;
+}
+
+/// Where the numbers of a bearing begin in s; the elongation stands behind the last one.
+Eigen::Index BearingCoupling::place(std::size_t bearing) const {
+  const std::size_t balls = std::min(bearing, sets_.bearings());
+  return per_bearing * static_cast<Eigen::Index>(balls) +
+         per_rollers * static_cast<Eigen::Index>(bearing - balls);
+}
+
+BearingHeat BearingCoupling::heat(std::size_t k, const Vector& felt) const {
+  if (k < sets_.bearings()) return sets_.heat()[k];
+  return rollers_[k - sets_.bearings()].heat(rollers_at(k, felt));
+}
+
+RollersAsked BearingCoupling::rollers_at(std::size_t k, const Vector& felt) const {
+  const auto at = felt.segment<per_rollers>(place(k));
+  return {.inner_ring = at[0], .outer_ring = at[1], .shaft = at[4], .housing = at[5]};
+}
+
+BearingState BearingCoupling::state(std::size_t k, const Vector& felt) const {
+  const BearingHeat now = heat(k, felt);
+  return {.inner_ring_temperature = felt[place(k)],
+          .outer_ring_temperature = felt[place(k) + 1],
+          .force = now.force,
+          .radial_force = now.radial_force,
+          .clearance = now.clearance,
+          .power = now.power()};
 }
 
 Vector BearingCoupling::flows(const Vector& felt) const {
   Vector given(given_count());
-  for (std::size_t k = 0; k < balls_.size(); ++k) {
+  for (std::size_t k = 0; k < bearings(); ++k) {
     const auto b = static_cast<Eigen::Index>(k);
-    const BearingHeat& heat = sets_.heat()[k];
+    const Eigen::Index at = place(k);
+    const BearingHeat now = heat(k, felt);
     const double si = inner_raceway_[k], so = outer_raceway_[k];
-    const double g =
-        factor_ * (balls_[k].conductance(heat.inner_contact, heat.outer_contact) + lubricant_);
-    const double through =
-        g / (1.0 + g * (1.0 / si + 1.0 / so)) *
-        (felt[per_bearing * b + 2] - felt[per_bearing * b + 3] + heat.inner / si - heat.outer / so);
-    given[2 * b] = heat.inner - through;
-    given[2 * b + 1] = heat.outer + through;
+    const double g = factor_ * (now.conductance + lubricant_[k]);
+    const double through = g / (1.0 + g * (1.0 / si + 1.0 / so)) *
+                           (felt[at + 2] - felt[at + 3] + now.inner / si - now.outer / so);
+    given[2 * b] = now.inner - through;
+    given[2 * b + 1] = now.outer + through;
   }
   return given;
 }
 
-bool BearingCoupling::evaluate(const Vector& felt, Vector& given) {
+bool BearingCoupling::solve_sets(const Vector& felt) {
   SetsAsked asked;
-  const auto bearings = static_cast<Eigen::Index>(balls_.size());
-  for (Eigen::Index b = 0; b < bearings; ++b) {
-    asked.inner_ring.push_back(felt[per_bearing * b]);
-    asked.outer_ring.push_back(felt[per_bearing * b + 1]);
+  for (std::size_t k = 0; k < sets_.bearings(); ++k) {
+    asked.inner_ring.push_back(felt[place(k)]);
+    asked.outer_ring.push_back(felt[place(k) + 1]);
   }
   asked.elongation = felt[felt.size() - 1] * um;
-  if (!felt.allFinite() || !sets_.solve(asked)) return false;
+  return felt.allFinite() && sets_.solve(asked);
+}
+
+bool BearingCoupling::evaluate(const Vector& felt, Vector& given) {
+  if (!solve_sets(felt)) return false;
   given = flows(felt);
   return given.allFinite();
 }
@@ -112,20 +154,56 @@ bool BearingCoupling::differentiate(const Vector& felt, const Vector& given, Mat
   jacobian.setZero(given_count(), felt_count());
   Vector near = felt, other(given_count());
   bool balanced = true;
+  const Eigen::Index of_balls = place(sets_.bearings()), last = felt_count() - 1;
   for (Eigen::Index k = 0; k < felt_count() && balanced; ++k) {
-    const bool raceway = k + 1 < felt_count() && k % per_bearing >= 2;
-    const double step = k + 1 < felt_count() ? temperature_step : elongation_step;
+    const bool of_sets = k == last || (k < of_balls && k % per_bearing < 2);
+    const double step = k < last ? temperature_step : elongation_step;
     near[k] = felt[k] + step;
-    if (raceway)
-      other = flows(near);  // linear, and the sets do not feel it
-    else
+    if (of_sets)
       balanced = evaluate(near, other);
+    else
+      other = flows(near);  // the sets do not feel it
     if (balanced) jacobian.col(k) = (other - given) / step;
     near[k] = felt[k];
     // The sets are left as they are at `felt`, from where raceways are linear.
-    if (!raceway && balanced && k % per_bearing == 1) balanced = evaluate(felt, other);
+    if (of_sets && balanced && k % per_bearing == 1) balanced = evaluate(felt, other);
   }
   return evaluate(felt, other) && balanced;
+}
+
+bool BearingCoupling::set_inputs(const Inputs& inputs) {
+  if (!sets_.set_inputs(inputs)) return false;
+  for (WarmRollers& r : rollers_) r.set_speed(inputs.speed);
+  const model::Spindle& spindle = *sets_.model().spindle;
+  loads_ = shaft_loads(spindle, inputs);
+  const bool bends = !rollers_.empty() || std::any_of(loads_.begin(), loads_.end(), [](const ShaftLoad& l) {
+                       return l.pushes_across();
+                     });
+  if (!bends) {
+    const bool was_bent = bent_.has_value();
+    shaft_.reset();
+    bent_.reset();
+    return !was_bent || sets_.bear(nullptr);
+  }
+  if (!shaft_)
+    shaft_.emplace(Beam(spindle.shaft, beam_places(spindle)),
+                   bearings_of_shaft(spindle, sets_.arrangement()), load_places(spindle));
+  return true;
+}
+
+bool BearingCoupling::bear(const Vector& felt) {
+  if (!shaft_) return true;
+  if (!solve_sets(felt)) return false;
+  std::vector<double> clearances;
+  for (std::size_t k = sets_.bearings(); k < bearings(); ++k)
+    clearances.push_back(rollers_[k - sets_.bearings()].clearance(rollers_at(k, felt)));
+  const std::vector<bearing::GivenRotation> rotations = sets_.sets().rotations();
+  bearing::EquilibriumOptions options = sets_.model().solver;
+  options.rotations = rotations;
+  bent_ = shaft_->solve(sets_.asked(), clearances, loads_, options, &sets_.sets());
+  if (!bent_->report.converged()) return false;
+  for (std::size_t k = 0; k < rollers_.size(); ++k) rollers_[k].take(bent_->rollers[k]);
+  return sets_.bear(&*bent_);
 }
 
 }  // namespace raceway::spindle

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
-#include "spindle/bearing_conduction.h"
+#include "spindle/shaft_loads.h"
 #include "spindle/thermal_system.h"
+#include "spindle/warm_rollers.h"
 #include "spindle/warm_sets.h"
 
 namespace raceway::spindle {
@@ -13,7 +15,8 @@ using Matrix = Eigen::MatrixXd;
 /// What the bearings and the cells feel of each other, as few numbers:
 ///
 ///   felt s    of each bearing the means of inner and outer ring and of the cells at its two
-///             raceways [K], then the elongation between the sets, in um
+///             raceways [K], of each roller bearing those of shaft and housing at its seats too,
+///             then the elongation between the sets, in um
 ///   given y   heat into the cells at the inner and the outer raceway of each bearing [W]
 ///
 /// Friction heat arises at the raceways. What the balls carry flows between the raceways, which are
@@ -21,7 +24,9 @@ using Matrix = Eigen::MatrixXd;
 ///
 ///   T_s = a + w/S,   Q = G (T_si - T_so),   w_i = q_i - Q,   w_o = q_o + Q
 ///
-/// with the conductance S from cells to raceway. The elongation is counted in um so that all of s
+/// with the conductance S from cells to raceway. Loads across the shaft reach the bearings through
+/// the beam; what they add is held from one bear() to the next, as films and seats are. The
+/// elongation is counted in um so that all of s
 /// is of one size.
 class BearingCoupling {
  public:
@@ -38,8 +43,21 @@ class BearingCoupling {
   /// Cells by given number [1].
   [[nodiscard]] const Matrix& given() const { return given_; }
 
-  [[nodiscard]] WarmSets& sets() { return sets_; }
   [[nodiscard]] const WarmSets& sets() const { return sets_; }
+  /// What the bearings run under from now on; false where the cold sets have no balance.
+  [[nodiscard]] bool set_inputs(const Inputs& inputs);
+  /// Distributes the loads across the shaft to the bearings as they are at s; false where they have
+  /// no balance.
+  [[nodiscard]] bool bear(const Vector& felt);
+  /// The shaft of the last bear(); null where nothing bends it and no rollers hold it.
+  [[nodiscard]] const LoadedShaft* shaft() const { return bent_ ? &*bent_ : nullptr; }
+  /// Whether bear() changes anything.
+  [[nodiscard]] bool bends() const { return shaft_.has_value(); }
+  /// Position of the shaft at standstill without heat, under the belt alone [m].
+  [[nodiscard]] double rest() const { return sets_.rest() + bent_rest_; }
+  [[nodiscard]] std::size_t bearings() const { return inner_raceway_.size(); }
+  /// Bearing b at s, which was evaluated last.
+  [[nodiscard]] BearingState state(std::size_t b, const Vector& felt) const;
   /// y of s; false where the sets have no balance.
   [[nodiscard]] bool evaluate(const Vector& felt, Vector& given);
   /// dy/ds by differences, about the s that was evaluated last; false where a neighbour of it has
@@ -47,15 +65,24 @@ class BearingCoupling {
   [[nodiscard]] bool differentiate(const Vector& felt, const Vector& given, Matrix& jacobian);
 
  private:
+  [[nodiscard]] Eigen::Index place(std::size_t bearing) const;
+  [[nodiscard]] RollersAsked rollers_at(std::size_t bearing, const Vector& felt) const;
+  [[nodiscard]] BearingHeat heat(std::size_t bearing, const Vector& felt) const;
+  [[nodiscard]] bool solve_sets(const Vector& felt);
   [[nodiscard]] Vector flows(const Vector& felt) const;
 
   WarmSets sets_;
+  std::vector<WarmRollers> rollers_;
   SparseMatrix felt_;
   Vector offset_;
   Matrix given_;
   std::vector<double> inner_raceway_, outer_raceway_;  // S of each bearing [W/K]
-  std::vector<BallConduction> balls_;
-  double lubricant_, factor_;
+  std::vector<double> lubricant_;                      // of each bearing [W/K]
+  double factor_;
+  std::vector<ShaftLoad> loads_;
+  std::optional<ShaftOnBearings> shaft_;  // made when it is first needed
+  std::optional<LoadedShaft> bent_;
+  double bent_rest_ = 0.0;  // of the position by the belt, at standstill [m]
 };
 
 }  // namespace raceway::spindle

@@ -76,15 +76,17 @@ void HeatFlow::start(double temperature) {
 bool HeatFlow::set_inputs(const Inputs& inputs) {
   if (!coupling_) return true;
   newton_->forget_derivatives();
-  if (!coupling_->sets().set_inputs(inputs)) return false;
+  if (!coupling_->set_inputs(inputs)) return false;
   felt_ = coupling_->felt(temperatures_);
-  return coupling_->evaluate(felt_, given_);
+  return coupling_->bear(felt_) && coupling_->evaluate(felt_, given_);
 }
 
-void HeatFlow::prepare(const Inputs& inputs, double machine_rise, const Vector& films) {
-  if (!system_) return;
+bool HeatFlow::prepare(const Inputs& inputs, double machine_rise, const Vector& films) {
+  if (!system_) return true;
   system_->set_inputs(inputs, machine_rise);
   system_->update(films, inputs);
+  if (!coupling_->bends()) return true;
+  return coupling_->bear(coupling_->felt(films)) && coupling_->evaluate(felt_, given_);
 }
 
 Vector HeatFlow::inflow(const Vector& temperatures, const Vector& given) const {
@@ -107,7 +109,10 @@ double HeatFlow::gain() {
 HeatFlow::Step HeatFlow::advance(const Inputs& inputs, double machine_rise, double dt,
                                  const Vector& films) {
   Step step;
-  prepare(inputs, machine_rise, films);
+  if (!prepare(inputs, machine_rise, films)) {
+    step.status = Status::no_equilibrium;
+    return step;
+  }
   constexpr double d = TrBdf2::diagonal, w = TrBdf2::weight;
   const HeatPaths& p = paths();
   if (!newton_->factorise(p, 1.0 / (dt * d))) {
@@ -164,7 +169,7 @@ HeatFlow::Step HeatFlow::advance(const Inputs& inputs, double machine_rise, doub
 Status HeatFlow::settle(const Inputs& inputs, double machine_rise, int& iterations) {
   Vector films = temperatures_;
   for (iterations = 0; iterations < most_rounds; ++iterations) {
-    prepare(inputs, machine_rise, films);
+    if (!prepare(inputs, machine_rise, films)) return Status::no_equilibrium;
     if (!newton_->factorise(paths(), 1.0 / long_run)) return Status::no_equilibrium;
     const Vector stored = paths().capacity.cwiseProduct(temperatures_) / long_run;
     Vector next = temperatures_;

@@ -33,8 +33,8 @@ class HeatFlow {
   void start(const Vector& temperatures) { temperatures_ = temperatures; }
   /// Puts the sets under these inputs; false where they have no balance.
   [[nodiscard]] bool set_inputs(const Inputs& inputs);
-  /// Goes on by dt [s] under `inputs`, whose speed and loads are those of set_inputs(). Films and
-  /// seats are those at `films`. Nothing changes unless the status is `converged`.
+  /// Goes on by dt [s] under `inputs`, whose speed and loads are those of set_inputs(). Films,
+  /// seats and what loads across the shaft put on its bearings are those at `films`. Nothing changes unless the status is `converged`.
   [[nodiscard]] Step advance(const Inputs& inputs, double machine_rise, double dt,
                              const Vector& films);
   /// Where these inputs lead; `iterations` are of films and seats.
@@ -55,7 +55,7 @@ class HeatFlow {
   static constexpr double hottest_ring = kelvin(300.0);
 
  private:
-  void prepare(const Inputs& inputs, double machine_rise, const Vector& films);
+  [[nodiscard]] bool prepare(const Inputs& inputs, double machine_rise, const Vector& films);
   [[nodiscard]] Vector inflow(const Vector& temperatures, const Vector& given) const;
   [[nodiscard]] Status failed(NewtonStatus status);
 

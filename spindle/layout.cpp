@@ -7,6 +7,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "model/rings.h"
+
 namespace raceway::spindle {
 namespace {
 
@@ -31,12 +33,6 @@ CellSize size_of(model::Cells cells, double shaft_length) {
       break;
   }
   return {3.5 * mm * scale, 4 * mm * scale};
-}
-
-std::vector<double> positions_of(const Spindle& s) {
-  std::vector<double> all = s.front_positions;
-  all.insert(all.end(), s.rear_positions.begin(), s.rear_positions.end());
-  return all;
 }
 
 /// Outer radius of the piece of a body at a plane, and its bore; NaN where there is none.
@@ -214,12 +210,22 @@ class Joiner {
       }
     }
   }
+  /// Between the sets, and as far as roller bearings in front of them and behind.
   [[nodiscard]] double gap_start() const {
-    return s_.front_positions.back() + 0.5 * s_.bearing_width;
+    double start = s_.front_positions.back() + 0.5 * s_.bearing_width;
+    for (std::size_t k = first_roller(); k < layout_.bearings.size(); ++k)
+      start = std::min(start, layout_.bearings[k].position + 0.5 * layout_.bearings[k].width);
+    return start;
   }
   [[nodiscard]] double gap_end() const {
-    return s_.rear_positions.empty() ? layout_.housing_end
-                                     : s_.rear_positions.front() - 0.5 * s_.bearing_width;
+    double end = s_.rear_positions.empty() ? layout_.housing_end
+                                           : s_.rear_positions.front() - 0.5 * s_.bearing_width;
+    for (std::size_t k = first_roller(); k < layout_.bearings.size(); ++k)
+      end = std::max(end, layout_.bearings[k].position - 0.5 * layout_.bearings[k].width);
+    return end;
+  }
+  [[nodiscard]] std::size_t first_roller() const {
+    return layout_.bearings.size() - s_.rollers.size();
   }
 
   const Spindle& s_;
@@ -237,22 +243,16 @@ std::vector<int> cells_between(const Mesh& mesh, Body body, double from, double 
   return found;
 }
 
-void place_bearings(const model::Model& model, Layout& layout) {
-  const Spindle& s = *model.spindle;
-  const std::vector<double> positions = positions_of(s);
-  const auto bearings = model.shaft->arrangement.bearings();
-  if (positions.size() != bearings.size())
-    throw std::invalid_argument(
-        fmt::format("{} bearings have {} positions", bearings.size(), positions.size()));
-  for (std::size_t k = 0; k < positions.size(); ++k) {
-    const bearing::BearingGeometry& g = bearings[k].bearing->geometry();
+void place_bearings(const std::vector<model::Rings>& rings, const Spindle& s, Layout& layout) {
+  for (const model::Rings& r : rings) {
     BearingPlace place;
-    place.position = positions[k], place.width = s.bearing_width;
-    place.seat = 0.5 * g.bore, place.housing_seat = 0.5 * g.outer_diameter;
-    place.inner_shoulder = 0.5 * s.inner_ring_shoulder;
-    place.outer_shoulder = 0.5 * s.outer_ring_shoulder;
-    place.seat_bore = section_at(s.shaft.segments, 0.0, positions[k]).inner;
-    place.housing_outer = section_at(s.housing.segments, s.housing.start, positions[k]).outer;
+    place.position = r.position, place.width = r.width;
+    place.seat = 0.5 * r.bore, place.housing_seat = 0.5 * r.outer_diameter;
+    place.inner_shoulder = 0.5 * r.inner_shoulder;
+    place.outer_shoulder = 0.5 * r.outer_shoulder;
+    place.seat_bore = section_at(s.shaft.segments, 0.0, r.position).inner;
+    place.housing_outer = section_at(s.housing.segments, s.housing.start, r.position).outer;
+    place.inner_interference = r.inner_interference, place.outer_clearance = r.outer_clearance;
     layout.bearings.push_back(std::move(place));
   }
 }
@@ -331,18 +331,17 @@ std::vector<Region> regions_of(const model::Model& model) {
     r.material = piece.material;
     add_housing_piece(r, s.coolant, regions);
   }
-  const std::vector<double> positions = positions_of(s);
-  for (std::size_t k = 0; k < positions.size() && k < bearings.size(); ++k) {
-    const bearing::BearingGeometry& g = bearings[k].bearing->geometry();
+  int k = 0;
+  for (const model::Rings& rings : model::rings_of(s, model.shaft->arrangement)) {
     Region r;
-    r.bearing = static_cast<int>(k);
-    r.start = positions[k] - 0.5 * s.bearing_width, r.end = positions[k] + 0.5 * s.bearing_width;
+    r.bearing = k++;
+    r.start = rings.front(), r.end = rings.rear();
     r.material = model::steel_of_rings;
     r.body = Body::inner_ring;
-    r.inner_radius = 0.5 * g.bore, r.outer_radius = 0.5 * s.inner_ring_shoulder;
+    r.inner_radius = 0.5 * rings.bore, r.outer_radius = 0.5 * rings.inner_shoulder;
     regions.push_back(r);
     r.body = Body::outer_ring;
-    r.inner_radius = 0.5 * s.outer_ring_shoulder, r.outer_radius = 0.5 * g.outer_diameter;
+    r.inner_radius = 0.5 * rings.outer_shoulder, r.outer_radius = 0.5 * rings.outer_diameter;
     regions.push_back(r);
   }
   add_spacers(s, s.front_positions, 0.5 * bearings.front().bearing->geometry().bore, regions);
@@ -359,11 +358,14 @@ Layout make_layout(const model::Model& model, model::Cells cells) {
   layout.housing_end = s.housing.start + length_of(s.housing.segments);
   layout.front_centre = mean_of(s.front_positions);
   layout.rear_centre = mean_of(s.rear_positions);
-  place_bearings(model, layout);
-  layout.first_bearing_front = s.front_positions.front() - 0.5 * s.bearing_width;
-  layout.last_bearing_rear =
-      (s.rear_positions.empty() ? s.front_positions : s.rear_positions).back() +
-      0.5 * s.bearing_width;
+  const std::vector<model::Rings> rings = model::rings_of(s, model.shaft->arrangement);
+  place_bearings(rings, s, layout);
+  layout.first_bearing_front = rings.front().front();
+  layout.last_bearing_rear = rings.front().rear();
+  for (const model::Rings& r : rings) {
+    layout.first_bearing_front = std::min(layout.first_bearing_front, r.front());
+    layout.last_bearing_rear = std::max(layout.last_bearing_rear, r.rear());
+  }
   std::vector<double> lines{layout.front_centre, s.housing.flange,
                             s.housing.flange - 0.5 * s.housing.flange_length,
                             s.housing.flange + 0.5 * s.housing.flange_length};

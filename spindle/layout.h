@@ -32,6 +32,7 @@ struct BearingPlace {
   double seat_bore = unset, seat = unset;  ///< radii of shaft bore and inner seat [m]
   double inner_shoulder = unset, outer_shoulder = unset;  ///< radii [m]
   double housing_seat = unset, housing_outer = unset;     ///< radii [m]
+  double inner_interference = unset, outer_clearance = unset;  ///< diametral, cold and still [m]
   Joints inner_seat, outer_seat;
   Joints inner_raceway, outer_raceway;  ///< from cell to raceway
   Shares inner_ring, outer_ring;        ///< mean temperatures
@@ -41,17 +42,21 @@ struct BearingPlace {
 /// All of a spindle's cells and joints, with everything that stays as it is whatever runs.
 struct Layout {
   Mesh mesh;
-  std::vector<BearingPlace> bearings;  ///< front set first
+  std::vector<BearingPlace> bearings;  ///< as model::rings_of()
   Joints shoulders, collars;
   Joints clamped;  ///< spacers between rings, ground and pressed together: no barrier
   Joints housing_cylinder, housing_ends, nose, rear, flange;
   Joints gap;
   Joints coolant_walls;
-  double first_bearing_front = unset, last_bearing_rear = unset;  ///< faces of rings [m]
+  double first_bearing_front = unset, last_bearing_rear = unset;  ///< outermost faces [m]
   double housing_start = unset, housing_end = unset;              ///< [m]
   double front_centre = unset, rear_centre = unset;  ///< of the sets [m]; NaN without a rear set
   double helix_length = 0.0;                         ///< of the coolant's channel [m]
 
+  /// What the middle of a seat is made of.
+  [[nodiscard]] const model::SolidMaterial& material(const Shares& seat) const {
+    return mesh.cells[static_cast<std::size_t>(seat.front().cell)].material;
+  }
   /// Shares of a source between two planes, by volume. The nearest cell where none lies there.
   [[nodiscard]] Shares source(Body body, double from, double to) const;
 };

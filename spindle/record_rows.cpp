@@ -41,7 +41,8 @@ std::vector<ProfileRow> profile_of(const record::Record& record) {
   const auto ambient = series("ambient_temperature_C"), machine = series("machine_temperature_C"),
              inlet = series("coolant_inlet_temperature_C"), coolant = series("coolant_on"),
              motor = series("motor_heat_W"), axial = series("axial_load_N"),
-             radial = series("radial_load_N");
+             radial = series("radial_load_N"), moment = series("moment_Nm"),
+             belt = series("belt_force_N");
   const auto at = [](std::span<const double> values, std::size_t row, double otherwise) {
     return values.empty() ? otherwise : values[row];
   };
@@ -63,6 +64,8 @@ std::vector<ProfileRow> profile_of(const record::Record& record) {
                                .motor_heat = at(motor, set, unset),
                                .axial_load = at(axial, set, 0.0),
                                .radial_load = at(radial, set, 0.0),
+                               .moment = at(moment, set, 0.0),
+                               .belt_force = at(belt, set, unset),
                                .coolant_on = at(coolant, set, 1.0) >= 0.5}});
   }
   return rows;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "fit/problem.h"
+#include "spindle/warm_rollers.h"
 #include "spindle/warm_sets.h"
 
 namespace raceway::spindle {
@@ -37,6 +38,28 @@ bool SetsOfSpindle::heat(const Inputs& inputs, SetsAtSpeed& sets) {
   return report.converged();
 }
 
+std::vector<double> SetsOfSpindle::clearances(double speed,
+                                              const std::optional<Moment>& warm) const {
+  std::vector<double> list;
+  const std::vector<model::RollerOnShaft>& rollers = parts_->model.spindle->rollers;
+  if (rollers.empty()) return list;
+  const std::size_t first = arrangement().bearings().size();
+  if (warm) {
+    for (std::size_t k = first; k < warm->bearings.size(); ++k)
+      list.push_back(warm->bearings[k].clearance);
+    return list;
+  }
+  const Layout layout = make_layout(parts_->model, model::Cells::coarse);
+  const double cold = arrangement().design().mounting_temperature;
+  for (std::size_t k = 0; k < rollers.size(); ++k) {
+    WarmRollers seated(parts_->model, rollers[k], layout, layout.bearings[first + k]);
+    seated.set_speed(speed);
+    list.push_back(seated.clearance(
+        {.inner_ring = cold, .outer_ring = cold, .shaft = cold, .housing = cold}));
+  }
+  return list;
+}
+
 SetsAtSpeed SetsOfSpindle::at(const Inputs& inputs, bool warm) {
   SetsAtSpeed result;
   if (parts_->cancelled && parts_->cancelled->load()) throw fit::Cancelled();
@@ -53,6 +76,7 @@ SetsAtSpeed SetsOfSpindle::at(const Inputs& inputs, bool warm) {
     }
     asked.elongation = result.moment->elongation;
   }
+  result.clearances = clearances(inputs.speed, result.moment);
   if (!parts_->sets.set_inputs(inputs) || !parts_->sets.solve(asked)) {
     result.message = "the sets have no balance";
     return result;
@@ -70,12 +94,6 @@ SetsAtSpeed SetsOfSpindle::at(const Inputs& inputs, bool warm) {
     }
   result.status = Status::converged;
   return result;
-}
-
-std::vector<double> bearing_places(const model::Spindle& spindle) {
-  std::vector<double> places = spindle.front_positions;
-  places.insert(places.end(), spindle.rear_positions.begin(), spindle.rear_positions.end());
-  return places;
 }
 
 }  // namespace raceway::spindle

@@ -8,7 +8,7 @@
 #include "bearing/displaced_bearing.h"
 #include "model/model.h"
 #include "spindle/beam.h"
-#include "spindle/spindle.h"
+#include "spindle/shaft_loads.h"
 
 namespace raceway::spindle {
 
@@ -19,6 +19,7 @@ struct SetsAtSpeed {
   bearing::ArrangementCondition condition = {};  ///< with growth by speed and, warm, by heat
   bearing::ArrangementEquilibrium equilibrium = {};
   std::vector<bearing::BearingEquilibrium> bearings = {};  ///< with 5x5 stiffness, front set first
+  std::vector<double> clearances = {};  ///< of the roller bearings [m]
   std::optional<Moment> moment = {};  ///< temperatures of the steady spindle; none where cold
   [[nodiscard]] bool converged() const { return status == Status::converged; }
 };
@@ -41,12 +42,12 @@ class SetsOfSpindle {
 
  private:
   [[nodiscard]] bool heat(const Inputs& inputs, SetsAtSpeed& sets);
+  /// Of the roller bearings [m].
+  [[nodiscard]] std::vector<double> clearances(double speed,
+                                               const std::optional<Moment>& warm) const;
 
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
-
-/// Centres of the bearings on the shaft, front set first [m].
-[[nodiscard]] std::vector<double> bearing_places(const model::Spindle& spindle);
 
 }  // namespace raceway::spindle

@@ -154,23 +154,19 @@ struct Simulator::Parts {
   }
 
   void fill_sets(const Vector& s, double nose, Moment& m) {
-    const WarmSets& sets = flow.coupling()->sets();
-    m.set_position = sets.sets().position - sets.rest();
+    const BearingCoupling& bearings = *flow.coupling();
+    const WarmSets& sets = bearings.sets();
+    m.set_position = sets.position() - bearings.rest();
     m.kinematic_displacement = sets.cold_sets().position - sets.rest();
     // A sum over all cells leaves its rounding: below a femtometre there is nothing.
     m.displacement = m.set_position + (std::abs(nose) < 1e-15 ? 0.0 : nose);
     m.elongation = s[felt - 1] * um;
-    m.front_force = sets.sets().front_force;
-    m.rear_force = sets.sets().rear_force;
+    m.front_force = sets.front_force();
+    m.rear_force = sets.rear_force();
     m.bearings.clear();
-    for (std::size_t k = 0; k < sets.bearings(); ++k) {
-      const auto at = static_cast<Eigen::Index>(4 * k);
-      const BearingHeat& heat = sets.heat()[k];
-      m.bearings.push_back({.inner_ring_temperature = s[at],
-                            .outer_ring_temperature = s[at + 1],
-                            .force = heat.force,
-                            .power = heat.power()});
-      m.heat.friction += heat.power();
+    for (std::size_t k = 0; k < bearings.bearings(); ++k) {
+      m.bearings.push_back(bearings.state(k, s));
+      m.heat.friction += m.bearings.back().power;
     }
   }
 
@@ -299,7 +295,7 @@ class Simulator::Passage {
       p_.remember(time_);
       run_.kept.push_back(p_.last);
     }
-    if (flow_.coupling()) follow_force(flow_.coupling()->sets().sets().front_force, time_);
+    if (flow_.coupling()) follow_force(flow_.coupling()->sets().front_force(), time_);
     if (!write_within(s, taken, from, began, dt)) return Status::no_equilibrium;
     if (flow_.coupling() &&
         flow_.felt().head(flow_.felt().size() - 1).maxCoeff() > HeatFlow::hottest_ring)
@@ -429,6 +425,16 @@ const bearing::ArrangementEquilibrium* Simulator::sets() const {
 const bearing::ArrangementCondition* Simulator::sets_condition() const {
   const BearingCoupling* const c = parts_->flow.coupling();
   return c ? &c->sets().asked() : nullptr;
+}
+
+const bearing::Arrangement* Simulator::arrangement() const {
+  const BearingCoupling* const c = parts_->flow.coupling();
+  return c ? &c->sets().arrangement() : nullptr;
+}
+
+const LoadedShaft* Simulator::shaft() const {
+  const BearingCoupling* const c = parts_->flow.coupling();
+  return c ? c->shaft() : nullptr;
 }
 
 std::size_t Simulator::cells() const {

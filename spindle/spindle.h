@@ -14,6 +14,8 @@
 /// beam on its bearings.
 namespace raceway::spindle {
 
+struct LoadedShaft;
+
 /// How a simulation ended.
 enum class Status { not_run, converged, no_equilibrium, thermal_runaway, step_limit };
 
@@ -30,7 +32,10 @@ struct Inputs {
   double coolant_inlet = unset;        ///< [K]
   double motor_heat = unset;           ///< [W]
   double axial_load = 0.0;             ///< at the nose, positive towards the tool [N]
-  double radial_load = 0.0;            ///< [N]
+  double radial_load = 0.0;            ///< at the nose, in the direction of y [N]
+  /// At the nose in the plane of y, in the sense of a force further in front [N m].
+  double moment = 0.0;
+  double belt_force = unset;  ///< [N]
   bool coolant_on = true;
   [[nodiscard]] bool operator==(const Inputs&) const = default;
 };
@@ -41,11 +46,13 @@ struct ProfileRow {
   Inputs inputs = {};
 };
 
-/// One bearing of the sets.
+/// One bearing on the shaft.
 struct BearingState {
   double inner_ring_temperature = unset, outer_ring_temperature = unset;  ///< mean of a ring [K]
   double force = unset;                                                   ///< axial [N]
-  double power = unset;                                                   ///< of its friction [W]
+  double radial_force = unset;                                            ///< [N]
+  double clearance = unset;  ///< s of a roller bearing, diametral; negative is a preload [m]
+  double power = unset;      ///< of its friction [W]
 };
 
 /// Heat balance [W]; heat that leaves is positive.
@@ -65,7 +72,7 @@ struct Moment {
   double elongation = unset;              ///< of the shaft beyond the housing between the sets [m]
   double front_force = unset, rear_force = unset;  ///< [N]
   HeatBalance heat = {};
-  std::vector<BearingState> bearings = {};  ///< front set first
+  std::vector<BearingState> bearings = {};  ///< front set first, roller bearings last
   std::vector<double> sensors = {};         ///< [K], in the order of the model
   /// What leaves the channel, T_in + 2 (T_mean - T_in), or what stands in it; NaN without one [K].
   double coolant_outlet = unset;
@@ -137,6 +144,11 @@ class Simulator {
   [[nodiscard]] const State& state() const;
   /// The sets at the end of the last call; null in a network.
   [[nodiscard]] const bearing::ArrangementEquilibrium* sets() const;
+  /// The sets as mounted; null in a network.
+  [[nodiscard]] const bearing::Arrangement* arrangement() const;
+  /// The shaft bent there, as the friction of its bearings knows it; null in a network, and where
+  /// nothing pushes across a shaft without roller bearings.
+  [[nodiscard]] const LoadedShaft* shaft() const;
   /// What the sets ran under there; null in a network.
   [[nodiscard]] const bearing::ArrangementCondition* sets_condition() const;
   [[nodiscard]] std::vector<FieldCell> field(const State& state) const;

@@ -345,7 +345,7 @@ model::Expected SpindleSubject::expected() const {
   model::Expected e;
   e.defaults = {{&record::speed, unset, ""}};
   e.measured = {&record::axial_displacement};
-  e.signed_inputs = {&record::axial_load};
+  e.signed_inputs = {&record::axial_load, &record::radial_load, &record::nose_moment};
   return e;
 }
 

@@ -177,12 +177,10 @@ void ThermalSystem::update_seats(const Vector& temperatures, double speed) {
   const double mounted = kelvin(20);  // a seat knows differences alone, but for two materials
   for (std::size_t k = 0; k < layout_.bearings.size(); ++k) {
     const BearingPlace& b = layout_.bearings[k];
-    const auto material = [&](const Shares& shares) {
-      return layout_.mesh.cells[static_cast<std::size_t>(shares.front().cell)].material;
-    };
     const double inner = mean(b.inner_ring, temperatures) - mounted;
     const double outer = mean(b.outer_ring, temperatures) - mounted;
-    const model::SolidMaterial shaft = material(b.shaft_below), housing = material(b.housing_above);
+    const model::SolidMaterial& shaft = layout_.material(b.shaft_below);
+    const model::SolidMaterial& housing = layout_.material(b.housing_above);
     const auto film = [&](const PressFit& fit, double first, double second) {
       return seat_conductance({.roughness = seat.roughness,
                                .slope = seat.slope,
@@ -193,7 +191,7 @@ void ThermalSystem::update_seats(const Vector& temperatures, double speed) {
     };
     const PressFit on_shaft = press_fit(
         {2.0 * b.seat_bore, 2.0 * b.seat, shaft, mean(b.shaft_below, temperatures) - mounted},
-        {2.0 * b.seat, 2.0 * b.inner_shoulder, ring, inner}, seat.inner_interference, speed);
+        {2.0 * b.seat, 2.0 * b.inner_shoulder, ring, inner}, b.inner_interference, speed);
     set_links(inner_seats_[k], film(on_shaft, shaft.conductivity, ring.conductivity));
     double conductance = seat.outer_conductance;
     if (std::isnan(conductance)) {
@@ -201,7 +199,7 @@ void ThermalSystem::update_seats(const Vector& temperatures, double speed) {
           press_fit({2.0 * b.outer_shoulder, 2.0 * b.housing_seat, ring, outer},
                     {2.0 * b.housing_seat, 2.0 * b.housing_outer, housing,
                      mean(b.housing_above, temperatures) - mounted},
-                    -seat.outer_clearance, 0.0);
+                    -b.outer_clearance, 0.0);
       conductance = film(in_housing, ring.conductivity, housing.conductivity);
     }
     set_links(outer_seats_[k], condition_.outer_seat_factor * conductance);

@@ -14,7 +14,8 @@ bool same(double a, double b) { return (std::isnan(a) && std::isnan(b)) || a == 
 /// Whether inputs go on without a jump.
 bool goes_on(const Inputs& a, const Inputs& b) {
   return a.speed == b.speed && a.coolant_on == b.coolant_on && a.axial_load == b.axial_load &&
-         a.radial_load == b.radial_load && same(a.motor_heat, b.motor_heat) &&
+         a.radial_load == b.radial_load && a.moment == b.moment &&
+         same(a.belt_force, b.belt_force) && same(a.motor_heat, b.motor_heat) &&
          near(a.ambient_temperature, b.ambient_temperature) &&
          near(a.machine_temperature, b.machine_temperature) &&
          near(a.coolant_inlet, b.coolant_inlet);

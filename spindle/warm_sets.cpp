@@ -38,6 +38,13 @@ double oil_temperature(std::size_t bearing, const SetsAsked& asked) {
   return 0.5 * (asked.inner_ring[bearing] + asked.outer_ring[bearing]);
 }
 
+void add_heat(const BearingHeat& more, double share, BearingHeat& heat) {
+  for (double BearingHeat::*const number :
+       {&BearingHeat::inner, &BearingHeat::outer, &BearingHeat::force, &BearingHeat::radial_force,
+        &BearingHeat::conductance})
+    heat.*number += share * (more.*number);
+}
+
 /// The steps of effects that change the friction moment of a bearing in its set.
 model::Steps friction_steps(const model::Model& model) {
   model::Steps steps(model);
@@ -58,6 +65,9 @@ WarmSets::WarmSets(const model::Model& model, const effects::SpindleCondition& c
     throw std::invalid_argument("arrangement: the sets cannot be mounted with these values");
   const auto bearings = arrangement().bearings();
   heat_.resize(bearings.size());
+  for (const bearing::MountedBearing& m : bearings)
+    conduction_.emplace_back(*m.bearing, conductivity_of_element(m.bearing->balls()),
+                             model::steel_of_rings.conductivity);
   if (has_effects_)
     for (const bearing::MountedBearing& m : bearings) {
       singles_.push_back(model_);
@@ -119,30 +129,65 @@ bool WarmSets::solve(const SetsAsked& asked) {
   std::vector<BearingHeat> heat(bearings());
   for (std::size_t k = 0; k < bearings(); ++k) {
     heat[k] = heat_of(k, asked, found);
+    if (!more_.empty()) add_heat(more_[k], 1.0, heat[k]);
     if (!std::isfinite(heat[k].power())) return false;
   }
   sets_ = std::move(found);
   heat_ = std::move(heat);
+  temperatures_ = asked;
+  return true;
+}
+
+bool WarmSets::bear(const LoadedShaft* bent) {
+  more_.clear();
+  more_position_ = more_front_ = more_rear_ = 0.0;
+  for (std::size_t k = 0; k < bearings(); ++k) {
+    heat_[k] = heat_of(k, temperatures_, sets_);
+    if (!bent) continue;
+    const UnevenBalls uneven{bent->loads[k], bent->bearings[k]};
+    BearingHeat loaded = heat_of(k, temperatures_, sets_, &uneven);
+    more_.push_back(loaded);
+    add_heat(heat_[k], -1.0, more_.back());
+    heat_[k] = loaded;
+    if (!std::isfinite(loaded.power())) return false;
+  }
+  if (!bent) return true;
+  more_position_ = bent->position - sets_.position;
+  more_front_ = bent->front_force - sets_.front_force;
+  more_rear_ = bent->rear_force - sets_.rear_force;
   return true;
 }
 
 BearingHeat WarmSets::heat_of(std::size_t k, const SetsAsked& asked,
-                              const bearing::ArrangementEquilibrium& sets) const {
+                              const bearing::ArrangementEquilibrium& sets,
+                              const UnevenBalls* uneven) const {
   const bearing::BearingInSet& b = sets.bearings[k];
   BearingHeat heat;
   heat.force = b.axial_load;
-  heat.inner_contact = b.lost() ? 0.0 : b.ball.inner_load;
-  heat.outer_contact = b.ball.outer_load;
-  const double load = feedback_ * b.axial_load + (1.0 - feedback_) * cold_.bearings[k].axial_load;
+  double load = feedback_ * b.axial_load + (1.0 - feedback_) * cold_.bearings[k].axial_load;
+  if (uneven) {
+    heat.force = uneven->load[0];
+    heat.radial_force = std::hypot(uneven->load[1], uneven->load[2]);
+    heat.conductance = conduction_[k].conductance(uneven->balls.balls);
+    load += heat.force - b.axial_load;
+  } else {
+    heat.conductance =
+        conduction_[k].conductance(b.lost() ? 0.0 : b.ball.inner_load, b.ball.outer_load);
+  }
   const double temperature = oil_temperature(k, asked);
   if (has_effects_) {
-    const BearingHeat split = heat_with_effects(k, load, temperature, asked, sets);
+    const BearingHeat split = heat_with_effects(k, load, temperature, asked, sets, uneven);
     heat.inner = split.inner, heat.outer = split.outer;
     return heat;
   }
-  if (friction::needs_equilibrium(model_.law)) return heat_of_contacts(k, temperature, sets, heat);
-  friction::BearingState<double> state = model::bearing_state(
-      model_, {.speed = inputs_.speed, .axial_load = load, .temperature = temperature}, nullptr);
+  if (friction::needs_equilibrium(model_.law))
+    return heat_of_contacts(k, temperature, sets, uneven, heat);
+  friction::BearingState<double> state = model::bearing_state(model_,
+                                                              {.speed = inputs_.speed,
+                                                               .axial_load = load,
+                                                               .radial_load = heat.radial_force,
+                                                               .temperature = temperature},
+                                                              nullptr);
   state.bearing = arrangement().bearings()[k].bearing.get();
   const friction::BaseMoments<double> base =
       friction::base_moments<double>(model_.law, state, model_.law_values);
@@ -152,7 +197,8 @@ BearingHeat WarmSets::heat_of(std::size_t k, const SetsAsked& asked,
     heat.inner = share * power, heat.outer = (1.0 - share) * power;
     return heat;
   }
-  const bearing::BearingEquilibrium balls = sets.bearing(k, arrangement());
+  const bearing::BearingEquilibrium balls =
+      uneven ? uneven->balls : sets.bearing(k, arrangement());
   state.equilibrium = &balls;
   const friction::HeatSplit split =
       friction::split_heat(state, {.load = base.load, .viscous = base.viscous});
@@ -162,11 +208,9 @@ BearingHeat WarmSets::heat_of(std::size_t k, const SetsAsked& asked,
 
 BearingHeat WarmSets::heat_of_contacts(std::size_t k, double temperature,
                                        const bearing::ArrangementEquilibrium& sets,
-                                       BearingHeat heat) const {
+                                       const UnevenBalls* uneven, BearingHeat heat) const {
   heat.inner = heat.outer = 0.0;
-  const auto add = [&](const bearing::ArrangementEquilibrium& of, double weight) {
-    if (weight == 0.0) return;
-    const bearing::BearingEquilibrium balls = of.bearing(k, arrangement());
+  const auto add = [&](const bearing::BearingEquilibrium& balls, double weight) {
     friction::BearingState<double> state =
         model::bearing_state(model_, {.speed = inputs_.speed, .temperature = temperature}, &balls);
     state.bearing = arrangement().bearings()[k].bearing.get();
@@ -175,8 +219,8 @@ BearingHeat WarmSets::heat_of_contacts(std::size_t k, double temperature,
     heat.inner += weight * split.inner;
     heat.outer += weight * split.outer;
   };
-  add(sets, feedback_);
-  add(cold_, 1.0 - feedback_);
+  if (feedback_ != 0.0) add(uneven ? uneven->balls : sets.bearing(k, arrangement()), feedback_);
+  if (feedback_ != 1.0) add(cold_.bearing(k, arrangement()), 1.0 - feedback_);
   const double share = model_.spindle->inner_heat_share;
   if (std::isfinite(share)) {
     const double power = heat.power();
@@ -187,15 +231,20 @@ BearingHeat WarmSets::heat_of_contacts(std::size_t k, double temperature,
 
 BearingHeat WarmSets::heat_with_effects(std::size_t k, double load, double temperature,
                                         const SetsAsked& asked,
-                                        const bearing::ArrangementEquilibrium& sets) const {
-  const bearing::OperatingPoint alone{
+                                        const bearing::ArrangementEquilibrium& sets,
+                                        const UnevenBalls* uneven) const {
+  bearing::OperatingPoint alone{
       .speed = inputs_.speed, .axial_load = load, .temperature = temperature};
+  if (uneven)
+    alone.radial_load = uneven->load[1], alone.radial_load_z = uneven->load[2];
   model::Steps steps = friction_;
   steps.equilibrium = true;
   // The contacts follow the forces that friction is to follow.
   const bool cold = friction::needs_equilibrium(model_.law) && feedback_ < 0.5;
   auto balls = std::make_shared<const bearing::BearingEquilibrium>(
-      (cold ? cold_ : sets).bearing(k, arrangement()));
+      cold     ? cold_.bearing(k, arrangement())
+      : uneven ? uneven->balls
+               : sets.bearing(k, arrangement()));
   const effects::Record record{.inner_ring_temperature = asked.inner_ring[k],
                                .outer_ring_temperature = asked.outer_ring[k]};
   model::RowPredictor row(singles_[k], steps, alone, record, balls, asked_.bearings[k],

@@ -40,6 +40,11 @@ struct LubricantOfFile {
 [[nodiscard]] LawOfFile read_friction_of_rollers(ModelTables& tables,
                                                  std::optional<friction::Supply> supply);
 
+/// Keys of Palmgren's law in the table of a roller bearing on a shaft, and its reader.
+[[nodiscard]] Keys palmgren_keys_of_rollers();
+[[nodiscard]] LawOfFile read_palmgren_of_rollers(ModelTables& tables, const Section& s,
+                                                 std::optional<friction::Supply> supply);
+
 /// Refuses a bearing, read from `table`, that lacks what the law needs.
 void require_data(friction::FrictionLaw law, const bearing::Bearing& bearing, const Section& table);
 

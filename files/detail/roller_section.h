@@ -22,6 +22,9 @@ void refuse_keys_of_rollers(const Section& bearing);
 /// Required keys of [bearing] with rollers that the file lacks.
 [[nodiscard]] Names missing_keys_of_rollers(const ModelTables& tables);
 
+/// Reads [[shaft.roller_bearing]] of a spindle.
+[[nodiscard]] std::vector<model::RollerOnShaft> read_rollers_on_shaft(ModelTables& tables);
+
 /// Reads the model of a bearing with cylindrical rollers on a rig from its own tables. The reader
 /// of all models reads what is fitted, tolerated and recorded.
 [[nodiscard]] model::Model read_roller_model(ModelTables& tables);

@@ -48,6 +48,8 @@ inline constexpr Form anywhere = between(-longest_mm, longest_mm, "mm"),
 /// [motor] or [drive].
 [[nodiscard]] std::optional<model::HeatSource> read_heat_source(ModelTables& tables,
                                                                 std::string_view table);
+/// Of [drive]; none where it has no force.
+[[nodiscard]] std::optional<model::Belt> read_belt(const ModelTables& tables);
 [[nodiscard]] std::vector<model::ThermometerPlace> read_sensors(const ModelTables& tables);
 [[nodiscard]] model::Network read_network(const ModelTables& tables, const model::Ambient& ambient);
 

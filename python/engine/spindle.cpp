@@ -85,11 +85,22 @@ double ambient_of(Heard& heard, double ambient_temperature_C) {
 }
 
 SpindleAnswer steady(const EngineModel& model, const std::vector<double>& speed_rpm, bool coolant,
-                     double ambient_temperature_C, double time_limit_s) {
+                     double ambient_temperature_C, double axial_load_N, double radial_load_N,
+                     double moment_Nm, double belt_force_N, double time_limit_s) {
+  if (!std::isnan(axial_load_N))
+    text::require_range(axial_load_N, text::signed_load_range, "axial_load_N");
+  text::require_range(radial_load_N, text::signed_load_range, "radial_load_N");
+  text::require_range(moment_Nm, session::moment_load_range, "moment_Nm");
+  if (!std::isnan(belt_force_N))
+    text::require_range(belt_force_N, text::load_range, "belt_force_N");
   Heard heard;
   session::SteadyQuestion question{.speeds = speeds_of(speed_rpm),
                                    .ambient_temperature = ambient_of(heard, ambient_temperature_C),
-                                   .coolant_on = coolant};
+                                   .coolant_on = coolant,
+                                   .axial_load = axial_load_N,
+                                   .radial_load = radial_load_N,
+                                   .moment = moment_Nm,
+                                   .belt_force = belt_force_N};
   const auto found = asked(heard, time_limit_s, [&](Heard&, const std::atomic<bool>& cancelled) {
     question.cancelled = &cancelled;
     return std::make_shared<const session::SteadySpindle>(

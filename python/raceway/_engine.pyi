@@ -142,7 +142,17 @@ class StepAnswer(SpindleAnswer):
     def correction(self, path: str, law: str, lags: str) -> tuple[str, list[tuple[str, str]], list[Note]]: ...
     def superposition(self, correction: str, programme: Data) -> str: ...
 
-def steady(model: Model, speed_rpm: Sequence[float], coolant: bool, ambient_temperature_C: float, time_limit_s: float) -> SpindleAnswer: ...
+def steady(
+    model: Model,
+    speed_rpm: Sequence[float],
+    coolant: bool,
+    ambient_temperature_C: float,
+    axial_load_N: float,
+    radial_load_N: float,
+    moment_Nm: float,
+    belt_force_N: float,
+    time_limit_s: float,
+) -> SpindleAnswer: ...
 def simulate(
     model: Model,
     programme: Data,

@@ -31,8 +31,8 @@ def _some(rows: list[Any]) -> tuple[list[Any], str]:
 
 
 def _bearings(row: Row) -> list[str]:
-    """front_1, front_2, ... as the columns of a row name them."""
-    return [m[1] for m in (re.fullmatch(r"((?:front|rear)_\d+)_force_N", key) for key in row) if m]
+    """front_1, front_2, ... and the roller bearings, as the columns of a row name them."""
+    return [m[1] for m in (re.fullmatch(r"(.+)_inner_ring_temperature_C", key) for key in row) if m]
 
 
 def _hottest_ring(row: Row) -> float | None:
@@ -47,13 +47,14 @@ def _temperatures(row: Row) -> str:
     out = ""
     if places:
         out = table(
-            ["bearing", "inner ring in °C", "outer ring in °C", "axial force in N"],
+            ["bearing", "inner ring in °C", "outer ring in °C", "axial force in N", "radial in N"],
             [
                 [
                     text(p.replace("_", " ")),
                     number(row.get(f"{p}_inner_ring_temperature_C"), 3),
                     number(row.get(f"{p}_outer_ring_temperature_C"), 3),
                     number(row.get(f"{p}_force_N")),
+                    number(row.get(f"{p}_radial_force_N")),
                 ]
                 for p in places
             ],

@@ -22,7 +22,16 @@ class SpindleQuestions:
     _engine: _engine.Model
 
     def steady(
-        self, speed_rpm: ArrayLike, *, coolant: bool = True, ambient_temperature_C: float | None = None, time_limit_s: float | None = None
+        self,
+        speed_rpm: ArrayLike,
+        *,
+        coolant: bool = True,
+        ambient_temperature_C: float | None = None,
+        axial_load_N: float | None = None,
+        radial_load_N: float = 0.0,
+        moment_Nm: float = 0.0,
+        belt_force_N: float | None = None,
+        time_limit_s: float | None = None,
     ) -> SteadyStates:
         """Find where a spindle comes to rest: temperatures, preload, displacement, heat at each speed.
 
@@ -34,6 +43,12 @@ class SpindleQuestions:
             Whether it flows.
         ambient_temperature_C : float, optional
             Of the room; default that of the model.
+        axial_load_N : float, optional
+            At the nose, positive towards the tool; default that of the model.
+        radial_load_N, moment_Nm : float
+            At the nose; the moment is positive as the radial load further in front.
+        belt_force_N : float, optional
+            Pull of the belt; default that of the model.
         time_limit_s : float, optional
             After which it gives up with TimeoutError.
 
@@ -63,6 +78,10 @@ class SpindleQuestions:
             axis("speed_rpm", speed_rpm),
             _yes_or_no("coolant", coolant),
             _number("ambient_temperature_C", ambient_temperature_C),
+            _number("axial_load_N", axial_load_N),
+            _number("radial_load_N", radial_load_N),
+            _number("moment_Nm", moment_Nm),
+            _number("belt_force_N", belt_force_N),
             _limit(time_limit_s),
         )
         warn(answer.warnings)
@@ -86,8 +105,8 @@ class SpindleQuestions:
         profile : Record
             Columns ``time_s`` and ``speed_rpm``, and where they are known ``coolant_on``,
             ``ambient_temperature_C``, ``machine_temperature_C``, ``coolant_inlet_temperature_C``,
-            ``axial_load_N``, ``radial_load_N``, ``motor_heat_W``. A row's inputs hold from the row
-            before it to its time.
+            ``axial_load_N``, ``radial_load_N``, ``moment_Nm``, ``belt_force_N``, ``motor_heat_W``. A
+            row's inputs hold from the row before it to its time.
         start : SteadyStates, SpindleRun, str or path, optional
             What to begin with: the end of another result, its `end_state`, or the path of one.
             Default: all as warm as the room.

@@ -402,6 +402,21 @@ def test_several_threads_ask_one_result(run_of_jump):
     assert len(pages) == 4 and len(set(pages)) == 1
 
 
+def test_loads_and_roller_bearings_are_those_of_the_command(root, document):
+    path = "data/spindles/belt_driven.toml"
+    model = raceway.Model.from_text((root / path).read_text(), path)
+    state = model.steady(6000, radial_load_N=300, moment_Nm=-10, belt_force_N=1200)
+    said = document("spindle", path, "--speed", "6000", "--steady", "--radial-load", "300", "--moment=-10", "--belt-force", "1200")
+    assert state.data["steady"] == said["steady"]
+    assert state.to_frame()["belt_end_radial_force_N"][0] > 1200
+    assert "belt end" in state._repr_html_()
+    loads = pd.DataFrame({"time_s": [600, 1200], "speed_rpm": [6000, 6000], "belt_force_N": [0, 1500], "moment_Nm": [0, -5]})
+    frame = model.simulate(record(loads)).to_frame()
+    assert frame["belt_end_radial_force_N"].round(3)[0] == 0 and frame["belt_end_radial_force_N"][1] > 1500
+    with pytest.raises(raceway.InputError, match="moment_Nm"):
+        model.steady(6000, moment_Nm=1e9)
+
+
 def test_what_is_found_gives_no_warning(driven):
     with warnings.catch_warnings():
         warnings.simplefilter("error")

@@ -99,7 +99,7 @@ TEST_F(SpindleCommand, CsvHasTheColumnsOfTheRun) {
                         "drive_heat_W,heat_to_coolant_W,heat_to_air_W,heat_to_machine_W,"
                         "heat_stored_W,front_bearing_temperature_C,shaft_end_temperature_C,"
                         "front_1_inner_ring_temperature_C,front_1_outer_ring_temperature_C,"
-                        "front_1_force_N,front_2_"));
+                        "front_1_force_N,front_1_radial_force_N,front_2_"));
 }
 
 TEST_F(SpindleCommand, StateGoesOnWhereItWasLeft) {
@@ -148,6 +148,51 @@ TEST_F(SpindleCommand, StateOfOtherCellsIsRefused) {
   const Result r = spindle(profile() + "--start " + state, base_spindle);
   EXPECT_EQ(r.status, 1);
   EXPECT_THAT(r.err, HasSubstr("of other cells"));
+}
+
+TEST_F(SpindleCommand, ARadialLoadInAProgrammeWarmsTheFrontBearings) {
+  const auto friction = [&](const std::string& text) {
+    const json rows = parsed(spindle(profile(text) + "--json"))["rows"];
+    return rows.back()["friction_power_W"].get<double>();
+  };
+  const double idle = friction("time_s,speed_rpm\n1800,6000\n");
+  const double loaded = friction("time_s,speed_rpm,radial_load_N\n1800,6000,1000\n");
+  EXPECT_GT(loaded, 1.01 * idle);
+  EXPECT_GT(friction("time_s,speed_rpm,radial_load_N,moment_Nm\n1800,6000,1000,100\n"), loaded);
+  const Result refused = spindle(profile("time_s,speed_rpm,belt_force_N\n600,6000,800\n"));
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, HasSubstr("belt_force_N: the model has no belt"));
+  EXPECT_THAT(spindle(profile() + "--radial-load 300").err,
+              HasSubstr("a --speed-profile has columns for them"));
+}
+
+TEST_F(SpindleCommand, ARollerBearingAtTheBeltIsPrintedWithItsReaction) {
+  const std::string model = source_dir() + "/data/spindles/belt_driven.toml";
+  const Result said = run("spindle " + model + " --speed 6000 --steady");
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_THAT(said.out, HasSubstr("clearance"));
+  EXPECT_THAT(said.out, HasSubstr("belt_end"));
+  const json s = parsed(run("spindle " + model + " --speed 6000 --steady --json"))["steady"][0];
+  EXPECT_GT(s["belt_end_radial_force_N"].get<double>(), 1500.0);
+  EXPECT_LT(s["belt_end_clearance_um"].get<double>(), 0.0);
+  EXPECT_GT(s["belt_end_friction_W"].get<double>(), 10.0);
+  EXPECT_FALSE(s.contains("belt_end_force_N"));
+  const json free =
+      parsed(run("spindle " + model + " --speed 6000 --steady --belt-force 0 --json"))["steady"][0];
+  EXPECT_NEAR(free["belt_end_radial_force_N"].get<double>(), 0.0, 1e-3);
+  EXPECT_LT(free["friction_power_W"].get<double>(), s["friction_power_W"].get<double>());
+  // Of the belt by rows, and of the shaft on both kinds of bearings.
+  const std::string day =
+      scratch_.write("belt.csv", "time_s,speed_rpm,belt_force_N\n600,6000,0\n1200,6000,2000\n");
+  const json rows = parsed(run("spindle " + model + " --speed-profile " + day + " --json"))["rows"];
+  EXPECT_NEAR(rows[0]["belt_end_radial_force_N"].get<double>(), 0.0, 1e-3);
+  EXPECT_GT(rows[1]["belt_end_radial_force_N"].get<double>(), 2000.0);
+  const json bent = parsed(run("deflection " + model + " --force 500 --json"));
+  EXPECT_EQ(bent["roller_bearings"][0]["name"], "belt_end");
+  EXPECT_GT(bent["roller_bearings"][0]["unloaded_radial_load_N"].get<double>(), 1500.0);
+  const Result modes = run("modes " + model + " --speed 6000 --warm -o -");
+  EXPECT_EQ(modes.status, 0) << modes.err;
+  EXPECT_THAT(modes.out, HasSubstr("belt_end_radial_N_um"));
 }
 
 TEST_F(SpindleCommand, DisplacementWorksOnItsSets) {

@@ -2,6 +2,7 @@
 
 #include "files/spindle_record.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -61,6 +62,32 @@ TEST(SpindleRecord, TemperaturesOfSensorsAreMeasuredAndThoseAroundAreNot) {
       read_rows("time_s,speed_rpm,ambient_temperature_C,shaft_end_temperature_C\n60,0,20,20\n");
   EXPECT_EQ(r.find(record::sensor_channel("shaft_end"))->channel->role, record::Role::measured);
   EXPECT_TRUE(r.find(*record::spindle_channel("ambient_temperature_C"))->channel->is_input());
+}
+
+TEST(SpindleRecord, LoadsAtTheNoseHaveASense) {
+  const auto rows = spindle::profile_of(
+      read_rows("time_s,speed_rpm,radial_load_N,moment_Nm\n60,0,300,0\n120,6000,-250,-12\n"));
+  EXPECT_EQ(rows[0].inputs.radial_load, 300);
+  EXPECT_EQ(rows[1].inputs.radial_load, -250);
+  EXPECT_EQ(rows[1].inputs.moment, -12);
+  EXPECT_TRUE(std::isnan(rows[1].inputs.belt_force));
+}
+
+TEST(SpindleRecord, LoadsThatNothingCarriesAreRefused) {
+  const std::string belt = "time_s,speed_rpm,belt_force_N\n60,0,900\n";
+  EXPECT_THAT(rows_error(belt), HasSubstr("belt_force_N: the model has no belt"));
+  model::Spindle driven = spindle_of_records();
+  driven.belt = model::Belt{.position = 350 * mm};
+  const auto rows = spindle::profile_of(read_spindle_record({"day.csv", belt}, driven));
+  EXPECT_EQ(rows[0].inputs.belt_force, 900);
+  model::Spindle network = spindle_of_records();
+  network.network = model::Network{};
+  for (const char* load : {"radial_load_N", "axial_load_N", "moment_Nm"}) {
+    const std::string text = fmt::format("time_s,speed_rpm,{}\n60,0,5\n", load);
+    EXPECT_THAT(
+        tests::message_of([&] { (void)read_spindle_record({"day.csv", text}, network); }),
+        HasSubstr("a [network] has no shaft"));
+  }
 }
 
 TEST(SpindleRecord, SensorsStandBeforeTheDisplacement) {

@@ -9,6 +9,7 @@
 
 #include "files/model_file.h"
 #include "model/parameters.h"
+#include "model/rings.h"
 #include "tests/files/spindle_text.h"
 #include "tests/support/message_of.h"
 
@@ -160,6 +161,81 @@ TEST(SpindleSection, DisksAndSupportsStandOnTheShaft) {
   EXPECT_EQ(s.shaft.disks.at(0).mass, 3);
   EXPECT_DOUBLE_EQ(s.shaft.supports.at(0).radial_stiffness, 200e6);
   EXPECT_EQ(s.shaft.supports[0].tilt_stiffness, 5000);
+}
+
+/// A roller bearing on the rear end of the base spindle, whose housing is longer for it.
+std::string with_rollers(const std::string& more = "", const std::string& name = "belt_end") {
+  const std::string housing = with(
+      base_spindle, "length_mm = 275.0\nouter_diameter_mm = 180.0\n",
+      "segment = [{length_mm = 265, outer_diameter_mm = 180},\n"
+      "           {length_mm = 40, outer_diameter_mm = 180, bore_mm = 95}]\n");
+  return housing + "[[shaft.roller_bearing]]\nname = \"" + name +
+         "\"\nposition_mm = 330\nbore_mm = 60\nouter_diameter_mm = 95\nwidth_mm = 18\n"
+         "roller_count = 20\nroller_diameter_mm = 8\nroller_length_mm = 8\n"
+         "pitch_diameter_mm = 77.5\n" +
+         more;
+}
+
+TEST(SpindleSection, ARollerBearingStandsOnTheShaft) {
+  const ModelFile file = spindle_file(with_rollers("radial_clearance_um = -3\n"));
+  const model::RollerOnShaft& r = file.model.spindle->rollers.at(0);
+  EXPECT_EQ(r.name, "belt_end");
+  EXPECT_DOUBLE_EQ(r.position, 330 * mm);
+  EXPECT_DOUBLE_EQ(r.bearing.geometry().radial_clearance, -3 * um);
+  EXPECT_EQ(r.f0, 1.5);
+  EXPECT_EQ(r.f1, 0.0003);
+  EXPECT_TRUE(std::isnan(r.inner_interference));
+  const auto rings = model::rings_of(*file.model.spindle, file.model.shaft->arrangement);
+  ASSERT_EQ(rings.size(), 4u);
+  EXPECT_DOUBLE_EQ(rings[3].inner_interference, 6 * um);  // of [seat]
+  EXPECT_DOUBLE_EQ(rings[3].inner_shoulder, 69.5 * mm);
+  EXPECT_THAT(lines(file.defaults), Contains("shaft.roller_bearing.f1 = 0.0003 (default)"));
+  const model::RollerOnShaft own =
+      spindle_of(with_rollers("f0 = 2\nf1 = 0.0002\nf1_load = \"F_r\"\ntaper = 12\n"
+                              "drive_up_mm = 0.12\nouter_clearance_um = 8\n"
+                              "lubricant_conductance_W_K = 0.5\n"))
+          .rollers.at(0);
+  EXPECT_EQ(own.f0, 2.0);
+  EXPECT_EQ(own.counted, friction::F1Load::F_r);
+  EXPECT_DOUBLE_EQ(own.inner_interference, 10 * um);
+  EXPECT_DOUBLE_EQ(own.outer_clearance, 8 * um);
+  EXPECT_EQ(own.lubricant_conductance, 0.5);
+}
+
+TEST(SpindleSection, ARollerBearingThatCannotStandThereIsRefused) {
+  const auto why = [](const std::string& text) { return spindle_error(text); };
+  EXPECT_THAT(why(with(with_rollers(), "position_mm = 330", "position_mm = 295")),
+              HasSubstr("reaches into the bearing at 290 mm"));
+  EXPECT_THAT(why(with(with_rollers(), "position_mm = 330", "position_mm = 372")),
+              HasSubstr("is not all on the shaft"));
+  EXPECT_THAT(why(with(with_rollers(), "bore_mm = 95", "bore_mm = 100")),
+              HasSubstr("the housing has bore_mm = 100 mm there"));
+  EXPECT_THAT(why(with_rollers("drive_up_mm = 0.1\n")), HasSubstr("needs a taper"));
+  EXPECT_THAT(why(with_rollers("taper = 12\ndrive_up_mm = 0.1\ninner_interference_um = 5\n")),
+              HasSubstr("take one"));
+  EXPECT_THAT(why(with_rollers("inner_interference_um = 300\n")), HasSubstr("the ring yields"));
+  EXPECT_THAT(why(with_rollers("z = 0.0007\n")), HasSubstr("unknown key in [shaft.roller_bearing]"));
+  EXPECT_THAT(why(with_rollers("", "front_9")), HasSubstr("take another name"));
+  EXPECT_THAT(why(with(with_rollers(), "width_mm = 18\n", "")), HasSubstr("width_mm is missing"));
+  EXPECT_THAT(why(with(with_rollers(), "roller_count = 20", "roller_count = 40")),
+              HasSubstr("roller_count"));
+}
+
+TEST(SpindleSection, ABeltPullsWhereItSays) {
+  const model::Spindle s = spindle_of(
+      base_spindle + "[drive]\nbelt_force_N = 1500\nbelt_angle_deg = 90\nposition_mm = 350\n");
+  ASSERT_TRUE(s.belt);
+  EXPECT_EQ(s.belt->force, 1500.0);
+  EXPECT_DOUBLE_EQ(s.belt->angle, pi / 2.0);
+  EXPECT_DOUBLE_EQ(s.belt->position, 350 * mm);
+  EXPECT_EQ((*s.drive.value().heat)({}), 0.0);
+  EXPECT_FALSE(spindle_of(base_spindle + "[drive]\nheat_W = 20\n").belt);
+  EXPECT_THAT(spindle_error(base_spindle + "[drive]\nbelt_force_N = 1500\n"),
+              HasSubstr("position_mm is missing"));
+  EXPECT_THAT(spindle_error(base_spindle + "[drive]\nheat_W = 20\nbelt_angle_deg = 30\n"),
+              HasSubstr("belt_force_N, which is missing"));
+  EXPECT_THAT(spindle_error(base_spindle + "[drive]\nposition_mm = 350\n"),
+              HasSubstr("heat_W is missing"));
 }
 
 TEST(SpindleSection, HeatOfADriveIsAFormulaOfTheSpeed) {
