@@ -18,9 +18,18 @@ constexpr double least_load_share = 0.02;
 std::vector<std::string> notes_on_rollers(const model::Model& model,
                                           const bearing::OperatingPoint& point,
                                           const model::FrictionPrediction& prediction) {
-  std::vector<std::string> notes;
   const bearing::RollerBearing& b = *model.bearing.rollers();
-  const bearing::RollerEquilibrium& e = *prediction.rollers;
+  return notes_on_rollers(b, *prediction.rollers,
+                          std::isnan(model.life.dynamic_load_rating)
+                              ? life::dynamic_load_rating(b.geometry())
+                              : model.life.dynamic_load_rating,
+                          point.speed, std::hypot(point.radial_load, point.radial_load_z));
+}
+
+std::vector<std::string> notes_on_rollers(const bearing::RollerBearing& b,
+                                          const bearing::RollerEquilibrium& e, double C,
+                                          double speed, double radial) {
+  std::vector<std::string> notes;
   if (e.loose)
     notes.emplace_back(
         "no load and a clearance: the bearing is loose, nothing touches the inner ring");
@@ -32,11 +41,7 @@ std::vector<std::string> notes_on_rollers(const model::Model& model,
         fmt::format("the inner ring is tilted by {:.3g} mrad; cylindrical rollers stand "
                     "about {:g} mrad before their ends are overloaded",
                     tilt / mrad, bearing::usual_tilt_limit / mrad));
-  const double C = std::isnan(model.life.dynamic_load_rating)
-                       ? life::dynamic_load_rating(b.geometry())
-                       : model.life.dynamic_load_rating;
-  const double radial = std::hypot(point.radial_load, point.radial_load_z);
-  if (point.speed > 0.0 && !e.loose && e.clearance >= 0.0 && radial < least_load_share * C)
+  if (speed > 0.0 && !e.loose && e.clearance >= 0.0 && radial < least_load_share * C)
     notes.push_back(fmt::format(
         "the radial load of {:.4g} N is below {:.4g} N = {:g} C, and there is no preload: rollers "
         "may skid",

@@ -6,11 +6,13 @@
 #include <cmath>
 
 #include "bearing/contact_pressure.h"
+#include "life/roller_life.h"
 #include "record/units.h"
 #include "report/spindle_report.h"
 #include "session/beam_of_model.h"
 #include "session/judged.h"
 #include "session/open_input.h"
+#include "session/roller_notes.h"
 #include "spindle/loaded_shaft.h"
 #include "text/error.h"
 
@@ -66,6 +68,24 @@ std::vector<report::DrawnField> fields_of(spindle::Simulator& simulator,
     fields.push_back({.speed = s.inputs.speed, .cells = simulator.field(simulator.state())});
   }
   return fields;
+}
+
+/// Of the state that was found last.
+void note_rollers(const model::Model& model, const spindle::Simulator& simulator,
+                  SteadySpindle& answer) {
+  const results::SteadyState& s = answer.states.back();
+  const spindle::LoadedShaft* const bent = simulator.shaft();
+  if (!s.report.converged() || !bent) return;
+  for (std::size_t k = 0; k < bent->rollers.size(); ++k) {
+    const model::RollerOnShaft& r = model.spindle->rollers[k];
+    const bearing::RollerEquilibrium& e = bent->rollers[k];
+    for (const std::string& note : notes_on_rollers(
+             r.bearing, e, life::dynamic_load_rating(r.bearing.geometry()), s.inputs.speed,
+             std::hypot(e.load[0], e.load[1]))) {
+      std::string text = fmt::format("{} at {:.6g} rpm: {}", r.name, s.inputs.speed / rpm, note);
+      answer.roller_notes.push_back(std::move(text));
+    }
+  }
 }
 
 /// Refuses loads that the spindle has nothing to carry with.
@@ -137,7 +157,7 @@ SteadySpindle steady_spindle(const files::ModelFile& file, const SteadyQuestion&
   SteadySpindle answer{.file = file};
   spindle::Simulator simulator = simulator_of(file);
   simulator.stop_on(question.cancelled);
-  for (const double speed : question.speeds)
+  for (const double speed : question.speeds) {
     answer.states.push_back(
         steady_state(simulator, {.speed = speed,
                                  .ambient_temperature = question.ambient_temperature,
@@ -148,6 +168,8 @@ SteadySpindle steady_spindle(const files::ModelFile& file, const SteadyQuestion&
                                  .moment = question.moment,
                                  .belt_force = question.belt_force,
                                  .coolant_on = question.coolant_on}));
+    note_rollers(file.model, simulator, answer);
+  }
   answer.findings = judge(file.model, answer.states);
   const auto last = std::find_if(answer.states.rbegin(), answer.states.rend(),
                                  [](const auto& s) { return s.report.converged(); });
@@ -167,6 +189,7 @@ bool SteadySpindle::converged() const {
 
 std::vector<std::string> SteadySpindle::notes() const {
   std::vector<std::string> lines = model::notes_of(findings);
+  lines.insert(lines.end(), roller_notes.begin(), roller_notes.end());
   const bool coolant_on = states.empty() || states.front().inputs.coolant_on;
   if (std::string unused = unused_coolant_off(file.model, coolant_on, true); !unused.empty())
     lines.push_back(std::move(unused));

@@ -40,6 +40,7 @@ struct SteadyQuestion {
 struct SteadySpindle {
   files::ModelFile file;
   std::vector<results::SteadyState> states{};
+  std::vector<std::string> roller_notes{};  ///< what to know of roller bearings
   results::MeshEstimate mesh{};
   model::Findings findings{};
   spindle::State end{};                     ///< of the last speed; nothing where it has none
