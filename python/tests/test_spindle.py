@@ -408,11 +408,11 @@ def test_loads_and_roller_bearings_are_those_of_the_command(root, document):
     state = model.steady(6000, radial_load_N=300, moment_Nm=-10, belt_force_N=1200)
     said = document("spindle", path, "--speed", "6000", "--steady", "--radial-load", "300", "--moment=-10", "--belt-force", "1200")
     assert state.data["steady"] == said["steady"]
-    assert state.to_frame()["belt_end_radial_force_N"][0] > 1200
+    assert state.to_frame()["belt_end_radial_force_N"][0] > 800
     assert "belt end" in state._repr_html_()
     loads = pd.DataFrame({"time_s": [600, 1200], "speed_rpm": [6000, 6000], "belt_force_N": [0, 1500], "moment_Nm": [0, -5]})
     frame = model.simulate(record(loads)).to_frame()
-    assert frame["belt_end_radial_force_N"].round(3)[0] == 0 and frame["belt_end_radial_force_N"][1] > 1500
+    assert frame["belt_end_radial_force_N"].round(3)[0] == 0 and frame["belt_end_radial_force_N"][1] > 1000
     with pytest.raises(raceway.InputError, match="moment_Nm"):
         model.steady(6000, moment_Nm=1e9)
 
