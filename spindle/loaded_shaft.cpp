@@ -75,7 +75,16 @@ class ShaftBalance5 {
       const std::size_t node = beam.node_at(p);
       const auto same = std::find(nodes.begin(), nodes.end(), node);
       loaded_.push_back(2 * (same - nodes.begin()));
-      if (same == nodes.end()) nodes.push_back(node);
+      if (same == nodes.end()) {
+        nodes.push_back(node);
+        continue;
+      }
+      // Each load has one more place than bearings: the numbering does not depend on where it acts.
+      std::size_t other = 0;
+      while (std::find(nodes.begin(), nodes.end(), other) != nodes.end()) ++other;
+      if (other >= beam.nodes().size())
+        throw std::invalid_argument("the beam needs more nodes than bearings");
+      nodes.push_back(other);
     }
     return nodes;
   }
