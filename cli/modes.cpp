@@ -53,7 +53,8 @@ void print(const ModesFlags& f, const session::SpindleModes& found) {
     for (std::size_t i = 0; i < a.bearings().size(); ++i)
       row.push_back(number(known ? r.sets.bearings[i].stiffness(1, 1) / N_per_um : unset));
     for (std::size_t i = 0; i < found.beam.roller_names.size(); ++i)
-      row.push_back(number(known && r.shaft ? r.shaft->rollers[i].stiffness(0, 0) / N_per_um : unset));
+      row.push_back(
+          number(known && r.shaft ? r.shaft->rollers[i].stiffness(0, 0) / N_per_um : unset));
     for (std::size_t k = 0; k < static_cast<std::size_t>(f.count); ++k) {
       if (k >= r.modes.modes.size()) {
         row.emplace_back("-");

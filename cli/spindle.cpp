@@ -50,9 +50,10 @@ void check_flags(const SpindleFlags& f) {
   const bool loads = !std::isnan(f.axial_load_N) || f.radial_load_N != 0.0 || f.moment_Nm != 0.0 ||
                      !std::isnan(f.belt_force_N);
   if (!f.steady && loads)
-    fail("--axial-load, --radial-load, --moment and --belt-force are of a state that is steady; a "
-         "--speed-profile has columns for them",
-         "--radial-load");
+    fail(
+        "--axial-load, --radial-load, --moment and --belt-force are of a state that is steady; a "
+        "--speed-profile has columns for them",
+        "--radial-load");
   if (f.steady && !f.start.empty())
     fail("--start: a steady state does not know where it came from", "--start");
   if (f.steady && (!f.reading.columns.empty() || f.reading.drop_nan))

@@ -78,7 +78,8 @@ const Key contact_law_keys[]{
 
 const std::string words_of_roller_law = names_as_words(friction::roller_friction_laws);
 const std::string words_of_roller_load = names_as_words(std::array{F1Load::F_r, F1Load::rollers});
-const Key roller_law_keys[]{{"law", one_of(words_of_roller_law), "palmgren", "base law of friction"}};
+const Key roller_law_keys[]{
+    {"law", one_of(words_of_roller_law), "palmgren", "base law of friction"}};
 const Key roller_load_keys[]{
     {"f1_load", one_of(words_of_roller_load), "rollers",
      "the load that the law counts: the radial load, as the laws are printed, or what the rollers "

@@ -165,13 +165,13 @@ std::string name_on_shaft(const Section& s, const std::vector<model::RollerOnSha
 
 void read_seats_on_shaft(const Section& s, model::RollerOnShaft& roller) {
   const bearing::RollerGeometry& g = roller.bearing.geometry();
-  for (const auto& [key, value] :
-       {std::pair("bore_mm", g.bore), {"outer_diameter_mm", g.outer_diameter}, {"width_mm", g.width}})
+  for (const auto& [key, value] : {std::pair("bore_mm", g.bore),
+                                   {"outer_diameter_mm", g.outer_diameter},
+                                   {"width_mm", g.width}})
     if (std::isnan(value)) s.fail_missing(key, ", which a bearing on a shaft needs");
   const auto drive_up = s.number("drive_up_mm");
   if (const auto given = s.number("inner_interference_um")) {
-    if (drive_up)
-      s.fail("drive_up_mm", "drive_up_mm: inner_interference_um says it too; take one");
+    if (drive_up) s.fail("drive_up_mm", "drive_up_mm: inner_interference_um says it too; take one");
     roller.inner_interference = *given * um;
   }
   if (drive_up) {
@@ -193,10 +193,11 @@ void refuse_sets_and_spindles(const ModelTables& tables) {
   for (const std::string& table : others)
     if (const toml::node* const node = tables.root().get(table))
       throw text::InputError(
-          fmt::format("{}:{}: [{}]: a [bearing] of type \"{}\" stands on a rig by itself; sets have "
-                      "ball bearings, and a spindle has roller bearings beside them as "
-                      "[[shaft.roller_bearing]]",
-                      tables.source(), node->source().begin.line, table, roller_type),
+          fmt::format(
+              "{}:{}: [{}]: a [bearing] of type \"{}\" stands on a rig by itself; sets have "
+              "ball bearings, and a spindle has roller bearings beside them as "
+              "[[shaft.roller_bearing]]",
+              tables.source(), node->source().begin.line, table, roller_type),
           {.file = tables.source(),
            .line = static_cast<int>(node->source().begin.line),
            .key = table});
@@ -235,14 +236,14 @@ std::vector<model::RollerOnShaft> read_rollers_on_shaft(ModelTables& tables) {
   const auto supply = read_lubricant(tables).supply;
   for (const Section& s : sections) {
     const LawOfFile law = read_palmgren_of_rollers(tables, s, supply);
-    list.push_back({.name = name_on_shaft(s, list),
-                    .position = s.required("position_mm") * mm,
-                    .bearing = {read_roller_geometry(tables, s),
-                                materials.material(s, "roller_material"),
-                                materials.material(s, "ring_material")},
-                    .f0 = law.values[0],
-                    .f1 = law.values[1],
-                    .counted = law.f1_load});
+    list.push_back(
+        {.name = name_on_shaft(s, list),
+         .position = s.required("position_mm") * mm,
+         .bearing = {read_roller_geometry(tables, s), materials.material(s, "roller_material"),
+                     materials.material(s, "ring_material")},
+         .f0 = law.values[0],
+         .f1 = law.values[1],
+         .counted = law.f1_load});
     read_seats_on_shaft(s, list.back());
   }
   return list;

@@ -104,11 +104,10 @@ class SpindleCheck {
   void check_order() const {
     for (std::size_t k = 1; k < sets_.bearings().size(); ++k)
       if (position(k) - position(k - 1) < rings_[k].width - rounding)
-        fail_bearing(k,
-                     fmt::format("stands {} behind the bearing before it; their width_mm is {}: "
-                                 "centres rise from the nose to the rear, one width apart or "
-                                 "more",
-                                 in_mm(position(k) - position(k - 1)), in_mm(rings_[k].width)));
+        fail_bearing(k, fmt::format("stands {} behind the bearing before it; their width_mm is {}: "
+                                    "centres rise from the nose to the rear, one width apart or "
+                                    "more",
+                                    in_mm(position(k) - position(k - 1)), in_mm(rings_[k].width)));
     for (std::size_t k = sets_.bearings().size(); k < rings_.size(); ++k)
       for (std::size_t other = 0; other < k; ++other)
         if (rings_[k].front() < rings_[other].rear() - rounding &&
@@ -123,11 +122,11 @@ class SpindleCheck {
                           double diameter, const char* of) {
       const double most = model::ring_yields * diameter;
       if (interference > most)
-        s.fail(
-            key, fmt::format("{} = {:.6g} um: must be {} {:.4g} um on the {} of {}, where the ring "
-                             "yields",
-                             key, sign * interference / um, sign > 0.0 ? "at most" : "at least",
-                             sign * most / um, of, in_mm(diameter)));
+        s.fail(key,
+               fmt::format("{} = {:.6g} um: must be {} {:.4g} um on the {} of {}, where the ring "
+                           "yields",
+                           key, sign * interference / um, sign > 0.0 ? "at most" : "at least",
+                           sign * most / um, of, in_mm(diameter)));
     };
     const std::vector<Section> rollers = tables_in(tables_.section("shaft"), "roller_bearing");
     const std::size_t first = rings_.size() - rollers.size();

@@ -239,8 +239,9 @@ std::optional<model::Belt> read_belt(const ModelTables& tables) {
   const auto force = s.number("belt_force_N");
   if (!force) {
     if (s.find("belt_angle_deg"))
-      s.fail("belt_angle_deg",
-             "belt_angle_deg: is that of belt_force_N, which is missing; 0 leaves it to programmes");
+      s.fail(
+          "belt_angle_deg",
+          "belt_angle_deg: is that of belt_force_N, which is missing; 0 leaves it to programmes");
     return std::nullopt;
   }
   return model::Belt{.force = *force,

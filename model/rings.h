@@ -10,11 +10,11 @@ namespace raceway::model {
 /// The rings of a bearing on the shaft and the seats that they sit on, whatever rolls between them.
 /// Diameters.
 struct Rings {
-  double position = unset;  ///< of their middle, behind the nose face [m]
-  double width = unset;     ///< [m]
+  double position = unset;                      ///< of their middle, behind the nose face [m]
+  double width = unset;                         ///< [m]
   double bore = unset, outer_diameter = unset;  ///< of the bearing [m]
-  /// Of the inner ring outside and of the outer ring inside: shoulders beside the balls, raceways of
-  /// rollers [m].
+  /// Of the inner ring outside and of the outer ring inside: shoulders beside the balls, raceways
+  /// of rollers [m].
   double inner_shoulder = unset, outer_shoulder = unset;
   double inner_interference = unset, outer_clearance = unset;  ///< diametral, cold and still [m]
   [[nodiscard]] double front() const { return position - 0.5 * width; }

@@ -53,8 +53,8 @@ struct DeflectionResult {
   /// In the plane of a radial force, at its place, in the sense of the same force further in front
   /// [N m].
   double moment = 0.0;
-  spindle::SetsAtSpeed sets;    ///< without the force
-  spindle::LoadedShaft shaft;   ///< under it; not run where the sets have no balance
+  spindle::SetsAtSpeed sets;   ///< without the force
+  spindle::LoadedShaft shaft;  ///< under it; not run where the sets have no balance
   /// Without the force, where a belt bends the shaft or rollers hold it.
   std::optional<spindle::LoadedShaft> unloaded = {};
   std::vector<std::string> roller_names = {};

@@ -67,8 +67,7 @@ void judge_running(const model::Model& model, std::size_t bearing, const spindle
 bearing::ContactPressure pressure_under(const model::Model& model, const bearing::Bearing& bearing,
                                         double speed, const spindle::BearingState& state) {
   const bearing::BearingEquilibrium e = bearing::solve_bearing_equilibrium(
-      bearing,
-      {.speed = speed, .axial_load = state.force, .radial_load = state.radial_force},
+      bearing, {.speed = speed, .axial_load = state.force, .radial_load = state.radial_force},
       model.solver);
   return e.report.converged() ? largest_pressure(bearing, e) : bearing::ContactPressure{};
 }
@@ -256,9 +255,9 @@ Findings judge(const model::Model& model, std::span<const spindle::ProfileRow> p
           profile[static_cast<std::size_t>(m - run.moments.begin())].inputs;
       if (i >= m->bearings.size()) continue;
       judge_running(model, i, inputs, m->bearings[i],
-                    m == most ? pressure_under(model, *bearings[i].bearing, inputs.speed,
-                                               m->bearings[i])
-                              : bearing::ContactPressure{},
+                    m == most
+                        ? pressure_under(model, *bearings[i].bearing, inputs.speed, m->bearings[i])
+                        : bearing::ContactPressure{},
                     judge);
     }
   }

@@ -69,8 +69,8 @@ results::DeflectionResult solve_deflection(const model::Model& model, BeamOfMode
   }
   r.shaft = bend(model, b, r.sets, inputs, &load);
   if (!r.shaft.report.converged()) return r;
-  const double axial = r.shaft.position -
-                       (r.unloaded ? r.unloaded->position : r.sets.equilibrium.position);
+  const double axial =
+      r.shaft.position - (r.unloaded ? r.unloaded->position : r.sets.equilibrium.position);
   Eigen::VectorXd line = r.shaft.y;
   if (r.unloaded) line -= r.unloaded->y;
   r.displacement = r.axial ? axial : b.beam.at(r.at, line)[0];

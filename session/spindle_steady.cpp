@@ -79,9 +79,9 @@ void note_rollers(const model::Model& model, const spindle::Simulator& simulator
   for (std::size_t k = 0; k < bent->rollers.size(); ++k) {
     const model::RollerOnShaft& r = model.spindle->rollers[k];
     const bearing::RollerEquilibrium& e = bent->rollers[k];
-    for (const std::string& note : notes_on_rollers(
-             r.bearing, e, life::dynamic_load_rating(r.bearing.geometry()), s.inputs.speed,
-             std::hypot(e.load[0], e.load[1]))) {
+    for (const std::string& note :
+         notes_on_rollers(r.bearing, e, life::dynamic_load_rating(r.bearing.geometry()),
+                          s.inputs.speed, std::hypot(e.load[0], e.load[1]))) {
       std::string text = fmt::format("{} at {:.6g} rpm: {}", r.name, s.inputs.speed / rpm, note);
       answer.roller_notes.push_back(std::move(text));
     }
@@ -95,8 +95,8 @@ void require_carried(const model::Model& model, const SteadyQuestion& q) {
         "belt_force_N: the model has no belt: give [drive] belt_force_N, 0 if need be, and "
         "position_mm",
         {.key = "belt_force_N"});
-  const bool loaded = q.radial_load != 0.0 || q.moment != 0.0 ||
-                      (!std::isnan(q.axial_load) && q.axial_load != 0.0);
+  const bool loaded =
+      q.radial_load != 0.0 || q.moment != 0.0 || (!std::isnan(q.axial_load) && q.axial_load != 0.0);
   if (loaded && model.spindle->network)
     throw text::InputError("a [network] has no shaft that carries a load", {.key = "network"});
 }
@@ -158,16 +158,15 @@ SteadySpindle steady_spindle(const files::ModelFile& file, const SteadyQuestion&
   spindle::Simulator simulator = simulator_of(file);
   simulator.stop_on(question.cancelled);
   for (const double speed : question.speeds) {
-    answer.states.push_back(
-        steady_state(simulator, {.speed = speed,
-                                 .ambient_temperature = question.ambient_temperature,
-                                 .axial_load = std::isnan(question.axial_load)
-                                                   ? file.model.shaft->external_load
-                                                   : question.axial_load,
-                                 .radial_load = question.radial_load,
-                                 .moment = question.moment,
-                                 .belt_force = question.belt_force,
-                                 .coolant_on = question.coolant_on}));
+    answer.states.push_back(steady_state(
+        simulator, {.speed = speed,
+                    .ambient_temperature = question.ambient_temperature,
+                    .axial_load = std::isnan(question.axial_load) ? file.model.shaft->external_load
+                                                                  : question.axial_load,
+                    .radial_load = question.radial_load,
+                    .moment = question.moment,
+                    .belt_force = question.belt_force,
+                    .coolant_on = question.coolant_on}));
     note_rollers(file.model, simulator, answer);
   }
   answer.findings = judge(file.model, answer.states);

@@ -83,8 +83,7 @@ BearingCoupling::BearingCoupling(const model::Model& model,
   felt_.resize(last + 1, nodes);
   felt_.setFromTriplets(entries.begin(), entries.end());
   if (!model.spindle->belt) return;
-  Vector cold = Vector::Constant(
-      last + 1, sets_.arrangement().design().mounting_temperature);
+  Vector cold = Vector::Constant(last + 1, sets_.arrangement().design().mounting_temperature);
   cold[last] = 0.0;
   if (!set_inputs({}) || !bear(cold))
     throw std::invalid_argument("the belt takes the sets apart at standstill");
@@ -176,9 +175,9 @@ bool BearingCoupling::set_inputs(const Inputs& inputs) {
   for (WarmRollers& r : rollers_) r.set_speed(inputs.speed);
   const model::Spindle& spindle = *sets_.model().spindle;
   loads_ = shaft_loads(spindle, inputs);
-  const bool bends = !rollers_.empty() || std::any_of(loads_.begin(), loads_.end(), [](const ShaftLoad& l) {
-                       return l.pushes_across();
-                     });
+  const bool bends =
+      !rollers_.empty() || std::any_of(loads_.begin(), loads_.end(),
+                                       [](const ShaftLoad& l) { return l.pushes_across(); });
   if (!bends) {
     const bool was_bent = bent_.has_value();
     shaft_.reset();

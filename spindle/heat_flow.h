@@ -34,7 +34,8 @@ class HeatFlow {
   /// Puts the sets under these inputs; false where they have no balance.
   [[nodiscard]] bool set_inputs(const Inputs& inputs);
   /// Goes on by dt [s] under `inputs`, whose speed and loads are those of set_inputs(). Films,
-  /// seats and what loads across the shaft put on its bearings are those at `films`. Nothing changes unless the status is `converged`.
+  /// seats and what loads across the shaft put on its bearings are those at `films`. Nothing
+  /// changes unless the status is `converged`.
   [[nodiscard]] Step advance(const Inputs& inputs, double machine_rise, double dt,
                              const Vector& films);
   /// Where these inputs lead; `iterations` are of films and seats.

@@ -30,8 +30,8 @@ using Shares = std::vector<Share>;
 struct BearingPlace {
   double position = unset, width = unset;  ///< [m]
   double seat_bore = unset, seat = unset;  ///< radii of shaft bore and inner seat [m]
-  double inner_shoulder = unset, outer_shoulder = unset;  ///< radii [m]
-  double housing_seat = unset, housing_outer = unset;     ///< radii [m]
+  double inner_shoulder = unset, outer_shoulder = unset;       ///< radii [m]
+  double housing_seat = unset, housing_outer = unset;          ///< radii [m]
   double inner_interference = unset, outer_clearance = unset;  ///< diametral, cold and still [m]
   Joints inner_seat, outer_seat;
   Joints inner_raceway, outer_raceway;  ///< from cell to raceway

@@ -54,8 +54,8 @@ std::vector<double> SetsOfSpindle::clearances(double speed,
   for (std::size_t k = 0; k < rollers.size(); ++k) {
     WarmRollers seated(parts_->model, rollers[k], layout, layout.bearings[first + k]);
     seated.set_speed(speed);
-    list.push_back(seated.clearance(
-        {.inner_ring = cold, .outer_ring = cold, .shaft = cold, .housing = cold}));
+    list.push_back(
+        seated.clearance({.inner_ring = cold, .outer_ring = cold, .shaft = cold, .housing = cold}));
   }
   return list;
 }

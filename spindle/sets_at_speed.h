@@ -19,7 +19,7 @@ struct SetsAtSpeed {
   bearing::ArrangementCondition condition = {};  ///< with growth by speed and, warm, by heat
   bearing::ArrangementEquilibrium equilibrium = {};
   std::vector<bearing::BearingEquilibrium> bearings = {};  ///< with 5x5 stiffness, front set first
-  std::vector<double> clearances = {};  ///< of the roller bearings [m]
+  std::vector<double> clearances = {};                     ///< of the roller bearings [m]
   std::optional<Moment> moment = {};  ///< temperatures of the steady spindle; none where cold
   [[nodiscard]] bool converged() const { return status == Status::converged; }
 };

@@ -46,15 +46,14 @@ BearingHeat WarmRollers::heat(const RollersAsked& asked) const {
   // No roller pulls.
   const double more =
       std::max(taken_.sum_by_clearance * (heat.clearance - taken_.clearance), -inner_sum_);
-  const friction::RollerState state{
-      .bearing = &bearing_.bearing,
-      .counted = bearing_.counted,
-      .speed = speed_,
-      .radial_load = heat.radial_force,
-      .inner_sum = inner_sum_ + more,
-      .outer_sum = outer_sum_ + more,
-      .kinematic_viscosity =
-          lubricant_.kinematic_viscosity(0.5 * (asked.inner_ring + asked.outer_ring))};
+  const friction::RollerState state{.bearing = &bearing_.bearing,
+                                    .counted = bearing_.counted,
+                                    .speed = speed_,
+                                    .radial_load = heat.radial_force,
+                                    .inner_sum = inner_sum_ + more,
+                                    .outer_sum = outer_sum_ + more,
+                                    .kinematic_viscosity = lubricant_.kinematic_viscosity(
+                                        0.5 * (asked.inner_ring + asked.outer_ring))};
   const friction::HeatSplit split = friction::split_heat(
       state, friction::roller_moments(friction::FrictionLaw::roller_palmgren, state,
                                       std::array{bearing_.f0, bearing_.f1}));

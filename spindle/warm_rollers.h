@@ -21,8 +21,8 @@ struct RollersAsked {
 /// its tangent: heat and preload drive each other within a time step too.
 class WarmRollers {
  public:
-  WarmRollers(const model::Model& model, const model::RollerOnShaft& rollers,
-              const Layout& layout, const BearingPlace& place);
+  WarmRollers(const model::Model& model, const model::RollerOnShaft& rollers, const Layout& layout,
+              const BearingPlace& place);
 
   void set_speed(double speed) { speed_ = speed; }
   /// s in operation [m].

@@ -197,8 +197,7 @@ BearingHeat WarmSets::heat_of(std::size_t k, const SetsAsked& asked,
     heat.inner = share * power, heat.outer = (1.0 - share) * power;
     return heat;
   }
-  const bearing::BearingEquilibrium balls =
-      uneven ? uneven->balls : sets.bearing(k, arrangement());
+  const bearing::BearingEquilibrium balls = uneven ? uneven->balls : sets.bearing(k, arrangement());
   state.equilibrium = &balls;
   const friction::HeatSplit split =
       friction::split_heat(state, {.load = base.load, .viscous = base.viscous});
@@ -235,8 +234,7 @@ BearingHeat WarmSets::heat_with_effects(std::size_t k, double load, double tempe
                                         const UnevenBalls* uneven) const {
   bearing::OperatingPoint alone{
       .speed = inputs_.speed, .axial_load = load, .temperature = temperature};
-  if (uneven)
-    alone.radial_load = uneven->load[1], alone.radial_load_z = uneven->load[2];
+  if (uneven) alone.radial_load = uneven->load[1], alone.radial_load_z = uneven->load[2];
   model::Steps steps = friction_;
   steps.equilibrium = true;
   // The contacts follow the forces that friction is to follow.

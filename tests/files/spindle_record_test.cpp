@@ -84,9 +84,10 @@ TEST(SpindleRecord, LoadsThatNothingCarriesAreRefused) {
   network.network = model::Network{};
   for (const char* load : {"radial_load_N", "axial_load_N", "moment_Nm"}) {
     const std::string text = fmt::format("time_s,speed_rpm,{}\n60,0,5\n", load);
-    EXPECT_THAT(
-        tests::message_of([&] { (void)read_spindle_record({"day.csv", text}, network); }),
-        HasSubstr("a [network] has no shaft"));
+    EXPECT_THAT(tests::message_of([&] {
+                  (void)read_spindle_record({"day.csv", text}, network);
+                }),
+                HasSubstr("a [network] has no shaft"));
   }
 }
 

@@ -165,10 +165,10 @@ TEST(SpindleSection, DisksAndSupportsStandOnTheShaft) {
 
 /// A roller bearing on the rear end of the base spindle, whose housing is longer for it.
 std::string with_rollers(const std::string& more = "", const std::string& name = "belt_end") {
-  const std::string housing = with(
-      base_spindle, "length_mm = 275.0\nouter_diameter_mm = 180.0\n",
-      "segment = [{length_mm = 265, outer_diameter_mm = 180},\n"
-      "           {length_mm = 40, outer_diameter_mm = 180, bore_mm = 95}]\n");
+  const std::string housing =
+      with(base_spindle, "length_mm = 275.0\nouter_diameter_mm = 180.0\n",
+           "segment = [{length_mm = 265, outer_diameter_mm = 180},\n"
+           "           {length_mm = 40, outer_diameter_mm = 180, bore_mm = 95}]\n");
   return housing + "[[shaft.roller_bearing]]\nname = \"" + name +
          "\"\nposition_mm = 330\nbore_mm = 60\nouter_diameter_mm = 95\nwidth_mm = 18\n"
          "roller_count = 20\nroller_diameter_mm = 8\nroller_length_mm = 8\n"
@@ -214,7 +214,8 @@ TEST(SpindleSection, ARollerBearingThatCannotStandThereIsRefused) {
   EXPECT_THAT(why(with_rollers("taper = 12\ndrive_up_mm = 0.1\ninner_interference_um = 5\n")),
               HasSubstr("take one"));
   EXPECT_THAT(why(with_rollers("inner_interference_um = 300\n")), HasSubstr("the ring yields"));
-  EXPECT_THAT(why(with_rollers("z = 0.0007\n")), HasSubstr("unknown key in [shaft.roller_bearing]"));
+  EXPECT_THAT(why(with_rollers("z = 0.0007\n")),
+              HasSubstr("unknown key in [shaft.roller_bearing]"));
   EXPECT_THAT(why(with_rollers("", "front_9")), HasSubstr("take another name"));
   EXPECT_THAT(why(with(with_rollers(), "width_mm = 18\n", "")), HasSubstr("width_mm is missing"));
   EXPECT_THAT(why(with(with_rollers(), "roller_count = 20", "roller_count = 40")),

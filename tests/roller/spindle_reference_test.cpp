@@ -34,9 +34,8 @@ TEST(RollerReference, AShaftOnRollersUnderABeltIsInBalance) {
     const model::ShaftBody body = shaft_of(c);
     const std::vector<double> nodes{0.0, place, belt};
     const spindle::Beam beam(body, nodes);
-    const std::vector<spindle::ShaftLoad> loads{
-        {.position = 0.0, .radial = c.in("nose_load_N")},
-        {.position = belt, .radial = c.in("belt_load_N")}};
+    const std::vector<spindle::ShaftLoad> loads{{.position = 0.0, .radial = c.in("nose_load_N")},
+                                                {.position = belt, .radial = c.in("belt_load_N")}};
     const double clearance[] = {c.in("radial_clearance_um") * um};
     spindle::ShaftOnBearings shaft(beam, {.rollers = {{&rollers, place}}},
                                    std::vector<double>{0.0, belt});
