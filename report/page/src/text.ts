@@ -54,6 +54,7 @@ export function probability(p: number | null): string {
 
 const units: [string, string][] = [
   ['_Nmm', 'N mm'],
+  ['_Nm', 'N m'],
   ['_N_um', 'N/µm'],
   ['_rpm', 'rpm'],
   ['_MPa', 'MPa'],
