@@ -165,6 +165,7 @@ Run setup_check(CLI::App& command) {
       ->type_name("");
   declare_channel(command, flags->loop.channel);
   declare(command, flags->loop.reading);
+  declare_beside(command, flags->loop.reading);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command
       .add_option("-o,--output", flags->output,

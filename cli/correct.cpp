@@ -114,6 +114,7 @@ Run setup_correct(CLI::App& command) {
       ->type_name("FILE");
   flags->learning.declare(command);
   declare(command, flags->reading);
+  declare_beside(command, flags->reading);
   declare(command, flags->reading.period);
   flags->report.declare(command);
   flags->csv.declare(command);

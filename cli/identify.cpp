@@ -168,6 +168,7 @@ Run setup_identify(CLI::App& command) {
                   "model file to write: MODEL with the new sections, numbers and range")
       ->type_name("FILE");
   declare(command, flags->reading);
+  declare_beside(command, flags->reading);
   declare(command, flags->reading.period);
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");

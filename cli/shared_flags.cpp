@@ -21,6 +21,16 @@ void declare(CLI::App& command, session::Reading& reading) {
                    "leave out rows with an empty cell, nan or #N/A in a column that counts");
 }
 
+void declare_beside(CLI::App& command, session::Reading& reading) {
+  command
+      .add_option("--beside", reading.beside,
+                  "of a record over time: a further file of it with a clock of its own, as\n"
+                  "temperatures of another logger; again for each")
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("FILE");
+}
+
 void declare(CLI::App& command, session::Period& period) {
   command
       .add_option("--from", period.from,
@@ -52,6 +62,7 @@ void declare(CLI::App& command, session::LoopOptions& loop) {
                    "rows of a logger stay apart; otherwise consecutive rows at equal speed\n"
                    "and load are averaged to dwells");
   declare(command, loop.reading);
+  declare_beside(command, loop.reading);
   declare(command, loop.reading.period);
 }
 

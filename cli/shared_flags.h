@@ -15,6 +15,9 @@ void refuse_two_on_stdout(const std::string& command, bool json, const std::stri
 /// `--columns map.toml` and `--drop-nan` of a command that reads measurements.
 void declare(CLI::App& command, session::Reading& reading);
 
+/// `--beside FILE` of a command on records over time.
+void declare_beside(CLI::App& command, session::Reading& reading);
+
 /// `--from 20h` and `--until 24h` of a command on records over time.
 void declare(CLI::App& command, session::Period& period);
 

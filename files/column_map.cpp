@@ -23,8 +23,9 @@ constexpr Key columns_keys[]{
     {"decimal_mark", one_of(".|,"), unset,
      "of the file; the other one separates thousands. Asked for where the numbers can be read in "
      "two ways"},
-    {"date_order", one_of("day first|month first"), unset,
-     "of dates with slashes. Asked for where it changes the time between rows"},
+    {"date_order", one_of("day first|month first|year first"), unset,
+     "of dates with slashes, dashes or years of two digits. Asked for where it changes the time "
+     "between rows"},
     {"settings_hold", one_of("from row|until row"), unset,
      "of records over time. \"from row\": speed, loads, feeds and coolant hold from their row "
      "until "
@@ -230,9 +231,9 @@ ColumnMap read_columns(const ModelTables& tables) {
   ColumnMap map{.source = tables.source()};
   if (!s.given()) return map;
   if (const auto mark = s.choice("decimal_mark")) map.decimal_mark = mark->front();
-  if (const auto order = s.choice("date_order"))
-    map.date_order =
-        order->starts_with('d') ? text::DateOrder::day_first : text::DateOrder::month_first;
+  if (const auto wanted = s.choice("date_order"))
+    for (const text::DateOrder order : text::date_orders)
+      if (text::name(order) == *wanted) map.date_order = order;
   if (const auto hold = s.choice("settings_hold"))
     map.settings_hold =
         *hold == "from row" ? record::SettingsHold::from_row : record::SettingsHold::until_row;

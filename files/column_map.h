@@ -82,6 +82,7 @@ struct ReadOptions {
   bool drop_nan = false;    ///< rows with a cell that has no number are left out and told
   bool over_time = false;   ///< columns are those of records over time
   bool of_spindle = false;  ///< and, among these, those of a spindle's
+  bool of_several = false;  ///< columns of the map may stand in another file of the same record
 };
 
 /// All channels that a file may have: those of a record, of a fall between two speeds, of a torque

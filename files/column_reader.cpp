@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <limits>
 #include <optional>
 #include <unordered_map>
 
+#include "files/detail/impossible_cells.h"
 #include "record/median.h"
 #include "text/error.h"
 #include "text/missing_cell.h"
@@ -32,54 +31,6 @@ struct Missing {
   }
 };
 
-/// Numbers that instruments and loggers write in the place of a reading: -9999, 9999.9, and 9.9e37
-/// of IEEE 488.2. They are none where other readings of the column come near.
-class MarksOfNone {
- public:
-  MarksOfNone(const text::CsvTable& table, std::size_t column) : table_(table), column_(column) {}
-
-  [[nodiscard]] bool has(std::size_t row) {
-    if (!may_be(row)) return false;
-    const text::ParsedNumber number = table_.parsed(row, column_);
-    if (!number.problem.empty() || !is_usual(number.value)) return false;
-    if (!looked_) look();
-    constexpr double far = 3.0;  // ranges of the column
-    const double margin = far * std::max(upper_ - lower_, 1e-3 * std::abs(number.value));
-    return number.value < lower_ - margin || number.value > upper_ + margin;
-  }
-
- private:
-  /// Cheaper than the number: such a cell begins with 9, or has an exponent.
-  [[nodiscard]] bool may_be(std::size_t row) const {
-    if (table_.is_numeric(column_)) return true;
-    const std::string_view cell = table_.cell(row, column_);
-    const std::size_t first = cell.find_first_not_of("+- ");
-    return first != cell.npos && (cell[first] == '9' || cell.find_first_of("eE") != cell.npos);
-  }
-  static bool is_usual(double value) {
-    constexpr double beyond_range = 9e36;
-    const double size = std::abs(value);
-    return size >= beyond_range ||
-           std::find(std::begin(usual), std::end(usual), size) != std::end(usual);
-  }
-  void look() {
-    looked_ = true;
-    for (std::size_t row = 0; row < table_.rows(); ++row) {
-      const text::ParsedNumber number = table_.parsed(row, column_);
-      if (!number.problem.empty() || is_usual(number.value)) continue;
-      lower_ = std::min(lower_, number.value);
-      upper_ = std::max(upper_, number.value);
-    }
-  }
-
-  static constexpr double usual[] = {999.0,   999.9,   9999.0,   9999.9,  9999.99,
-                                     99999.0, 99999.9, 999999.0, 999999.9};
-  const text::CsvTable& table_;
-  std::size_t column_;
-  bool looked_ = false;
-  double lower_ = std::numeric_limits<double>::infinity(), upper_ = -lower_;
-};
-
 }  // namespace
 
 std::vector<double> ColumnReader::numbers(
@@ -88,9 +39,9 @@ std::vector<double> ColumnReader::numbers(
   std::vector<double> list;
   list.reserve(table_.rows());
   Missing missing;
-  MarksOfNone marks(table_, source.column);
+  ImpossibleCells impossible(table_, source, with_sign);
   for (std::size_t row = 0; row < table_.rows(); ++row) {
-    if (may_be_empty(row) && (is_missing(row, source.column) || marks.has(row))) {
+    if (may_be_empty(row) && (is_missing(row, source.column) || impossible.has(row))) {
       if (!table_.is_empty(row, source.column)) missing.add(table_, row, source.column);
       list.push_back(unset);
       continue;
@@ -153,14 +104,16 @@ std::vector<double> ColumnReader::times(const ColumnSource& source,
                       : "is no time such as 2024-03-12T08:15:00 or 12.03.2024 08:15:00");
     list.push_back(time.value_or(unset));
   }
-  if (texts) elapsed ? undo_midnights(source, list) : undo_changes_of_clocks(source, list);
+  elapsed ? undo_midnights(source, list) : undo_changes_of_clocks(source, list);
   const double first = list.front();
   for (double& time : list) time -= first;
+  clock_start_ = {elapsed ? ClockKind::elapsed : ClockKind::dates, first};
   if (!std::isnan(first) && !elapsed)
-    notes_.push_back(record::note::read_as(
-        fmt::format("column {} has {}: time_s counts from {}", source.name,
-                    source.excel_date ? "dates of Excel" : "dates", text::timestamp_text(first)),
-        {.file = table_.source, .key = source.name}));
+    notes_.push_back(
+        record::note::read_as(fmt::format("column {} has {}: time_s counts from {}", source.name,
+                                          source.excel_date ? "dates of Excel" : "dates",
+                                          undecided_date_ ? begin : text::timestamp_text(first)),
+                              {.file = table_.source, .key = source.name}));
   if (elapsed && first > 0.0)
     notes_.push_back(record::note::read_as(
         fmt::format("column {} has {}: time_s counts from {}", source.name,
@@ -192,36 +145,64 @@ void ColumnReader::undo_midnights(const ColumnSource& source, std::vector<double
         {.file = table_.source, .line = table_.line(first), .key = source.name}));
 }
 
-text::DateOrder ColumnReader::order_of(const ColumnSource& source) const {
-  constexpr text::DateOrder orders[] = {text::DateOrder::day_first, text::DateOrder::month_first};
-  double first[2] = {unset, unset};
-  bool possible[2] = {true, true};
-  std::optional<std::size_t> apart;  // the first row where it matters
-  for (std::size_t row = 0; row < table_.rows(); ++row) {
-    const std::string cell = stamp(source, row);
-    const std::size_t mark = std::min(cell.find_first_of("/-"), cell.size());
-    if (mark != 1 && mark != 2) return text::DateOrder::day_first;
-    double time[2];
-    for (int k = 0; k < 2; ++k) {
-      const auto parsed = text::parse_timestamp(cell, orders[k]);
-      possible[k] = possible[k] && parsed.has_value();
-      time[k] = parsed.value_or(unset);
-      if (row == 0) first[k] = time[k];
-    }
-    if (!apart && time[0] - first[0] != time[1] - first[1]) apart = row;
+text::DateOrder ColumnReader::order_of(const ColumnSource& source) {
+  const std::string begin = stamp(source, 0);
+  const std::size_t mark = std::min(begin.find_first_of("/-."), begin.size());
+  if (mark != 1 && mark != 2) return text::DateOrder::day_first;
+  std::vector<Reading> readings;
+  for (const text::DateOrder order : text::date_orders) {
+    if (order == text::DateOrder::month_first && begin[mark] == '.') continue;  // as day first
+    if (Reading reading{order, elapsed_in(source, order)}; !reading.elapsed.empty())
+      readings.push_back(std::move(reading));
   }
-  if (possible[0] != possible[1]) return possible[0] ? orders[0] : orders[1];
-  if (!possible[0] || !apart) return orders[0];
-  const text::Place place{table_.source, table_.line(*apart), source.name};
-  const std::string cell = stamp(source, *apart);
+  // A record has no gap of a year, as dates have that are read from the wrong end.
+  const auto jumps = [](const Reading& r) { return r.jumps(); };
+  if (!std::all_of(readings.begin(), readings.end(), jumps)) std::erase_if(readings, jumps);
+  if (readings.empty()) return text::DateOrder::day_first;
+  for (std::size_t row = 0; row < table_.rows(); ++row)
+    for (const Reading& other : readings)
+      if (other.elapsed[row] != readings.front().elapsed[row]) ask_for_order(source, readings, row);
+  // All have the same times; which day it was nobody asks.
+  undecided_date_ = readings.size() > 1 && begin[mark] != '.';
+  return readings.front().order;
+}
+
+/// Since the first row; empty where some cell has no such date.
+std::vector<double> ColumnReader::elapsed_in(const ColumnSource& source,
+                                             text::DateOrder order) const {
+  std::vector<double> list;
+  for (std::size_t row = 0; row < table_.rows(); ++row) {
+    const auto time = text::parse_timestamp(stamp(source, row), order);
+    if (!time) return {};
+    list.push_back(*time);
+  }
+  const double first = list.front();
+  for (double& time : list) time -= first;
+  return list;
+}
+
+void ColumnReader::ask_for_order(const ColumnSource& source, const std::vector<Reading>& readings,
+                                 std::size_t row) const {
+  const std::string cell = stamp(source, row);
+  std::vector<std::string> dates, orders;
+  for (const Reading& r : readings) {
+    dates.push_back(text::timestamp_text(*text::parse_timestamp(cell, r.order)).substr(0, 10));
+    orders.push_back(fmt::format("\"{}\"", text::name(r.order)));
+  }
+  const text::Place place{table_.source, table_.line(row), source.name};
   throw text::InputError(
-      fmt::format(
-          "{}: {} = {}: is it {} or {}? Say date_order = \"day first\" or \"month first\" in "
-          "[columns]",
-          place.text(), source.name, cell,
-          text::timestamp_text(*text::parse_timestamp(cell, orders[0])).substr(0, 10),
-          text::timestamp_text(*text::parse_timestamp(cell, orders[1])).substr(0, 10)),
+      fmt::format("{}: {} = {}: is it {}? Say date_order = {} in [columns]", place.text(),
+                  source.name, cell, text::listed(dates, "or"), text::listed(orders, "or")),
       place);
+}
+
+bool ColumnReader::Reading::jumps() const {
+  constexpr double nearly_a_year = 300.0 * 86400.0;
+  for (std::size_t row = 1; row < elapsed.size(); ++row)
+    if (const double step = elapsed[row] - elapsed[row - 1];
+        step < -nearly_a_year || step > nearly_a_year)
+      return true;
+  return false;
 }
 
 /// A clock of local time goes back an hour, or leaves one out, in the night of a change.
@@ -230,15 +211,21 @@ void ColumnReader::undo_changes_of_clocks(const ColumnSource& source, std::vecto
   for (std::size_t row = 1; row < list.size(); ++row)
     if (list[row] > list[row - 1]) steps.push_back(list[row] - list[row - 1]);
   if (steps.empty()) return;
+  constexpr double hour = 3600.0, short_gap = 1200.0;
   const double usual = record::median(steps);
-  constexpr double hour = 3600.0;
+  // Rows need not be even, and some may be missing there.
+  const double longest = std::max(1.5 * usual, std::min(20.0 * usual, short_gap));
   double shift = 0.0, before = list.front();
   for (std::size_t row = 1; row < list.size(); ++row) {
     const double now = list[row], step = now - before;
-    const bool back = std::abs(step + hour - usual) <= usual && step <= 0.0,
-               forward = std::abs(step - hour - usual) <= usual && step > 2.0 * usual;
+    const auto may_have_passed = [&](double time) { return time > 0.0 && time <= longest; };
+    // One that goes forward leaves a whole hour out, from one full hour to the next.
+    const double left_out = hour * std::ceil(before / hour);
+    constexpr double rounding = 1e-3;
+    const bool back = step <= 0.0 && may_have_passed(step + hour),
+               forward = now > left_out + hour - rounding && may_have_passed(step - hour);
     if ((back || forward) && text::clocks_may_change(before, forward) &&
-        !text::has_zone(stamp(source, row))) {
+        (table_.is_numeric(source.column) || !text::has_zone(stamp(source, row)))) {
       shift += back ? hour : -hour;
       notes_.push_back(record::note::read_as(
           fmt::format("line {}: the clock goes {} by one hour, {} of summer time: time_s goes on",

@@ -127,18 +127,6 @@ std::string_view unit_words(const ColumnSource& source) {
   return source.cells.unit ? source.cells.unit->words : source.channel->unit;
 }
 
-/// Of a channel in the unit of the file.
-text::CellRange range_of(const ColumnSource& source, bool with_sign) {
-  const Channel& c = *source.channel;
-  text::CellRange range{source.name, with_sign ? -c.upper : c.lower, c.upper, unit_words(source)};
-  if (source.cells.unit || source.cells.factor != 1.0) {
-    range.lower = source.cells.in_cell(c, c.to_SI(range.lower));
-    range.upper = source.cells.in_cell(c, c.to_SI(range.upper));
-    if (range.lower > range.upper) std::swap(range.lower, range.upper);
-  }
-  return range;
-}
-
 std::optional<NamedChannel> named_column(std::string_view name, bool over_time, bool of_spindle) {
   if (of_spindle) return named_spindle_channel(name);
   return over_time ? named_series_channel(name) : named_channel(name, file_channels());
@@ -179,8 +167,10 @@ void join_dates(const text::CsvTable& table, Recognised& result) {
     return !table.is_numeric(column) && parse(table.cell(0, column)).has_value();
   };
   const auto date = [](std::string_view cell) {
-    const auto day_first = text::parse_date(cell);
-    return day_first ? day_first : text::parse_date(cell, text::DateOrder::month_first);
+    std::optional<double> time;
+    for (const text::DateOrder order : text::date_orders)
+      if (!time) time = text::parse_date(cell, order);
+    return time;
   };
   const bool names_clock = first_is(found->column, text::parse_clock);
   if (!names_clock && !first_is(found->column, date)) return;
@@ -201,8 +191,8 @@ void join_dates(const text::CsvTable& table, Recognised& result) {
 }
 
 /// A file that has our own name in the place of theirs needs no rule.
-void require_columns(const text::CsvTable& table, const ColumnMap& map, Recognised& found) {
-  for (const ColumnRule& rule : map.rules) {
+void require_columns(const text::CsvTable& table, const ReadOptions& options, Recognised& found) {
+  for (const ColumnRule& rule : options.columns.rules) {
     if (rule.constant) continue;
     if (const ColumnSource* const own = found.find(*rule.channel)) {
       if (!own->unit_stated && (rule.unit || rule.factor != 1.0))
@@ -211,6 +201,10 @@ void require_columns(const text::CsvTable& table, const ColumnMap& map, Recognis
                         "not there",
                         own->name, rule.place.text(), rule.header),
             rule.place));
+      continue;
+    }
+    if (options.of_several) {
+      found.not_here.push_back(&rule);
       continue;
     }
     throw text::InputError(
@@ -223,14 +217,26 @@ void require_columns(const text::CsvTable& table, const ColumnMap& map, Recognis
 
 }  // namespace
 
+text::CellRange range_of(const ColumnSource& source, bool with_sign) {
+  const Channel& c = *source.channel;
+  text::CellRange range{source.name, with_sign ? -c.upper : c.lower, c.upper, unit_words(source)};
+  if (source.cells.unit || source.cells.factor != 1.0) {
+    range.lower = source.cells.in_cell(c, c.to_SI(range.lower));
+    range.upper = source.cells.in_cell(c, c.to_SI(range.upper));
+    if (range.lower > range.upper) std::swap(range.lower, range.upper);
+  }
+  return range;
+}
+
 const ColumnSource* Recognised::find(const Channel& channel) const {
   for (const ColumnSource& source : columns)
     if (*source.channel == channel) return &source;
   return nullptr;
 }
 
-Recognised recognise(const text::CsvTable& table, const ColumnMap& map, bool over_time,
-                     bool of_spindle) {
+Recognised recognise(const text::CsvTable& table, const ReadOptions& options) {
+  const ColumnMap& map = options.columns;
+  const bool over_time = options.over_time, of_spindle = options.of_spindle;
   Recognised result;
   const auto has_column_of = [&](const ColumnRule& rule) {
     return table.column(rule.header).has_value();
@@ -267,7 +273,7 @@ Recognised recognise(const text::CsvTable& table, const ColumnMap& map, bool ove
     const Channel* const meant = channel_without_unit(name, over_time, of_spindle);
     if (meant && !result.find(*meant)) (void)stated_unit(text::in_brackets(name), *meant, table, c);
   }
-  require_columns(table, map, result);
+  require_columns(table, options, result);
   join_dates(table, result);
   for (const ColumnSource& source : result.columns) note_unit(source, result);
   for (const ColumnRule& rule : map.rules)
@@ -310,16 +316,14 @@ text::CsvTable read_measurements(const Source& source, const ReadOptions& option
   return table;
 }
 
-std::string drop_empty_rows(text::CsvTable& table, const std::vector<ColumnSource>& columns) {
+std::string drop_rows(text::CsvTable& table, const std::function<bool(std::size_t row)>& is_wrong,
+                      std::string_view have) {
   std::vector<bool> remove(table.rows());
   std::string lines;
   std::size_t count = 0;
   constexpr std::size_t shown = 5;
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    remove[row] = std::any_of(columns.begin(), columns.end(), [&](const ColumnSource& source) {
-      return table.is_numeric(source.column) ? !table.parsed(row, source.column).problem.empty()
-                                             : text::is_missing(table.cell(row, source.column));
-    });
+    remove[row] = is_wrong(row);
     if (!remove[row] || ++count > shown) continue;
     lines += fmt::format("{}{}", lines.empty() ? "" : ", ", table.line(row));
   }
@@ -331,8 +335,20 @@ std::string drop_empty_rows(text::CsvTable& table, const std::vector<ColumnSourc
                     table.source, all),
         {.file = table.source});
   table.remove_rows(remove);
-  return fmt::format("{} of {} rows have an empty cell or no number and are left out (line{} {}{})",
-                     count, all, count == 1 ? "" : "s", lines, count > shown ? ", ..." : "");
+  return fmt::format("{} of {} rows {} and are left out (line{} {}{})", count, all, have,
+                     count == 1 ? "" : "s", lines, count > shown ? ", ..." : "");
+}
+
+std::string drop_empty_rows(text::CsvTable& table, const std::vector<ColumnSource>& columns) {
+  return drop_rows(
+      table,
+      [&](std::size_t row) {
+        return std::any_of(columns.begin(), columns.end(), [&](const ColumnSource& source) {
+          return table.is_numeric(source.column) ? !table.parsed(row, source.column).problem.empty()
+                                                 : text::is_missing(table.cell(row, source.column));
+        });
+      },
+      "have an empty cell or no number");
 }
 
 }  // namespace raceway::files

@@ -104,7 +104,7 @@ std::vector<std::string> meant_names(const DataColumns& columns) {
 void find_places(const text::CsvTable& table, const ReadOptions& options,
                  const model::Expected& expected, DataColumns& columns) {
   const ColumnMap& map = options.columns;
-  Recognised found = recognise(table, map);
+  Recognised found = recognise(table, options);
   // Columns of the calibration of a sensor are none of a record.
   for (const Channel* c : {&reference_torque, &calibration_signal})
     if (const ColumnSource* const source = found.find(*c)) found.others.push_back(source->name);
@@ -123,12 +123,8 @@ void find_places(const text::CsvTable& table, const ReadOptions& options,
       throw text::InputError(fmt::format("{}: column {} is unknown; did you mean {}?",
                                          table.header_place().text(), name, *near),
                              table.header_place(name));
-    if (map.rules.empty())
-      columns.notes.push_back(record::note::unused(
-          fmt::format("column {} is unknown and ignored", name), {.key = name}));
   }
-  if (!map.rules.empty() && !found.others.empty())
-    columns.notes.push_back(record::note::unused("not used: " + text::listed(found.others)));
+  columns.others = std::move(found.others);
 }
 
 /// Of the measured columns keeps those that are predicted, or the first that the model may refuse.

@@ -10,6 +10,8 @@
 
 #include "files/detail/column_reader.h"
 #include "files/detail/data_columns.h"
+#include "files/detail/impossible_cells.h"
+#include "files/detail/kept_columns.h"
 #include "rig/coast_down.h"
 #include "rig/fall_times.h"
 #include "rig/torque_sensor.h"
@@ -40,10 +42,15 @@ class Reader {
         sensor_(options.sensor),
         date_order_(options.columns.date_order),
         columns_(find_columns(table_, subject, expected_, options)),
-        dropped_(options.drop_nan ? drop_empty_rows(table_, used_columns()) : std::string()),
+        dropped_{options.drop_nan ? drop_empty_rows(table_, used_columns()) : std::string(),
+                 drop_impossible_rows(table_, columns_that_count())},
+        kept_(kept_columns(table_, columns_.others)),
         cells_(table_),
         notes_(columns_.notes) {
-    if (!dropped_.empty()) notes_.push_back(record::note::left_out(dropped_));
+    append(notes_,
+           notes_of(record::note::unused, kept_.statements(!options.columns.rules.empty()), {}));
+    for (const std::string& line : dropped_)
+      if (!line.empty()) notes_.push_back(record::note::left_out(line, {.file = table_.source}));
   }
 
   Record read() {
@@ -124,6 +131,15 @@ class Reader {
     return used;
   }
 
+  /// The same without which a row has no meaning: of several measured columns one need not have
+  /// been read.
+  [[nodiscard]] std::vector<ColumnSource> columns_that_count() const {
+    std::vector<ColumnSource> list = used_columns();
+    if (columns_.measured.size() > 1)
+      std::erase_if(list, [](const auto& c) { return c.channel->role == Role::measured; });
+    return list;
+  }
+
   /// How the file is written comes first, then what was said of its columns.
   void note_form() {
     const std::vector<record::Note> form = cells_.notes_on_form();
@@ -201,6 +217,7 @@ class Reader {
     for (const Channel& channel : record::channels)
       if (!values(channel).empty() && columns_.keeps(channel) && !is_unused(channel))
         result.set(channel, std::move(values(channel)));
+    for (record::Column& column : kept_.columns) result.columns.push_back(std::move(column));
     for (std::size_t row = 0; row < table_.rows(); ++row) result.lines.push_back(table_.line(row));
     return result;
   }
@@ -317,7 +334,8 @@ class Reader {
   std::optional<rig::TorqueSensor> sensor_;
   std::optional<text::DateOrder> date_order_;
   DataColumns columns_;
-  std::string dropped_;  // what is said of rows without a number
+  std::array<std::string, 2> dropped_;  // what is said of rows without a number
+  KeptColumns kept_;
   ColumnReader cells_;
   std::array<std::vector<double>, record::channels.size()> values_;  // [SI]
   std::vector<rig::Fall> falls_;  // by row; empty but in a file of times between two speeds

@@ -84,7 +84,7 @@ std::vector<record::Note> notes_on_others(const text::CsvTable& table, const Pla
 }
 
 DisplacementCurve curve_of(text::CsvTable table, const ReadOptions& options) {
-  const Recognised found = recognise(table, options.columns);
+  const Recognised found = recognise(table, options);
   const Places read = places(table, found);
   if (options.drop_nan) {
     std::vector<ColumnSource> needed;

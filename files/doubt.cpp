@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <optional>
+#include <utility>
 
 #include "files/detail/column_source.h"
 #include "record/units.h"
@@ -17,6 +17,25 @@ namespace {
 std::string answer_by(const Doubt::Guess& guess, const std::string& header) {
   return fmt::format("{} = {{ column = {}, unit = \"{}\" }}", guess.channel->name,
                      text::in_quotes(header), guess.unit);
+}
+
+/// A file of a record, and what its columns are.
+struct Read {
+  text::CsvTable table;
+  Recognised columns;
+};
+
+std::vector<Read> read_again(const Source& source, ReadOptions options) {
+  options.of_several = !source.beside.empty();
+  std::vector<Read> files;
+  const auto add = [&](const Source& one) {
+    text::CsvTable table = read_measurements(one, options);
+    Recognised columns = recognise(table, options);
+    files.push_back({std::move(table), std::move(columns)});
+  };
+  add(source);
+  for (const Source& other : source.beside) add(other);
+  return files;
 }
 
 }  // namespace
@@ -35,20 +54,21 @@ std::vector<record::Note> asked_about(const std::vector<Doubt>& doubts, const So
   std::vector<record::Note> warnings;
   std::string questions;
   text::Place place{.file = source.name};
-  text::CsvTable table;
-  std::optional<Recognised> columns;  // only looked for where something is asked
+  std::vector<Read> files;  // only read where something is asked
   for (const Doubt& doubt : doubts) {
-    if (!doubt.units.empty() && !columns) {
-      table = read_measurements(source, options);
-      columns = recognise(table, options.columns, options.over_time, options.of_spindle);
-    }
+    if (!doubt.units.empty() && files.empty()) files = read_again(source, options);
     std::string answers;
     bool answered = false, stamped = false;
     for (const Doubt::Guess& guess : doubt.units) {
-      const ColumnSource* const column = columns->find(*guess.channel);
+      const ColumnSource* column = nullptr;
+      for (const Read& file : files) {
+        column = file.columns.find(*guess.channel);
+        if (!column) continue;
+        stamped = stamped || is_stamped(file.table, *column);
+        break;
+      }
       if (!column) continue;
       answered = answered || column->unit_stated;
-      stamped = stamped || is_stamped(table, *column);
       if (answers.empty() && questions.empty()) place.key = column->name;
       answers += (answers.empty() ? "" : " or ") + answer_by(guess, column->name);
     }

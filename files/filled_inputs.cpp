@@ -47,56 +47,59 @@ double usual_interval(const std::vector<double>& values, std::span<const double>
   return record::median(intervals);
 }
 
+/// Rows in longer gaps than that go to `far`.
 void interpolate(std::vector<double>& values, std::span<const double> time, const RunRows& run,
-                 double longest) {
+                 double longest, std::vector<std::size_t>& far) {
   std::optional<std::size_t> last;
-  const auto fill = [&](std::size_t from, std::size_t to, const auto& value) {
-    for (std::size_t row = from; row < to; ++row) values[row] = value(row);
+  const auto fill = [&](std::size_t from, std::size_t to, double gap, const auto& value) {
+    for (std::size_t row = from; row < to; ++row) {
+      values[row] = value(row);
+      if (!(gap <= longest)) far.push_back(row);
+    }
   };
   for (std::size_t row = run.begin; row < run.end; ++row) {
     if (std::isnan(values[row])) continue;
     const std::size_t before = last ? *last : run.begin;
-    if (time[row] - time[before] <= longest) {
-      if (!last) {
-        fill(run.begin, row, [&](std::size_t) { return values[row]; });
-      } else {
-        const double from = values[before],
-                     slope = (values[row] - from) / (time[row] - time[before]);
-        fill(before + 1, row,
-             [&](std::size_t at) { return from + slope * (time[at] - time[before]); });
-      }
+    const double gap = time[row] - time[before];
+    if (!last) {
+      fill(run.begin, row, gap, [&](std::size_t) { return values[row]; });
+    } else {
+      const double from = values[before], slope = (values[row] - from) / gap;
+      fill(before + 1, row, gap,
+           [&](std::size_t at) { return from + slope * (time[at] - time[before]); });
     }
     last = row;
   }
-  if (last && time[run.end - 1] - time[*last] <= longest)
-    fill(*last + 1, run.end, [&](std::size_t) { return values[*last]; });
+  const std::size_t end = last ? *last + 1 : run.begin;
+  const double value = last ? values[*last] : unset;
+  fill(end, run.end, last ? time[run.end - 1] - time[*last] : unset,
+       [&](std::size_t) { return value; });
 }
 
 }  // namespace
 
-std::string fill_input(const record::Channel& channel, record::Record& data, text::BadCells& bad) {
+FilledInput fill_input(const record::Channel& channel, record::Record& data) {
   constexpr double intervals = 10.0, shortest_limit = 300.0;  // [1], [s]
   std::vector<double>& values = data.find(channel)->values;
   const auto empty = [](double v) { return std::isnan(v); };
   const auto missing = std::count_if(values.begin(), values.end(), empty);
-  if (missing == 0) return {};
+  FilledInput result;
+  if (missing == 0) return result;
   const std::span<const double> time = data.values(record::time);
   const std::vector<RunRows> runs = runs_of(data);
   const bool held = record::course_of(channel) == record::Course::held;
   const double longest = std::fmax(intervals * usual_interval(values, time, runs), shortest_limit);
   for (const RunRows& run : runs)
-    held ? hold(values, run) : interpolate(values, time, run, longest);
+    held ? hold(values, run) : interpolate(values, time, run, longest, result.far);
+  if (!held) result.longest = longest;
   for (std::size_t row = 0; row < values.size(); ++row)
-    if (empty(values[row]))
-      bad.add(data.line(row), channel.name, "",
-              held ? "is empty, and no value stands above it in its run"
-                   : fmt::format("is empty, and its readings are more than {:.4g} s apart there",
-                                 longest));
-  return fmt::format("{} of {} rows have no {}: {}", missing, values.size(), channel.name,
-                     held ? "the last value holds until the next one"
-                          : fmt::format("a straight line goes from one reading to the next, over "
-                                        "gaps of up to {:.4g} s",
-                                        longest));
+    if (empty(values[row])) result.empty.push_back(row);
+  result.note = fmt::format("{} of {} rows have no {}: {}", missing, values.size(), channel.name,
+                            held ? "the last value holds until the next one"
+                                 : fmt::format("a straight line goes from one reading to the next, "
+                                               "over gaps of up to {:.4g} s",
+                                               longest));
+  return result;
 }
 
 }  // namespace raceway::files

@@ -34,7 +34,7 @@ const ColumnSource& required(const text::CsvTable& table, const Recognised& foun
 }
 
 SensorReadings readings_of(text::CsvTable table, const ReadOptions& options) {
-  const Recognised found = recognise(table, options.columns);
+  const Recognised found = recognise(table, options);
   const ColumnSource& reference = required(table, found, reference_torque);
   const ColumnSource& signal = required(table, found, calibration_signal, &torque_signal);
   SensorReadings result{

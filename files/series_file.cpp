@@ -4,9 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
+#include <optional>
 
 #include "files/detail/column_reader.h"
 #include "files/detail/filled_inputs.h"
+#include "files/detail/kept_columns.h"
+#include "fit/isolated_readings.h"
 #include "record/median.h"
 #include "record/series_channel.h"
 #include "text/error.h"
@@ -24,13 +29,13 @@ text::Place place_in_header(const text::CsvTable& table, std::string_view column
   return {table.source, table.header_line, std::string(column)};
 }
 
+/// One file, whose columns may be a part of those of a record.
 class SeriesReader {
  public:
-  SeriesReader(text::CsvTable table, const Channels& wanted, const Channels& needed,
-               const ReadOptions& options)
+  SeriesReader(text::CsvTable table, const Channels& wanted, const ReadOptions& options)
       : table_(std::move(table)),
         wanted_(wanted),
-        found_(recognise(table_, options.columns, true, options.of_spindle)),
+        found_(recognise(table_, options)),
         of_spindle_(options.of_spindle),
         date_order_(options.columns.date_order),
         settings_hold_(options.columns.settings_hold.value_or(
@@ -38,10 +43,10 @@ class SeriesReader {
         dropped_(options.drop_nan ? drop_empty_rows(table_, inputs()) : std::string()),
         cells_(table_) {
     require(record::time);
-    for (const Channel* c : needed) require(*c);
     name_the_others(options.columns);
   }
 
+  /// As it stands there: inputs are not filled.
   Record read() {
     Record result{.source = table_.source, .settings_hold = settings_hold_};
     for (const ColumnSource& source : found_.columns) {
@@ -66,17 +71,32 @@ class SeriesReader {
     }
     cells_.check_decimal_marks();
     for (const Recognised::Constant& constant : found_.constants) set_constant(constant, result);
+    for (record::Column& column : kept_.columns) result.columns.push_back(std::move(column));
     for (std::size_t row = 0; row < table_.rows(); ++row) result.lines.push_back(table_.line(row));
     check_time(result);
     cells_.bad.throw_if_any();
-    for (const ColumnSource& source : found_.columns)
-      if (may_be_empty(*source.channel) && source.channel->role != Role::measured)
-        if (std::string note = fill_input(*source.channel, result, cells_.bad); !note.empty())
-          filled_.push_back(std::move(note));
-    cells_.bad.throw_if_any();
-    take_offsets_off(result);
-    result.notes = notes(result);
+    result.notes = notes();
     return result;
+  }
+
+  [[nodiscard]] const Recognised& found() const { return found_; }
+  [[nodiscard]] const std::optional<ColumnReader::ClockStart>& clock_start() const {
+    return cells_.clock_start();
+  }
+  void require(const Channel& channel) const {
+    if (has(channel)) return;
+    std::vector<std::string> others = found_.others;
+    for (const ColumnSource& source : found_.columns) others.push_back(source.name);
+    throw text::InputError(
+        fmt::format("{}:{}: column {} is missing{}; the header has {}", table_.source,
+                    table_.header_line, channel.name, text::suggestion(channel.name, others),
+                    text::listed(table_.header)),
+        place_in_header(table_, channel.name));
+  }
+  [[nodiscard]] bool has(const Channel& channel) const {
+    return found_.find(channel) ||
+           std::any_of(found_.constants.begin(), found_.constants.end(),
+                       [&](const Recognised::Constant& c) { return *c.channel == channel; });
   }
 
  private:
@@ -95,42 +115,6 @@ class SeriesReader {
     for (const ColumnSource& source : found_.columns)
       if (source.channel->role != Role::measured) list.push_back(source);
     return list;
-  }
-
-  void require(const Channel& channel) const {
-    if (found_.find(channel)) return;
-    for (const Recognised::Constant& c : found_.constants)
-      if (*c.channel == channel) return;
-    std::vector<std::string> others = found_.others;
-    for (const ColumnSource& source : found_.columns) others.push_back(source.name);
-    throw text::InputError(
-        fmt::format("{}:{}: column {} is missing{}; the header has {}", table_.source,
-                    table_.header_line, channel.name, text::suggestion(channel.name, others),
-                    text::listed(table_.header)),
-        place_in_header(table_, channel.name));
-  }
-
-  /// Subtracts the offsets that a control added: the displacements are then those of the machine.
-  void take_offsets_off(Record& result) {
-    std::vector<std::string> lone;
-    for (const record::Column& offset : result.columns) {
-      if (offset.channel->kind != record::offset_kind) continue;
-      const std::string of =
-          "displacement" + std::string(offset.channel->variable.substr(6)) + "_um";
-      record::Column* const read = result.find(*record::series_channel(of));
-      if (!read) {
-        if (!found_.find(*record::series_channel(of))) lone.emplace_back(offset.channel->name);
-        continue;
-      }
-      for (std::size_t row = 0; row < read->values.size(); ++row)
-        read->values[row] -= offset.values[row];
-      without_.push_back(fmt::format("{1}, which the control added, is subtracted from {0}", of,
-                                     offset.channel->name));
-    }
-    if (!lone.empty())
-      lone_ = fmt::format("{}: the record has no displacement of that name", text::listed(lone));
-    std::erase_if(result.columns,
-                  [](const record::Column& c) { return c.channel->kind == record::offset_kind; });
   }
 
   /// A sensor that the model has under a name much like it, and the file not at all.
@@ -168,13 +152,14 @@ class SeriesReader {
                                            table_.source, table_.header_line, name, *near),
                                place_in_header(table_, name));
     }
-    if (!found_.others.empty())
-      unknown_ = fmt::format(
-          "column{} {} unknown and ignored: a record {}", found_.others.size() == 1 ? "" : "s",
-          text::listed(found_.others) + (found_.others.size() == 1 ? " is" : " are"),
-          of_spindle_ ? "of a spindle has " + text::listed(known)
-                      : "over time has NAME_temperature_C, NAME_feed_m_min, NAME_speed_rpm, "
-                        "coolant_on, displacement_NAME_um, offset_NAME_um");
+    kept_ = kept_columns(table_, found_.others);
+    unknown_ = kept_.statements(!map.rules.empty());
+    if (!unknown_.empty() && map.rules.empty())
+      unknown_.back() += fmt::format(
+          " (a record {})", of_spindle_ ? "of a spindle has " + text::listed(known)
+                                        : "over time has NAME_temperature_C, NAME_feed_m_min, "
+                                          "NAME_speed_rpm, coolant_on, displacement_NAME_um, "
+                                          "offset_NAME_um");
   }
 
   void set_constant(const Recognised::Constant& constant, Record& result) {
@@ -199,48 +184,15 @@ class SeriesReader {
     }
   }
 
-  std::vector<record::Note> notes(const Record& result) const {
+  std::vector<record::Note> notes() const {
     std::vector<record::Note> list = cells_.notes_on_form();
     list.insert(list.end(), found_.notes.begin(), found_.notes.end());
     if (!dropped_.empty()) list.push_back(record::note::left_out(dropped_));
-    append(list, notes_of(record::note::filled_in, filled_));
     append(list, notes_of(record::note::filled_in, constants_));
-    append(list, notes_of(record::note::read_as, without_));
-    if (!unknown_.empty()) list.push_back(record::note::unused(unknown_));
-    if (!lone_.empty()) list.push_back(record::note::unused(lone_));
+    append(list, notes_of(record::note::unused, unknown_));
     if (!unused_.empty())
       list.push_back(record::note::unused("not predicted by the model: " + text::listed(unused_)));
-    note_gaps(result, list);
     return list;
-  }
-
-  /// Steps of time far beyond the usual one.
-  void note_gaps(const Record& result, std::vector<record::Note>& list) const {
-    constexpr double far_beyond = 20.0;
-    const std::span<const double> time = result.values(record::time);
-    std::vector<double> steps;
-    for (std::size_t row = 1; row < time.size(); ++row)
-      if (result.run_of(row) == result.run_of(row - 1)) steps.push_back(time[row] - time[row - 1]);
-    if (steps.empty()) return;
-    const double usual = record::median(steps);
-    std::size_t count = 0, first = 0;
-    double longest = 0.0;
-    for (std::size_t row = 1; row < time.size(); ++row) {
-      const double step = time[row] - time[row - 1];
-      if (result.run_of(row) != result.run_of(row - 1) || !(step > far_beyond * usual)) continue;
-      if (count++ == 0) first = row;
-      longest = std::max(longest, step);
-    }
-    if (count > 0)
-      list.push_back(record::note::filled_in(
-          fmt::format(
-              "{} gap{} in time, the first before {}, the longest {:.4g} s where rows come every "
-              "{:.4g} s: {}",
-              count, count == 1 ? "" : "s", result.place(first), longest, usual,
-              settings_hold_ == record::SettingsHold::until_row
-                  ? "the settings of the row behind it hold"
-                  : "temperatures are carried over it in a straight line, all else as it was"),
-          {.line = result.line(first)}));
   }
 
   text::CsvTable table_;
@@ -251,9 +203,313 @@ class SeriesReader {
   record::SettingsHold settings_hold_;
   std::string dropped_;
   ColumnReader cells_;
-  std::vector<std::string> unused_, constants_, filled_, without_;
-  std::string unknown_, lone_;
+  KeptColumns kept_;
+  std::vector<std::string> unused_, constants_, unknown_;
 };
+
+/// Steps of time far beyond the usual one.
+void note_gaps(Record& result) {
+  constexpr double far_beyond = 20.0;
+  const std::span<const double> time = result.values(record::time);
+  std::vector<double> steps;
+  for (std::size_t row = 1; row < time.size(); ++row)
+    if (result.run_of(row) == result.run_of(row - 1)) steps.push_back(time[row] - time[row - 1]);
+  if (steps.empty()) return;
+  const double usual = record::median(steps);
+  std::size_t count = 0, first = 0;
+  double longest = 0.0;
+  for (std::size_t row = 1; row < time.size(); ++row) {
+    const double step = time[row] - time[row - 1];
+    if (result.run_of(row) != result.run_of(row - 1) || !(step > far_beyond * usual)) continue;
+    if (count++ == 0) first = row;
+    longest = std::max(longest, step);
+  }
+  if (count > 0)
+    result.notes.push_back(record::note::filled_in(
+        fmt::format(
+            "{} gap{} in time, the first before {}, the longest {:.4g} s where rows come every "
+            "{:.4g} s: {}",
+            count, count == 1 ? "" : "s", result.place(first), longest, usual,
+            result.settings_hold == record::SettingsHold::until_row
+                ? "the settings of the row behind it hold"
+                : "temperatures are carried over it in a straight line, all else as it was"),
+        {.line = result.line(first)}));
+}
+
+/// Readings of inputs that cannot be: a temperature has a past, and does not leave by more than all
+/// it ever does.
+void leave_out_impossible_inputs(Record& record) {
+  std::vector<const Channel*> inputs;
+  for (const record::Column& c : record.columns)
+    if (c.channel->is_input() && c.channel->kind != record::offset_kind)
+      inputs.push_back(c.channel);
+  for (const Channel* channel : inputs) {
+    fit::Isolated isolated = fit::without_isolated_readings(
+        record, *channel,
+        {.steady = false, .impossible = record::is_temperature(*channel) ? 1.0 : 3.0});
+    if (!isolated.any()) continue;
+    const std::string said = isolated.statement();
+    record = std::move(isolated.record);
+    record.notes.push_back(
+        record::note::left_out(said, {.file = record.source, .key = std::string(channel->name)}));
+  }
+}
+
+/// "2.5 h", "12 min", "40 s"
+std::string length_text(double seconds) {
+  return seconds >= 7200.0  ? fmt::format("{:.3g} h", seconds / 3600.0)
+         : seconds >= 180.0 ? fmt::format("{:.3g} min", seconds / 60.0)
+                            : fmt::format("{:.3g} s", seconds);
+}
+
+/// "line 402 to 461", also of several gaps: "line 402 to 461 and 2 more gaps"
+std::string rows_text(const Record& record, const std::vector<std::size_t>& rows) {
+  std::size_t gaps = 0, end = 0;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    gaps += k == 0 || rows[k] != rows[k - 1] + 1 ? 1 : 0;
+    if (gaps == 1) end = rows[k];
+  }
+  std::string text = record.place(rows.front());
+  if (end != rows.front()) text += fmt::format(" to {}", record.line(end));
+  if (gaps > 1) text += fmt::format(" and {} more gap{}", gaps - 1, gaps == 2 ? "" : "s");
+  return text;
+}
+
+/// Fills inputs between their readings. Where one that counts was not read for too long the record
+/// is broken: what was measured there takes no part. Rows before the first value of what a control
+/// sets are left out, and a column that does not count and is broken in more than a tenth of the
+/// rows.
+void fill_inputs(Record& record, const Channels& needed, bool of_spindle) {
+  constexpr double most_of_others = 0.1;
+  std::vector<const Channel*> inputs;
+  for (const record::Column& c : record.columns)
+    if (c.channel->is_input()) inputs.push_back(c.channel);
+  std::vector<bool> broken(record.rows()), empty(record.rows());
+  for (const Channel* channel : inputs) {
+    const FilledInput filled = fill_input(*channel, record);
+    if (filled.note.empty()) continue;
+    const record::Place place{.file = record.source, .key = std::string(channel->name)};
+    record.notes.push_back(record::note::filled_in(filled.note, place));
+    const bool is_needed =
+        of_spindle || channel->kind == record::offset_kind ||
+        std::any_of(needed.begin(), needed.end(), [&](const Channel* n) { return *n == *channel; });
+    const std::size_t count = filled.far.empty() ? filled.empty.size() : filled.far.size();
+    const bool may_be_needed = is_needed || (needed.empty() && filled.far.empty());
+    if (!may_be_needed &&
+        static_cast<double>(count) > most_of_others * static_cast<double>(record.rows())) {
+      record.notes.push_back(record::note::unused(
+          fmt::format("{} has no value for {} of {} rows: the column is left out", channel->name,
+                      count, record.rows()),
+          place));
+      std::erase_if(record.columns, [&](const auto& c) { return *c.channel == *channel; });
+      continue;
+    }
+    if (!filled.far.empty()) {
+      const bool breaks = is_needed || needed.empty();
+      record.notes.push_back(record::note::left_out(
+          fmt::format("{} was not read for more than {}, {}: {}", channel->name,
+                      length_text(filled.longest), rows_text(record, filled.far),
+                      breaks ? "the record is broken there, and what was measured there takes no "
+                               "part"
+                             : "the line goes on, as the model does not ask for it"),
+          place));
+      for (const std::size_t row : filled.far) broken[row] = broken[row] || breaks;
+    }
+    if (!filled.empty.empty())
+      record.notes.push_back(
+          record::note::left_out(fmt::format("{} has no value yet: rows before it are left out, {}",
+                                             channel->name, rows_text(record, filled.empty)),
+                                 place));
+    for (const std::size_t row : filled.empty) empty[row] = true;
+  }
+  for (record::Column& c : record.columns)
+    if (c.channel->role == Role::measured)
+      for (std::size_t row = 0; row < broken.size(); ++row)
+        if (broken[row]) c.values[row] = unset;
+  std::vector<std::size_t> whole;
+  for (std::size_t row = 0; row < empty.size(); ++row)
+    if (!empty[row]) whole.push_back(row);
+  if (whole.size() == record.rows()) return;
+  if (whole.empty())
+    throw text::InputError(
+        fmt::format("{}: no row has every input: {}", record.source, record.notes.back().text),
+        {.file = record.source});
+  record = record.picked(whole);
+}
+
+/// Subtracts the offsets that a control added: the displacements are then those of the machine.
+/// `in_file`: of a displacement that nobody wants here.
+void take_offsets_off(Record& record, const std::function<bool(const Channel&)>& in_file) {
+  std::vector<std::string> lone;
+  for (const record::Column& offset : record.columns) {
+    if (offset.channel->kind != record::offset_kind) continue;
+    const std::string of = "displacement" + std::string(offset.channel->variable.substr(6)) + "_um";
+    const Channel& displacement = *record::series_channel(of);
+    record::Column* const read = record.find(displacement);
+    if (!read) {
+      if (!in_file(displacement)) lone.emplace_back(offset.channel->name);
+      continue;
+    }
+    for (std::size_t row = 0; row < read->values.size(); ++row)
+      read->values[row] -= offset.values[row];
+    record.notes.push_back(record::note::read_as(fmt::format(
+        "{1}, which the control added, is subtracted from {0}", of, offset.channel->name)));
+  }
+  if (!lone.empty())
+    record.notes.push_back(record::note::unused(
+        fmt::format("{}: the record has no displacement of that name", text::listed(lone))));
+  std::erase_if(record.columns,
+                [](const record::Column& c) { return c.channel->kind == record::offset_kind; });
+}
+
+/// Several files of one record, each with a clock of its own, on one clock.
+class SeriesOfFiles {
+ public:
+  using Files = std::vector<std::unique_ptr<SeriesReader>>;
+
+  explicit SeriesOfFiles(const Files& files) : files_(files) {
+    for (const auto& file : files_) parts_.push_back(file->read());
+  }
+
+  Record read() {
+    find_starts();
+    find_times();
+    Record result{.source = parts_.front().source, .settings_hold = parts_.front().settings_hold};
+    result.set(record::time, times_);
+    for (std::size_t k = 0; k < parts_.size(); ++k) add(parts_[k], result);
+    for (Record& part : parts_)
+      for (record::Note& one : part.notes) {
+        one.text.insert(0, part.source + ": ");
+        result.notes.push_back(std::move(one));
+      }
+    result.notes.push_back(
+        record::note::read_as(fmt::format("{} are one record of {} rows on one clock{}",
+                                          text::listed(names()), result.rows(), clock_words()),
+                              {.file = result.source}));
+    return in_common(std::move(result));
+  }
+
+ private:
+  [[nodiscard]] std::vector<std::string> names() const {
+    std::vector<std::string> list;
+    for (const Record& part : parts_) list.push_back(part.source);
+    return list;
+  }
+
+  [[nodiscard]] std::string clock_words() const {
+    return files_.front()->clock_start() ? "" : ": time_s counts from the same moment in all";
+  }
+
+  /// All times count from the first row of the first file.
+  void find_starts() {
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      for (const record::Column& c : parts_[k].columns)
+        if (c.channel->role == Role::run)
+          throw text::InputError(
+              fmt::format("{}: column {}: files with clocks of their own are one run",
+                          parts_[k].source, c.channel->name),
+              {.file = parts_[k].source, .key = std::string(c.channel->name)});
+      const auto &first = files_.front()->clock_start(), &own = files_[k]->clock_start();
+      if (first.has_value() != own.has_value() || (first && first->kind != own->kind))
+        throw text::InputError(
+            fmt::format("{} and {} have clocks that do not go together: {} and {}",
+                        parts_.front().source, parts_[k].source, words(first), words(own)),
+            {.file = parts_[k].source, .key = "time_s"});
+      if (!first) continue;
+      for (double& t : parts_[k].find(record::time)->values) t += own->begin - first->begin;
+    }
+  }
+
+  static std::string words(const std::optional<ColumnReader::ClockStart>& start) {
+    return !start                                          ? "seconds"
+           : start->kind == ColumnReader::ClockKind::dates ? "dates"
+                                                           : "times of day";
+  }
+
+  void find_times() {
+    for (const Record& part : parts_) {
+      const std::span<const double> time = part.values(record::time);
+      times_.insert(times_.end(), time.begin(), time.end());
+    }
+    std::sort(times_.begin(), times_.end());
+    times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
+  }
+
+  void add(const Record& part, Record& result) const {
+    const std::span<const double> time = part.values(record::time);
+    for (const record::Column& column : part.columns) {
+      const Channel& c = *column.channel;
+      if (c == record::time) continue;
+      if (result.has(c)) {
+        if (c.role == Role::kept) continue;
+        throw text::InputError(
+            fmt::format("{}: {} stands in another of these files, too", part.source, c.name),
+            {.file = part.source, .key = std::string(c.name)});
+      }
+      std::vector<double> values(times_.size(), unset);
+      for (std::size_t row = 0; row < time.size(); ++row)
+        values[static_cast<std::size_t>(std::lower_bound(times_.begin(), times_.end(), time[row]) -
+                                        times_.begin())] = column.values[row];
+      result.set(c, std::move(values));
+    }
+  }
+
+  /// Without the ends at which a file with inputs has no rows.
+  [[nodiscard]] Record in_common(Record record) const {
+    double begin = times_.front(), end = times_.back();
+    for (const Record& part : parts_) {
+      if (std::none_of(part.columns.begin(), part.columns.end(),
+                       [](const record::Column& c) { return c.channel->is_input(); }))
+        continue;
+      begin = std::max(begin, part.values(record::time).front());
+      end = std::min(end, part.values(record::time).back());
+    }
+    std::vector<std::size_t> rows;
+    for (std::size_t row = 0; row < times_.size(); ++row)
+      if (times_[row] >= begin && times_[row] <= end) rows.push_back(row);
+    if (rows.empty())
+      throw text::InputError(fmt::format("{} have no time in common", text::listed(names())),
+                             {.file = record.source, .key = "time_s"});
+    if (rows.size() == record.rows()) return record;
+    record.notes.push_back(record::note::left_out(
+        fmt::format("{} rows lie before {:.6g} s or behind {:.6g} s, where one of these files has "
+                    "none, and are left out",
+                    record.rows() - rows.size(), begin, end),
+        {.file = record.source}));
+    return record.picked(rows);
+  }
+
+  const Files& files_;
+  std::vector<Record> parts_;
+  std::vector<double> times_;
+};
+
+/// Throws InputError for a column that none of the files has, of those that are needed and of those
+/// that the map names.
+SeriesOfFiles::Files readers_of(const Source& source, const Channels& wanted,
+                                const Channels& needed, ReadOptions options) {
+  options.of_several = !source.beside.empty();
+  SeriesOfFiles::Files files;
+  const auto add = [&](const Source& one) {
+    files.push_back(
+        std::make_unique<SeriesReader>(read_measurements(one, options), wanted, options));
+  };
+  add(source);
+  for (const Source& other : source.beside) add(other);
+  const auto none = [&](const auto& has) { return std::none_of(files.begin(), files.end(), has); };
+  for (const Channel* c : needed)
+    if (none([&](const auto& f) { return f->has(*c); })) files.front()->require(*c);
+  for (const ColumnRule* rule : files.front()->found().not_here)
+    if (none([&](const auto& f) {
+          const auto& absent = f->found().not_here;
+          return std::find(absent.begin(), absent.end(), rule) == absent.end();
+        }))
+      throw text::InputError(
+          fmt::format("{}: no column \"{}\" in any of these files, which {} takes for {}",
+                      source.name, rule->header, rule->place.text(), rule->key),
+          rule->place);
+  return files;
+}
 
 }  // namespace
 
@@ -263,9 +519,17 @@ ReadOptions over_time(ReadOptions options) {
 }
 
 record::Record read_series(const Source& source, const Channels& wanted, const Channels& needed,
-                           const ReadOptions& options) {
-  return SeriesReader(read_measurements(source, over_time(options)), wanted, needed, options)
-      .read();
+                           const ReadOptions& given) {
+  const ReadOptions options = over_time(given);
+  std::vector<std::unique_ptr<SeriesReader>> files = readers_of(source, wanted, needed, options);
+  Record record = files.size() > 1 ? SeriesOfFiles(files).read() : files.front()->read();
+  leave_out_impossible_inputs(record);
+  fill_inputs(record, needed, options.of_spindle);
+  take_offsets_off(record, [&](const Channel& c) {
+    return std::any_of(files.begin(), files.end(), [&](const auto& f) { return f->has(c); });
+  });
+  note_gaps(record);
+  return record;
 }
 
 }  // namespace raceway::files

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "record/median.h"
@@ -20,7 +21,6 @@ constexpr std::size_t longest_by_model = 3;  // where a model tells them
 constexpr double far_away = 6.0;             // robust standard deviations
 constexpr double farther = 3.0;              // than the neighbours are from each other
 constexpr double finest = 0.003;             // of the range of nine in ten readings
-constexpr double impossible = 3.0;           // of the range of nearly all readings
 constexpr double steady_speed = 0.01;        // of the largest
 constexpr double neighbours = 3.0;           // median steps in time
 constexpr double most_isolated = 0.1;        // of the readings
@@ -159,19 +159,100 @@ bool leave_and_return(const Readings& readings, std::size_t first, std::size_t l
   return true;
 }
 
-}  // namespace
-
-std::string Isolated::statement() const {
+std::string lines_of(const record::Record& record, const std::vector<std::size_t>& rows) {
   std::string lines;
   for (std::size_t k = 0; k < rows.size() && k < most_lines; ++k)
     lines += fmt::format("{}{}", k == 0 ? "" : ", ", record.line(rows[k]));
   if (rows.size() > most_lines) lines += fmt::format(" and {} more", rows.size() - most_lines);
+  return lines;
+}
+
+/// Rows of readings far beyond all others, at inputs within those of the other rows.
+std::vector<std::size_t> far_readings(const record::Record& record,
+                                      const record::Channel& channel) {
+  constexpr double ranges = 3.0;
+  const std::span<const double> values = record.values(channel);
+  std::vector<double> sorted;
+  for (const double v : values)
+    if (std::isfinite(v)) sorted.push_back(v);
+  if (sorted.empty()) return {};
+  std::sort(sorted.begin(), sorted.end());
+  const std::size_t ends = std::max<std::size_t>(2, sorted.size() / 100);
+  if (sorted.size() <= 2 * ends) return {};
+  const double low = sorted[ends], high = sorted[sorted.size() - 1 - ends],
+               far = ranges * (high - low);
+  if (!(far > 0.0)) return {};
+  std::vector<std::size_t> rows;
+  std::vector<bool> is_far(values.size());
+  for (std::size_t row = 0; row < values.size(); ++row)
+    if (values[row] < low - far || values[row] > high + far)
+      rows.push_back(row), is_far[row] = true;
+  for (const record::Column& input : record.columns) {
+    if (!input.channel->is_input() || rows.empty()) continue;
+    double least = unset, most = unset;
+    for (std::size_t row = 0; row < values.size(); ++row)
+      if (!is_far[row])
+        least = std::fmin(least, input.values[row]), most = std::fmax(most, input.values[row]);
+    std::erase_if(rows, [&](std::size_t row) {
+      return input.values[row] < least || input.values[row] > most;
+    });
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string Isolated::statement() const {
+  const std::string lines = lines_of(record, rows);
+  const bool one = rows.size() == 1;
+  const std::string beyond = fmt::format("by more than {}the range of the others",
+                                         by.impossible == 3.0 ? "three times " : "");
   return fmt::format("{} reading{} of {} leave{} and return{}{}{} and take{} no part, {} {}",
-                     rows.size(), rows.size() == 1 ? "" : "s", channel->words,
-                     rows.size() == 1 ? "s" : "", rows.size() == 1 ? "s" : "",
-                     by_model ? ", against the fitted model," : " while the speed is steady",
-                     impossible ? ", or by more than three times the range of the others," : "",
-                     rows.size() == 1 ? "s" : "", record.lines.empty() ? "rows" : "lines", lines);
+                     rows.size(), one ? "" : "s", channel->words, one ? "s" : "", one ? "s" : "",
+                     by_model    ? ", against the fitted model"
+                     : by.steady ? " while the speed is steady"
+                                 : "",
+                     !by.steady   ? " " + beyond
+                     : impossible ? ", or " + beyond + ","
+                                  : std::string(by_model ? "," : ""),
+                     one ? "s" : "", record.lines.empty() ? "rows" : "lines", lines);
+}
+
+PossibleRows without_impossible_rows(const record::Record& record) {
+  constexpr std::size_t fewest_rows = 15;
+  const double coldest = kelvin(-60), hottest = kelvin(200);
+  PossibleRows result{.record = record};
+  if (record.rows() < fewest_rows) return result;
+  const auto take_out = [&](const std::vector<std::size_t>& rows, const std::string& what) {
+    const record::Record& now = result.record;
+    if (rows.empty() ||
+        static_cast<double>(rows.size()) > most_isolated * static_cast<double>(now.rows()))
+      return;
+    const bool one = rows.size() == 1;
+    result.statements.push_back(fmt::format("{} row{} ha{} {} and take{} no part, line{} {}",
+                                            rows.size(), one ? "" : "s", one ? "s" : "ve", what,
+                                            one ? "s" : "", one ? "" : "s", lines_of(now, rows)));
+    std::vector<std::size_t> others;
+    for (std::size_t row = 0; row < now.rows(); ++row)
+      if (!std::binary_search(rows.begin(), rows.end(), row)) others.push_back(row);
+    result.record = now.picked(others);
+  };
+  for (const record::Column& c : record.columns) {
+    if (!c.channel->is_input() || c.channel->offset == 0.0) continue;
+    std::vector<std::size_t> rows;
+    const std::span<const double> values = result.record.values(*c.channel);
+    for (std::size_t row = 0; row < values.size(); ++row)
+      if (values[row] < coldest || values[row] > hottest) rows.push_back(row);
+    take_out(rows, fmt::format("a {} that no machine has", c.channel->words));
+  }
+  const auto read = std::find_if(record.columns.begin(), record.columns.end(), [](const auto& c) {
+    return c.channel->role == record::Role::measured;
+  });
+  if (read != record.columns.end())
+    take_out(far_readings(result.record, *read->channel),
+             fmt::format("a {} more than three times the range of all others away from them",
+                         read->channel->words));
+  return result;
 }
 
 Isolated without_isolated_readings(const record::Record& record) {
@@ -181,14 +262,10 @@ Isolated without_isolated_readings(const record::Record& record) {
   return {.record = record};
 }
 
-Isolated without_isolated_readings(const record::Record& record, const record::Channel& channel) {
-  return without_isolated_readings(record, channel, {});
-}
-
 Isolated without_isolated_readings(const record::Record& record, const record::Channel& channel,
-                                   std::span<const double> predicted) {
+                                   const Isolation& by, std::span<const double> predicted) {
   const bool by_model = !predicted.empty();
-  Isolated result{.record = record, .by_model = by_model};
+  Isolated result{.record = record, .by = by, .by_model = by_model};
   record::Column* const column = result.record.find(channel);
   if (!column || !record.complete(record::time)) return result;
   std::vector<double> values = column->values;
@@ -213,10 +290,11 @@ Isolated without_isolated_readings(const record::Record& record, const record::C
         return far > 0.0 &&
                leave_and_return(readings, k, last, readings[before], readings[after], far);
       };
-      const bool is_steady = std::all_of(steady.begin() + static_cast<std::ptrdiff_t>(k),
-                                         steady.begin() + static_cast<std::ptrdiff_t>(last) + 1,
-                                         [](bool is) { return is; });
-      const bool leaves_all = leave_by(impossible * whole);
+      const bool is_steady =
+          by.steady && std::all_of(steady.begin() + static_cast<std::ptrdiff_t>(k),
+                                   steady.begin() + static_cast<std::ptrdiff_t>(last) + 1,
+                                   [](bool is) { return is; });
+      const bool leaves_all = leave_by(by.impossible * whole);
       if (!leaves_all && !(is_steady && leave_by(far_away * scatter))) continue;
       if (by_model && readings.set_otherwise(k, last, before, after)) continue;
       result.impossible = result.impossible || (leaves_all && !is_steady);

@@ -18,8 +18,9 @@ enum class Role {
   measured,   ///< what a model predicts
   deviation,  ///< standard deviation of a measured one
   time,
-  run,  ///< index of the run that a row belongs to
-  part  ///< index of the record that a row comes from, where several were joined
+  run,   ///< index of the run that a row belongs to
+  part,  ///< index of the record that a row comes from, where several were joined
+  kept   ///< recorded beside, of a name of its own; explains nothing yet
 };
 
 /// A quantity that can stand in a column. All that reads, shows or sorts by columns looks here, so

@@ -45,7 +45,7 @@ class CorrectionInLoop final : public LoopModel {
     if (data.size() != 1)
       throw text::InputError(
           "a correction is held against one record; runs of one machine are rows of one file with "
-          "their run_id",
+          "their run_id, and files of one run with clocks of their own are named by --beside",
           {.key = "DATA"});
     std::vector<correction::Model> models{model()};
     for (const auto& other : compared_with)

@@ -80,8 +80,8 @@ record::Record open_series(Messages& messages, const Source& given,
 SeriesQuestion ask_series(Messages& messages, const Source& model, const Source& data,
                           const Reading& reading, Defaults defaults) {
   SeriesQuestion asked{.file = open_corrections(messages, model, defaults)};
-  asked.data = open_series(messages, data, asked.file.models, reading.options(asked.file.columns),
-                           reading.period, reading.one_by_one);
+  asked.data = open_series(messages, reading.sources({data}).front(), asked.file.models,
+                           reading.options(asked.file.columns), reading.period, reading.one_by_one);
   return asked;
 }
 

@@ -57,7 +57,7 @@ void average(Messages& messages, const LoopModel& model, record::Record& data, b
 LoopQuestion ask(Messages& messages, const Source& model, const std::vector<Source>& data,
                  const LoopOptions& options) {
   LoopQuestion asked{.model = open_loop_model(messages, model, options)};
-  asked.data = asked.model->read(messages, data, options.reading);
+  asked.data = asked.model->read(messages, options.reading.sources(data), options.reading);
   average(messages, *asked.model, asked.data, options.rows);
   asked.subject = asked.model->for_fit(messages, asked.data, options.per_record);
   return asked;
@@ -156,7 +156,8 @@ ComparedModels compare(Messages& messages, const std::vector<Source>& models,
     opened.push_back(open_loop_model(messages, source, options, opened.size()));
     opened.back()->stand_beside(messages, *opened.front());
   }
-  ComparedModels result{.data = opened.front()->read(messages, data, options.reading, opened)};
+  ComparedModels result{.data = opened.front()->read(messages, options.reading.sources(data),
+                                                     options.reading, opened)};
   average(messages, *opened.front(), result.data, options.rows);
   for (const auto& model : opened) {
     const std::string& source = model->about().source;
@@ -197,8 +198,9 @@ std::string CheckedModel::json() const {
 CheckedModel check(Messages& messages, const Source& source, const Source& data,
                    const LoopOptions& options) {
   const std::unique_ptr<LoopModel> model = open_loop_model(messages, source, options);
-  CheckedModel result{.model = model->about(),
-                      .data = model->read(messages, {data}, options.reading)};
+  CheckedModel result{
+      .model = model->about(),
+      .data = model->read(messages, options.reading.sources({data}), options.reading)};
   result.over_time = model->over_time(result.data);
   result.check = with_data(result.model.source, result.data, [&] {
     const std::shared_ptr<const fit::Subject> written = model->as_written();

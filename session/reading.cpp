@@ -4,6 +4,15 @@
 
 namespace raceway::session {
 
+std::vector<Source> Reading::sources(std::vector<Source> data) const {
+  if (beside.empty()) return data;
+  if (data.size() != 1)
+    throw text::InputError("--beside: belongs to one record, and several are given",
+                           {.key = "--beside"});
+  for (const std::string& path : beside) data.front().beside.emplace_back(path);
+  return data;
+}
+
 files::ReadOptions Reading::options(const files::ModelFile& model) const {
   if (period.is_given())
     throw text::InputError(

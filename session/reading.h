@@ -1,9 +1,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "files/model_file.h"
 #include "session/period.h"
+#include "session/source.h"
 
 namespace raceway::session {
 
@@ -12,10 +14,14 @@ struct Reading {
   std::string columns{};
   std::string columns_text{};  ///< the map itself, in place of its file
   bool drop_nan = false;
-  Period period{};  ///< declared where records over time are read
+  std::vector<std::string> beside{};  ///< further files of the same record over time
+  Period period{};                    ///< declared where records over time are read
   bool one_by_one =
       false;  ///< readings come one after the other: none is judged by those behind it
 
+  /// The files of a question with those beside. Throws text::InputError where these are several
+  /// records.
+  [[nodiscard]] std::vector<Source> sources(std::vector<Source> data) const;
   /// How measurements are read: by the map of the flag, else by [columns] of the model. Throws
   /// text::InputError for a period: rows of a friction rig are no course in time.
   [[nodiscard]] files::ReadOptions options(const files::ModelFile& model) const;

@@ -15,6 +15,7 @@
 #include "text/input_file.h"
 #include "text/printable.h"
 #include "text/text_encoding.h"
+#include "text/units.h"
 
 namespace raceway::text {
 namespace {
@@ -197,6 +198,7 @@ CsvTable table_of_columns(std::string source, std::vector<DataColumn> columns) {
   table.lines_.resize(rows);
   std::iota(table.lines_.begin(), table.lines_.end(), 2);
   table.columns_ = std::move(columns);
+  table.take_units_out_of_cells();
   return table;
 }
 
@@ -220,6 +222,7 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
                      table.lines_.push_back(line);
                    });
   parser.run();
+  if (find_form) table.take_units_out_of_cells();
   const std::size_t behind = table.cells_.front().begin;
   table.marks_ = find_decimal_marks(
       table.separator, all.find('.', behind) != all.npos,
@@ -231,6 +234,39 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
         fmt::format("{} separate thousands", table.marks_.thousands == '.' ? "points" : "commas"));
   parser.add_notes();
   return table;
+}
+
+void CsvTable::take_units_out_of_cells() {
+  constexpr std::size_t searched = 20;  // rows
+  for (std::size_t c = 0; c < header.size(); ++c) {
+    if (is_numeric(c)) continue;
+    const auto measured_at = [&](std::size_t row) { return measured_cell(cell(row, c)); };
+    std::size_t first = 0;
+    while (first < rows() && first < searched && !measured_at(first)) ++first;
+    if (first == rows() || first == searched) continue;
+    const std::string unit(measured_at(first)->unit);
+    const bool stated = c < units.size() && !states_no_unit(units[c]);
+    if (stated && find_unit(units[c]) != find_unit(unit)) continue;
+    std::vector<std::size_t> in_unit;
+    bool is_one = true;
+    for (std::size_t row = first; row < rows() && is_one; ++row) {
+      const auto here = measured_at(row);
+      is_one = !here || here->unit == unit;
+      if (here) in_unit.push_back(row);
+    }
+    // Cells in several units are no numbers, which their reader says.
+    if (!is_one) continue;
+    for (const std::size_t row : in_unit) {
+      const std::size_t size = measured_at(row)->number.size();
+      if (columns_.empty())
+        cells_[row * header.size() + c].size = size;
+      else
+        columns_[c].texts[row].resize(size);
+    }
+    units.resize(header.size());
+    units[c] = unit;
+    notes.push_back(fmt::format("the cells of {} have their unit, {}", header[c], unit));
+  }
 }
 
 void CsvTable::remove_rows(const std::vector<bool>& remove) {

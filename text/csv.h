@@ -48,8 +48,9 @@ using FormFinder = std::function<CsvForm(std::string_view)>;
 /// comments; the last one above the data is the header where its cells fit the first row, and below
 /// the header a line whose cells fit is a row ("#N/A,20,0.1"). Blank lines and rows of empty cells
 /// are skipped, as are the header where it stands again and words behind the last row. A cell may
-/// be quoted ("a ""b"""), not broken over lines. Blanks around cells are dropped, and an apostrophe
-/// in front of =, +, - or @, with which cells are kept from being formulas
+/// be quoted ("a ""b"""), not broken over lines. A unit behind every number of a column ("12.3 °C")
+/// is the unit of the column, in files of others. Blanks around cells are dropped, and an
+/// apostrophe in front of =, +, - or @, with which cells are kept from being formulas
 /// (text/detail/csv_text.h). Memory: the text plus 16 bytes per cell.
 class CsvTable {
  public:
@@ -104,6 +105,8 @@ class CsvTable {
   friend CsvTable table_of_columns(std::string source, std::vector<DataColumn> columns);
   [[nodiscard]] ParsedNumber parsed_text(std::size_t row, std::size_t column,
                                          std::string_view text) const;
+  /// "12.3 °C" in all cells of a column becomes 12.3, and C the unit of the column.
+  void take_units_out_of_cells();
   std::string text_;
   std::vector<Cell> cells_;          // row by row
   std::vector<DataColumn> columns_;  // in place of both, where it came as columns

@@ -6,6 +6,8 @@
 
 #include "text/detail/csv_text.h"
 #include "text/error.h"
+#include "text/names.h"
+#include "text/units.h"
 
 namespace raceway::text {
 std::string_view separator_name(char separator) {
@@ -76,6 +78,26 @@ void split_cells(std::string& text, std::size_t begin, std::size_t end, char sep
     if (at >= end) return;
     ++at;
   }
+}
+
+std::optional<MeasuredCell> measured_cell(std::string_view cell) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  constexpr std::string_view minus = "\u2212";
+  std::size_t at = cell.starts_with(minus) ? minus.size() : 0;
+  at = std::min(cell.find_first_not_of("+-., ", at), cell.size());
+  // Most cells end in a digit. "1/min" is a unit.
+  if (at == cell.size() || !is_digit(cell[at]) || is_digit(cell.back()) || find_unit(cell))
+    return std::nullopt;
+  at = std::min(cell.find_first_not_of("0123456789.,'", at), cell.size());
+  if (at < cell.size() && (cell[at] == 'e' || cell[at] == 'E')) {
+    const std::size_t power = std::min(cell.find_first_not_of("+-", at + 1), cell.size());
+    if (power < cell.size() && is_digit(cell[power]))
+      at = std::min(cell.find_first_not_of("0123456789", power), cell.size());
+  }
+  const MeasuredCell parts{trimmed(cell.substr(0, at)), trimmed(cell.substr(at))};
+  if (parts.unit == "%") return parts;
+  const bool is_word = !parts.unit.empty() && parts.unit.find_first_of("/-^(<[") != 0;
+  return is_word && find_unit(parts.unit) ? std::optional(parts) : std::nullopt;
 }
 
 }  // namespace raceway::text

@@ -153,7 +153,7 @@ std::optional<char> separator_of_commented_header(std::string_view comment, std:
 }
 
 bool is_reading(std::string_view cell) {
-  return parse_number(cell, true).problem.empty() || is_time(cell);
+  return parse_number(cell, true).problem.empty() || measured_cell(cell) || is_time(cell);
 }
 
 CsvForm find_form(std::string_view text, const std::function<bool(std::string_view)>& known) {

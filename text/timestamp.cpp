@@ -152,11 +152,12 @@ Date scan_date(Scan& scan, std::string_view cell, DateOrder order) {
     date.year = scan.year();
   } else if (mark == '.' || mark == '/' || (mark == '-' && is_number_behind)) {
     const std::string_view same = mark == '.' ? "." : mark == '/' ? "/" : "-";
-    date.day = scan.digits(1, 2);
+    const bool year_first = order == DateOrder::year_first;
+    year_first ? date.year = scan.year() : date.day = scan.digits(1, 2);
     scan.need(same);
     date.month = scan.digits(1, 2);
     scan.need(same);
-    date.year = scan.year();
+    year_first ? date.day = scan.digits(1, 2) : date.year = scan.year();
     if (mark != '.' && order == DateOrder::month_first) std::swap(date.day, date.month);
   } else {
     date.day = scan.digits(1, 2);
@@ -196,6 +197,18 @@ std::optional<double> scan_clock(Scan& scan, bool compact) {
 }
 
 }  // namespace
+
+std::string_view name(DateOrder order) {
+  switch (order) {
+    case DateOrder::day_first:
+      return "day first";
+    case DateOrder::month_first:
+      return "month first";
+    case DateOrder::year_first:
+      break;
+  }
+  return "year first";
+}
 
 std::optional<double> parse_timestamp(std::string_view cell, DateOrder order) {
   Scan scan(cell);
@@ -261,7 +274,8 @@ std::optional<double> parse_elapsed(std::string_view cell) {
 }
 
 bool is_time(std::string_view cell) {
-  return parse_timestamp(cell) || parse_timestamp(cell, DateOrder::month_first) ||
+  return std::any_of(date_orders.begin(), date_orders.end(),
+                     [&](DateOrder order) { return parse_timestamp(cell, order).has_value(); }) ||
          parse_elapsed(cell) || (lower_case(cell).ends_with('m') && parse_clock(cell));
 }
 
@@ -274,10 +288,13 @@ bool clocks_may_change(double before, bool forward) {
   const unsigned month = static_cast<unsigned>(parts.month()),
                  of_month = static_cast<unsigned>(parts.day());
   const double hour = (before - day * days) / 3600.0;
+  const bool first = of_month<8, second = of_month> 7 && of_month<15, last_of_30 = of_month> 23,
+             last_of_31 = of_month > 24;
   if (forward)
-    return month == 3 && (of_month > 24 || (of_month > 7 && of_month < 15)) && hour < 3.0;
-  return ((month == 10 && of_month > 24) || (month == 11 && of_month < 8)) && hour >= 1.0 &&
-         hour < 4.0;
+    return hour < 3.0 && ((month == 3 && (second || last_of_31)) || (month == 9 && last_of_30) ||
+                          (month == 10 && first));
+  return hour >= 1.0 && hour < 4.0 &&
+         ((month == 10 && last_of_31) || (month == 11 && first) || (month == 4 && first));
 }
 
 std::optional<double> seconds_of_excel(double days) {

@@ -1,13 +1,19 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace raceway::text {
 
-/// Order of a date with slashes or dashes: 12/03/2024 is in March or in December.
-enum class DateOrder { day_first, month_first };
+/// Order of a date with slashes or dashes: 12/03/2024 is in March or in December, and 24/09/11 may
+/// begin with its year, also with dots.
+enum class DateOrder { day_first, month_first, year_first };
+inline constexpr std::array date_orders{DateOrder::day_first, DateOrder::month_first,
+                                        DateOrder::year_first};
+/// "day first"
+[[nodiscard]] std::string_view name(DateOrder order);
 
 /// A date with a time as seconds since 1970, leap seconds left out: "2024-03-12T08:15:00.5+01:00"
 /// (ISO 8601; a blank for the T, Z, no seconds), "20240312T081500", "2024/03/12 08:15",
@@ -36,7 +42,8 @@ enum class DateOrder { day_first, month_first };
 [[nodiscard]] bool is_time(std::string_view cell);
 
 /// Whether clocks may have been changed between two local times: on the last Sunday of March and of
-/// October (Europe), the second of March and the first of November (North America), in the night.
+/// October (Europe), the second of March and the first of November (North America), the last of
+/// September or the first of October and the first of April (New Zealand, Australia), in the night.
 /// `forward`: to summer time.
 [[nodiscard]] bool clocks_may_change(double before, bool forward);
 

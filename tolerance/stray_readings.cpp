@@ -39,7 +39,7 @@ WithoutStrays without_strays(const fit::Subject& subject, const record::Record& 
     const std::vector<double> predicted = refitted(informed, result.record);
     for (std::size_t c = 0; c < channels.size() && !predicted.empty(); ++c) {
       fit::Isolated found = fit::without_isolated_readings(
-          *result.record, *channels[c].channel,
+          *result.record, *channels[c].channel, {},
           std::span(predicted).subspan(c * record.rows(), record.rows()));
       if (!found.any()) continue;
       more = true;

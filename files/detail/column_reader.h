@@ -33,6 +33,14 @@ class ColumnReader {
   /// times.
   [[nodiscard]] std::vector<double> times(const ColumnSource& source,
                                           std::optional<text::DateOrder> order);
+  /// How the clock of times() counts, and where it stood in the first row [s]: seconds since 1970,
+  /// since midnight or since anything.
+  enum class ClockKind { dates, elapsed };
+  struct ClockStart {
+    ClockKind kind;
+    double begin;
+  };
+  [[nodiscard]] const std::optional<ClockStart>& clock_start() const { return clock_start_; }
   /// Indices into `names`, which gets the texts of the cells in the order in which they come.
   [[nodiscard]] std::vector<double> named(const ColumnSource& source,
                                           std::vector<std::string>& names);
@@ -50,13 +58,27 @@ class ColumnReader {
   [[nodiscard]] bool is_missing(std::size_t row, std::size_t column) const;
   /// The cells of a row that are its time, as one text.
   [[nodiscard]] std::string stamp(const ColumnSource& source, std::size_t row) const;
-  [[nodiscard]] text::DateOrder order_of(const ColumnSource& source) const;
+  /// Times of a column as one order of its dates has them.
+  struct Reading {
+    text::DateOrder order;
+    std::vector<double> elapsed;  ///< since the first row [s]
+
+    /// By most of a year from one row to the next.
+    [[nodiscard]] bool jumps() const;
+  };
+  [[nodiscard]] text::DateOrder order_of(const ColumnSource& source);
+  [[nodiscard]] std::vector<double> elapsed_in(const ColumnSource& source,
+                                               text::DateOrder order) const;
+  [[noreturn]] void ask_for_order(const ColumnSource& source, const std::vector<Reading>& readings,
+                                  std::size_t row) const;
   void undo_midnights(const ColumnSource& source, std::vector<double>& list);
   void undo_changes_of_clocks(const ColumnSource& source, std::vector<double>& list);
   void keep_mark(char mark, std::size_t row, std::string_view text);
 
   const text::CsvTable& table_;
   Mark comma_, point_;
+  std::optional<ClockStart> clock_start_;
+  bool undecided_date_ = false;      ///< its times are the same in several orders
   std::vector<record::Note> notes_;  // on dates and missing readings
 
  public:

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "files/column_map.h"
@@ -33,16 +35,16 @@ struct Recognised {
   };
   std::vector<ColumnSource> columns{};  ///< in the order of file_channels()
   std::vector<Constant> constants{};
-  std::vector<std::string> others{};  ///< headers that nobody knows
-  std::vector<record::Note> notes{};  ///< on units that were converted
+  std::vector<std::string> others{};          ///< headers that nobody knows
+  std::vector<const ColumnRule*> not_here{};  ///< rules for columns that another file may have
+  std::vector<record::Note> notes{};          ///< on units that were converted
 
   [[nodiscard]] const ColumnSource* find(const record::Channel& channel) const;
 };
 
 /// Throws InputError for a column of the map that is not there, for two columns of one quantity and
 /// for a unit that contradicts that of the header.
-[[nodiscard]] Recognised recognise(const text::CsvTable& table, const ColumnMap& map,
-                                   bool over_time = false, bool of_spindle = false);
+[[nodiscard]] Recognised recognise(const text::CsvTable& table, const ReadOptions& options);
 
 /// True if a column holds dates or times of day rather than numbers.
 [[nodiscard]] bool is_stamped(const text::CsvTable& table, const ColumnSource& source);
@@ -56,6 +58,15 @@ struct Recognised {
 /// The rows of a file, with its titles skipped and its row of units found by the names of our
 /// columns and by those of the map.
 [[nodiscard]] text::CsvTable read_measurements(const Source& source, const ReadOptions& options);
+
+/// What a cell of a column may be, in the unit of the file. `with_sign` as in si_of_cell().
+[[nodiscard]] text::CellRange range_of(const ColumnSource& source, bool with_sign);
+
+/// Takes these rows out, and says how many `have` what and where; nothing where there is none.
+/// Throws InputError where no row is left.
+[[nodiscard]] std::string drop_rows(text::CsvTable& table,
+                                    const std::function<bool(std::size_t row)>& is_wrong,
+                                    std::string_view have);
 
 /// Takes rows out in which one of these columns is empty, "nan", "#N/A" or the like, and says how
 /// many and which; nothing where there is none.

@@ -44,7 +44,8 @@ struct DataColumns {
   /// friction torque.
   std::optional<Place> signal, signal_deviation;
   std::vector<Recognised::Constant> constants;  ///< of channels without a column
-  std::vector<record::Note> notes;              ///< on units and on columns that nobody knows
+  std::vector<std::string> others;              ///< headers that nobody knows
+  std::vector<record::Note> notes;              ///< on units
 
   /// Null where the file has no such column.
   [[nodiscard]] const Place* find(const record::Channel& channel) const;

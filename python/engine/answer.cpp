@@ -107,7 +107,15 @@ py::dict arrays_of(NamedColumns columns) {
 void bind_answer(py::module_& module) {
   py::class_<session::Source, std::shared_ptr<session::Source>>(module, "Data")
       .def(py::init<std::string, std::string>(), py::arg("name"), py::arg("text"))
-      .def(py::init(&data_of_columns), py::arg("name"), py::arg("columns"));
+      .def(py::init(&data_of_columns), py::arg("name"), py::arg("columns"))
+      .def(
+          "with_beside",
+          [](const session::Source& data, const std::vector<Data>& others) {
+            auto joined = std::make_shared<session::Source>(data);
+            for (const Data& other : others) joined->beside.push_back(*other);
+            return joined;
+          },
+          py::arg("others"));
   py::class_<EngineAnswer>(module, "Answer")
       .def_readonly("json", &EngineAnswer::json)
       .def_readonly("notes", &EngineAnswer::notes)

@@ -58,20 +58,42 @@ class Record:
         self._data = _engine.Data(self._name, text=text)
         self._columns = _column_map(columns)
         self._drop_nan = bool(drop_nan)
+        self._others: tuple[Record, ...] = ()
 
     @classmethod
     def _of(cls, name: str, own: dict[str, numpy.ndarray | list[str]], columns: Mapping[str, str] | str | None, drop_nan: bool) -> Record:
         record = cls.__new__(cls)
-        record.__setstate__((str(name), own, _column_map(columns), bool(drop_nan)))
+        record.__setstate__((str(name), own, _column_map(columns), bool(drop_nan), ()))
         return record
 
     def __getstate__(self) -> tuple[Any, ...]:
-        return self._name, self._own, self._columns, self._drop_nan
+        return self._name, self._own, self._columns, self._drop_nan, self._others
 
     def __setstate__(self, state: tuple[Any, ...]) -> None:
-        self._name, self._own, self._columns, self._drop_nan = state
+        self._name, self._own, self._columns, self._drop_nan, self._others = state
         own = self._own
         self._data = _engine.Data(self._name, text=own) if isinstance(own, str) else _engine.Data(self._name, columns=own)
+        if self._others:
+            self._data = self._data.with_beside([other._data for other in self._others])
+
+    def beside(self, *others: Record) -> Record:
+        """Return the record over time with more of it: files of the same machine and time with clocks of their own.
+
+        What a control sets holds, temperatures go in a straight line from one reading to the next; `notes`
+        of an answer say so. The map of columns of this record is that of all.
+
+        Examples
+        --------
+        >>> temperatures = Record.from_arrays({"time_s": [0.0, 60.0], "room_temperature_C": [20.0, 20.1]})
+        >>> probe = Record.from_arrays({"time_s": [0.0, 25.0], "displacement_z_um": [0.0, 0.4]})
+        >>> both = temperatures.beside(probe)
+        """
+        for other in others:
+            if not isinstance(other, Record):
+                raise TypeError(f"a raceway.Record is wanted, not {type(other).__name__}")
+        record = Record.__new__(Record)
+        record.__setstate__((self._name, self._own, self._columns, self._drop_nan, (*self._others, *others)))
+        return record
 
     @classmethod
     def read(cls, path: str | os.PathLike[str], *, columns: Mapping[str, str] | str | None = None, drop_nan: bool = False) -> Record:

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -257,6 +258,222 @@ TEST(LoggerExports, AnExportGivesCoarseSensorsTheTimeThatTheyNeed) {
   EXPECT_THAT(found.err, HasSubstr("in steps of 0.5 K: it counts as stuck after "));
   EXPECT_THAT(found.err, Not(HasSubstr("bearing_temperature_C stands still")));
   EXPECT_THAT(run(command + folder_of_record + "train.csv").err, Not(HasSubstr("counts as stuck")));
+}
+
+/// From 20:11:33 on the 11th: only a year in front makes a day of what passes at midnight.
+TEST(LoggerExports, AYearOfTwoDigitsInFrontIsReadWhereItIsDecided) {
+  const auto date = [](int seconds) {
+    return fmt::format("24/09/{} {}", seconds < 86400 ? 11 : 12, clock_of(seconds));
+  };
+  const Exported japanese = stamped("Time", date);
+  const std::string map = japanese.folder.write("map.toml", "[columns]\ntime_s = \"Time\"\n");
+  expect_truth(japanese.file, "--columns " + map);
+  EXPECT_THAT(run("check " + record_model + " " + japanese.file + " --columns " + map).err,
+              HasSubstr("time_s counts from 2024-09-11T20:11:33"));
+  // At the end of a month it may be another month, or another day.
+  const Exported undecided = stamped("Time", [](int seconds) {
+    return fmt::format("{}/12 {}", seconds < 86400 ? "10/11" : "10/12", clock_of(seconds));
+  });
+  expect_refused(run("check " + record_model + " " + undecided.file + " --columns " +
+                     undecided.folder.write("map.toml", "[columns]\ntime_s = \"Time\"\n")),
+                 "Say date_order = \"day first\", \"month first\" or \"year first\" in [columns]");
+  const std::string said = undecided.folder.write(
+      "said.toml", "[columns]\ndate_order = \"month first\"\ntime_s = \"Time\"\n");
+  expect_truth(undecided.file, "--columns " + said);
+}
+
+TEST(LoggerExports, UnitsInCellsAreRead) {
+  const Exported with_units([](std::size_t row, Cells& cells) {
+    if (row == 0) return;
+    cells[at_time] += " s";
+    cells[at_bearing] = fmt::format("{:.3f} K", std::stod(cells[at_bearing]) + 273.15);
+    cells[at_room] += " \u00b0C";
+    cells[at_displacement] = fmt::format("{:.6f} mm", 1e-3 * std::stod(cells[at_displacement]));
+  });
+  const std::string map = with_units.folder.write(
+      "map.toml",
+      "[columns]\nbearing_temperature_C = { column = \"bearing_temperature_C\", unit = \"K\" }\n"
+      "displacement_z_um = { column = \"displacement_z_um\", unit = \"mm\" }\n");
+  expect_truth(with_units.file, "--columns " + map);
+  // A name that says another unit than the cells is refused.
+  expect_refused(run("check " + record_model + " " + with_units.file),
+                 "column bearing_temperature_C has K in the row of units below it");
+}
+
+/// A clock of local time, rows as they come.
+Exported in_the_night(int first_second, bool forward, int jitter) {
+  return stamped("Time", [=](int seconds) {
+    int now = seconds - 72693 + first_second;
+    now += jitter > 0 ? (now * 7919) % jitter : 0;
+    constexpr int change = 3 * 3600;
+    // 31 March and 27 October 2024, from the evening before on.
+    if (now >= 86400 + change - (forward ? 3600 : 0)) now += forward ? 3600 : -3600;
+    return fmt::format("{}.{}.2024 {}", (forward ? 30 : 26) + now / 86400, forward ? "03" : "10",
+                       clock_of(now % 86400));
+  });
+}
+
+TEST(LoggerExports, ChangesOfClocksAreRecognisedWhereRowsAreUneven) {
+  for (const bool forward : {false, true})
+    for (const int jitter : {0, 40}) {
+      const Exported night = in_the_night(20 * 3600, forward, jitter);
+      const std::string map = night.folder.write("map.toml", "[columns]\ntime_s = \"Time\"\n");
+      const Result checked = run("check " + record_model + " " + night.file + " --columns " + map);
+      EXPECT_THAT(checked.err, HasSubstr(forward ? "the clock goes forward by one hour"
+                                                 : "the clock goes back by one hour"))
+          << jitter;
+      expect_truth(night.file, "--columns " + map, jitter > 0);
+    }
+}
+
+TEST(LoggerExports, FilesWithClocksOfTheirOwnAreOneRecord) {
+  // Temperatures every minute, the speed when it changes, readings of the probe 20 s later.
+  const Exported temperatures([](std::size_t, Cells& cells) {
+    cells = {cells[0], cells[2], cells[3]};
+  });
+  std::string last, speeds, probe = "time_s,displacement_z_um\n";
+  std::istringstream in(file_text(folder_of_record + "train.csv"));
+  for (std::string line; std::getline(in, line);) {
+    const Cells cells = cells_of(line);
+    if (cells[1] != last) speeds += cells[0] + "," + cells[1] + "\n";
+    last = cells[1];
+    if (cells[0] != "time_s") probe += cells[0] + ".0," + cells[4] + "\n";
+  }
+  speeds += "50400,0\n";
+  const std::string beside = " --beside " + temperatures.folder.write("speed.csv", speeds) +
+                             " --beside " + temperatures.folder.write("probe.csv", probe);
+  expect_truth(temperatures.file, beside);
+  const Result checked = run("check " + record_model + " " + temperatures.file + beside);
+  ASSERT_EQ(checked.status, 0) << checked.err;
+  EXPECT_THAT(checked.err, HasSubstr("speed.csv and "));
+  EXPECT_THAT(checked.err, HasSubstr("are one record of 841 rows on one clock"));
+  EXPECT_THAT(checked.err, HasSubstr("have no speed_rpm: the last value holds until the next one"));
+  expect_refused(
+      run("check " + record_model + " " + temperatures.file + " --beside " + temperatures.file),
+      "stands in another of these files, too");
+}
+
+TEST(LoggerExports, AFileBesideMayHaveItsUnitsAskedFor) {
+  const Exported inputs([](std::size_t, Cells& cells) { cells.resize(4); });
+  std::string probe = "time_s,displacement_z_um\n";
+  std::istringstream in(file_text(folder_of_record + "train.csv"));
+  for (std::string line; std::getline(in, line);) {
+    const Cells cells = cells_of(line);
+    if (cells[0] != "time_s")
+      probe += fmt::format("{},{:.6f}\n", cells[0], 1e-3 * std::stod(cells[4]));
+  }
+  expect_refused(run("identify " + record_model + " " + inputs.file + " --beside " +
+                     inputs.folder.write("probe.csv", probe)),
+                 "displacement_z_um = { column = \"displacement_z_um\", unit = \"mm\" }");
+}
+
+TEST(LoggerExports, ALongGapOfASensorBreaksTheRecord) {
+  const Exported gap([](std::size_t row, Cells& cells) {
+    if (row >= 401 && row < 461) cells[at_room] = "";
+  });
+  const Result found = run("identify " + record_model + " " + gap.file);
+  EXPECT_EQ(found.status, 0) << found.err;
+  EXPECT_THAT(
+      found.err,
+      HasSubstr("room_temperature_C was not read for more than 10 min: the record is broken "
+                "there, 60 rows from line 402 on are left out"));
+  EXPECT_THAT(found.err, HasSubstr("1 gap in time, the first before line 462"));
+  expect_truth(gap.file, "", true);
+}
+
+TEST(LoggerExports, AnInputThatIsImpossibleIsNamedAndLeftOut) {
+  for (const char* wild : {"850.0", "1372", "300"}) {
+    const Exported spikes([&](std::size_t row, Cells& cells) {
+      if (row == 99 || row == 500) cells[at_bearing] = wild;
+    });
+    const Result found = run("check " + record_model + " " + spikes.file);
+    EXPECT_EQ(found.status, 0) << found.err;
+    EXPECT_THAT(found.err, testing::ContainsRegex("2 (of 841 )?readings of bearing.temperature"));
+    EXPECT_THAT(found.err, testing::ContainsRegex("take no part|do not take part"));
+    EXPECT_THAT(found.err, HasSubstr("100, 501"));
+    expect_truth(spikes.file);
+  }
+}
+
+TEST(LoggerExports, ColumnsThatNoModelHasAreKept) {
+  const Exported more([](std::size_t row, Cells& cells) {
+    cells.push_back(row == 0 ? "X axis [mm]" : fmt::format("{}", row % 50));
+    cells.push_back(row == 0 ? "spindle load (%)" : row % 7 == 0 ? "" : "23.5");
+    cells.push_back(row == 0 ? "operator" : "day shift");
+  });
+  const std::string rows = more.folder.file("rows.csv");
+  const Result checked = run("check " + record_model + " " + more.file + " -o " + rows);
+  ASSERT_EQ(checked.status, 0) << checked.err;
+  EXPECT_THAT(checked.err, HasSubstr("kept beside, and part of no model: X axis [mm] and spindle "
+                                     "load (%)"));
+  EXPECT_THAT(checked.err, HasSubstr("column operator is unknown and ignored"));
+  EXPECT_THAT(checked.out, testing::ContainsRegex("X axis .mm. +0 +49"));
+  EXPECT_THAT(file_text(rows), HasSubstr("X axis [mm],spindle load (%)\n"));
+  expect_truth(more.file);
+  expect_truth(rows);
+  EXPECT_EQ(run("identify " + record_model + " " + more.file + " --inputs all").out.find("axis"),
+            std::string::npos);
+}
+
+/// A day of a spindle, simulated, with noise of 0.05 K and 0.2 um, its times times `factor`; in the
+/// model of the reader its friction and its preload are off by 30 %.
+struct SpindleDay {
+  ScratchFolder folder;
+  std::string model, record;
+
+  explicit SpindleDay(double factor, double hours = 6.0) {
+    const std::string truth = folder.file("truth.toml"), run_of_day = folder.file("run.csv");
+    EXPECT_EQ(run("new --spindle -o " + truth).status, 0);
+    std::string programme = "time_s,speed_rpm\n0,0\n";
+    for (int minute = 1; minute <= static_cast<int>(60 * hours); ++minute)
+      programme += fmt::format("{},{}\n", 60 * minute, minute / 45 % 4 * 2000);
+    EXPECT_EQ(run("spindle " + truth + " --speed-profile " + folder.write("p.csv", programme) +
+                  " -o " + run_of_day)
+                  .status,
+              0);
+    std::istringstream in(file_text(run_of_day));
+    std::vector<std::size_t> columns;
+    std::string text;
+    int noise = 1;
+    for (std::string line; std::getline(in, line);) {
+      if (line.starts_with('#')) continue;
+      const Cells cells = cells_of(line);
+      if (columns.empty()) {
+        for (const char* name :
+             {"time_s", "speed_rpm", "axial_displacement_um", "front_bearing_temperature_C"})
+          columns.push_back(static_cast<std::size_t>(std::find(cells.begin(), cells.end(), name) -
+                                                     cells.begin()));
+        text = "time_s,speed_rpm,axial_displacement_um,front_bearing_temperature_C\n";
+        continue;
+      }
+      const auto number = [&](std::size_t c) { return std::stod(cells[columns[c]]); };
+      noise = noise * 7919 % 1009;
+      const double off = noise / 504.5 - 1.0;
+      text += fmt::format("{:.9g},{},{:.3f},{:.3f}\n", factor * number(0), number(1),
+                          number(2) + 0.2 * off, number(3) + 0.05 * off);
+    }
+    record = folder.write("record.csv", text);
+    std::string other = file_text(truth);
+    other = replaced(other, "f0 = 1.5", "f0 = 2.0");
+    other = replaced(other, "preload_N = 3", "preload_N = 4");
+    model = folder.write("model.toml", other);
+  }
+};
+
+TEST(LoggerExports, TimesOfASpindleInOtherUnitsAreAskedAboutBeforeAnyResult) {
+  for (const double hours : {6.0, 1.5}) {
+    const SpindleDay right(1.0, hours);
+    EXPECT_EQ(run("check " + right.model + " " + right.record).status, 0) << hours;
+  }
+  for (const auto& [factor, unit] :
+       {std::pair{1.0 / 60.0, "min"}, {1.0 / 3600.0, "h"}, {1e3, "ms"}}) {
+    const SpindleDay day(factor);
+    for (const std::string command : {"check ", "compare ", "calibrate ", "diagnose "})
+      expect_refused(run(command + day.model + " " + day.record),
+                     fmt::format("time_s = {{ column = \"time_s\", unit = \"{}\" }}", unit));
+  }
+  const SpindleDay minutes(1.0 / 60.0, 1.5);
+  expect_refused(run("check " + minutes.model + " " + minutes.record), "unit = \"min\" }");
 }
 
 }  // namespace

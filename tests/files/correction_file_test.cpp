@@ -314,24 +314,32 @@ TEST(SeriesFile, AnOffsetThatTheControlAddedIsTakenOff) {
       -1e-6);
 }
 
-TEST(SeriesFile, WhatNoReadingIsNearIsRefused) {
-  EXPECT_THAT([] { (void)series(displacement_header + "0,100,,1\n"); }, refused("is empty"));
-  EXPECT_THAT([] { (void)series(displacement_header + "0,,20,1\n60,100,20,1\n"); },
-              refused("r.csv:2: speed_rpm = \"\": is empty, and no value stands above it"));
-  EXPECT_THAT(
-      [] {
-        (void)series(displacement_header +
-                     "0,100,20,1\n30,100,20,1\n60,100,20,1\n"
-                     "400,100,,1\n800,100,22,1\n");
-      },
-      refused("r.csv:5: front_temperature_C = \"\": is empty, and its readings are more than 300 s "
-              "apart there"));
-  // The next run does not know it.
-  EXPECT_THAT(
-      [] {
-        (void)series("run_id,time_s,speed_rpm,displacement_z_um\na,0,100,1\na,60,,1\nb,0,,1\n");
-      },
-      refused("r.csv:4: speed_rpm"));
+TEST(SeriesFile, RowsWithoutAnInputAreLeftOutOrBreakTheRecord) {
+  using testing::Contains;
+  const record::Channel &z = *record::series_channel("displacement_z_um"),
+                        &front = *record::series_channel("front_temperature_C");
+  // Nothing is known before the first value, in each run.
+  record::Record r = series(displacement_header + "0,,20,1\n60,100,20,1\n");
+  EXPECT_EQ(r.rows(), 1u);
+  EXPECT_THAT(texts(r.notes),
+              Contains("speed_rpm has no value yet: rows before it are left out, line 2"));
+  r = series("run_id,time_s,speed_rpm,displacement_z_um\na,0,100,1\na,60,,1\nb,0,,1\n");
+  EXPECT_EQ(r.rows(), 2u);
+  // What was measured in a long gap takes no part.
+  const std::string gap =
+      displacement_header + "0,100,20,1\n30,100,20,1\n60,100,20,1\n400,100,,1\n800,100,22,1\n";
+  r = read_series({"r.csv", gap}, {&z}, {&front});
+  EXPECT_DOUBLE_EQ(r.value(front, 3), kelvin(20.0 + 2.0 * 340.0 / 740.0));
+  EXPECT_THAT(r.values(z),
+              ElementsAre(DoubleEq(1e-6), DoubleEq(1e-6), DoubleEq(1e-6), IsNan(), DoubleEq(1e-6)));
+  EXPECT_THAT(texts(r.notes),
+              Contains("front_temperature_C was not read for more than 5 min, line 5: the record "
+                       "is broken there, and what was measured there takes no part"));
+  // A column that the model does not ask for is left out.
+  r = series(gap);
+  EXPECT_FALSE(r.has(front));
+  EXPECT_THAT(texts(r.notes),
+              Contains("front_temperature_C has no value for 1 of 5 rows: the column is left out"));
 }
 
 TEST(SeriesFile, NumbersThatMarkAMissingReadingAreNone) {

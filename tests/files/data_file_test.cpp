@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "files/subject.h"
+#include "record/kept_channel.h"
 #include "record/units.h"
 #include "tests/places.h"
 #include "tests/support/message_of.h"
@@ -18,6 +19,7 @@ using record::Record;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsSupersetOf;
 using testing::Not;
 using testing::StartsWith;
 
@@ -251,7 +253,44 @@ TEST(DataFile, MisspeltColumnsAreErrorsAndForeignOnesAreNoted) {
             "d.csv:1: column friction_torque_Nnm is unknown; did you mean friction_torque_Nmm?");
   EXPECT_THAT(data_error("speed,friction_torque_Nmm\n1,1\n"), HasSubstr("did you mean speed_rpm?"));
   const Record data = record_of("speed_rpm,friction_torque_Nmm,samples_in_median\n1,1,50\n");
-  EXPECT_THAT(texts(data.notes), Contains("column samples_in_median is unknown and ignored"));
+  EXPECT_THAT(texts(data.notes), Contains("kept beside, and part of no model: samples_in_median"));
+}
+
+TEST(DataFile, ColumnsThatNoModelAsksForAreKeptWithTheirUnit) {
+  const Record data = record_of(
+      "speed_rpm,friction_torque_Nmm,motor_power_kW,Position [mm],valve,who\n"
+      "1000,100,1.5,20,3,a\n2000,120,,21,4,b\n");
+  ASSERT_EQ(data.columns.back().channel->role, record::Role::kept);
+  const record::Channel& power = record::kept_channel("motor_power_kW", "kW");
+  EXPECT_EQ(data.values(power)[0], 1.5);
+  EXPECT_TRUE(std::isnan(data.values(power)[1]));
+  EXPECT_EQ(data.values(record::kept_channel("Position [mm]", "mm"))[1], 21.0);
+  EXPECT_EQ(data.values(record::kept_channel("valve", ""))[1], 4.0);
+  EXPECT_THAT(texts(data.notes),
+              IsSupersetOf({"kept beside, and part of no model: motor_power_kW, Position [mm] and "
+                            "valve",
+                            "column who is unknown and ignored"}));
+}
+
+/// Numbers of loggers, and of a thermocouple that is broken.
+TEST(DataFile, RowsWithANumberThatIsNoReadingAreLeftOut) {
+  std::string text = "speed_rpm,temperature_C,friction_torque_Nmm\n";
+  for (int row = 0; row < 20; ++row)
+    text += fmt::format("{},{},{}\n", 1000 + 100 * row, row == 7 ? 1372.0 : 30.0 + 0.1 * row,
+                        row == 3    ? "-9999"
+                        : row == 12 ? "9.9e37"
+                                    : fmt::format("{}", 100 + row));
+  const Record data = record_of(text);
+  EXPECT_EQ(data.rows(), 17u);
+  EXPECT_THAT(texts(data.notes),
+              Contains("3 of 20 rows have a number that is no reading (such as -9999, or beyond "
+                       "what can be) and are left out (lines 5, 9, 14)"));
+  // A load or a speed of 999 was set.
+  EXPECT_EQ(record_of("speed_rpm,axial_load_N,friction_torque_Nmm\n10,100,1\n20,999,1\n").rows(),
+            2u);
+  // Half of them are in another unit.
+  EXPECT_THAT(data_error("speed_rpm,temperature_C,friction_torque_Nmm\n1,600,1\n2,650,1\n3,30,1\n"),
+              HasSubstr("must be from -273 to 500"));
 }
 
 TEST(DataFile, TimeThatGoesBackIsNoted) {

@@ -107,8 +107,13 @@ TEST(SpindleRecord, GermanFileWithDatesIsRead) {
   EXPECT_DOUBLE_EQ(r.values(record::sensor_channel("shaft_end"))[1], kelvin(21.5));
 }
 
-TEST(SpindleRecord, InputWithoutAValueAboveItIsRefusedWithItsLine) {
-  EXPECT_THAT(rows_error("time_s,speed_rpm\n60,\n120,1000\n"), HasSubstr("day.csv:2: speed_rpm"));
+TEST(SpindleRecord, RowsBeforeTheFirstValueOfAnInputAreLeftOut) {
+  const record::Record r = read_rows("time_s,speed_rpm\n60,\n120,1000\n180,\n");
+  EXPECT_EQ(r.rows(), 2u);
+  EXPECT_EQ(r.line(0), 3);
+  EXPECT_THAT(texts(r.notes),
+              Contains("speed_rpm has no value yet: rows before it are left out, line 2"));
+  EXPECT_THAT(rows_error("time_s,speed_rpm\n60,\n120,nan\n"), HasSubstr("no row has every input"));
 }
 
 TEST(SpindleRecord, TimeThatGoesBackIsRefused) {

@@ -128,11 +128,67 @@ TEST(IsolatedReadings, AreToldByAModelWhereTheSpeedChanges) {
   record.set(record::speed, speeds);
   record.set(record::axial_displacement, read);
   EXPECT_FALSE(without_isolated_readings(record).any());
-  const Isolated found = without_isolated_readings(record, record::axial_displacement, predicted);
+  const Isolated found =
+      without_isolated_readings(record, record::axial_displacement, {}, predicted);
   EXPECT_EQ(found.rows, chips);
   EXPECT_EQ(found.statement(),
             "4 readings of axial displacement leave and return, against the fitted model, and take "
             "no part, rows 32, 91, 92, 151");
+}
+
+/// 40 states of a rig, torques of 10 to 98 N mm.
+record::Record states() {
+  std::vector<double> speeds, temperatures, torques;
+  for (int i = 0; i < 40; ++i) {
+    speeds.push_back((1000.0 + 200.0 * (i % 20)) * rpm);
+    temperatures.push_back(kelvin(25.0 + 0.5 * (i % 9)));
+    torques.push_back((10.0 + 88.0 * (i % 20) / 19.0) * N_mm);
+  }
+  record::Record record;
+  record.set(record::speed, speeds);
+  record.set(record::temperature, temperatures);
+  record.set(record::friction_torque, torques);
+  return record;
+}
+
+TEST(ImpossibleRows, AReadingFarBeyondAllOthersIsNamedAndLeftOut) {
+  EXPECT_TRUE(without_impossible_rows(states()).statements.empty());
+  record::Record record = states();
+  record.find(record::friction_torque)->values[12] = 1000.0 * N_mm;
+  const PossibleRows found = without_impossible_rows(record);
+  EXPECT_EQ(found.record.rows(), 39u);
+  ASSERT_EQ(found.statements.size(), 1u);
+  EXPECT_EQ(found.statements.front(),
+            "1 row has a friction torque more than three times the range of all others away from "
+            "them and takes no part, line 13");
+  // At a speed that no other row has it may be true.
+  record.find(record::speed)->values[12] = 20000.0 * rpm;
+  EXPECT_TRUE(without_impossible_rows(record).statements.empty());
+}
+
+TEST(ImpossibleRows, ATemperatureThatNoOilHasIsNamedAndLeftOut) {
+  record::Record record = states();
+  record.find(record::temperature)->values[3] = kelvin(-200.0);
+  record.find(record::temperature)->values[30] = kelvin(372.0);
+  const PossibleRows found = without_impossible_rows(record);
+  EXPECT_EQ(found.record.rows(), 38u);
+  EXPECT_EQ(found.statements.front(),
+            "2 rows have a temperature that no machine has and take no part, lines 4, 31");
+}
+
+/// What a control sets may leap; what has a heat capacity may not.
+TEST(IsolatedReadings, OfAnInputLeaveByItsWholeRange) {
+  record::Record record = lagging();
+  std::vector<double> warm;
+  for (const double n : record.values(record::speed)) warm.push_back(kelvin(20.0 + 0.01 * n / rpm));
+  record.set(record::outer_ring_temperature, warm);
+  const Isolation by{.steady = false, .impossible = 1.0};
+  EXPECT_FALSE(without_isolated_readings(record, record::outer_ring_temperature, by).any());
+  record.find(record::outer_ring_temperature)->values[200] = kelvin(120.0);
+  const Isolated found = without_isolated_readings(record, record::outer_ring_temperature, by);
+  EXPECT_EQ(found.statement(),
+            "1 reading of outer ring temperature leaves and returns by more than the range of the "
+            "others and takes no part, rows 201");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "tests/support/message_of.h"
+#include "text/csv_form.h"
 
 namespace raceway::text {
 namespace {
@@ -263,6 +264,33 @@ TEST(Csv, AHundredThousandRowsAreRead) {
   ASSERT_EQ(t.rows(), 100'000u);
   EXPECT_EQ(t.number(99'999, 0), 99'999.0);
   EXPECT_EQ(t.line(99'999), 100'001);
+}
+
+CsvTable of_others(const std::string& text) {
+  return parse_csv(text, "t.csv", false, [](std::string_view all) {
+    return find_form(all, [](std::string_view) { return false; });
+  });
+}
+
+TEST(Csv, UnitsInCellsAreThoseOfTheirColumns) {
+  const CsvTable table = of_others(
+      "time;T1;T2;n;x\n0;12,3 \u00b0C;\u2212 4 K;1.200 1/min;5 mm\n"
+      "1;12,4 \u00b0C;NaN;600 1/min;6 inch\n2;12,5;- 3 K;600 1/min;7 mm\n");
+  EXPECT_DOUBLE_EQ(table.number(1, 1), 12.4);
+  EXPECT_DOUBLE_EQ(table.number(2, 1), 12.5);
+  EXPECT_DOUBLE_EQ(table.number(0, 2), -4.0);
+  EXPECT_DOUBLE_EQ(table.number(0, 3), 1200.0);
+  EXPECT_THAT(table.units, testing::ElementsAre("", "\u00b0C", "K", "1/min", ""));
+  // A column in two units has no numbers.
+  EXPECT_THAT(tests::message_of([&] { (void)table.number(0, 4); }), HasSubstr("is not a number"));
+}
+
+TEST(Csv, WordsAndTimesAreNoUnitsOfCells) {
+  const CsvTable table = of_others("clock,run,part\n8:15 AM,1 a,3 W1\n8:16 AM,2 a,4 W1\n");
+  EXPECT_EQ(table.cell(0, 0), "8:15 AM");
+  EXPECT_EQ(table.cell(0, 1), "1 a");
+  EXPECT_EQ(table.cell(0, 2), "3 W1");
+  EXPECT_TRUE(table.units.empty());
 }
 
 }  // namespace

@@ -48,6 +48,15 @@ TEST(Timestamp, IsoAndGermanDatesAreOneTime) {
   EXPECT_DOUBLE_EQ(*parse_timestamp("12/03/2024 12:15:00 PM"), expected + 4 * 3600.0);
 }
 
+TEST(Timestamp, YearsOfTwoDigitsMayStandInFront) {
+  // date -u -d '2024-09-11 20:15' +%s
+  for (const char* text : {"24/09/11 20:15", "24-9-11 20:15:00", "24.09.11 8:15 PM"})
+    EXPECT_DOUBLE_EQ(parse_timestamp(text, DateOrder::year_first).value(), 1726085700.0) << text;
+  EXPECT_EQ(timestamp_text(parse_timestamp("24/09/11 20:15").value()), "2011-09-24T20:15:00");
+  EXPECT_FALSE(parse_timestamp("11/09/2024 20:15", DateOrder::year_first));
+  EXPECT_TRUE(is_time("99/09/30 20:15"));
+}
+
 TEST(Timestamp, WhatIsNoDateIsNone) {
   for (const char* text :
        {"", "12", "12.5", "2024-02-30T00:00:00", "32.01.2024 00:00:00", "03/13/2024 08:15:00",
@@ -92,6 +101,9 @@ TEST(Timestamp, ClocksChangeInTheNightOfSomeSundays) {
   };
   EXPECT_TRUE(may("2024-03-31 01:59", true) && may("2024-10-27 02:59", false));
   EXPECT_TRUE(may("2024-03-10 01:59", true) && may("2024-11-03 01:59", false));
+  // Australia on 7 April and 6 October, New Zealand on 7 April and 29 September.
+  EXPECT_TRUE(may("2024-10-06 01:59", true) && may("2024-09-29 01:59", true));
+  EXPECT_TRUE(may("2024-04-07 02:59", false));
   EXPECT_FALSE(may("2024-03-31 01:59", false) || may("2024-10-27 02:59", true));
   EXPECT_FALSE(may("2024-03-30 01:59", true) || may("2024-03-31 05:59", true) ||
                may("2024-10-20 02:59", false));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,5 +30,12 @@ struct CellSpan {
 /// `source` and `line` stand in the message.
 void split_cells(std::string& text, std::size_t begin, std::size_t end, char separator,
                  const std::string& source, int line, std::vector<CellSpan>& cells);
+
+/// A number with its unit behind it in one cell, as "12.3 °C".
+struct MeasuredCell {
+  std::string_view number, unit;
+};
+/// Nothing where the cell is none, as "1/min" and "8 AM".
+[[nodiscard]] std::optional<MeasuredCell> measured_cell(std::string_view cell);
 
 }  // namespace raceway::text

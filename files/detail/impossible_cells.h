@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "files/detail/column_source.h"
+
+/// Numbers that are no readings; shared by the readers of measurements.
+namespace raceway::files {
+
+/// Numbers of one column that instruments and loggers write in the place of a reading: -9999,
+/// 9999.9, and 9.9e37 of IEEE 488.2, where no other reading of the column comes near; and those of
+/// temperatures and readings that are beyond the range of their channel, where these are at most a
+/// tenth: more of them are in another unit.
+class ImpossibleCells {
+ public:
+  /// `with_sign`: an input that may be below zero here. Both arguments outlive it.
+  ImpossibleCells(const text::CsvTable& table, const ColumnSource& source, bool with_sign);
+
+  [[nodiscard]] bool has(std::size_t row);
+
+ private:
+  [[nodiscard]] bool may_be(std::size_t row) const;
+  [[nodiscard]] bool is_beyond(double value) const;
+  void look();
+
+  const text::CsvTable& table_;
+  const ColumnSource& source_;
+  text::CellRange range_;
+  bool judges_range_;
+  bool looked_ = false, few_beyond_ = false;
+  double lower_ = std::numeric_limits<double>::infinity(), upper_ = -lower_;  ///< of all others
+};
+
+/// Takes out rows with such a cell in one of these columns, and says which; nothing where there is
+/// none. Throws InputError where no row is left.
+[[nodiscard]] std::string drop_impossible_rows(text::CsvTable& table,
+                                               const std::vector<ColumnSource>& columns);
+
+}  // namespace raceway::files
