@@ -298,6 +298,78 @@ std::optional<Doubt> unit_of_speed(const model::ModelSubject& subject, const Rec
   return std::nullopt;
 }
 
+/// Error of the model as it stands, relative to the readings [1]; NaN where it has none.
+double misfit(const model::ModelSubject& subject, const Record& data) {
+  try {
+    const std::vector<double> predicted = fit::predict(subject, data);
+    const fit::Observations observed = fit::observe(subject.measured(), data, predicted);
+    if (static_cast<std::size_t>(observed.size()) < least_rows) return unset;
+    const std::vector<std::size_t> places = observed.places(data.rows());
+    const double least = 0.02 * observed.measured.cwiseAbs().maxCoeff();
+    double sum = 0.0;
+    for (Eigen::Index i = 0; i < observed.size(); ++i) {
+      const double read = observed.measured[i];
+      const double off = predicted[places[static_cast<std::size_t>(i)]] - read;
+      sum += off * off / std::max(read * read, least * least);
+    }
+    return std::sqrt(sum / static_cast<double>(observed.size()));
+  } catch (const std::invalid_argument&) {
+    return unset;  // the reader of the record reports it
+  }
+}
+
+/// A load or a preload of a shaft in another unit, where the model as it stands errs far less.
+std::optional<Doubt> unit_of_shaft_load(const model::ModelSubject& subject, const Record& data) {
+  if (!subject.model().shaft || !data.has(record::axial_displacement)) return std::nullopt;
+  const double mounted = subject.model().shaft->arrangement.preload();
+  for (const Channel* channel : {&record::preload, &record::axial_load}) {
+    if (!data.has(*channel)) continue;
+    const auto [least, largest] = range_of_values(data.values(*channel));
+    const bool is_preload = *channel == record::preload;
+    // One external load for all rows says nothing of its size.
+    if (!(largest > 0.0) || (!is_preload && !(largest > 1.02 * least))) continue;
+    for (const char* name : {"kgf", "kN"}) {
+      const text::Unit& unit = *text::find_unit(name, text::Dimension::force);
+      const double middle = std::sqrt(std::max(least, 0.1 * largest) * largest);
+      const auto off = [&](double load) { return std::abs(std::log(load / mounted)); };
+      if (is_preload && mounted > 0.0 && !(off(unit.to_SI(middle)) < off(middle))) continue;
+      // A refit has no number that moves with a preload which was recorded.
+      constexpr double good = 0.25, far_better = 0.5;
+      const double other = misfit(subject, in_other_unit(data, *channel, unit));
+      if (!(other < good) || misfit(subject, data) < other / far_better) continue;
+      return Doubt{
+          fmt::format("{}s of {:.4g} to {:.4g} N do not go with the readings, {:.4g} to "
+                      "{:.4g} N do: {} in a column of N?",
+                      channel->words, least, largest, unit.to_SI(least), unit.to_SI(largest), name),
+          {{channel, unit.suffix}}};
+    }
+  }
+  return std::nullopt;
+}
+
+/// Torques of a coast-down whose times are in another unit, where f0 and its like are far off too.
+std::optional<Doubt> unit_of_coast_down(const model::ModelSubject& subject, const Record& data,
+                                        const Ratio& ratio) {
+  const record::Column* const std = data.deviation_of(record::friction_torque);
+  if (!ratio.far() || !std || !std->known || !subject.expected().coast_down) return std::nullopt;
+  double most = remarkable;
+  const text::Unit* likely = nullptr;
+  for (const char* name : {"min", "h", "ms"}) {
+    const text::Unit& unit = *text::find_unit(name, text::Dimension::time);
+    Record other = data;
+    for (double& torque : other.find(record::friction_torque)->values) torque /= unit.factor;
+    if (const double evidence = evidence_for(subject, data, other); evidence > most)
+      most = evidence, likely = &unit;
+  }
+  if (!likely) return std::nullopt;
+  return Doubt{
+      fmt::format("readings of friction torque are about {:.2g} times too {} for the model: times "
+                  "in {} in a column of s?",
+                  std::exp(std::abs(ratio.middle)), ratio.middle < 0 ? "small" : "large",
+                  likely->words),
+      {{&record::time, likely->suffix}}};
+}
+
 /// Loads that no bearing of this size is run with.
 std::optional<Doubt> unit_of_load(const model::ModelSubject& subject, const Record& data) {
   const double rating = subject.model().bearing.static_load_rating();
@@ -429,10 +501,12 @@ std::vector<Doubt> doubts(const model::ModelSubject& subject, const Record& all)
   for (const record::Column& column : data.columns)
     if (is_of_temperature(*column.channel))
       add(unit_of_temperature(subject, data, *column.channel));
+  if (found.empty()) add(unit_of_shaft_load(subject, data));
   if (found.empty() && !data.up_to_a_factor) add_text(swapped_columns(subject, data, ratio));
   if (found.empty()) add(unit_of_load(subject, data));
   if (found.empty()) {
-    add(factor_of_readings(subject, ratio));
+    add(unit_of_coast_down(subject, data, ratio));
+    if (found.empty()) add(factor_of_readings(subject, ratio));
     if (found.empty() && !subject.model().shaft) add(unit_of_speed(subject, data, ratio));
   }
   add_text(sign_of_readings(channel, ratio));

@@ -12,6 +12,7 @@
 #include "algebra/detail/decompositions.h"
 #include "correction/series.h"
 #include "correction/simulation.h"
+#include "fit/observations.h"
 #include "record/median.h"
 #include "record/series_channel.h"
 #include "text/units.h"
@@ -147,6 +148,73 @@ std::optional<Doubt> unit_of_time(const Record& data,
   return std::nullopt;
 }
 
+/// How a simulation of a spindle goes with the readings.
+struct SpindleFit {
+  double unexplained =
+      unset;              ///< share of the variance that no multiple explains, mean of channels
+  double factor = unset;  ///< by which the readings are larger, geometric mean of channels
+};
+
+SpindleFit simulated(const model::ModelSubject& spindle, Record data, double factor) {
+  for (double& t : data.find(record::time)->values) t *= factor;
+  SpindleFit fit;
+  try {
+    const std::vector<double> predicted = fit::predict(spindle, data);
+    const fit::Observations observed = fit::observe(spindle.measured(), data, predicted);
+    const std::vector<std::size_t> places = observed.places(data.rows());
+    double unexplained = 0.0, logs = 0.0;
+    int channels = 0;
+    for (std::size_t c = 0; c < observed.channels.size(); ++c) {
+      const auto n = observed.size(c), first = observed.first[c];
+      if (n < static_cast<Eigen::Index>(fewest_rows)) continue;
+      Eigen::VectorXd read = observed.measured.segment(first, n), model(n);
+      for (Eigen::Index i = 0; i < n; ++i)
+        model[i] = predicted[places[static_cast<std::size_t>(first + i)]];
+      read.array() -= read.mean();
+      model.array() -= model.mean();
+      if (!(read.norm() > 0.0) || !(model.norm() > 0.0)) continue;
+      const double alike = read.dot(model) / (read.norm() * model.norm());
+      unexplained += alike > 0.0 ? 1.0 - alike * alike : 1.0;
+      logs += std::log(read.norm() / model.norm());
+      ++channels;
+    }
+    if (channels > 0) fit = {unexplained / channels, std::exp(logs / channels)};
+  } catch (const std::invalid_argument&) {
+    // The reader of the record reports it.
+  }
+  return fit;
+}
+
+std::optional<Doubt> unit_of_spindle_time(const Record& data, const model::ModelSubject& spindle) {
+  constexpr double short_record = 4.0 * 3600.0, long_record = 10.0 * 86400.0;  // [s]
+  constexpr double least = 600.0, slowest = 3600.0;  // of a record and its steps [s]
+  constexpr double far_better = 0.25, explained = 0.3, legitimate = 3.0;
+  const Clock clock(data);
+  SpindleFit as_read, best;
+  const text::Unit* likely = nullptr;
+  const auto is_off = [&](const SpindleFit& f) {
+    return !(std::abs(std::log(f.factor)) < std::log(legitimate));
+  };
+  for (const char* const name : {"min", "h", "ms"}) {
+    const text::Unit& unit = *text::find_unit(name, text::Dimension::time);
+    const double length = unit.factor * clock.length, step = unit.factor * clock.step;
+    if (unit.factor > 1.0 ? !(clock.length < short_record) : !(clock.length > long_record))
+      continue;
+    if (length < least || length > long_record || step > slowest) continue;
+    if (!likely && std::isnan(as_read.unexplained)) {
+      as_read = simulated(spindle, data, 1.0);
+      if (as_read.unexplained < explained * far_better && !is_off(as_read)) return std::nullopt;
+      if (std::isnan(as_read.unexplained)) as_read.unexplained = 1.0;
+    }
+    const SpindleFit other = simulated(spindle, data, unit.factor);
+    const double enough = is_off(as_read) ? 1.0 : far_better;
+    if (other.unexplained < std::min(explained, enough * as_read.unexplained) && !is_off(other) &&
+        !(other.unexplained > best.unexplained))
+      best = other, likely = &unit;
+  }
+  return likely ? std::optional(clock.looks_like(*likely)) : std::nullopt;
+}
+
 void look_at_temperatures(const Record& data, std::vector<Doubt>& found) {
   constexpr double warm_room = 59.0, hot_room = 50.0;  // [C]
   std::vector<std::pair<const Channel*, Extent>> sensors;
@@ -209,6 +277,13 @@ std::vector<Doubt> series_doubts(const Record& data, const std::vector<correctio
   look_at_temperatures(data, found);
   // A kelvin in Fahrenheit is no kelvin.
   if (found.empty()) look_at_displacements(data, found);
+  return found;
+}
+
+std::vector<Doubt> series_doubts(const Record& data, const model::ModelSubject& spindle) {
+  std::vector<Doubt> found = series_doubts(data, std::vector<correction::Model>());
+  if (!found.empty() || data.rows() < fewest_rows) return found;
+  if (auto doubt = unit_of_spindle_time(data, spindle)) found.push_back(*std::move(doubt));
   return found;
 }
 

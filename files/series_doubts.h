@@ -4,6 +4,7 @@
 
 #include "correction/model.h"
 #include "files/doubt.h"
+#include "model/model_subject.h"
 #include "record/record.h"
 
 namespace raceway::files {
@@ -20,5 +21,10 @@ namespace raceway::files {
 ///   have 0.1 to 50 um/K.
 [[nodiscard]] std::vector<Doubt> series_doubts(const record::Record& data,
                                                const std::vector<correction::Model>& models);
+
+/// The same of a record of a spindle. Where it lasts for less than 4 hours, or more than 10 days,
+/// its time looks like min, h or ms where the simulation explains the readings in that unit alone.
+[[nodiscard]] std::vector<Doubt> series_doubts(const record::Record& data,
+                                               const model::ModelSubject& spindle);
 
 }  // namespace raceway::files

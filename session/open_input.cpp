@@ -9,6 +9,7 @@
 #include "files/doubts.h"
 #include "files/series_doubts.h"
 #include "files/spindle_record.h"
+#include "fit/isolated_readings.h"
 #include "model/ignored_data.h"
 #include "model/steps.h"
 #include "session/isolated.h"
@@ -119,7 +120,7 @@ record::Record open_one(Messages& messages, const Source& given, const model::Mo
   if (const auto& spindle = subject.model().spindle) {
     record::Record data = files::read_spindle_record(source, *spindle, options);
     const std::vector<record::Note> doubts =
-        files::asked_about(files::series_doubts(data, {}), source, files::of_spindle(options));
+        files::asked_about(files::series_doubts(data, subject), source, files::of_spindle(options));
     put(messages, data, std::exchange(data.notes, {}), from);
     put(messages, data, doubts, from);
     require_possible(subject.model(), data);
@@ -130,7 +131,19 @@ record::Record open_one(Messages& messages, const Source& given, const model::Mo
     if (read != data.columns.end()) leave_out_isolated(messages, data, {read->channel});
     return data;
   }
+  if (!source.beside.empty())
+    throw text::InputError(
+        path +
+            ": rows of a rig are states, which files with clocks of their own cannot share; "
+            "--beside belongs to records over time",
+        {.file = path, .key = "--beside"});
   record::Record data = files::read_record(source, subject, options);
+  fit::PossibleRows possible = fit::without_impossible_rows(data);
+  if (!possible.statements.empty()) {
+    data = std::move(possible.record);
+    append(data.notes,
+           notes_of(record::note::left_out, std::move(possible.statements), {.file = data.source}));
+  }
   if (std::string note = shaft::note_on_standstill(data); !note.empty())
     data.notes.push_back(record::note::read_as(std::move(note)));
   put(messages, data, std::exchange(data.notes, {}), from);

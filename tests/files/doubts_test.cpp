@@ -132,5 +132,76 @@ TEST(Doubts, SwappedColumnsAreNamed) {
               ElementsAre("columns speed_rpm and axial_load_N look swapped"));
 }
 
+/// Displacements of a shaft as the model has them and 5 % more; preloads times `factor` in the
+/// file.
+std::vector<std::string> of_a_shaft(double factor) {
+  const auto shaft = make_subject(
+      parse_model("[bearing]\ncatalogue = \"S 6014 C\"\n[lubricant]\nviscosity_40C_mm2_s = 22\n"
+                  "viscosity_100C_mm2_s = 4.8\n[arrangement]\nlayout = \"O\"\nfront = 2\nrear = 1\n"
+                  "mounting = \"rigid\"\npreload_N = 600\n",
+                  "s.toml")
+          .model);
+  const auto rows = [](double preload_factor, const std::vector<double>& read) {
+    std::string text = "speed_rpm,preload_N,axial_displacement_um\n";
+    std::size_t row = 0;
+    for (double speed = 1000; speed < 11000; speed += 1000)
+      for (const double preload : {300.0, 600.0, 900.0}) {
+        text += fmt::format("{},{:.6g},{:.6f}\n", speed, preload_factor * preload,
+                            read.empty() ? 1.0 : 1.05 * read[row] / um);
+        ++row;
+      }
+    return text;
+  };
+  const std::vector<double> read =
+      fit::predict(*shaft, read_record({"d.csv", rows(1.0, {})}, *shaft));
+  std::vector<std::string> texts;
+  for (const Doubt& doubt : doubts(*shaft, read_record({"d.csv", rows(factor, read)}, *shaft)))
+    texts.push_back(doubt.text);
+  return texts;
+}
+
+TEST(Doubts, PreloadsOfAShaftInOtherUnitsAreNamed) {
+  EXPECT_THAT(of_a_shaft(1.0), IsEmpty());
+  EXPECT_THAT(of_a_shaft(0.75), IsEmpty());  // a recorded preload may be wrong
+  EXPECT_THAT(of_a_shaft(1.0 / 9.80665),
+              ElementsAre("preloads of 30.59 to 91.77 N do not go with the readings, 300 to 900 N "
+                          "do: kgf in a column of N?"));
+  EXPECT_THAT(of_a_shaft(1e-3), ElementsAre(HasSubstr("kN in a column of N?")));
+}
+
+/// A coast-down of a shaft that takes `torque_factor` times what the model says, its times in a
+/// unit of `unit` seconds.
+std::vector<std::string> of_a_coast_down(double unit, double torque_factor) {
+  const auto rig = make_subject(
+      parse_model("[bearing]\ncatalogue = \"S 6014 C\"\n[lubricant]\nviscosity_40C_mm2_s = 22\n"
+                  "viscosity_100C_mm2_s = 4.8\n[rig]\naxial_load_N = 300\ninertia_kgm2 = 0.5\n",
+                  "c.toml")
+          .model);
+  const double inertia = 0.5;
+  std::string speeds = "speed_rpm,friction_torque_Nmm\n";
+  for (double n = 6000; n > 300; n -= 10) speeds += fmt::format("{},1\n", n);
+  const std::vector<double> torque = fit::predict(*rig, read_record({"n.csv", speeds}, *rig));
+  std::string text = "run_id,time_s,speed_rpm\n";
+  double time = 0.0;
+  for (std::size_t k = 0; k < torque.size(); ++k) {
+    text += fmt::format("1,{:.9g},{}\n", time / unit, 6000 - 10 * static_cast<int>(k));
+    time += inertia * 10 * rpm / (torque_factor * torque[k]);
+  }
+  std::vector<std::string> texts;
+  for (const Doubt& doubt : doubts(*rig, read_record({"d.csv", text}, *rig)))
+    texts.push_back(doubt.text);
+  return texts;
+}
+
+TEST(Doubts, TimesOfACoastDownInOtherUnitsAreNamed) {
+  EXPECT_THAT(of_a_coast_down(1.0, 1.3), IsEmpty());
+  EXPECT_THAT(of_a_coast_down(1.0, 3.5), IsEmpty());
+  EXPECT_THAT(of_a_coast_down(60.0, 1.0), ElementsAre(HasSubstr("times in min in a column of s?")));
+  EXPECT_THAT(of_a_coast_down(1e-3, 1.0), ElementsAre(HasSubstr("times in ms in a column of s?")));
+  // Where the law is off as well.
+  EXPECT_THAT(of_a_coast_down(60.0, 2.5), ElementsAre(HasSubstr("times in min in a column of s?")));
+  EXPECT_THAT(of_a_coast_down(3600.0, 1.0), ElementsAre(HasSubstr("times in h in a column of s?")));
+}
+
 }  // namespace
 }  // namespace raceway::files
