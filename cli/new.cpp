@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "cli/number_flag.h"
 #include "session/new_model.h"
+#include "text/error.h"
 #include "text/output_file.h"
 
 namespace raceway::cli {
@@ -13,12 +15,42 @@ namespace {
 
 struct NewFlags {
   session::NewModel wanted;
-  std::string output;
+  std::string record, columns, output;
   bool force = false;
 };
 
+/// Whether anything is said of a bearing.
+bool names_a_bearing(const session::NewModel& wanted) {
+  const files::BearingOutline& o = wanted.outline;
+  return !wanted.bearing.empty() || wanted.spindle || !wanted.law.empty() || o.ball_count > 0 ||
+         o.ball_material != "steel" || std::isfinite(o.bore) || std::isfinite(o.outer_diameter) ||
+         std::isfinite(wanted.contact_angle);
+}
+
+std::string text_of(const NewFlags& flags) {
+  if (!flags.record.empty()) {
+    if (names_a_bearing(flags.wanted))
+      throw text::InputError(
+          "raceway new: --record begins a correction, which has no bearing: leave out BEARING, "
+          "--spindle and what describes them",
+          {.key = "--record"});
+    return session::new_correction_text(messages(), flags.record, {.columns = flags.columns});
+  }
+  if (!flags.columns.empty())
+    throw text::InputError("raceway new: --columns is for the columns of a --record",
+                           {.key = "--columns"});
+  session::NewModel wanted = flags.wanted;
+  if (wanted.bearing.empty() && !wanted.spindle)
+    throw text::InputError(
+        "raceway new: BEARING is missing, such as \"S 6014 C\"; or --spindle, or --record of a "
+        "correction",
+        {.key = "BEARING"});
+  if (wanted.bearing.empty()) wanted.bearing = "S 6014 C";
+  return session::new_model_text(messages(), wanted);
+}
+
 int run(const NewFlags& flags) {
-  const std::string text = session::new_model_text(messages(), flags.wanted);
+  const std::string text = text_of(flags);
   if (flags.output.empty() || flags.output == "-") {
     fmt::print("{}", text);
   } else {
@@ -36,8 +68,19 @@ Run setup_new(CLI::App& command) {
   command
       .add_option("BEARING", flags->wanted.bearing,
                   "designation, of the catalogue (raceway bearings) or not")
-      ->required()
       ->type_name("");
+  command.add_flag("--spindle", flags->wanted.spindle,
+                   "a spindle on three of it, S 6014 C without BEARING; runs as it stands");
+  command
+      .add_option("--record", flags->record,
+                  "instead a correction, for the displacements of this record over time (CSV),\n"
+                  "with a channel for each temperature")
+      ->type_name("RECORD");
+  command
+      .add_option("--columns", flags->columns,
+                  "which columns of RECORD are which of ours (TOML, table [columns]), where\n"
+                  "their names do not say it")
+      ->type_name("FILE");
   add_length(command, "--bore", flags->wanted.outline.bore, {1, 5000, "mm"},
              "of one that is not in the catalogue, in mm or with its unit (2.7559in)");
   add_length(command, "--outer-diameter", flags->wanted.outline.outer_diameter, {2, 10000, "mm"},
@@ -55,7 +98,8 @@ Run setup_new(CLI::App& command) {
       ->type_name("NAME");
   command
       .add_option("--law", flags->wanted.law,
-                  "palmgren, skf or contact (default; rollers have the other two)")
+                  "palmgren, skf or contact (default; of a spindle and of rollers palmgren,\n"
+                  "and rollers have no contact)")
       ->check(CLI::IsMember({"palmgren", "skf", "contact"}))
       ->type_name("NAME");
   command.add_option("-o,--output", flags->output, "model file to write; stdout without it")
@@ -65,7 +109,9 @@ Run setup_new(CLI::App& command) {
       "Example:\n  raceway new \"S 6014 C\" -o my.toml\n"
       "  raceway new \"7014 C\" --balls 20 --ball-material silicon-nitride -o my.toml\n"
       "  raceway new \"N1012 KTN/SP\" -o rollers.toml\n"
-      "  raceway new mine --bore 70 --outer-diameter 110 -o my.toml");
+      "  raceway new mine --bore 70 --outer-diameter 110 -o my.toml\n"
+      "  raceway new --spindle -o spindle.toml\n"
+      "  raceway new --record drift.csv -o drift.toml");
   return [flags] { return run(*flags); };
 }
 

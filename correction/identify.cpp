@@ -38,13 +38,6 @@ bool is_identified(const DrivenChannel& c) { return !c.element && !c.printed; }
 /// With a section more, whose time constant a search will find.
 void add_section(DrivenChannel& c) { c.sections.push_back({0.0, 3600.0}); }
 
-std::string name_of_channel(const Channel& column, const Model& model) {
-  std::string name(column.variable);
-  if (name.ends_with("_temperature")) name.erase(name.size() - 12);
-  while (find_channel(model, name) != nullptr) name += "_2";
-  return name;
-}
-
 class Search {
  public:
   Search(const Model& model, const record::Record& record, const IdentifyOptions& options)
@@ -141,8 +134,7 @@ class Search {
   }
 
   void add_channel(Model& model, const Channel& column) const {
-    DrivenChannel c{.name = name_of_channel(column, model),
-                    .input = {.name = std::string(column.name), .columns = {&column}}};
+    DrivenChannel c = driven_by(column, model);
     for (int k = 0; k < options_.lowest_order; ++k) add_section(c);
     model.channels.push_back(std::move(c));
   }
@@ -314,6 +306,13 @@ class Search {
 };
 
 }  // namespace
+
+DrivenChannel driven_by(const Channel& column, const Model& model) {
+  std::string name(column.variable);
+  if (name.ends_with("_temperature")) name.erase(name.size() - 12);
+  while (find_channel(model, name) != nullptr) name += "_2";
+  return {.name = name, .input = {.name = std::string(column.name), .columns = {&column}}};
+}
 
 Identification identify(const Model& model, const record::Record& record,
                         const IdentifyOptions& options) {

@@ -65,6 +65,9 @@ struct Identification {
   [[nodiscard]] bool is_bank() const { return !strengths.empty(); }
 };
 
+/// A channel of `model` that this column drives, named by it, without sections.
+[[nodiscard]] DrivenChannel driven_by(const Channel& column, const Model& model);
+
 /// Finds order, inputs and numbers of a model from a record: gains and time constants by variable
 /// projection from many starts, the structure by the error on eight parts held out, the numbers at
 /// last on single rows. Gains, time constants and kinematic law of the model are starts; delay

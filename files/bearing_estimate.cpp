@@ -159,7 +159,8 @@ CatalogueBearing row_of(const EstimatedBearing& b) {
   return row;
 }
 
-std::string estimated_model_text(const EstimatedBearing& b, friction::FrictionLaw law) {
+std::string estimated_model_text(const EstimatedBearing& b, friction::FrictionLaw law,
+                                 bool of_spindle) {
   const BearingOutline& o = b.outline;
   const CatalogueBearing row = row_of(b);
   const auto of_rows = fmt::format("in {} catalogue bearings of like section", b.rows);
@@ -179,6 +180,7 @@ std::string estimated_model_text(const EstimatedBearing& b, friction::FrictionLa
   if (b.ball_count.lower < b.ball_count.upper)
     remarks.of_key.emplace_back("ball_count", spread(b.ball_count, 1.0, of_rows));
   remarks.law = law;
+  remarks.of_spindle = of_spindle;
   return model_text(row, remarks);
 }
 

@@ -67,8 +67,10 @@ struct NamedRow {
 [[nodiscard]] NamedRow bearing_called(std::string_view name,
                                       const std::vector<CatalogueBearing>& rows);
 
-/// A commented model of it, every estimated key marked with its spread.
+/// A commented model of it, every estimated key marked with its spread: on a rig, or three of it in
+/// a spindle.
 [[nodiscard]] std::string estimated_model_text(
-    const EstimatedBearing& bearing, friction::FrictionLaw law = friction::FrictionLaw::palmgren);
+    const EstimatedBearing& bearing, friction::FrictionLaw law = friction::FrictionLaw::palmgren,
+    bool of_spindle = false);
 
 }  // namespace raceway::files

@@ -81,6 +81,26 @@ std::string line_of(const text::CsvTable& table, const ColumnProposal& p) {
                      p.unit->suffix);
 }
 
+/// The lines of a map that somebody gave.
+std::string rules_text(const ColumnMap& map) {
+  std::string text;
+  if (map.decimal_mark != '\0') text += fmt::format("decimal_mark = \"{}\"\n", map.decimal_mark);
+  if (map.date_order) text += fmt::format("date_order = \"{}\"\n", text::name(*map.date_order));
+  for (const ColumnRule& rule : map.rules) {
+    text += rule.key + " = ";
+    if (rule.constant) {
+      text += fmt::format("{}\n", *rule.constant);
+      continue;
+    }
+    text += "{ column = " + text::in_quotes(rule.header);
+    if (rule.unit || rule.excel_date)
+      text += fmt::format(", unit = \"{}\"", rule.excel_date ? "excel" : rule.unit->suffix);
+    if (rule.factor != 1.0) text += fmt::format(", factor = {}", rule.factor);
+    text += " }\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string plain_name(std::string_view header) {
@@ -152,18 +172,20 @@ std::optional<ColumnProposal> column_as(const text::CsvTable& table, std::size_t
 
 std::string proposed_columns(const text::CsvTable& table,
                              const std::vector<ColumnProposal>& proposals,
-                             const std::vector<std::string>& missing) {
+                             const std::vector<std::string>& missing, const ColumnMap& given) {
   std::string text = fmt::format(
       "# Columns of {}, proposed by their words and units: look through it.\n"
       "# For --columns FILE, or to be put into the model.\n[columns]\n",
       std::filesystem::path(table.source).filename().string());
+  text += rules_text(given);
   for (const ColumnProposal& p : proposals)
     text += line_of(table, p) + (p.remark.empty() ? "\n" : "  # " + p.remark + "\n");
   for (const std::string& line : missing) text += line + "\n";
   std::vector<std::string> others;
   for (std::size_t c = 0; c < table.header.size(); ++c)
     if (std::none_of(proposals.begin(), proposals.end(),
-                     [&](const ColumnProposal& p) { return p.column == c; }))
+                     [&](const ColumnProposal& p) { return p.column == c; }) &&
+        !given.find(table.header[c]))
       others.push_back(text::in_quotes(table.header[c]));
   if (!others.empty()) text += "# not used: " + text::listed(others) + "\n";
   return text;

@@ -84,10 +84,11 @@ struct KeyValue {
 
 /// What a new model says of its keys.
 struct ModelRemarks {
-  std::string title;
+  std::string title{};  ///< of a rig; empty: that every default is written out
   std::string ball_material = "steel";
   std::vector<std::pair<std::string_view, std::string>> of_key{};  ///< in place of the usual remark
   friction::FrictionLaw law = friction::FrictionLaw::palmgren;
+  bool of_spindle = false;  ///< in place of the rig a spindle with three of it
 };
 /// The same of a bearing that may be in no catalogue (then it has no maker).
 [[nodiscard]] std::string model_text(const CatalogueBearing& row, const ModelRemarks& remarks);

@@ -1,10 +1,14 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "files/catalogue_defaults.h"
 #include "files/model_file.h"
 #include "friction/contact/contact_data.h"
 #include "friction/friction_law.h"
 #include "model/parameters.h"
+#include "model/spindle.h"
 #include "text/format_number.h"
 
 namespace raceway::files {
@@ -72,6 +76,114 @@ std::string friction_lines(friction::FrictionLaw law) {
   return text;
 }
 
+std::string free_list(friction::FrictionLaw law) {
+  std::string list;
+  for (const std::string& name : model::default_free(law))
+    list += (list.empty() ? "\"" : ", \"") + name + "\"";
+  return "[" + list + "]";
+}
+
+/// Of the rings [m], as a spindle takes it.
+double width_of(const CatalogueBearing& row) {
+  const bearing::BearingGeometry& g = row.geometry;
+  return std::isnan(row.width) ? 0.5 * (g.outer_diameter - g.bore) : row.width;
+}
+
+/// The rig, and how measurements are fitted to.
+std::string rig_lines(friction::FrictionLaw law) {
+  const model::Rig rig;
+  return fmt::format(R"(
+[rig]
+bearings = {}                       # equal bearings whose torque the rig sees
+# axial_load_N = 0                 # per bearing, for measured rows without that column
+radial_load_N = {:.10g}
+temperature_C = {:.10g}
+minimum_speed_rpm = {:.10g}              # slower rows of a coast-down are left out
+# inertia_kgm2 = 0.5               # of all that turns; coast-down records need it, or "unknown"
+
+[solver]
+race_control = "outer"             # or "inner"; of the contact law "balanced"
+tilt = "locked"                    # or "free"
+
+[calibration]
+{:<34} # what may be re-fitted to measurements
+
+# [material.my-ball]
+# elastic_modulus_GPa = 208
+# poisson_ratio = 0.3
+# density_kg_m3 = 7800
+# thermal_expansion_1e6_K = 11.5
+)",
+                     rig.bearings, rig.radial_load, celsius(rig.temperature),
+                     rig.minimum_speed / rpm, "free = " + free_list(law));
+}
+
+/// Two bearings at the tool against one at the rear, on a shaft whose pieces go with the width of
+/// the bearings, and in a housing that fits them.
+std::string spindle_lines(const CatalogueBearing& row) {
+  const bearing::BearingGeometry& g = row.geometry;
+  const double bore = g.bore / mm, outer = g.outer_diameter / mm, section = outer - bore,
+               width = width_of(row) / mm;
+  const auto rounded = [](double value, double to) { return to * std::round(value / to); };
+  const double preload = std::max(10.0, rounded(7e-3 * g.static_load_rating, 10.0));
+  const double nose = 2.5 * width, seat = 2.5 * width, middle = 9.0 * width, tail = 3.75 * width;
+  const double first = nose + 0.5 * width, rear = nose + seat + middle + 0.5 * width;
+  const auto segment = [](double length, double diameter) {
+    return fmt::format("{{length_mm = {:.6g}, diameter_mm = {:.6g}}}", length, diameter);
+  };
+  std::string text = "\n[arrangement]\n";
+  const auto add = [&](std::string_view key, const std::string& value, std::string_view remark) {
+    text += key_line({}, key, value, remark);
+  };
+  const auto number = [](double value) { return fmt::format("{:.6g}", value); };
+  add("layout", "\"O\"", "or \"X\"");
+  add("front", "2", "assumed: bearings at the tool");
+  add("rear", "1", "assumed");
+  add("mounting", "\"rigid\"", "or \"spring\"; assumed");
+  add("preload_N", number(preload), "assumed: as mounted and still, 0.7 % of C0");
+  add("front_position_mm", fmt::format("[{:.6g}, {:.6g}]", first, first + 1.5 * width),
+      "assumed: centres behind the nose face");
+  add("rear_position_mm", fmt::format("[{:.6g}]", rear), "assumed");
+  text += fmt::format(
+      R"(
+[shaft]                            # assumed, from the nose to the rear: put in your drawing
+bore_mm = {:.6g}
+segment = [
+  {},
+  {},   # seat of the front bearings
+  {},
+  {},   # seat of the rear bearing
+  {},
+]
+
+[housing]                          # assumed; bored to the outer diameter of the bearings
+start_mm = {:.6g}                      # its front face, behind the nose face
+length_mm = {:.6g}
+outer_diameter_mm = {:.6g}
+flange_mm = {:.6g}                    # centre of where it is bolted to the machine
+
+[ambient]
+)",
+      rounded(0.5 * bore, 0.5), segment(nose, rounded(outer - 0.15 * section, 0.5)),
+      segment(seat, bore), segment(middle, rounded(bore + 0.3 * section, 0.5)),
+      segment(width, bore), segment(tail, rounded(0.86 * bore, 0.5)), 2.0 * width, 13.75 * width,
+      rounded(outer + 1.75 * section, 1.0), 6.0 * width);
+  add("temperature_C", number(celsius(model::Ambient{}.temperature)), "assumed: of the air");
+  text += fmt::format(
+      R"(
+[[sensor]]                         # column front_bearing_temperature_C of a record
+name = "front_bearing"
+part = "housing"
+position_mm = {:.6g}                   # assumed: beside the first bearing
+radius_mm = {:.6g}                     # assumed
+
+# Fits, coolant, motor and drive: raceway keys "[seat]", "[coolant]", "[motor]", "[drive]".
+# raceway check THIS-FILE lists every default that is used.
+)",
+      first, rounded(0.5 * outer + 0.05 * section, 0.5));
+  return text;
+}
+
 /// What [lubricant] and [bearing] have more under the contact law.
 std::string contact_lubricant_lines(friction::FrictionLaw law) {
   if (law != friction::FrictionLaw::contact) return "";
@@ -85,33 +197,28 @@ std::string contact_lubricant_lines(friction::FrictionLaw law) {
          key_line({}, "eyring_stress_MPa", "5", "shear stress above which a film thins");
 }
 
-std::string free_list(friction::FrictionLaw law) {
-  std::string list;
-  for (const std::string& name : model::default_free(law))
-    list += (list.empty() ? "\"" : ", \"") + name + "\"";
-  return "[" + list + "]";
-}
-
 }  // namespace
 
 std::string new_model_text(const CatalogueBearing& row, friction::FrictionLaw law) {
-  return model_text(
-      row,
-      {.title = fmt::format(
-           "Model of a {} on a rig. Every default is written out: change what you know better.",
-           row.full_name()),
-       .ball_material = "steel",
-       .of_key = {},
-       .law = law});
+  return model_text(row, {.law = law});
 }
 
 std::string model_text(const CatalogueBearing& row, const ModelRemarks& remarks) {
   const bearing::BearingGeometry& g = row.geometry;
-  const model::Rig rig;
   const auto number = [](double value) { return fmt::format("{:.10g}", value); };
   const bool known = !row.maker.empty();
   const std::string name = known ? row.full_name() : row.designation;
-  std::string text = fmt::format("# {}\n\n{}\n", remarks.title, text::format_line);
+  std::string title = remarks.title;
+  if (remarks.of_spindle)
+    title = fmt::format(
+        "A spindle on three bearings {}: it runs as it stands. Replace what is marked as assumed\n"
+        "# or estimated by what you know.",
+        name);
+  else if (title.empty())
+    title = fmt::format(
+        "Model of a {}{} on a rig. Every default is written out: change what you know better.",
+        remarks.ball_material == "steel" ? "" : "hybrid ", name);
+  std::string text = fmt::format("# {}\n\n{}\n", title, text::format_line);
   text +=
       known ? fmt::format("[bearing]                          # same as catalogue = \"{}\"\n", name)
             : "[bearing]\n";
@@ -130,6 +237,9 @@ std::string model_text(const CatalogueBearing& row, const ModelRemarks& remarks)
   add("static_load_rating_N", number(g.static_load_rating));
   add("bore_mm", number(g.bore / mm));
   add("outer_diameter_mm", number(g.outer_diameter / mm));
+  if (remarks.of_spindle)
+    add("width_mm", number(width_of(row) / mm),
+        std::isnan(row.width) ? "estimated: half of outer diameter - bore" : "of the rings");
   add("ball_material", fmt::format("\"{}\"", remarks.ball_material),
       remarks.ball_material == "steel" ? "or \"silicon-nitride\", or a [material.NAME] as below"
                                        : "or \"steel\", or a [material.NAME] as below");
@@ -146,31 +256,7 @@ viscosity_100C_mm2_s = 4.8
 # supply = "oil-air"               # or "grease", "jet", "bath": rules out effects that need another
 )";
   text += contact_lubricant_lines(remarks.law) + friction_lines(remarks.law);
-  text += fmt::format(R"(
-[rig]
-bearings = {}                       # equal bearings whose torque the rig sees
-# axial_load_N = 0                 # per bearing, for measured rows without that column
-radial_load_N = {}
-temperature_C = {}
-minimum_speed_rpm = {}              # slower rows of a coast-down are left out
-# inertia_kgm2 = 0.5               # of all that turns; coast-down records need it, or "unknown"
-
-[solver]
-race_control = "outer"             # or "inner"; of the contact law "balanced"
-tilt = "locked"                    # or "free"
-
-[calibration]
-{:<34} # what may be re-fitted to measurements
-
-# [material.my-ball]
-# elastic_modulus_GPa = 208
-# poisson_ratio = 0.3
-# density_kg_m3 = 7800
-# thermal_expansion_1e6_K = 11.5
-)",
-                      rig.bearings, number(rig.radial_load), number(celsius(rig.temperature)),
-                      number(rig.minimum_speed / rpm), "free = " + free_list(remarks.law));
-  return text;
+  return text + (remarks.of_spindle ? spindle_lines(row) : rig_lines(remarks.law));
 }
 
 }  // namespace raceway::files

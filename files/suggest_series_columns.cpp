@@ -8,6 +8,7 @@
 #include "correction/simulation.h"
 #include "files/detail/column_proposal.h"
 #include "files/detail/column_source.h"
+#include "files/detail/series_columns.h"
 #include "files/suggest_columns.h"
 #include "record/series_channel.h"
 
@@ -183,19 +184,22 @@ std::string name_beside_kind(const SeriesColumn& c) {
 
 class SeriesProposals {
  public:
-  SeriesProposals(const text::CsvTable& table, const std::vector<correction::Model>& models)
-      : table_(table) {
+  SeriesProposals(const text::CsvTable& table, const std::vector<correction::Model>& models,
+                  const ColumnMap& given)
+      : table_(table), given_(given) {
     want(record::time);
     for (const correction::Model& m : models) want(*m.displacement);
     for (const correction::Model& m : models) {
       has_inputs_ = has_inputs_ || !m.channels.empty() || m.kinematic;
       for (const Channel* c : correction::inputs_of(m)) want(*c);
     }
+    for (const ColumnRule& rule : given.rules) std::erase(wanted_, rule.channel);
     for (std::size_t c = 0; c < table.header.size(); ++c)
-      if (auto column = column_of_series(table, c)) columns_.push_back(*std::move(column));
+      if (!given.find(table.header[c]))
+        if (auto column = column_of_series(table, c)) columns_.push_back(*std::move(column));
   }
 
-  std::string text() {
+  SeriesColumns proposed() {
     take_our_names();
     take_by_likeness();
     take_the_only_ones();
@@ -207,7 +211,11 @@ class SeriesProposals {
     std::vector<std::string> missing;
     for (const Channel* c : wanted_)
       missing.push_back(fmt::format("# {} = \"...\"  # not found, and needed", c->name));
-    return proposed_columns(table_, in_order, missing);
+    const bool ours = std::all_of(in_order.begin(), in_order.end(),
+                                  [](const ColumnProposal& p) { return p.has_our_name; });
+    const bool says_more =
+        !given_.rules.empty() || given_.decimal_mark != '\0' || given_.date_order;
+    return {proposed_columns(table_, in_order, missing, given_), ours && !says_more};
   }
 
  private:
@@ -291,6 +299,7 @@ class SeriesProposals {
   }
 
   const text::CsvTable& table_;
+  const ColumnMap& given_;
   bool has_inputs_ = false;
   std::vector<const Channel*> wanted_{};
   std::vector<SeriesColumn> columns_{};  ///< not chosen yet
@@ -301,7 +310,12 @@ class SeriesProposals {
 
 std::string suggested_columns(const Source& source, const std::vector<correction::Model>& models) {
   const text::CsvTable table = read_measurements(source, {.over_time = true});
-  return SeriesProposals(table, models).text();
+  return series_columns(table, models, {}).text;
+}
+
+SeriesColumns series_columns(const text::CsvTable& table,
+                             const std::vector<correction::Model>& models, const ColumnMap& given) {
+  return SeriesProposals(table, models, given).proposed();
 }
 
 }  // namespace raceway::files

@@ -8,6 +8,7 @@
 #include "files/catalogue_file.h"
 #include "files/designation.h"
 #include "files/model_file.h"
+#include "files/new_correction.h"
 #include "files/roller_estimate.h"
 #include "friction/roller_friction.h"
 #include "text/error.h"
@@ -17,7 +18,8 @@ namespace {
 
 friction::FrictionLaw wanted_law(const NewModel& wanted) {
   using friction::FrictionLaw;
-  return friction::find_friction_law(wanted.law).value_or(FrictionLaw::contact);
+  return friction::find_friction_law(wanted.law)
+      .value_or(wanted.spindle ? FrictionLaw::palmgren : FrictionLaw::contact);
 }
 
 /// The model of a cylindrical roller bearing by its designation.
@@ -30,6 +32,7 @@ std::string new_roller_model(Messages& messages, const NewModel& wanted, bool de
   };
   if (described)
     refuse("--bore, --outer-diameter, --balls and --contact-angle describe ball bearings");
+  if (wanted.spindle) refuse("the sets of a spindle have ball bearings");
   if (wanted.law == friction::name(friction::FrictionLaw::contact))
     refuse("its laws are palmgren and skf");
   const files::EstimatedRollers rollers = files::estimated_rollers(wanted.bearing, rows);
@@ -90,18 +93,12 @@ std::string new_model_text(Messages& messages, const NewModel& wanted) {
                       "--outer-diameter, --balls and --contact-angle are for one that is not",
                       row->full_name()),
           {.key = "BEARING"});
-    if (given.ball_material == "steel") return files::new_model_text(*row, wanted_law(wanted));
-    files::CatalogueBearing hybrid = *row;
-    if (!std::isnan(row->static_load_rating_silicon_nitride))
-      hybrid.geometry.static_load_rating = row->static_load_rating_silicon_nitride;
-    return files::model_text(hybrid,
-                             {.title = fmt::format("Model of a hybrid {} on a rig. Every "
-                                                   "default is written out: change what you "
-                                                   "know better.",
-                                                   row->full_name()),
-                              .ball_material = given.ball_material,
-                              .of_key = {},
-                              .law = wanted_law(wanted)});
+    files::CatalogueBearing bearing = *row;
+    if (given.ball_material != "steel" && !std::isnan(row->static_load_rating_silicon_nitride))
+      bearing.geometry.static_load_rating = row->static_load_rating_silicon_nitride;
+    return files::model_text(bearing, {.ball_material = given.ball_material,
+                                       .law = wanted_law(wanted),
+                                       .of_spindle = wanted.spindle});
   }
   if (files::names_rollers(wanted.bearing))
     return new_roller_model(messages, wanted, described, rows);
@@ -127,7 +124,17 @@ std::string new_model_text(Messages& messages, const NewModel& wanted) {
                                         angle_text(wanted, bearing.outline.contact_angle),
                                         balls_text(wanted, known.ball_material)),
                             {.key = "bearing"}));
-  return files::estimated_model_text(bearing, wanted_law(wanted));
+  return files::estimated_model_text(bearing, wanted_law(wanted), wanted.spindle);
+}
+
+std::string new_correction_text(Messages& messages, const Source& data, const Reading& reading) {
+  if (data.name.ends_with(".toml"))
+    throw text::InputError(data.name + ": stands where a record (CSV) is expected",
+                           {.file = data.name});
+  const files::NewCorrection made =
+      files::new_correction(files::repeatable(data), reading.options());
+  messages.say(made.notes);
+  return made.text;
 }
 
 }  // namespace raceway::session

@@ -42,9 +42,11 @@ struct ColumnProposal {
                                                       std::size_t column,
                                                       const record::Channel& channel);
 
-/// A table [columns] of these proposals, then `missing` lines, then the columns that are not used.
+/// A table [columns] of the rules of `given`, then these proposals, then `missing` lines, then the
+/// columns that are not used.
 [[nodiscard]] std::string proposed_columns(const text::CsvTable& table,
                                            const std::vector<ColumnProposal>& proposals,
-                                           const std::vector<std::string>& missing);
+                                           const std::vector<std::string>& missing,
+                                           const ColumnMap& given = {});
 
 }  // namespace raceway::files

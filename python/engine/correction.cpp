@@ -16,6 +16,7 @@
 #include "session/correction_run.h"
 #include "session/identification.h"
 #include "session/law_fit.h"
+#include "session/new_model.h"
 #include "shaft/displacement_table.h"
 #include "text/error.h"
 #include "text/number_text.h"
@@ -255,6 +256,11 @@ void bind_correction(py::module_& module) {
   module.def("learn", &learn);
   module.def("export_correction", &export_correction);
   module.def("fit_law", &fit_law);
+  module.def("new_correction", [](const Data& data, const py::kwargs& given) {
+    Heard heard;
+    std::string text = session::new_correction_text(heard, *data, options_of(given).reading);
+    return py::make_tuple(text, heard.notes, heard.warnings);
+  });
 }
 
 }  // namespace raceway::python

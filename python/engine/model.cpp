@@ -289,7 +289,8 @@ void bind_model(py::module_& module) {
   module.def(
       "new_model",
       [](const std::string& bearing, const std::string& law, const std::string& ball_material,
-         double bore_mm, double outer_diameter_mm, double contact_angle_deg, int ball_count) {
+         double bore_mm, double outer_diameter_mm, double contact_angle_deg, int ball_count,
+         bool spindle) {
         Heard heard;
         const session::NewModel wanted{.bearing = bearing,
                                        .outline = {.bore = bore_mm * mm,
@@ -297,12 +298,14 @@ void bind_model(py::module_& module) {
                                                    .ball_count = ball_count,
                                                    .ball_material = ball_material},
                                        .contact_angle = contact_angle_deg,
-                                       .law = law};
+                                       .law = law,
+                                       .spindle = spindle};
         std::string text = session::new_model_text(heard, wanted);
         return py::make_tuple(text, heard.notes);
       },
       py::arg("bearing"), py::arg("law"), py::arg("ball_material"), py::arg("bore_mm"),
-      py::arg("outer_diameter_mm"), py::arg("contact_angle_deg"), py::arg("ball_count"));
+      py::arg("outer_diameter_mm"), py::arg("contact_angle_deg"), py::arg("ball_count"),
+      py::arg("spindle"));
 }
 
 }  // namespace raceway::python

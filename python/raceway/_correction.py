@@ -12,6 +12,7 @@ from ._errors import InputError
 from ._given import name_list, seconds, text_of, warn
 from ._loop import LoopModel, asked
 from ._model import Model, _only_corrects, _tables
+from ._note import Note
 from ._record import Record
 from ._series import lag_texts, one_record, order_text
 
@@ -41,6 +42,7 @@ class Correction(LoopModel):
     """
 
     _called = "correction"
+    _said: Sequence[Note] = ()  # when it was made
 
     def __init__(self, source: str, text: str, files: Sequence[tuple[str, str, str]] = ()) -> None:
         tables = _tables(text_of("text", text))
@@ -48,6 +50,35 @@ class Correction(LoopModel):
             raise InputError(f"{source}: has no [correction]: raceway.Model.read takes models of bearings")
         self._engine = _engine.Correction(source, text, files)
         warn(self._engine.warnings)
+
+    @classmethod
+    def new(cls, record: Record) -> Correction:
+        """Make a correction for the displacements of a record over time, for `identify` to begin with.
+
+        It has a channel for each temperature, and its `text` marks what is assumed. Columns whose names
+        are not ours are proposed as its ``[columns]``; a `Record` with a map of columns has its own.
+
+        Warns
+        -----
+        Doubt
+            Of units that look wrong.
+
+        Raises
+        ------
+        InputError
+            A record without a displacement.
+        """
+        data, options = asked(one_record(record))
+        text, notes, doubts = _engine.new_correction(data[0], **options)
+        warn(doubts)
+        correction = cls(cls._called, text)
+        correction._said = notes
+        return correction
+
+    @property
+    def notes(self) -> list[Note]:
+        """What else is to be known of it, and of the record that `new` made it for."""
+        return [*self._said, *self._engine.notes]
 
     @property
     def displacements(self) -> list[str]:

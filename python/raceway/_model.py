@@ -59,6 +59,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         outer_diameter_mm: float | None = None,
         contact_angle_deg: float | None = None,
         ball_count: int | None = None,
+        spindle: bool = False,
     ) -> Model:
         """Make a model of a bearing by its designation, with the defaults of its law.
 
@@ -69,11 +70,15 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
             ``"7014 C"``, or that the next four describe, the inner geometry is estimated; `notes` says so.
             ``"N1012 KTN/SP"`` is a cylindrical roller bearing, whose rollers are estimated.
         law : {"contact", "palmgren", "skf"}, optional
-            By default ``"contact"``, of cylindrical rollers ``"palmgren"``; they have ``"skf"`` too.
+            By default ``"contact"``, of a spindle and of cylindrical rollers ``"palmgren"``; the latter
+            have ``"skf"`` too.
         ball_material : {"steel", "silicon-nitride"}
             Of cylindrical rollers the material of the rollers.
         bore_mm, outer_diameter_mm, contact_angle_deg, ball_count
             Of a bearing that is not in the catalogue.
+        spindle : bool
+            Three of the bearing in a spindle, in place of one on a rig: a template that runs as it
+            stands, whose `text` marks what is assumed.
 
         Raises
         ------
@@ -93,7 +98,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         if ball_count is not None and operator.index(ball_count) < 3:
             raise ValueError(f"ball_count = {ball_count}: must be 3 or more")
         bore, outer, angle = (float("nan") if size is None else float(size) for size in (bore_mm, outer_diameter_mm, contact_angle_deg))
-        text, notes = _engine.new_model(bearing, law or "", ball_material, bore, outer, angle, ball_count or 0)
+        text, notes = _engine.new_model(bearing, law or "", ball_material, bore, outer, angle, ball_count or 0, bool(spindle))
         model = cls(bearing, text)
         model._said = notes
         return model

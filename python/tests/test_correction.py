@@ -491,3 +491,53 @@ def test_options_that_mean_nothing_are_refused():
         correction.calibrate(record, per_record=["front.gain_1"])
     with pytest.raises(raceway.InputError, match="channel displacement_y_um"):
         correction.compare(record, channel="displacement_y_um")
+
+
+DRIFT = "tests/cli/everyday/over-time"
+
+
+def refusal(program, *arguments):
+    """The words by which the command refuses."""
+    done = subprocess.run([program, *arguments], capture_output=True, text=True)
+    assert done.returncode == 1, done.stderr
+    return [line for line in done.stderr.splitlines() if not line.startswith("note: ")]
+
+
+def test_a_unit_is_asked_about_in_the_words_of_the_command(program, tmp_path):
+    frame = pandas.read_csv(f"{DRIFT}/train.csv")
+    path = tmp_path / "mm.csv"
+    frame.assign(displacement_z_um=(1e-3 * frame.displacement_z_um).round(6)).to_csv(path, index=False)
+    model = raceway.Correction.read(f"{DRIFT}/model.toml")
+    for name, ask in {"identify": model.identify, "calibrate": model.calibrate, "check": model.check, "compare": model.compare}.items():
+        with pytest.raises(raceway.InputError) as asked:
+            ask(raceway.Record.read(path))
+        assert str(asked.value).splitlines() == refusal(program, name, f"{DRIFT}/model.toml", str(path))
+        assert 'unit = "mm" }' in str(asked.value)
+        assert asked.value.key == "displacement_z_um"
+    answered = raceway.Record.read(path, columns='[columns]\ndisplacement_z_um = { column = "displacement_z_um", unit = "mm" }\n')
+    assert model.identify(answered).data["channels"][0]["sections"][0]["gain"]["value"] == pytest.approx(5.0, abs=0.006)
+
+
+def test_a_correction_begins_with_a_record():
+    record = raceway.Record.read(f"{DRIFT}/train.csv")
+    begun = raceway.Correction.new(record)
+    assert begun.inputs == ["bearing_temperature_C", "room_temperature_C"]
+    assert "# assumed" in begun.text
+    found = begun.identify(record)
+    assert found.data["channels"][0]["sections"][0]["gain"]["value"] == pytest.approx(5.0, abs=0.006)
+    with pytest.raises(raceway.InputError, match="no column is a displacement"):
+        raceway.Correction.new(raceway.Record.from_arrays({"time_s": [0.0, 60.0], "room_temperature_C": [20.0, 21.0]}))
+
+
+def test_files_with_clocks_of_their_own_are_one_record():
+    frame = pandas.read_csv(f"{DRIFT}/train.csv")
+    temperatures = raceway.Record.from_pandas(frame[["time_s", "bearing_temperature_C", "room_temperature_C"]], name="temperatures")
+    probe = raceway.Record.from_pandas(frame[["time_s", "displacement_z_um"]].assign(time_s=frame.time_s + 7.0)[:-1], name="probe")
+    both = pickle.loads(pickle.dumps(temperatures.beside(probe)))
+    model = raceway.Correction.read(f"{DRIFT}/model.toml")
+    found = model.identify(both)
+    assert found.data["rows"] == 1681
+    assert any("temperatures and probe are one record" in note for note in found.data["notes"])
+    assert found.data["channels"][0]["sections"][0]["gain"]["value"] == pytest.approx(5.0, abs=0.02)
+    with pytest.raises(TypeError, match="a raceway.Record is wanted"):
+        temperatures.beside(frame)

@@ -423,3 +423,10 @@ def test_what_is_found_gives_no_warning(driven):
         driven.steady(6000)
         driven.modes(6000)
         driven.deflection(100)
+
+
+def test_a_spindle_of_a_template_runs():
+    model = raceway.Model.new("S 6010 E", spindle=True)
+    assert model.kind == "spindle"
+    assert "assumed" in model.text
+    assert model.steady(3000).data["steady"][0]["report"]["status"] == "converged"
