@@ -8,15 +8,15 @@
 
 namespace raceway::rig {
 
-/// How a coast-down is cut into rows. The defaults suit records of some hundred to a million
-/// samples.
+/// Settings for cutting a coast-down into rows. The defaults suit records of some hundred to a
+/// million samples.
 struct CoastDownOptions {
   int windows = 40;            ///< aimed at per run; more windows, more rows with more noise each
   int fewest_samples = 7;      ///< of a window; fewer leave less than four to judge the noise by
   double largest_fall = 0.25;  ///< of the speed within a window, relative to its start [1]
 };
 
-/// What was found in one run of a coast-down.
+/// Result for one run of a coast-down.
 struct CoastDownRun {
   std::string run;             ///< run_id, empty where the file has none
   int samples = 0;             ///< used, those of one time as one
@@ -45,8 +45,8 @@ struct CoastDownTorque {
 /// curvature of ω(t) also where samples are unequally spaced; at equal spacing it is no noisier
 /// than a straight line. A window is as long as 1/`windows` of the run (noise falls with the 1.5th
 /// power of the length), but shorter where the speed would fall by more than `largest_fall` in it:
-/// what is left is the third derivative, which for M ~ ω^p shifts the torque by p (2p - 1) s²/40 of
-/// itself at a relative fall s, 0.04 % for p = 2/3 and 1 % for p = 2 at s = 0.25.
+/// the remaining error comes from the third derivative, which for M ~ ω^p shifts the torque by p
+/// (2p - 1) s²/40 of itself at a relative fall s, 0.04 % for p = 2/3 and 1 % for p = 2 at s = 0.25.
 ///
 /// Standard deviation of a row: residual scale of the whole run (robust, Huber's proposal 2) times
 /// the gain of the slope, widened where neighbouring residuals are correlated (filtered signals),
@@ -54,8 +54,8 @@ struct CoastDownTorque {
 /// parabola are left out and named in the notes; windows do not span gaps. Dense records are
 /// averaged in blocks first, at most 32 to a window.
 ///
-/// A row stands for the line in the middle of its window. What was left out or averaged is in the
-/// notes with its place.
+/// A row stands for the line in the middle of its window. The notes list the samples that were left
+/// out or averaged, with their place.
 /// Domain:   constant inertia, no drive. Left out are samples before the release (release.h), at
 ///           standstill or below Rig::minimum_speed, windows in which the shaft speeds up, and a
 ///           run with fewer samples than a window needs. Where a run is driven up again it coasts

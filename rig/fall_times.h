@@ -7,7 +7,7 @@
 
 namespace raceway::rig {
 
-/// How long a shaft took to slow down from one speed to another by itself.
+/// Time in which a shaft slows down from one speed to another by itself.
 struct Fall {
   double from = unset, to = unset;  ///< [rad/s], from > to > 0
   double time = unset;              ///< of the fall [s]
@@ -31,10 +31,10 @@ struct Fall {
 ///
 ///   M = J (ω1 - ω2)/t   at   ω_e = speed_of_mean_torque(ω1, ω2, p) (1 + (p'/p) s²/24)
 ///
-/// Exponent p and its change p' = dp/d ln ω are those of a parabola of ln M over ln ω through the
-/// row and its neighbours: falls of the same run with the same inputs whose middle is further off
-/// than half a fall. At an end they are the next two; of two falls p' is 0, of a single one p =
-/// 2/3, that of the viscous moment. With it ω_e is right to second order in s for every smooth law.
+/// Exponent p and its change p' = dp/d ln ω come from a parabola of ln M over ln ω through the row
+/// and its neighbours: falls of the same run with the same inputs whose middle is further off than
+/// half a fall. At an end they are the next two; of two falls p' is 0, of a single one p = 2/3,
+/// that of the viscous moment. With it ω_e is right to second order in s for every smooth law.
 ///
 /// `falls` has one for each row of `record`, which holds what else was recorded, inputs and runs; a
 /// speed that it has is replaced. A deviation of the time makes one of the torque, σ_M = M σ_t/t.

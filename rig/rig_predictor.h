@@ -11,14 +11,13 @@
 
 namespace raceway::rig {
 
-/// Balances of the rows of a record as entered, solved when somebody first asks for them and then
-/// shared.
+/// Balances of the rows of a record as entered, solved at the first request and then shared.
 class EnteredBalances {
  public:
   EnteredBalances(const model::Model& model, const record::Record& record);
-  /// By row; nothing where the points are others. May be asked by several threads at once.
+  /// Balances by row; nothing where the points differ. May be called by several threads at once.
   [[nodiscard]] std::span<const model::Balance> of(std::span<const model::Row> rows) const;
-  /// The same of a bearing with cylindrical rollers.
+  /// Balances of a bearing with cylindrical rollers, otherwise as of().
   [[nodiscard]] std::span<const model::RowPredictor::Rollers> rollers_of(
       std::span<const model::Row> rows) const;
 
@@ -32,8 +31,8 @@ class EnteredBalances {
   mutable std::vector<model::RowPredictor::Rollers> rollers_;
 };
 
-/// Friction torque that a rig reads at every row of a record [N m]. Rows remember what a number
-/// leaves alone: all before the stage at which it acts first.
+/// Friction torque that a rig reads at every row of a record [N m]. Results are kept for all stages
+/// before the first one that a changed parameter affects.
 class RigPredictor : public fit::Predictor {
  public:
   /// `entered` may be null; it is looked at here alone.

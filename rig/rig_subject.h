@@ -27,7 +27,7 @@ class RigSubject : public model::ModelSubject {
       const fit::Record& record) const override;
   /// Speed, load and viscosity.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
-  /// As an effect of the user's own takes it: the moment of one bearing.
+  /// The moment of one bearing, for an effect of the user's own.
   [[nodiscard]] std::optional<fit::Formula> formula(const fit::Record& record) const override;
   [[nodiscard]] std::vector<fit::Axis> axes(const fit::Record& record) const override;
   [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;
@@ -35,7 +35,8 @@ class RigSubject : public model::ModelSubject {
   [[nodiscard]] std::vector<fit::OtherBase> other_bases() const override;
   /// Also of two numbers of the contact law: rows with thin films, and with high pressure.
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
-  /// What tells a wrong datum from an effect: the oil, or the temperature, measured again.
+  /// Measurements that distinguish a wrong datum from an effect: the oil, or the temperature,
+  /// measured again.
   [[nodiscard]] std::vector<std::string> records_needed(
       const fit::Record& record, const std::vector<std::vector<std::string>>& rivals,
       const std::vector<std::string>& not_testable) const override;

@@ -44,7 +44,7 @@ struct Hysteresis {
   double p_value = unset;     ///< [1]; NaN below 3 torques
 };
 
-/// What a calibration says of its sensor.
+/// Result of a calibration of a sensor.
 struct SensorCalibration {
   TorqueSensor sensor;
   int readings = 0, torques = 0, degrees_of_freedom = 0;
@@ -52,12 +52,13 @@ struct SensorCalibration {
   double range_std = unset;     ///< standard deviation of it: how sure the gain is [V]
   double off_line = unset;      ///< largest distance of a mean from the best straight line [V]
   double off_curve = unset;     ///< and from the curve [V]
-  /// That all terms up to the third degree beyond those taken are scatter; NaN where none can be
-  /// tried [1].
+  /// p-value that all further terms up to the third degree are scatter; NaN where none can be tried
+  /// [1].
   double higher_terms_p_value = unset;
   LackOfFit lack_of_fit{};
   Hysteresis hysteresis{};
-  /// That the scatter is the same at every torque, after [Koenker1981]; NaN below 10 readings [1].
+  /// p-value that the scatter is the same at every torque, after [Koenker1981]; NaN below 10
+  /// readings [1].
   double even_scatter_p_value = unset;
   double scatter_low = unset, scatter_high = unset;  ///< of the lower and upper half [V]
   std::vector<record::Note> notes{}, warnings{};

@@ -11,7 +11,7 @@
 
 namespace raceway::rig {
 
-/// What a torque sensor shows at a torque, as its calibration found it [V].
+/// Signal of a torque sensor at a torque, by its calibration [V].
 ///
 ///   V(M) = b0 + b1 M + b2 M² + b3 M³   from the lowest to the highest torque of the calibration,
 ///   beyond them the tangent at that end
@@ -19,8 +19,7 @@ namespace raceway::rig {
 /// Source:   definition; the inverse is the torque of a reading.
 /// Domain:   V rises, or falls, throughout the range: turning_torque() has no value.
 /// Trap:     the signal as a function of the torque and not the reverse: weights on an arm are
-/// known
-///           much better than the signal, whose scatter would flatten a fit of M over V.
+///           known much better than the signal, whose scatter would flatten a fit of M over V.
 struct TorqueSensor {
   Eigen::VectorXd coefficients{};       ///< b_k [V/(N m)^k]
   Eigen::MatrixXd covariance{};         ///< of them
@@ -30,7 +29,7 @@ struct TorqueSensor {
   double lowest_signal = unset;         ///< that was seen in it [V]
   double highest_signal = unset;        ///< [V]
   std::optional<double> zero = {};      ///< signal without torque on the day, in place of V(0) [V]
-  std::optional<double> zero_std = {};  ///< of it [V]; read once, as `scatter`, where nobody said
+  std::optional<double> zero_std = {};  ///< of it [V]; `scatter` if not given (one reading)
   std::string source = {};              ///< where the calibration is from, for messages
 };
 
@@ -42,19 +41,19 @@ struct TorqueSensor {
 /// The signal at a torque [V], whatever was seen at zero.
 [[nodiscard]] double signal_at(const TorqueSensor& sensor, double torque);
 
-/// Whether all signals are the same torques by both.
+/// Returns true if both sensors convert every signal to the same torque.
 [[nodiscard]] bool same_torques(const TorqueSensor& a, const TorqueSensor& b);
 
 /// A reading as a torque.
 struct SensedTorque {
   double torque;  ///< M with V(M) = V, or V(M) - V(0) = V - zero [N m]
   double std;     ///< sqrt(scatter²/V'(M)² + common²) [N m]
-  /// What the calibration, and the zero of the day, have in it: gᵀ C g with g = -∂V/∂b / V'. It is
-  /// the same mistake in every reading of a record, and no mean takes it away [N m].
+  /// Error from the calibration and the zero of the day: gᵀ C g with g = -∂V/∂b / V'. It is equal
+  /// in all readings of a record, and averaging does not reduce it [N m].
   double common;
 };
 
-/// Accuracy: rounding; the standard deviations are those of the linearised inverse.
+/// Accuracy: rounding; the standard deviations are linearised.
 /// `signal_std` [V] takes the place of the scatter of one reading; NaN: not known.
 [[nodiscard]] SensedTorque torque_of(const TorqueSensor& sensor, double signal,
                                      double signal_std = unset);

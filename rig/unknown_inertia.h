@@ -9,9 +9,9 @@ namespace raceway::rig {
 ///
 ///   J = Σ M_model / Σ (-dω/dt)
 ///
-/// A coast-down tells M/J alone. A model whose numbers are usual ones fixes the factor to their
-/// accuracy, and with it sizes have usual orders; what the record itself tells is the shape of the
-/// torque over speed, load and temperature.
+/// A coast-down determines M/J alone. A model with typical parameters fixes the factor to their
+/// accuracy, which gives the usual orders of magnitude. The record itself determines the shape of
+/// the torque over speed, load and temperature.
 ///
 /// `unit` has the torques of an inertia of 1 kg m². Rows that the model does not predict do not
 /// count. Throws std::invalid_argument where the model predicts no torque at any of them.

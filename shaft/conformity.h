@@ -10,7 +10,7 @@
 
 namespace raceway::shaft {
 
-/// What a catalogue prints of a back-to-back pair at one preload class.
+/// Catalogue data of a back-to-back pair at one preload class.
 struct PairRigidity {
   std::string preload_class;  ///< "L", "M", "S"
   double preload = unset;     ///< axial force on each bearing [N]
@@ -33,16 +33,16 @@ struct ConformityFit {
 };
 
 /// Tangent axial rigidity of a back-to-back pair of equal bearings at rest, rigidly preloaded:
-/// twice that of one bearing at that load [N/m]. NaN without equilibrium.
+/// twice the rigidity of one bearing at that load [N/m]. NaN without equilibrium.
 [[nodiscard]] double pair_rigidity(const bearing::Bearing& bearing, double preload);
 
 /// The groove conformity, one for both races, with which a bearing has the pair rigidities of its
-/// catalogue: minimises Σ ln²(computed/printed) within lowest_conformity..highest_conformity. What
-/// the bearing's own conformities are does not matter.
+/// catalogue: minimises Σ ln²(computed/printed) within lowest_conformity..highest_conformity. The
+/// bearing's own conformities do not matter.
 ///
-/// The rigidity hardly tells the two races apart, so their common value is what it defines: it
-/// stands for all that makes the contacts stiffer or softer than here, as rings that give way do.
-/// Accuracy: `std` is that of the scatter of the classes (digits printed, and what one conformity
+/// The rigidity hardly separates the two races, so it defines their common value. This value covers
+/// everything that makes the contacts stiffer or softer than here, such as elastic rings.
+/// Accuracy: `std` comes from the scatter of the classes (digits printed, and what one conformity
 ///           cannot explain); it does not cover how the maker computed. A change of the conformity
 ///           by 0.01 changes the rigidity by 19 % (15 deg) or 12 % (25 deg).
 /// Throws std::invalid_argument: no class, a preload or a rigidity that is not positive.

@@ -27,7 +27,7 @@ class DisplacementRows {
 
  private:
   struct Known {
-    model::Row row;  ///< ring temperatures filled in with those of the model
+    model::Row row;  ///< ring temperatures taken from the model where the row has none
     std::optional<bearing::SetTemperatures> temperatures;
     std::size_t balance = 0;  ///< index into balances_
     bearing::ArrangementCondition condition{};
@@ -53,17 +53,15 @@ class DisplacementRows {
 /// number. The axial load of a row is the external load; where none was recorded it is that of the
 /// model.
 ///
-/// What was recorded with a row stands in the place of what the model says: the preload as force at
-/// standstill, ring temperatures. Balls, shaft and housing keep the temperatures of the model where
-/// it has any; otherwise they follow the rings: balls their mean, the shaft the inner, the housing
-/// the outer.
+/// Recorded values replace the values of the model: the preload as force at standstill, ring
+/// temperatures. Balls, shaft and housing keep the temperatures of the model where it has any;
+/// otherwise they follow the rings: balls their mean, the shaft the inner, the housing the outer.
 /// Throws std::invalid_argument for a model without shaft, and as add_expansion() does.
 [[nodiscard]] std::vector<double> predict_displacement(const Model& model,
                                                        const record::Record& record);
 
-/// What to say of rows that stand still under different loads: their displacement counts from
-/// standstill under the same load, so that the model has 0 there whatever was read. Empty where
-/// there are none.
+/// Note on rows at standstill under different loads: their displacement counts from standstill
+/// under the same load, so the model gives 0 there whatever was read. Empty where there are none.
 [[nodiscard]] std::string note_on_standstill(const record::Record& record);
 
 }  // namespace raceway::shaft

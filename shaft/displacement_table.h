@@ -18,8 +18,8 @@ struct DisplacementTable {
 
 /// The table of a curve; rows of one speed are averaged.
 ///
-/// Slopes are those of PCHIP [FritschCarlson1980], so between two points the cubic goes from one
-/// to the other without a turn.
+/// Slopes by PCHIP [FritschCarlson1980], so between two points the cubic goes from one to the other
+/// without a turn.
 /// Throws std::invalid_argument: fewer than four different speeds, a value that is not finite.
 [[nodiscard]] DisplacementTable make_displacement_table(std::span<const DisplacementPoint> curve);
 

@@ -39,8 +39,8 @@ inline constexpr double kinematic_law_share = 0.01;          ///< [1]
 
 enum class KinematicLawVerdict {
   follows,  ///< mean absolute error within tolerance and share
-  scatter,  ///< above, but what is left jumps from row to row: scatter, not shape
-  stiff     ///< above, and what is left is smooth: the law cannot take the shape of the curve
+  scatter,  ///< above, but the residual jumps from row to row: scatter, not shape
+  stiff     ///< above, and the residual is smooth: the law cannot take the shape of the curve
 };
 
 struct KinematicLawFit {
@@ -77,8 +77,8 @@ struct KinematicLawFit {
 /// parameters, and the lowest end wins. So the result needs no start and depends on none.
 ///
 /// Standard errors are those of the linearised problem. Without std the misfit sets their scale;
-/// with std, a misfit above them widens them. On a computed curve, which has no scatter, they tell
-/// how sharply the curve defines the parameters and nothing of other curves.
+/// with std, a misfit above them widens them. On a computed curve, which has no scatter, they show
+/// how sharply the curve defines the parameters and nothing about other curves.
 ///
 /// Rows at standstill are not fitted: the law is zero there. They extend its range to zero.
 /// Throws std::invalid_argument: a value that is not finite, negative speed, std not positive, less
@@ -86,8 +86,8 @@ struct KinematicLawFit {
 [[nodiscard]] KinematicLawFit fit_kinematic_law(std::span<const DisplacementPoint> curve,
                                                 const KinematicLawBounds& bounds = {});
 
-/// The same from one start (its B and C; A is eliminated), without the grid: the nearest optimum.
-/// For those who doubt that fit_kinematic_law() returns the lowest.
+/// Fits the law from one start (its B and C; A is eliminated), without the grid: the nearest
+/// optimum. Checks that fit_kinematic_law() returns the lowest.
 [[nodiscard]] KinematicLawFit refine_kinematic_law(std::span<const DisplacementPoint> curve,
                                                    const KinematicLaw& start,
                                                    const KinematicLawBounds& bounds = {});

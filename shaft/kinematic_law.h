@@ -31,7 +31,7 @@ T kinematic_displacement_um(double speed_rpm, const T& A, const T& B, const T& C
   return A * exp((1.0 - B * exp(-C * speed_rpm)) * std::log(speed_rpm));
 }
 
-/// What a law gives at one speed.
+/// Result of a law at one speed.
 struct KinematicDisplacement {
   double displacement;  ///< of the shaft from its place at standstill, towards the tool [m]
   double slope;         ///< du/dω, a displacement over an angular speed [m s/rad]

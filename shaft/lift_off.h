@@ -8,7 +8,7 @@
 
 namespace raceway::shaft {
 
-/// How little a bearing in a set may carry.
+/// State of a bearing in a set that carries too little.
 enum class Unloaded {
   no_contact,     ///< its inner contacts are lost: it carries nothing
   below_minimum,  ///< in contact, but below BearingInSet::minimum_load: balls may skid
@@ -23,10 +23,10 @@ struct UnloadedRange {
   double load = unset, minimum_load = unset;  ///< of the first of the bearings, where it begins [N]
 };
 
-/// Where the bearings of a shaft lose their inner contacts, then where they fall below their
-/// minimum load, by bearing and speed. Begin and end are found between the points, which rise in
-/// speed, to half an rpm; a range that lies between two points is not seen. `predictions` are those
-/// of the points.
+/// Ranges of speed in which the bearings of a shaft lose their inner contacts, then ranges in which
+/// they fall below their minimum load, by bearing and speed. Begin and end are found between the
+/// points, which rise in speed, to half an rpm; a range that lies between two points is not seen.
+/// `predictions` belong to the points.
 [[nodiscard]] std::vector<UnloadedRange> unloaded_ranges(
     const Model& model, std::span<const ShaftPoint> points,
     std::span<const ShaftPrediction> predictions);

@@ -12,13 +12,13 @@ using model::Model;
 using model::Shaft;
 using model::Steps;
 
-/// What the sets of a shaft run under at one point.
+/// Condition of the sets of a shaft at one point.
 struct ShaftCondition {
   bearing::ArrangementCondition sets;
-  std::vector<effects::Condition> bearings;  ///< what effects change of each, front set first
+  std::vector<effects::Condition> bearings;  ///< changes by effects, front set first
 };
 
-/// The sets of a model's shaft, with what its effects change of them.
+/// The sets of a model's shaft, with the changes of its effects.
 ///
 /// Balls, fits and mounting are there before the shaft first turns: they belong to the mounted
 /// state, in which the sets carry the preload of the model. A force of preload stays what it is,
@@ -27,7 +27,7 @@ struct ShaftCondition {
 /// there.
 class ShaftBalance {
  public:
-  /// With another force of preload than the model's [N]; NaN leaves it.
+  /// Uses another force of preload than the model's [N]; NaN: the model's.
   explicit ShaftBalance(double preload = unset) : preload_(preload) {}
 
   /// Mounts the sets with the parameter values of a model, unless that is how they are. False where

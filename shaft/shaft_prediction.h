@@ -11,7 +11,7 @@ namespace raceway::shaft {
 
 using model::Model;
 
-/// Where a shaft is asked.
+/// Operating point of a shaft.
 struct ShaftPoint {
   double speed = 0.0;               ///< [rad/s]
   double external_load = 0.0;       ///< axial, positive towards the tool [N]
@@ -30,17 +30,17 @@ struct ShaftPrediction {
   double torque = unset;                            ///< sum over the bearings [N m]
   double power_loss = unset;                        ///< torque times speed [W]
 
-  /// How the point ended, for every command alike: as the search for the balance of the sets did,
-  /// and `converged` only where position, torques and losses are finite; else `not_finite`.
+  /// Status of the point, for every command alike: the status of the balance of the sets, and
+  /// `converged` only if position, torques and losses are finite; else `not_finite`.
   [[nodiscard]] bearing::SolveStatus status() const;
 };
 
 /// Position, forces and friction of the model's shaft, each point from the one before it.
 ///
-/// What effects change of the condition of a bearing enters the balance of the sets, as
-/// ShaftBalance says. The friction of each bearing is that of its own balls in this balance, under
-/// their share of the load, with rings grown, warmed and shifted as they are there. Two things
-/// still look at a bearing by itself:
+/// Changes of the condition of a bearing by effects enter the balance of the sets, as ShaftBalance
+/// says. The friction of each bearing comes from its own balls in this balance, under their share
+/// of the load, with rings grown, warmed and shifted as they are there. Two parts still treat a
+/// bearing by itself:
 ///
 ///   base law   Palmgren's and SKF's formulas know the entered bearing, its catalogue angle and
 ///              load rating, under the axial load that it carries in the set
@@ -48,9 +48,9 @@ struct ShaftPrediction {
 ///              this load, with the free contact angle that growth and temperatures give it
 ///
 /// A bearing that has lost its inner contacts carries nothing and has the viscous moment of the
-/// base law, and of the effects what balls on the outer race alone make. All other steps act on
-/// every bearing as on a single one. What effects make of the reading of a transducer is no part of
-/// the position: predict_displacement() adds it. Throws std::invalid_argument for a model without
+/// base law, and the share of the effects from balls on the outer race alone. All other steps act
+/// on every bearing as on a single one. Effects on the reading of a transducer are no part of the
+/// position: predict_displacement() adds them. Throws std::invalid_argument for a model without
 /// shaft and for points that are not finite.
 [[nodiscard]] std::vector<ShaftPrediction> predict_shaft(const Model& model,
                                                          std::span<const ShaftPoint> points);

@@ -23,7 +23,7 @@ class ShaftSubject : public model::ModelSubject {
   /// A displacement a thousand times too small or large, or of the other sign.
   [[nodiscard]] std::string doubt(const fit::Record& record,
                                   std::span<const double> predicted) const override;
-  /// Other preloads than that of the record are among them.
+  /// Axes of a plan, among them the preload, also at other values than in the record.
   [[nodiscard]] std::vector<fit::Axis> axes(const fit::Record& record) const override;
   [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;
   /// Ring temperatures, and runs up and down, where heat and speed are rivals.

@@ -40,7 +40,7 @@ struct ElementMatrices {
 };
 [[nodiscard]] ElementMatrices element_matrices(const BeamElement& element);
 
-/// How a spring acts in one plane on (v, θ) of its place.
+/// Stiffness of a spring in one plane on (v, θ) of its place.
 struct PlaneSpring {
   double radial = 0.0;    ///< [N/m]
   double tilt = 0.0;      ///< [N m/rad]
@@ -48,14 +48,14 @@ struct PlaneSpring {
   [[nodiscard]] bool operator==(const PlaneSpring&) const = default;
 };
 
-/// A spring from shaft to housing, its principal planes those of y and z.
+/// A spring from shaft to housing, its principal planes parallel to y and z.
 struct Spring {
   double position = unset;  ///< behind the nose face [m]
   PlaneSpring y, z;
   [[nodiscard]] bool isotropic() const { return y == z; }
 };
 
-/// Alike in all radial directions.
+/// Spring with the same stiffness in all radial directions.
 [[nodiscard]] Spring isotropic_spring(double position, double radial, double tilt = 0.0,
                                       double coupling = 0.0);
 
@@ -85,7 +85,7 @@ class Beam {
   [[nodiscard]] double length() const { return nodes_.back(); }  ///< [m]
   [[nodiscard]] double weight() const { return mass_sum_; }      ///< with disks [kg]
 
-  /// In one plane, (v, θ) node behind node. Stiffness with the body's supports.
+  /// Matrices in one plane, (v, θ) node behind node. Stiffness with the body's supports.
   [[nodiscard]] const Eigen::SparseMatrix<double>& stiffness() const { return stiffness_; }
   [[nodiscard]] const Eigen::SparseMatrix<double>& mass() const { return mass_; }
   [[nodiscard]] const Eigen::SparseMatrix<double>& gyroscopic() const { return gyroscopic_; }
@@ -95,9 +95,9 @@ class Beam {
 
   /// The node at a place, within 1 nm. Throws std::invalid_argument where there is none.
   [[nodiscard]] std::size_t node_at(double position) const;
-  /// v and θ at a place between the nodes from those of all nodes.
+  /// v and θ at a place between the nodes, from the values of all nodes.
   [[nodiscard]] Eigen::Vector2d at(double position, const Eigen::VectorXd& shape) const;
-  /// Forces on the nodes that do what a load does.
+  /// Adds equivalent nodal forces of a load.
   void add_load(const BeamLoad& load, Eigen::VectorXd& forces) const;
 
  private:
@@ -113,7 +113,7 @@ class Beam {
   double mass_sum_ = 0.0;
 };
 
-/// How the shaft bends in one plane under static loads.
+/// Bending of the shaft in one plane under static loads.
 struct Deflection {
   bool found = false;     ///< false where nothing holds the shaft
   Eigen::VectorXd shape;  ///< (v, θ) of all nodes [m, rad]

@@ -30,7 +30,7 @@ struct RoughContact {
          (0.46 * c.roughness * (1.0 / c.first_conductivity + 1.0 / c.second_conductivity));
 }
 
-/// The same by Yovanovich [W/(m² K)].
+/// Conductance of rough contact by Yovanovich [W/(m² K)].
 ///
 ///   h = 1.25 (2 λ1 λ2/(λ1 + λ2)) (m/Ra) (p/H)^0.95
 ///
@@ -47,8 +47,8 @@ struct RoughContact {
 /// λ of the air in gaps of seats [W/(m K)].
 inline constexpr double gap_conductivity = 0.027;
 
-/// Conductance of the air between rough surfaces [W/(m² K)], λ/(3 Ra + gap). It is what is left
-/// where a seat comes loose. `gap`: between the mean planes, beyond the roughness; >= 0 [m].
+/// Conductance of the air between rough surfaces [W/(m² K)], λ/(3 Ra + gap). It remains where a
+/// seat comes loose. `gap`: between the mean planes, beyond the roughness; >= 0 [m].
 [[nodiscard]] inline double gas_gap(double roughness, double gap,
                                     double conductivity = gap_conductivity) {
   return conductivity / (3.0 * roughness + std::max(gap, 0.0));

@@ -27,7 +27,7 @@ class CoupledNewton {
   [[nodiscard]] NewtonStatus solve(const Vector& right, Vector& temperatures, Vector& given,
                                    Vector& felt);
   [[nodiscard]] Vector solve_linear(const Vector& right) const { return ldlt_.solve(right); }
-  /// After inputs of the sets have changed.
+  /// Drops the derivatives, after inputs of the sets have changed.
   void forget_derivatives() { known_ = false; }
   /// Largest real gain of the loop heat -> temperature -> preload -> heat at the last solution: at
   /// 1 it runs away.

@@ -12,7 +12,7 @@ namespace raceway::spindle {
 struct DrawnRun {
   std::vector<ProfileRow> rows;
   std::vector<Moment> moments;  ///< one for each row
-  std::vector<State> states;    ///< rising in time, that of the highest force among them
+  std::vector<State> states;    ///< rising in time, the state of the highest force among them
 };
 
 /// Simulates `run` of `profile` once more, in the same steps. `states`: how many at most, evenly

@@ -10,7 +10,7 @@
 /// W/(m² K). Temperatures of a difference may be equal; nothing here is NaN or negative then.
 namespace raceway::spindle {
 
-/// Of a fluid at one temperature.
+/// Properties of a fluid at one temperature.
 struct FluidProperties {
   double kinematic_viscosity = unset;  ///< [m²/s]
   double conductivity = unset;         ///< [W/(m K)]
@@ -42,7 +42,7 @@ struct FluidProperties {
           .heat_capacity = heat_capacity};
 }
 
-/// Of the fluid at that temperature [K]. Formulas and sources: film.cpp.
+/// Properties of the fluid at that temperature [K]. Formulas and sources: film.cpp.
 [[nodiscard]] FluidProperties fluid_properties(model::Fluid fluid, double temperature);
 
 /// g of the correlations [m/s²].
@@ -58,7 +58,7 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
          (film_temperature * nu * nu);
 }
 
-/// What both of Churchill and Chu's laws share, (c + 0.387 Ra^(1/6)/(1 + (d/Pr)^(9/16))^(8/27))².
+/// Common form of both laws of Churchill and Chu, (c + 0.387 Ra^(1/6)/(1 + (d/Pr)^(9/16))^(8/27))².
 [[nodiscard]] inline double churchill_chu(double still, double prandtl_constant, double rayleigh,
                                           double prandtl) {
   const double fluid = std::pow(1.0 + std::pow(prandtl_constant / prandtl, 9.0 / 16.0), 8.0 / 27.0);
@@ -206,8 +206,8 @@ struct Channel {
           .length = turns * std::hypot(pi * c.diameter, c.pitch)};
 }
 
-/// Film of a coolant at its mean temperature [W/(m² K)]: that of the flow, or of the standing fluid
-/// where it is off. What stands conducts too, so that the film never falls below it.
+/// Film of a coolant at its mean temperature [W/(m² K)]: the film of the flow, or of the standing
+/// fluid where it is off. Standing fluid conducts too, so the film never falls below its value.
 [[nodiscard]] inline double coolant_film(const model::Coolant& c, double temperature, bool on) {
   if (!on || !(c.flow > 0.0)) return c.stagnant;
   return std::max(c.stagnant, channel_of(c).film(c.flow, fluid_properties(c.fluid, temperature)));

@@ -10,7 +10,7 @@
 
 namespace raceway::spindle {
 
-/// Where heat leaves to.
+/// Destinations of heat.
 enum class Reservoir { air, machine, coolant };
 inline constexpr std::size_t reservoirs = 3;
 
@@ -41,9 +41,9 @@ struct HeatPaths {
   [[nodiscard]] Eigen::Index size() const { return capacity.size(); }
   /// Heat that flows out to each reservoir [W].
   [[nodiscard]] std::array<double, reservoirs> outflow(const Vector& temperatures) const;
-  /// Of all ways and sources into each body [W].
+  /// Heat flow from all paths and sources into each body [W].
   [[nodiscard]] Vector inflow(const Vector& temperatures) const;
-  /// What does not depend on the temperatures of bodies in inflow() [W].
+  /// Part of inflow() that does not depend on the temperatures of bodies [W].
   [[nodiscard]] Vector constant_inflow() const;
 };
 

@@ -27,9 +27,9 @@ struct Cell : Region {
   [[nodiscard]] double length() const { return end - start; }
   [[nodiscard]] double section() const;        ///< solid, across the axis [m²]
   [[nodiscard]] double heat_capacity() const;  ///< [J/K]
-  /// From the middle to a face across the axis [K/W].
+  /// Resistance from the middle to a face across the axis [K/W].
   [[nodiscard]] double half_axial_resistance() const;
-  /// From the middle radius to the inner or the outer face, ln(r_f/r_m)/(2 π λ L) [K/W].
+  /// Resistance from the middle radius to the inner or the outer face, ln(r_f/r_m)/(2 π λ L) [K/W].
   [[nodiscard]] double inner_half_resistance() const;
   [[nodiscard]] double outer_half_resistance() const;
   [[nodiscard]] double middle_radius() const { return 0.5 * (inner_radius + outer_radius); }
@@ -49,7 +49,7 @@ struct OpenFace {
   enum class Side { front, rear, inner, outer } side = Side::outer;
   double area = unset;  ///< [m²]
   double half = unset;  ///< resistance from the middle of the cell [K/W]
-  /// Of a face along the axis.
+  /// Returns true for a face along the axis.
   [[nodiscard]] bool radial() const { return side == Side::inner || side == Side::outer; }
 };
 

@@ -13,7 +13,7 @@ namespace raceway::spindle {
 /// `standing` where it does neither, as at standstill.
 enum class Whirl { backward, standing, forward };
 
-/// As files write it: "backward".
+/// Name in files: "backward".
 [[nodiscard]] std::string_view name(Whirl whirl);
 
 struct Mode {
@@ -24,7 +24,7 @@ struct Mode {
   Eigen::VectorXd y, z;
 };
 
-/// How a search for modes ended.
+/// Outcome of a search for modes.
 enum class ModesStatus { not_run, converged, not_held, not_converged };
 
 struct Modes {
@@ -42,7 +42,7 @@ struct Modes {
 /// real and symmetric. Either is solved as B x = (1/ω) A x with A = diag(K, M), positive definite,
 /// by Lanczos iterations on the largest |1/ω|, in sparse matrices throughout.
 ///
-/// Domain:   speed >= 0 [rad/s]; springs at nodes of the beam, their planes those of y and z.
+/// Domain:   speed >= 0 [rad/s]; springs at nodes of the beam, their planes parallel to y and z.
 /// Accuracy: of the mesh (h² for many elements, exact in statics); of the solver near rounding.
 ///           Damping, axial and torsional modes and the housing's own are left out.
 [[nodiscard]] Modes find_modes(const Beam& beam, std::span<const Spring> springs, double speed,

@@ -5,7 +5,7 @@
 
 #include "record/units.h"
 
-/// What gain and time constant of a step response are at a power loss P.
+/// Gain and time constant of a step response as laws of the power loss P.
 namespace raceway::spindle {
 
 /// value = slope P + offset, by least squares, all points alike.
@@ -53,7 +53,7 @@ struct AtPower {
 struct PowerLaws {
   StraightLine gain_line = {}, time_line = {};  ///< [m/W], [m]; [s/W], [s]
   PowerLaw gain_power = {}, time_power = {};    ///< NaN where values differ in sign
-  /// Where both lines keep the sign that they have between the points: P from, up to [W]; infinite
+  /// Range of P in which both lines keep the sign that they have between the points [W]; infinite
   /// where they always do.
   double valid_from = unset, valid_to = unset;
 };

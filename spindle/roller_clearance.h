@@ -17,7 +17,7 @@ struct RollerSeats {
   model::SolidMaterial housing = {};
 };
 
-/// Rises of temperature over that of mounting [K].
+/// Rises of temperature over the mounting temperature [K].
 struct RollerTemperatures {
   double shaft = 0.0, inner_ring = 0.0, outer_ring = 0.0, housing = 0.0;
   double rollers = unset;  ///< NaN: the mean of the rings

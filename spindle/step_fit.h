@@ -10,7 +10,7 @@ namespace raceway::spindle {
 /// Files have time constants in minutes [s].
 inline constexpr double one_minute = 60.0;
 
-/// How a body answers a step: gain (1 - exp(-t/time_constant)).
+/// Response of a body to a step: gain (1 - exp(-t/time_constant)).
 struct Lag {
   double gain = unset;           ///< where it leads to [m]
   double time_constant = unset;  ///< [s]
@@ -26,7 +26,7 @@ struct StepFit {
   /// One leaves more than a hundredth of its gain, and two less than half of that.
   bool two_needed = false;
   /// The record lasts for two time constants at least; else gain and time constant of one lag are
-  /// a guess at what nobody saw.
+  /// extrapolated.
   bool settled = false;
 };
 
@@ -49,8 +49,8 @@ struct StepFit {
 ///
 ///   u(t) = Σ K_k exp(-t/T_k)
 ///
-/// They are what a delay element needs at rest: with gains of its own a decay would be cut into
-/// other lags than the step before it.
+/// A delay element needs these at rest: free gains would split a decay into other lags than the
+/// step before it.
 /// Method:   on a grid of logarithms that closes in on its best point, from a tenth of the first
 ///           time to thirty times the last.
 /// Accuracy: 1e-6 where the rows are of the law.

@@ -10,12 +10,12 @@
 
 namespace raceway::spindle {
 
-/// What a spindle does from rest with one speed, or one power, from t = 0 on.
+/// Response of a spindle at rest to one speed, or one power, from t = 0 on.
 struct StepResponse {
   std::string load_case = {};    ///< of one that was read; empty of one that was simulated
   double speed = unset;          ///< [rad/s]; NaN: only its power is known
   double power_start = unset;    ///< loss of all bearings at t = 0 [W]
-  double power_end = unset;      ///< and at the end: that of K(P) and T(P) [W]
+  double power_end = unset;      ///< at the end: the power of K(P) and T(P) [W]
   double kinematic = unset;      ///< displacement that is there at once [m]
   double end = unset;            ///< displacement at the end less the kinematic one [m]
   double front_force = unset;    ///< of the cold set at that speed [N]
@@ -23,7 +23,7 @@ struct StepResponse {
   StepFit fit = {};              ///< of the displacement less the kinematic one
   Status status = Status::not_run;
   std::string message = {};  ///< why there is no fit
-  /// What was fitted: since the step [s], less the kinematic part [m].
+  /// Data of the fit: time since the step [s], displacement less the kinematic part [m].
   std::vector<double> time = {}, displacement = {};
   [[nodiscard]] bool converged() const { return status == Status::converged; }
 };
@@ -67,7 +67,7 @@ enum class WhichLag { one, fast, slow };
 [[nodiscard]] std::vector<AtPower> at_powers(std::span<const StepResponse> steps,
                                              WhichLag which = WhichLag::one);
 
-/// Whether one lag does not do for one of the steps, and all of them have two.
+/// Returns true if one lag does not fit one of the steps, and all of them have two.
 [[nodiscard]] bool need_two(std::span<const StepResponse> steps);
 
 }  // namespace raceway::spindle

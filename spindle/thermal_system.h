@@ -29,7 +29,8 @@ class ThermalSystem {
 
   /// Conductances at these temperatures and inputs.
   void update(const Vector& temperatures, const Inputs& inputs);
-  /// Reservoirs and sources of these inputs; `machine_rise`: what the machine has drifted by [K].
+  /// Sets reservoirs and sources by these inputs; `machine_rise`: drift of the machine temperature
+  /// [K].
   void set_inputs(const Inputs& inputs, double machine_rise);
   /// Heat of motor, drive and seals [W].
   [[nodiscard]] double driven_heat() const { return driven_heat_; }

@@ -20,7 +20,7 @@ struct TrBdf2 {
   static constexpr double diagonal = 0.5 * gamma;
   static constexpr double weight = 0.25 * std::numbers::sqrt2;
   static constexpr std::array<double, 3> weights{weight, weight, diagonal};
-  /// Weights less those of the embedded method of order 3.
+  /// Weights minus the weights of the embedded method of order 3.
   static constexpr std::array<double, 3> error_weights{weight - (1.0 - weight) / 3.0,
                                                        weight - (3.0 * weight + 1.0) / 3.0,
                                                        diagonal - diagonal / 3.0};

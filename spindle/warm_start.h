@@ -9,7 +9,8 @@
 
 namespace raceway::spindle {
 
-/// What a spindle did before the first row of a run, where its thermometers say that it was warm.
+/// History of a spindle before the first row of a run, where its thermometers show that it was
+/// warm.
 struct WarmStart {
   Inputs inputs{};          ///< constant
   double duration = unset;  ///< [s]
@@ -22,11 +23,11 @@ struct WarmStart {
 
 /// The past of a run that agrees best with the thermometers of its first row; nothing where they
 /// are within 2 K of a run from cold, where the record has no room temperature, or where no past
-/// comes nearer than half of what a cold start misses.
+/// has less than half the error of a cold start.
 ///
-/// Tried are constant speeds (that of the first row, the mean and the highest) for a quarter of an
-/// hour to eight hours at the other inputs of the first row. The displacement was set to zero
-/// where its first row reads less than a quarter of what that past gives.
+/// Candidates are constant speeds (of the first row, the mean and the highest) for a quarter of an
+/// hour to eight hours at the other inputs of the first row. The displacement was set to zero where
+/// its first row reads less than a quarter of the displacement of that past.
 [[nodiscard]] std::optional<WarmStart> find_warm_start(const model::Model& model,
                                                        const record::Record& run,
                                                        std::span<const ProfileRow> profile);

@@ -6,10 +6,10 @@
 
 #include "rig/detail/speed_regression.h"
 
-/// Where a shaft is let go; behind coast_down_torque().
+/// Detection of the release of a shaft; used by coast_down_torque().
 namespace raceway::rig {
 
-/// What a release is judged by.
+/// Criteria for a release.
 struct ReleaseOptions {
   std::size_t fewest = 7;      ///< samples of a window
   std::size_t windows = 40;    ///< of a run, from which the noise is estimated
@@ -20,8 +20,8 @@ struct ReleaseOptions {
 /// rise by more than a tenth of the highest speed of the run, which noise does not reach.
 [[nodiscard]] std::vector<std::span<const Block>> starts(std::span<const Block> samples);
 
-/// How many samples of one start stand before the shaft was let go, the one of the release
-/// included; 0 where the record begins with the release.
+/// Number of samples of one start before the shaft was let go, the release included; 0 where the
+/// record begins with the release.
 ///
 /// A release is a kink of ω(t): what slows a free shaft depends on its speed, so dω/dt does not
 /// jump, while a drive that holds or raises the speed ends at once. At every sample two models of
@@ -35,7 +35,7 @@ struct ReleaseOptions {
 /// slope before it is, within two deviations, no steeper than a tenth of that after it. The
 /// variance is that of the part which coasts for certain (times (1 + r)/(1 - r) where neighbours
 /// correlate by r), or what the first model leaves where that is more, as of a drive that hunts.
-/// The search is repeated on what is left, so that run-up and plateau may have any form.
+/// The search is repeated on the remaining samples, so that run-up and plateau may have any form.
 ///
 /// Domain:   a fall that begins slowly is no plateau, however slow, as it has no kink. The release
 ///           stands within `largest_fall` of the highest speed: a brake, a seal or boundary

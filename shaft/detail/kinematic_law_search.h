@@ -24,7 +24,7 @@ struct LawRange {
   double lower_B, upper_B, lower_C, upper_C;
 };
 
-/// Where a descent ended.
+/// End point of a descent.
 struct LawOptimum {
   double size = unset;  ///< displacement at the highest speed [um]
   LawShape shape;
