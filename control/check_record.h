@@ -7,19 +7,19 @@
 #include "correction/model.h"
 #include "record/record.h"
 
-/// What a program of a plan is held to: rows of a record, and what `correct` makes of them.
+/// Check record for the program of a plan: rows of a record and the result of `correct` for them.
 namespace raceway::control {
 
-/// Of a record that somebody took: its first run, of which at most `most_rows` rows.
+/// Returns a check record from a measured record: its first run, at most `most_rows` rows.
 ///
-/// Inputs are held within the ranges of the models, since beyond them a control does on purpose
-/// something else; it ends where a power leaves its own. No rows where fewer than two are left.
+/// Inputs are limited to the ranges of the models, because a control deliberately deviates beyond
+/// them. The check ends where a power leaves its range. It has no rows if fewer than two remain.
 [[nodiscard]] ControlCheck check_of(const ControlPlan& plan,
                                     const std::vector<correction::Model>& models,
                                     const record::Record& record, std::size_t most_rows = 1000);
 
-/// Of one that is made up within the ranges: warming up, cooling down, speeds and feeds in blocks,
-/// a coolant that switches and a gap, long enough for the slowest section.
+/// Returns a synthetic check record within the ranges: warming up, cooling down, speeds and feeds
+/// in blocks, a coolant that switches and a gap, long enough for the slowest section.
 [[nodiscard]] ControlCheck made_up_check(const ControlPlan& plan,
                                          const std::vector<correction::Model>& models);
 

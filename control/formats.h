@@ -8,8 +8,8 @@
 
 /// Corrections as programs and tables that run without this one.
 ///
-/// All programs give the same numbers as `correct`, and say the same by their flags: see
-/// docs/control.md. `name` is that of the file without its end, as an identifier.
+/// All programs give the same numbers as `correct` and have flags of the same meaning: see
+/// docs/control.md. `name` is the file name without extension, as an identifier.
 namespace raceway::control {
 
 /// A file of Python 2.7 and 3 that needs its standard library alone.
@@ -25,7 +25,7 @@ namespace raceway::control {
 /// axes.
 [[nodiscard]] std::string control_hal(const ControlPlan& plan, std::string_view name,
                                       std::string_view program);
-/// Those that let it go back to 0 before LinuxCNC ends.
+/// The lines of HAL that return the offset to 0 before LinuxCNC ends.
 [[nodiscard]] std::string control_hal_shutdown(const ControlPlan& plan, std::string_view name,
                                                std::string_view program);
 

@@ -8,15 +8,15 @@
 #include "correction/control_settings.h"
 #include "correction/model.h"
 
-/// Corrections as numbers that a control runs, of which every format of `export` is written.
+/// Corrections as numbers for a control; every format of `export` is written from them.
 ///
-/// Units are those of the files throughout: um, C, K, W, rpm, m/min, s, N mm. All that changes
-/// slowly is a sum of sections in parallel, each a state of its own that follows its target by
+/// Units are the units of the files throughout: um, C, K, W, rpm, m/min, s, N mm. Every slow part
+/// is a sum of parallel sections. Each section has a state that follows its target by
 ///
 ///   s += (1 - exp(-dt/tau)) (target - s),   dt the time since the last call, as measured
 ///
-/// and where an input goes straight between two samples, as temperatures do, by the exact step for
-/// that. Polynomials become sections.
+/// For an input that goes straight between two samples, as temperatures do, the exact step for a
+/// ramp is used. Polynomials become sections.
 namespace raceway::control {
 
 inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
@@ -27,15 +27,15 @@ struct ControlInput {
   std::string identifier{};  ///< the same for languages that know no hyphen, unlike all others
   std::string unit{};        ///< "C"
   bool temperature = false;
-  /// What the numbers of the model were found in; NaN where that is not known.
+  /// Range of the input in the data of the fit; NaN where it is not known.
   double lowest = unset, highest = unset;
-  /// What it can be, how fast it can change [1/s], how long it can stand still [s]; NaN: not asked.
+  /// Plausible range, largest rate [1/s] and longest standstill [s]; NaN: not checked.
   double plausible_low = unset, plausible_high = unset, fastest_per_s = unset, stuck_s = unset;
   double smoothing_s = 0.0;  ///< that instant parts feel it with
 };
 
-/// What a model has seen of its inputs at once: |weights (x - mean)| is no larger than `farthest`.
-/// All but temperatures by their amount.
+/// Joint range of the inputs in the data of the fit: |weights (x - mean)| is at most `farthest`.
+/// All but temperatures enter by their absolute value.
 struct ControlTogether {
   std::vector<std::size_t> inputs{};
   std::vector<double> mean{};
@@ -51,7 +51,7 @@ struct ControlTable {
   std::vector<double> torque_Nmm{};                  ///< speed runs fastest
 };
 
-/// What makes a part move, u.
+/// Input u of a part.
 struct ControlDrive {
   enum class Kind {
     rise,   ///< mean of temperatures less their first ones, and less the rise of the reference [K]
@@ -117,9 +117,9 @@ struct ControlAxis {
   std::string column{};      ///< "displacement_z_um"
   std::string identifier{};  ///< as of an input
   std::string name{};        ///< of the model
-  std::string letter{};      ///< of the axis that it moves: "z"; empty where nobody says
+  std::string letter{};      ///< of the axis that it moves: "z"; empty if not given
   double sign = -1.0, limit_um = 100.0, slew_um_s = 1.0;
-  double unit_um = 1.0;  ///< of what is handed out
+  double unit_um = 1.0;  ///< of the output
   bool counts = false;   ///< whole numbers of it
   std::string output{};  ///< "offset_z_um", "offset_z_mm", "offset_z_counts"
   double offset_um = 0.0;
@@ -132,12 +132,12 @@ struct ControlAxis {
   std::vector<ControlKinematic> kinematics{};
 };
 
-/// A record with what `correct` makes of it, kept beside the numbers: what runs them can be held to
-/// it.
+/// A record with the result of `correct`, stored with the numbers, to check the program that runs
+/// them.
 struct ControlCheck {
   struct Row {
     double time_s = unset;
-    std::vector<double> inputs{};            ///< in their units, as those of the plan
+    std::vector<double> inputs{};            ///< in their units, in the order of the plan
     std::vector<double> displacements_um{};  ///< of the axes of the plan
   };
   std::vector<Row> rows{};  ///< none where there is no record
@@ -147,7 +147,7 @@ struct ControlPlan {
   std::string source{};  ///< name of the model file
   std::vector<ControlInput> inputs{};
   std::size_t speed = nowhere,
-              coolant = nowhere;            ///< those of the inputs that have a part of their own
+              coolant = nowhere;            ///< indices of the inputs with a special role
   std::vector<ControlTogether> together{};  ///< one for each model that says it
   std::vector<ControlTable> tables{};
   std::vector<ControlDrive> drives{};
@@ -155,7 +155,7 @@ struct ControlPlan {
   ControlCheck check{};
   correction::ControlSettings
       settings{};  ///< what is for all of them; the rest stands with inputs and axes
-  /// What of the models is not in it, or is in it otherwise, a sentence each.
+  /// Parts of the models that are missing in the plan or differ, a sentence each.
   std::vector<std::string> notes{};
 };
 

@@ -7,7 +7,7 @@
 
 namespace raceway::control {
 
-/// Whether a text is a table of coefficients that control_csv() wrote.
+/// Returns true for a table of coefficients that control_csv() wrote.
 [[nodiscard]] bool is_control_table(std::string_view text);
 
 /// The plan of such a table, of which numbers may have been changed; `source` stands in messages.

@@ -6,12 +6,12 @@
 
 namespace raceway::correction {
 
-/// Which constant is taken off before a prediction is compared: the zero of a displacement is
-/// arbitrary.
+/// Constant that is subtracted before a prediction is compared, because the zero of a displacement
+/// is arbitrary.
 enum class Zero {
   none,   ///< none: the offset of the model stands
-  first,  ///< that which makes the first reading of each run right
-  mean    ///< that which leaves least
+  first,  ///< the constant that makes the first reading of each run right
+  mean    ///< the constant with the smallest residual
 };
 
 /// The subject informed by a record, with the constant of every run, and the states that a warm

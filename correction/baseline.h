@@ -12,14 +12,14 @@
 /// Models that others have to beat, or that show why they are not used.
 namespace raceway::correction {
 
-/// Multiple linear regression on the inputs of the channels of a model and on further columns: a
-/// channel each with a feedthrough alone, so that it runs wherever models run. It has no memory and
-/// goes on in straight lines where nobody measured. Power is left out, with a message; what never
-/// varies or follows from the others, too.
+/// Multiple linear regression on the inputs of the channels of a model and on further columns. Each
+/// is a channel with a feedthrough alone, so that the result runs wherever models run. It has no
+/// memory and extrapolates linearly. Power is left out, with a message; so are inputs that never
+/// vary or follow from the others.
 ///
-/// Source:   least squares by QR, see regression.h; standard errors are widened for what is left
-///           following the rows before it. Held out: eight parts, each by the coefficients of the
-///           others.
+/// Source:   least squares by QR, see regression.h; standard errors are widened for the
+///           autocorrelation of the residual. Held out: eight parts, each by the coefficients of
+///           the others.
 /// Throws std::invalid_argument: no input, too few readings.
 [[nodiscard]] Identification regression_baseline(const Model& model,
                                                  const std::vector<const Channel*>& offered,
@@ -46,7 +46,7 @@ namespace raceway::correction {
 struct ArxFit {
   int order = 0;
   Metrics one_step{}, simulated{};
-  /// Simulated over the second half by what the first half gave.
+  /// Errors over the second half, simulated by the fit of the first half.
   Metrics second_half{};
   std::vector<std::complex<double>> poles{};  ///< of z, the largest first
   std::vector<double> time_constants{};       ///< of each [s]; NaN for one that is no decay
@@ -61,8 +61,8 @@ struct ArxBaseline {
   std::vector<record::Note> messages{};
 };
 
-/// On an even grid as fine as the readings come. Throws std::invalid_argument: no input, too few
-/// readings.
+/// Fits on an even grid as fine as the readings come. Throws std::invalid_argument: no input, too
+/// few readings.
 [[nodiscard]] ArxBaseline arx_baseline(const Model& model,
                                        const std::vector<const Channel*>& offered,
                                        const record::Record& record, int lowest, int highest);

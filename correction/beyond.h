@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-/// What was seen of an input, and how laws go on beyond it.
+/// Range of an input in the data of the fit, and continuation of laws beyond it.
 namespace raceway::correction {
 
 struct Interval {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-/// What a control does with a correction, [export] of a model file: docs/control.md.
+/// Settings of a correction on a control, [export] of a model file: docs/control.md.
 namespace raceway::correction {
 
 /// A value for all inputs or axes, and others for some of them.
@@ -30,22 +30,22 @@ struct ControlLimits {
   double low = 0.0, high = 0.0;
 };
 
-/// Units are those of files: um, s, C, and of an input that of its column.
+/// Units are the units of the files: um, s, C, and for an input the unit of its column.
 struct ControlSettings {
-  // Of axes, by the column of their displacement.
+  // Axes, by the column of their displacement.
   ByColumn<double> limit_um{100.0};  ///< an offset is at most this, either way
   ByColumn<double> slew_um_s{1.0};   ///< and goes no faster
   ByColumn<double> sign{-1.0};       ///< offset = sign * displacement: an axis moves against it
   ByColumn<std::string> unit{"um"};  ///< of what is handed out: "um", "mm", "counts"
   ByColumn<double> count_um{0.1};    ///< of one count
-  ByColumn<std::string> axis{};      ///< letter of the axis; empty: that of displacement_LETTER_um
-  // Of inputs, by their column.
+  ByColumn<std::string> axis{};  ///< letter of the axis; empty: LETTER of displacement_LETTER_um
+  // Inputs, by their column.
   ByColumn<ControlLimits> plausible{
       {-40.0, 150.0}, {}};  ///< `all`: of temperatures alone; others ten times their range
   ByColumn<double> fastest_per_s{1.0};  ///< `all`: of temperatures alone; 0: not asked
   ByColumn<double> stuck_s{3600.0};     ///< `all`: of temperatures alone; 0: not asked
   ByColumn<double> smoothing_s{0.0};    ///< that instant parts feel them with
-  // Of all.
+  // All axes and inputs.
   std::string on_fault = "last-safe";  ///< after the hold: "hold", "last-safe", "zero"
   double hold_s = 60.0, fade_s = 300.0;
   double longest_gap_s = 10.0, clock_jump_s = 1800.0;

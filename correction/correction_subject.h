@@ -26,9 +26,9 @@ class CorrectionSubject : public fit::Subject {
   [[nodiscard]] std::unique_ptr<fit::Predictor> predictor(
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
-  /// With the time constants that the record can tell, the columns that it has, and a zero for each
-  /// of its runs. Numbers that are found from a record have seen all of it: what the model said of
-  /// other records is gone.
+  /// The subject with the time constants that the record can show, the columns that it has, and a
+  /// zero for each of its runs. Parameters found from a record have seen all of it, so the ranges,
+  /// covariance and evidence of other records are dropped.
   [[nodiscard]] std::unique_ptr<fit::Subject> informed_by(const fit::Record& record) const override;
 
   /// The range of a model, where its numbers are held against another record.
@@ -45,19 +45,19 @@ class CorrectionSubject : public fit::Subject {
       std::span<const std::string> ids) const override;
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
   /// The candidate that a person means: "second-time-constant:ambient", or without what it acts on
-  /// where that is the main channel or the only axis. What is none stays as it is. Throws
-  /// std::invalid_argument where several are meant. Asked of a subject that a record informed.
+  /// where that is the main channel or the only axis. Unknown ids are returned unchanged. Throws
+  /// std::invalid_argument where several are meant. Call it on a subject that a record informed.
   [[nodiscard]] std::string meant_by(const std::string& id) const;
-  /// Sensors of which the last digit shows: it moves the displacement at once, and what is left
-  /// steps back with it and is no larger than that makes it. Asked of a model that was fitted.
+  /// Sensors whose resolution shows: the displacement steps with the last digit, and the residual
+  /// steps back by no more than this effect explains. For a fitted model.
   [[nodiscard]] std::vector<fit::Fault> faults(const fit::Record& record) const override;
   /// Eight parts of the record, one after the other, with as many readings each; eight of every run
   /// where an input moves within one part alone. Parts that still hold nearly all of what an input
   /// does are in none, nor is the first of a record that began warm.
   [[nodiscard]] std::vector<fit::Blocking> blockings(const fit::Record& record) const override;
 
-  /// What is no number of the model: the zero of each run after the first, and the states with
-  /// which a record begins that did not begin at rest [m].
+  /// Unknowns that are no numbers of the model: the zero of each run after the first, and the
+  /// initial states of a record that did not begin at rest [m].
   struct Beginning {
     fit::Parameter parameter{};
     int zero = 0;  ///< of which run, or
@@ -71,7 +71,7 @@ class CorrectionSubject : public fit::Subject {
   [[nodiscard]] Surroundings surroundings() const;
 
   Model model_;
-  // Of the record that informed it.
+  // Properties of the record that informed it.
   bool informed_ = false;
   TimeConstantLimits limits_{};
   std::vector<const Channel*> columns_{};  // inputs that vary

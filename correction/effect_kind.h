@@ -13,14 +13,14 @@
 
 namespace raceway::correction {
 
-/// What is known beforehand of an effect on a displacement over time.
+/// Properties of an effect on a displacement over time that are known beforehand.
 struct EffectCard {
   std::string_view id;
   std::string_view title;
   std::string_view form;      ///< u: input, x: state, y: displacement
   std::string_view needs;     ///< of a record, in words
   std::string_view confused;  ///< with what
-  /// In the units of files. A unit "um/u" is per unit of what drives it.
+  /// Parameters, in the units of files. A unit "um/u" is per unit of the input.
   std::span<const record::NumberCard> numbers;
   std::size_t size = 0;      ///< which of them changes nothing at its neutral value
   bool of_channel = false;   ///< changes how a channel answers; otherwise adds a share of its own
@@ -31,7 +31,7 @@ struct EffectCard {
   bool needs_input = false;  ///< its columns cannot be left out in a file
 };
 
-/// What of a record decides where effects can act on a model.
+/// Properties of a record that decide where effects can act on a model.
 struct Surroundings {
   const Model& model;
   std::span<const Channel* const> varying{};  ///< inputs of the record that vary
@@ -39,11 +39,11 @@ struct Surroundings {
   double end = 0.0;                           ///< behind the last row [s]
 
   [[nodiscard]] bool varies(const Channel& column) const;
-  /// Whether the first channel is a sum of lags, which effects can change.
+  /// Returns true if the first channel is a sum of lags, which effects can change.
   [[nodiscard]] bool first_channel_lags() const {
     return !model.channels.empty() && !model.channels.front().sections.empty();
   }
-  /// How an effect names a channel that it acts on: the first one goes without saying.
+  /// Name of a channel that an effect acts on; empty for the first one.
   [[nodiscard]] std::string where(const DrivenChannel& channel) const {
     return &channel == &model.channels.front() ? std::string() : channel.name;
   }
@@ -51,7 +51,7 @@ struct Surroundings {
   [[nodiscard]] std::vector<const Channel*> unused(bool (*is_of_kind)(const Channel&)) const;
 };
 
-/// A model that was fitted to a record, and what it leaves there.
+/// A model that was fitted to a record, and its residual there.
 struct FittedRecord {
   const Model& model;
   const Series& series;
@@ -77,26 +77,26 @@ class EffectKind {
 
   /// Numbers of the card that the effect has, switched on as it is.
   [[nodiscard]] virtual std::span<const record::NumberCard> numbers(const Effect& effect) const;
-  /// Whether a file may leave out this number and those after it.
+  /// Returns true if a file may leave out this number and those after it.
   [[nodiscard]] virtual bool may_end_before(std::size_t number) const;
-  /// Whether the displacement changes in proportion to a number.
+  /// Returns true if the displacement is proportional to a number.
   [[nodiscard]] virtual bool is_proportional(std::size_t number) const;
-  /// Bounds of a number, where a record of these limits tells of it.
+  /// Bounds of a number; `limits` of the record apply to time constants.
   [[nodiscard]] virtual Interval bounds(const Effect& effect, std::size_t number,
                                         const Model& model, const TimeConstantLimits& limits) const;
-  /// Under which a file takes a number: "gain_um_K".
+  /// Key of a number in a file: "gain_um_K".
   [[nodiscard]] virtual std::string key(const Effect& effect, std::size_t number,
                                         const Model& model) const;
 
-  /// What drives the effect: its columns, else the input of the channel that it acts on.
+  /// Input of the effect: its columns, else the input of the channel that it acts on.
   [[nodiscard]] virtual Input input(const Effect& effect, const Model& model) const;
-  /// Columns that it needs beside those of its input.
+  /// Columns that it needs in addition to its input.
   [[nodiscard]] virtual std::vector<const Channel*> other_columns(const Effect& effect) const;
 
   /// Faults of this kind that the record itself shows. Default: none.
   [[nodiscard]] virtual std::vector<fit::Fault> faults(const FittedRecord& in) const;
 
-  /// What it adds to the displacement.
+  /// Contribution to the displacement.
   [[nodiscard]] virtual Share share(const Effect& effect, const Model& model) const;
   /// Changes how the channel answers that it acts on.
   virtual void change(const Effect& effect, const Model& model, Answer& answer) const;

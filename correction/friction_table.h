@@ -13,9 +13,9 @@ struct FrictionTable {
   /// [N m]; speed runs fastest, then load, then temperature.
   std::vector<double> torque{};
 
-  /// Between its points in straight lines; outside of its axes the value at the edge holds.
+  /// Interpolates linearly; outside of its axes the value at the edge holds.
   [[nodiscard]] double operator()(double of_speed, double load, double of_temperature) const;
-  /// Whether a point lies within the axes; an axis of one value takes all.
+  /// Returns true for a point within the axes; an axis of one value accepts all.
   [[nodiscard]] bool holds(double of_speed, double load, double of_temperature) const;
 };
 

@@ -23,11 +23,11 @@ struct Unknown {
   double walk = 0.0;                                        ///< q, its unit by the root of a second
   double first_std = unset;                                 ///< at the beginning; NaN: s
   double bound = std::numeric_limits<double>::infinity();   ///< of its amount
-  /// It moves the unknown of this place as its rate, dx_k/dt = x; none where it is negative.
+  /// Index of the unknown whose rate this one is, dx_k/dt = x; none where it is negative.
   int rate_of = -1;
 };
 
-/// What is known of a sum of unknowns from readings of it that come now and then.
+/// Estimate of a sum of unknowns from occasional readings of it.
 ///
 ///   y(t) = sum_j h_j(t) x_j(t) + v,   v ~ N(0, r²)
 ///
@@ -39,8 +39,8 @@ struct Unknown {
 ///
 /// and where all T_j are endless, recursive least squares with a ridge r²/s².
 ///
-/// Source:   derivation above; tests hold it to the dense solution of the regression.
-/// Units:    x_j and h_j in any whose product is that of y.
+/// Source:   derivation above; tests compare it with the dense solution of the regression.
+/// Units:    x_j and h_j any units whose product is the unit of y.
 /// Domain:   s_j, T_j, r > 0; time goes forward.
 /// Trap:     a bound is kept after each reading by moving along the covariance to where it holds;
 ///           the covariance is left as it was.
@@ -53,14 +53,14 @@ class UnknownsFilter {
     double mean = 0.0;
     double variance = 0.0;  ///< of the sum without the noise of a reading
   };
-  /// Of the sum with weights h, a time dt [s] from now.
+  /// Mean and variance of the sum with weights h, a time dt [s] from now.
   [[nodiscard]] Expected expected(std::span<const double> weights, double dt) const;
 
   /// Goes on by dt without a reading.
   void advance(double dt);
   /// Learns a reading of the sum with these weights and of this noise, now.
   void learn(std::span<const double> weights, double reading, double reading_std);
-  /// Forgets everything of one unknown but what it was at the beginning.
+  /// Resets one unknown to its initial state.
   void reset(std::size_t unknown);
 
   [[nodiscard]] const std::vector<Unknown>& unknowns() const { return unknowns_; }

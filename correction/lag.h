@@ -8,7 +8,7 @@
 
 namespace raceway::correction {
 
-/// How an input goes from one sample to the next.
+/// Course of an input between two samples.
 enum class Hold {
   straight,  ///< along a straight line, as temperatures do: first-order hold
   held       ///< as it was set, by the clock's settings_hold: zero-order hold
@@ -39,7 +39,7 @@ inline LagStep lag_step(double ratio, Hold hold) {
   return {1.0 - rise, rise - new_weight, new_weight};
 }
 
-/// When the rows of a record were taken.
+/// Times of the rows of a record.
 struct Clock {
   std::vector<double> steps{};  ///< time since the row before [s]; 0 where a run begins
   std::vector<bool> begins{};   ///< a run begins with this row, and with it the simulation

@@ -9,7 +9,7 @@ namespace raceway::correction {
 
 struct LagBankOptions {
   std::vector<const Channel*> inputs{};  ///< columns that drive
-  /// Of the lags of every input [s], 0: at once. Empty: usual_lags().
+  /// Time constants of the lags of every input [s], 0: at once. Empty: usual_lags().
   std::vector<double> time_constants{};
   std::function<void(double share, std::string_view step)> progress{};
   std::function<bool()> cancelled{};  ///< as of IdentifyOptions
@@ -32,10 +32,10 @@ struct LagBankOptions {
 /// Parts held out of the middle would favour gains that hold within the record alone, and the best
 /// strength alone is chosen by little more than chance.
 ///
-/// Where many sensors tell of bodies that nobody knows, this predicts better than a few sections
-/// with time constants of their own, which fit as well and go astray; it explains nothing. Gains
-/// have no standard error: ridge draws them to 0. Where the model does not say what is free, the
-/// offset alone is from then on.
+/// With many sensors on unknown bodies, this predicts better than a few sections with their own
+/// time constants, which fit equally well but extrapolate badly. It explains nothing. Gains have no
+/// standard error, because ridge shrinks them to 0. If the model does not list its free parameters,
+/// only the offset is free from then on.
 /// Source: ridge regression [HoerlKennard1970]; the bank of lags and its weights are ours, chosen
 /// on the record of docs/spindle-record.md.
 ///

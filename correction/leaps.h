@@ -22,8 +22,8 @@ namespace raceway::correction {
 inline constexpr double seen_leap_of_a_sensor = 0.5;
 
 /// Rows before which a temperature leaps, as no body with a capacity does: by more than half a
-/// kelvin, and by more than four times what it changes by in the rows beside, in one run at equal
-/// steps of time and with the speed as it was for three rows.
+/// kelvin, and by more than four times its change in the neighbouring rows, in one run at equal
+/// time steps and at a speed that is constant for three rows.
 [[nodiscard]] std::vector<std::size_t> leaping_rows(const record::Record& record,
                                                     const record::Channel& column);
 

@@ -9,10 +9,10 @@
 
 namespace raceway::correction {
 
-/// How a correction learns from a probe that reads the displacement now and then.
+/// Settings for learning from a probe that reads the displacement now and then.
 struct LearningOptions {
   double every = 0.0;  ///< [s] at least between two readings that are offered; 0: all
-  /// What the model leaves, as a standard deviation [m]; NaN: its tolerance, else usual_misfit.
+  /// Standard deviation of the residual of the model [m]; NaN: its tolerance, else usual_misfit.
   double misfit = unset;
   double reading_std = unset;  ///< [m]; NaN: measured_std of the model, else usual_reading_std
   double forgetting = 7.0 * 24.0 * 3600.0;  ///< memory of gains: they return to the model's [s]
@@ -23,7 +23,7 @@ struct LearningOptions {
 inline constexpr double usual_misfit = 2.0 * um;
 inline constexpr double usual_reading_std = 0.3 * um;
 
-/// What became of a reading that a probe offered.
+/// Result for a reading that a probe offered.
 struct OfferedReading {
   std::size_t row = 0;
   double reading = unset, predicted = unset;  ///< [m]; the prediction before it was learnt
@@ -36,14 +36,14 @@ struct OfferedReading {
 /// A part of the model whose size is learnt.
 struct LearntGain {
   std::string name{};  ///< of the channel or the effect; "kinematic"; of a lag with its time
-  /// By which share it is larger than in the model [1]; of a lag that the model lacks what half the
-  /// range of the input moves [m].
+  /// Relative difference to the model [1]; for a lag that the model lacks, the displacement by half
+  /// the range of the input [m].
   double value = 0.0;
   double std = unset;  ///< the same
   bool is_lag = false, at_bound = false;
 };
 
-/// Why the model should be identified anew.
+/// Reason to identify the model anew.
 struct IdentificationDue {
   std::size_t row = 0;
   std::string reason{};
@@ -66,7 +66,7 @@ struct Learning {
   ErrorBetween error{};
   double tolerance = unset;               ///< [m]
   std::size_t rows_beyond_tolerance = 0;  ///< less sure than the tolerance
-  /// After the last row with what drives it then, until the prediction is less sure than the
+  /// Time after the last row, with its inputs, until the uncertainty of the prediction exceeds the
   /// tolerance [s]: 0 now, infinite never; NaN without a tolerance or a reading.
   double next_reading = unset;
   double level = 1.0;  ///< of what the model leaves over what was expected of it [1]
@@ -81,17 +81,18 @@ struct Learning {
 ///
 /// f: the model, with contributions c_j. z: zero of the run, unknown until its first reading, then
 /// a random walk by one misfit in the root of an hour, and a drift by half a misfit an hour with a
-/// memory of 12 h. d_i: what the model leaves and what is wrong with the states of its slow
-/// sections, a process for half an hour and each slow time constant, together a fifth of a misfit.
-/// a_j: shares by which contributions are larger. b_l: lags of 0.5, 2 and 8 h of the inputs that
-/// the model lacks, s_l in half ranges of the input, together 2 misfits. a and b return to 0 with
-/// the forgetting time. v: noise of a reading. All are estimated at once by an UnknownsFilter. How
-/// large they are beside v follows from the readings: their variance is taken times a level, the
-/// mean over what was expected of the last 32 or so, the model's word for it counting as 8.
+/// memory of 12 h. d_i: the residual and errors in the states of the slow sections of the model, a
+/// process for half an hour and each slow time constant, together a fifth of a misfit. a_j: shares
+/// by which contributions are larger. b_l: lags of 0.5, 2 and 8 h of the inputs that the model
+/// lacks, s_l in half ranges of the input, together 2 misfits. a and b return to 0 with the
+/// forgetting time. v: noise of a reading. All are estimated at once by an UnknownsFilter. Their
+/// size relative to v follows from the readings: their variance is multiplied by level², the mean
+/// ratio of actual to expected variance over about the last 32 readings, with the expectation of
+/// the model counted as 8.
 ///
-/// A reading further off than 5 times of what is expected is refused, and the next one is offered
-/// whatever the interval. If it agrees with the one refused, or two before it were refused, the
-/// zero is taken anew.
+/// A reading further off than 5 expected standard deviations is refused, and the next one is
+/// offered whatever the interval. If it agrees with the refused one, or two before it were refused,
+/// the zero is set anew.
 ///
 /// Source:   a Kalman filter; sizes and times are ours, chosen on the record of docs/correction.md
 ///           with models of three beginnings of it.

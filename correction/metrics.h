@@ -6,8 +6,8 @@
 
 namespace raceway::correction {
 
-/// How far a simulated displacement is from a measured one, by the definitions that papers use side
-/// by side. Residue: measured minus simulated. All [SI] but where a percentage is said.
+/// Errors of a simulated displacement, by the different definitions in papers. Residue: measured
+/// minus simulated. All [SI] except percentages.
 struct Metrics {
   std::size_t readings = 0;
   double rms = unset, mean_abs = unset, max_abs = unset;
@@ -17,7 +17,7 @@ struct Metrics {
   double peak_to_peak = unset;
   /// (1 - |y - s| / |y - mean of y|) 100, y measured: 100 is perfect, 0 no better than the mean.
   double fit_percent = unset;
-  /// How much smaller the largest residue is than the largest displacement [%].
+  /// Reduction of the largest residue relative to the largest displacement [%].
   double reduction_of_max_percent = unset;
 };
 

@@ -23,16 +23,17 @@ using record::Channel;
 
 class OwnEffect;
 
-/// What drives a channel.
+/// Input of a channel.
 ///
 /// Temperatures count from the first row of a run. Feeds and speeds act by their absolute value.
 struct Input {
   std::string name{};                     ///< as the file has it: "power_W", or the only column
   std::vector<const Channel*> columns{};  ///< of which the mean drives
-  const Channel* reference = nullptr;     ///< of which the rise is taken off that of the input
-  /// Of a speed n, which then counts as n (n/1000 rpm)^(exponent - 1): heat rises faster than n.
+  const Channel* reference = nullptr;     ///< its rise is subtracted from the rise of the input
+  /// Exponent for a speed n, which then counts as n (n/1000 rpm)^(exponent - 1): heat rises faster
+  /// than n.
   double exponent = 1.0;
-  Interval seen{};  ///< of that speed [SI], beyond which the power is continued()
+  Interval seen{};  ///< range of that speed in the fit [SI]; the power is continued() beyond it
   std::shared_ptr<const FrictionTable> table{};  ///< power: its torque at the speed times the speed
   double axial_load = unset;                     ///< [N], of the power
   double temperature = unset;                    ///< [K], of the power, where no column has it
@@ -45,8 +46,8 @@ struct Input {
   [[nodiscard]] bool is_power() const { return table != nullptr; }
   /// Nothing drives.
   [[nodiscard]] bool is_none() const { return columns.empty() && !table && !formula; }
-  /// What gains are per: "K", "W", "m/min" or "rpm" for people, "K", "W", "m_min", "rpm" in keys,
-  /// and one of them in SI.
+  /// Unit of the input in gains: "K", "W", "m/min" or "rpm" for people, "K", "W", "m_min", "rpm" in
+  /// keys, and one of them in SI.
   [[nodiscard]] std::string_view unit() const;
   [[nodiscard]] std::string_view key_unit() const;
   [[nodiscard]] double factor() const;
@@ -59,7 +60,7 @@ struct Section {
   double time_constant = unset;  ///< [s]
 };
 
-/// One body that moves, as one input tells of it.
+/// A body that moves, described by one input.
 struct DrivenChannel {
   std::string name{};
   Input input{};
@@ -87,14 +88,14 @@ struct Effect {
   bool off = false;  ///< one of the user's own that waits to be added: a candidate
 };
 
-/// Where a machine stood when its record began.
+/// Initial state of the machine at the start of its record.
 enum class InitialState { rest, free };
 /// "rest" or "free"
 [[nodiscard]] constexpr std::string_view name(InitialState state) {
   return state == InitialState::free ? "free" : "rest";
 }
 
-/// What was seen when the numbers were found: outside of it nobody knows.
+/// Range of a column in the data of the fit.
 struct SeenRange {
   const Channel* column = nullptr;      ///< null: the power of a channel
   std::string name{};                   ///< of the column, or of the channel
@@ -110,19 +111,19 @@ struct SeenTogether {
   double farthest = unset;  ///< distance of the farthest point from the mean [1]: see range.h
 };
 
-/// What the fitted model left of its readings.
+/// Residual of the fitted model.
 struct Left {
   double rms = unset;               ///< on parts that no fit saw, where there are any [m]
-  double correlation_time = unset;  ///< how long it remembers itself [s]
+  double correlation_time = unset;  ///< [s]
 };
 
-/// What is known of a fitted model on readings that its fit did not see: trust.h judges by it.
+/// Evidence for a fitted model from readings that its fit did not see; trust.h judges by it.
 struct Evidence {
   double error = unset;        ///< RMS on them, NaN where there are none [m]
   double uncorrected = unset;  ///< RMS of the readings, one constant taken off each run [m]
   double duration = unset;     ///< of the readings of the longest run [s]
   bool one_way = false;        ///< the readings go from one state to another once
-  bool other_record = false;   ///< error and uncorrected are of a record beside that of the fit
+  bool other_record = false;   ///< error and uncorrected are of another record than the fit
 };
 
 struct Model {

@@ -27,7 +27,7 @@ struct Number {
 /// All of them, in the order of the file. They point into the model, which outlives them.
 [[nodiscard]] std::vector<Number> numbers(Model& model, const TimeConstantLimits& limits = {});
 
-/// The same without places.
+/// The parameters without places in the model.
 [[nodiscard]] std::vector<record::Parameter> parameters(const Model& model,
                                                         const TimeConstantLimits& limits = {});
 
@@ -36,7 +36,7 @@ struct Number {
 /// std::invalid_argument for a name that is none.
 [[nodiscard]] std::vector<std::string> free_names(const Model& model);
 
-/// Whether that is the name of a group of parameters, "gains".
+/// Returns true for the name of a group of parameters, as "gains".
 [[nodiscard]] bool is_group(std::string_view name);
 
 /// The shortest time constant of a lag of that input [s]. What follows power or speed faster than a
@@ -46,7 +46,7 @@ struct Number {
 /// The channel of that name, or the first one for an empty name; null where there is none.
 [[nodiscard]] const DrivenChannel* find_channel(const Model& model, std::string_view name);
 
-/// What drives an effect: see EffectKind::input().
+/// Input of an effect: see EffectKind::input().
 [[nodiscard]] Input input_of(const Effect& effect, const Model& model);
 
 /// "ambient-drift", or "second-time-constant:ambient" where it says which channel or axis.

@@ -38,7 +38,7 @@ class OwnEffect final : public EffectKind {
   [[nodiscard]] const std::vector<const Channel*>& columns() const { return columns_; }
   [[nodiscard]] bool follows_a_temperature() const;
 
-  /// Of one row: the columns in the order of columns(), in their units; the parameters.
+  /// Value in one row: the columns in the order of columns(), in their units; the parameters.
   [[nodiscard]] double value(std::span<const double> columns, std::span<const double> parameters,
                              std::vector<double>& scratch) const;
 
@@ -55,7 +55,7 @@ class OwnEffect final : public EffectKind {
     std::size_t index = 0;
   };
 
-  /// Where the parameters begin among the numbers.
+  /// Index of the first parameter among the numbers.
   [[nodiscard]] std::size_t first_parameter() const { return given_.lags ? 2 : 1; }
 
   Given given_;

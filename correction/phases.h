@@ -7,12 +7,13 @@
 
 namespace raceway::correction {
 
-/// What a machine did before a row, for saying where a model fails.
+/// State of a machine before a row, to show where a model fails.
 inline constexpr record::Channel phase{
     .name = "phase", .variable = "phase", .words = "phase", .role = record::Role::run};
 
-/// By row: "after a change of speed" (15 min); "rising" and "falling" where the displacement has
-/// gone by more than 5 % of its span in the last half hour; else "at rest" or "steady".
+/// Phase of each row: "after a change of speed" (15 min); "rising" and "falling" where the
+/// displacement changed by more than 5 % of its span in the last half hour; else "at rest" or
+/// "steady".
 [[nodiscard]] std::vector<std::string> phases(const record::Record& record,
                                               const record::Channel& displacement);
 

@@ -11,7 +11,7 @@ namespace raceway::correction {
 /// where there is none, or fewer than three values.
 [[nodiscard]] double quantum_of(const record::Channel& channel, std::span<const double> values);
 
-/// What a sensor that steps may have stood at: straight between the changes of its last digit,
+/// Likely values between the steps of a sensor: straight between the changes of its last digit,
 /// where the value is half-way, and at the digit itself in the middle of a turn. `begins`: a run
 /// begins with this row.
 [[nodiscard]] std::vector<double> between_digits(std::span<const double> time,

@@ -9,33 +9,33 @@
 #include "correction/series.h"
 #include "verdict/calibrate.h"
 
-/// What the numbers of a model come from, and where a record asks it for something else.
+/// Range of the data that the numbers of a model come from, and departures of a record from it.
 namespace raceway::correction {
 
 /// Fills in what every input did on a record up to its last reading, and all of them at once.
 void see(Model& model, const record::Record& record);
 
-/// The model of a calibration on a record, with what that showed, the covariance of what was fitted
-/// and what is left.
+/// The model of a calibration on a record, with the ranges and evidence of the record, the
+/// covariance of the fitted numbers and the residual.
 [[nodiscard]] Model trusted(const verdict::Calibration& found, const record::Record& record);
 
-/// Takes out what is of another record: ranges, covariance, what was left, evidence.
+/// Removes everything that belongs to another record: ranges, covariance, residual, evidence.
 void forget_what_was_seen(Model& model);
 
-/// Of a column, all but temperatures by their amount [SI]; of the speed [rpm], and of the power of
-/// a channel [W]; all where nothing is known.
+/// Range in the data of the fit: of a column, all but temperatures by their absolute value [SI]; of
+/// the speed [rpm]; of the power of a channel [W]. Unbounded where nothing is known.
 [[nodiscard]] Interval seen_of(const Model& model, const Channel& column);
 [[nodiscard]] Interval seen_speed(const Model& model);
 [[nodiscard]] Interval seen_power(const Model& model, const DrivenChannel& channel);
 
-/// How far inputs x (of `columns`, SI, all but temperatures by their amount) stand from what was
-/// seen together [1].
+/// Distance of inputs x (of `columns`, SI, all but temperatures by their absolute value) from their
+/// mean in the data of the fit [1].
 ///
 ///   d = sqrt(zᵀ (R + 0.01 I)^-1 z),   z = (x - mean)/std, R their correlation
 ///
-/// The distance of [Mahalanobis1936], which grows with the spread of an input and where inputs that
-/// went together part. 0.01: two that went together exactly may differ by what a tenth of their
-/// spread is, before that counts as one spread.
+/// The distance of [Mahalanobis1936], which grows with the spread of an input and where correlated
+/// inputs part. 0.01: two exactly correlated inputs may differ by a tenth of their spread before
+/// that counts as one spread.
 class Distance {
  public:
   explicit Distance(const SeenTogether& seen);
@@ -49,7 +49,7 @@ class Distance {
   Eigen::MatrixXd weights_;
 };
 
-/// Where a record leaves what was seen.
+/// Departures of a record from the range of the fit.
 struct Beyond {
   struct Part {
     const Channel* column = nullptr;  ///< null: a power, or the inputs together
@@ -67,10 +67,9 @@ struct Beyond {
 };
 [[nodiscard]] Beyond beyond_range(const Model& model, const Series& series);
 
-/// How much of the prediction comes from beyond what was seen, at every row [m]: the sum over its
-/// parts of |part - the same with each input held at the edge of its range, and all of them drawn
-/// to their mean until they are no farther than they were together|. 0 at all rows of a record that
-/// stays within.
+/// Part of the prediction from outside the range of the fit, at every row [m]: the sum over parts
+/// of |part - part with each input limited to its range, and all of them moved towards their mean
+/// until they are inside the joint range|. 0 at all rows of a record within the range.
 [[nodiscard]] std::vector<double> extrapolated(const Model& model, const Series& series,
                                                const Beyond& beyond);
 

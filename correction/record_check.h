@@ -9,7 +9,7 @@
 
 namespace raceway::correction {
 
-/// What a record over time is worth for a model.
+/// Properties of a record over time that matter for a model.
 struct RecordCheck {
   struct Quantum {
     const Channel* column = nullptr;
@@ -29,11 +29,12 @@ struct RecordCheck {
   std::vector<Quantum> quanta{};
   std::vector<Printed> printed{};  ///< polynomials of the model
   std::vector<record::Note> warnings{};
-  /// Those of them that are of sensors on which the model itself rests.
+  /// Warnings that concern the sensors of the model's inputs.
   std::vector<record::Note> of_its_inputs{};
 };
 
-/// Where a power lies beyond what its delay element can take, in a sentence; empty where none does.
+/// Describes where a power exceeds the range of its delay element, in a sentence; empty where it
+/// never does.
 [[nodiscard]] std::string power_beyond_element(const Model& model, const record::Record& record);
 
 [[nodiscard]] RecordCheck check_record(const Model& model, const record::Record& record);

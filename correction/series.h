@@ -14,7 +14,7 @@
 
 namespace raceway::correction {
 
-/// How a channel answers where it is more than a lag.
+/// Response of a channel that is more than a lag.
 struct Answer {
   double sensor_time_constant = 0.0;               ///< [s]: the input is T (1 + it s)
   double off_gain = 1.0, off_time_constant = 1.0;  ///< ratios where coolant_on is 0
@@ -28,7 +28,7 @@ struct Answer {
   }
 };
 
-/// What a speed or feed counts as that drives a channel, without its sign: see Input::exponent.
+/// Effective size of a speed or feed that drives a channel, without its sign: see Input::exponent.
 [[nodiscard]] double driving_size(double value, double exponent);
 
 /// A record over time as the models of this folder need it: the time between its rows, inputs
@@ -42,9 +42,9 @@ class Series {
   [[nodiscard]] const record::Record& record() const { return record_; }
   [[nodiscard]] std::size_t rows() const { return clock_.rows(); }
   [[nodiscard]] const Clock& clock() const { return clock_; }
-  /// Since the first row of its run [s].
+  /// Time since the first row of the run [s].
   [[nodiscard]] std::span<const double> time() const { return time_; }
-  /// Of which zero of the displacement each row is: that of its run and of how it was clamped.
+  /// Index of the zero of the displacement for each row: one per run and clamping state.
   [[nodiscard]] std::span<const int> zero() const { return zero_; }
   [[nodiscard]] int zeros() const { return zeros_; }
   [[nodiscard]] std::span<const double> speed_rpm() const { return speed_rpm_; }
@@ -52,7 +52,7 @@ class Series {
   [[nodiscard]] std::span<const double> coolant() const { return coolant_; }
 
   using Values = std::shared_ptr<const std::vector<double>>;
-  /// What drives, at every row, SI: a rise of temperature [K], a power [W], a speed, a feed. Throws
+  /// Input at every row, SI: a rise of temperature [K], a power [W], a speed, a feed. Throws
   /// std::invalid_argument for a column that the record lacks.
   [[nodiscard]] Values input(const Input& input) const;
   /// Input of a part that answers at once, as the reading in each row sees it.
@@ -80,7 +80,7 @@ class Series {
   [[nodiscard]] double id_of(const Input& input) const;
   [[nodiscard]] std::vector<double> power(const Input& input) const;
   [[nodiscard]] std::vector<double> formula(const Input& input) const;
-  /// Under which what `input` drives is kept.
+  /// Key of the stored values of `input`.
   [[nodiscard]] Key key_of(const Input& input) const;
   void answer(const std::vector<double>& input, record::Course course, double time_constant,
               const Answer& answer, std::vector<double>& state) const;

@@ -39,8 +39,8 @@ struct JumpShare {
   std::vector<Jump> jumps{};
 };
 
-/// What an effect adds to the displacement. Simulation, step responses and exported programs are
-/// made of it, so that they agree. Empty for an effect that changes how a channel answers.
+/// Contribution of an effect to the displacement. Simulation, step responses and exported programs
+/// use it, so that they agree. Empty for an effect that changes the response of a channel.
 using Share =
     std::variant<std::monostate, DrivenShare, MotorShare, SettlingShare, JumpShare, Kinematic>;
 

@@ -9,7 +9,7 @@
 
 namespace raceway::correction {
 
-/// What one part of a model adds to the displacement, at every row [m].
+/// Contribution of one part of a model to the displacement, at every row [m].
 struct Contribution {
   std::string name{};  ///< of the channel or the effect; "kinematic"
   std::vector<double> displacement{};
@@ -21,13 +21,13 @@ struct Contribution {
 /// where the record lacks an input, or its sampling is not that of printed coefficients.
 void simulate(const Model& model, const Series& series, std::span<double> displacement);
 
-/// The same by its parts, offset left out.
+/// Contributions of the parts to the displacement, without the offset.
 [[nodiscard]] std::vector<Contribution> contributions(const Model& model, const Series& series);
 
-/// How a channel of a model answers, by the effects that act on it.
+/// Response of a channel of a model, with the effects that act on it.
 [[nodiscard]] Answer answer_of(const Model& model, const DrivenChannel& channel);
 
-/// Columns that a model needs beside the time.
+/// Columns that a model needs in addition to the time.
 [[nodiscard]] std::vector<const Channel*> inputs_of(const Model& model);
 
 }  // namespace raceway::correction

@@ -8,7 +8,7 @@
 
 namespace raceway::correction {
 
-/// What a step of one input does over time, from rest. A part is a lag: gain (1 - exp(-t/T)).
+/// Response to a step of one input over time, from rest. A part is a lag: gain (1 - exp(-t/T)).
 struct StepResponse {
   std::string name{};   ///< of the channel or the effect
   std::string input{};  ///< that steps, as people read it
@@ -22,7 +22,7 @@ struct StepResponse {
   std::vector<Part> parts{};
   double at_once = 0.0;               ///< what comes without any lag [m]
   double sensor_time_constant = 0.0;  ///< of a sensor that follows late [s]
-  /// Of printed coefficients instead: displacement sample by sample [m].
+  /// For printed coefficients instead of parts: displacement sample by sample [m].
   std::vector<double> sampled{};
   double sampling = unset;  ///< [s]
   /// Effects with which the channel answers otherwise than drawn: at other speeds, in falling, with
@@ -30,9 +30,10 @@ struct StepResponse {
   std::vector<std::string> changed_by{};
 };
 
-/// Of all channels of a model and of those of its effects that are lags, with a step of 1 K, W or
-/// m/min, or 1000 rpm. The record tells at which powers a delay element is shown (the median above
-/// zero and the largest), and how long printed coefficients run. What acts at once is left out.
+/// Step responses of all channels of a model and of the effects that are lags, to a step of 1 K, W
+/// or m/min, or 1000 rpm. The record gives the powers at which a delay element is shown (the median
+/// above zero and the largest) and the duration for printed coefficients. Effects without a lag and
+/// the kinematic law are left out.
 [[nodiscard]] std::vector<StepResponse> step_responses(const Model& model,
                                                        const record::Record& record);
 

@@ -22,7 +22,7 @@ struct TransferFunction {
   double sampling = unset;  ///< [s]
 };
 
-/// The same without a common root at exactly 1, where both have one: a pole that never decays,
+/// Cancels a common root of numerator and denominator at exactly 1: a pole that never decays,
 /// cancelled on paper, drifts away in numbers. Throws std::invalid_argument: no coefficient, b(0)
 /// that is not 1, one that is not finite, sampling that is not positive.
 [[nodiscard]] TransferFunction reduced(const TransferFunction& printed);
@@ -30,19 +30,18 @@ struct TransferFunction {
 /// Response to an input sampled at the function's own rate, from rest, in double precision.
 [[nodiscard]] std::vector<double> run(const TransferFunction& printed,
                                       std::span<const double> input);
-/// The same as a controller with single precision runs it, unreduced.
+/// Response as a controller with single precision computes it, unreduced.
 [[nodiscard]] std::vector<float> run_single(const TransferFunction& printed,
                                             std::span<const float> input);
 
-/// A transfer function as a sum of lags of what its input was one sample before, and of what comes
-/// through at once.
+/// A transfer function as a sum of lags of the previous input sample, and of a direct feedthrough.
 ///
 ///   y(k) = through u(k) + sum x_i(k),   x_i(k) = x_i(k-1) + rise_i (gain_i u(k-1) - x_i(k-1))
 ///
 /// Source:   partial fractions in z^-1, of the reduced function.
 /// Domain:   poles real, between 0 and 1 (open) and apart; a numerator no longer than the
 ///           denominator.
-/// Accuracy: that of the poles; they are found in extended precision, since those of slow bodies
+/// Accuracy: limited by the poles; they are found in extended precision, since poles of slow bodies
 ///           lie within 1e-4 of each other.
 /// Traps:    the same numbers only at the sampling of the function; there a lag has the time
 ///           constant -dt/ln(1 - rise), and its input is held between samples.
@@ -57,22 +56,23 @@ struct ParallelForm {
 /// Throws std::invalid_argument saying which pole stands against it.
 [[nodiscard]] ParallelForm parallel_form(const TransferFunction& printed);
 
-/// What printed coefficients say of themselves.
+/// Properties of printed coefficients.
 struct TransferFunctionCheck {
   std::vector<std::complex<double>> poles{};  ///< as printed, the largest first
   std::vector<double> time_constants{};       ///< of each pole [s]; NaN for one that is no decay
   double dc_gain = unset;                     ///< in the unit of a(0)
-  /// What the gain may be when the last printed digit of every coefficient is rounded: 5th and 95th
-  /// percentile of 4000 draws, and the share of them that are unstable.
+  /// Range of the gain when the last printed digit of every coefficient is rounded: 5th and 95th
+  /// percentile of 4000 draws, and the share of draws that are unstable.
   double dc_gain_lower = unset, dc_gain_upper = unset;
   double unstable_share = unset;
-  double feedthrough = unset;   ///< a(0): what of a step arrives at once
+  double feedthrough = unset;   ///< a(0): the part of a step that arrives at once
   double single_error = unset;  ///< of a step after 40 h in single precision, over the gain [1]
   std::vector<std::string> warnings{};  ///< for people, a sentence each
 };
 
-/// `quantum`: the least step that the input's sensor can make, in its unit; `visible`: a step of
-/// the output above which it is named, in the unit of a(0) times that of the input.
+/// Checks printed coefficients. `quantum`: resolution of the input's sensor, in its unit;
+/// `visible`: step of the output above which it is reported, in the unit of a(0) times the unit of
+/// the input.
 [[nodiscard]] TransferFunctionCheck check(const TransferFunction& printed, double quantum = 0.1,
                                           double visible = 0.1 * um);
 

@@ -7,7 +7,7 @@
 #include "correction/model.h"
 #include "correction/range.h"
 
-/// How far a correction may be trusted, from what is known of it on readings that no fit saw.
+/// Trust in a correction, from the evidence of readings that no fit saw.
 namespace raceway::correction {
 
 enum class TrustLevel { unknown, do_not_use, within_range, good };
@@ -47,8 +47,8 @@ struct Trust {
 /// test.csv is called good.
 [[nodiscard]] Trust trust_of(const Model& model);
 
-/// The same on a record: no better than its readings show, and within its range only where the
-/// record leaves it. `errors`: of the readings, one constant taken off; `uncorrected`: as above.
+/// Trust on a record: no better than its readings show, and within its range only where the record
+/// leaves it. `errors`: of the readings, one constant subtracted; `uncorrected`: as above.
 [[nodiscard]] Trust trust_on(const Model& model, const Metrics& errors, double uncorrected,
                              const Beyond& beyond);
 

@@ -18,7 +18,7 @@ struct PairPreload {
 struct CatalogueBearing {
   std::string maker;
   std::string designation;
-  /// With C0 of steel balls; makers print no groove radii, so both conformities are the default
+  /// C0 is for steel balls. Makers print no groove radii, so both conformities are the default
   /// 0.52.
   bearing::BearingGeometry geometry;
   double width = unset;                               ///< [m]
@@ -34,25 +34,25 @@ struct CatalogueBearing {
   [[nodiscard]] std::string full_name() const { return maker + " " + designation; }
 };
 
-/// Folder of the data that come with the program or the shared library: share/raceway beside it,
+/// Folder of the data that come with the program or the shared library: share/raceway next to it,
 /// else the source tree it was built from, else where it was to be installed; empty where none of
 /// them exists.
 [[nodiscard]] std::string data_directory();
 
-/// The user's own folder beside it: the environment variable RACEWAY_DATA, empty where it is not
-/// set. Throws InputError where that is no folder.
+/// The user's own folder: the environment variable RACEWAY_DATA, empty where it is not set. Throws
+/// InputError where that is no folder.
 [[nodiscard]] std::string own_data_directory();
 
 /// One file of a catalogue. The maker is named in a line `# maker: NAME`, else by the file's name
 /// up to its first underscore. Throws InputError as read_csv(), and for impossible values.
 [[nodiscard]] std::vector<CatalogueBearing> read_catalogue(const std::string& path);
 
-/// The same from text.
+/// Parses a catalogue from its text.
 [[nodiscard]] std::vector<CatalogueBearing> parse_catalogue(std::string text,
                                                             const std::string& path);
 
-/// All rows of bearings/*.csv in the data directory, file by file, behind those of the user's own
-/// folder (its bearings/*.csv, else its *.csv). Throws InputError where neither has any.
+/// All rows of bearings/*.csv in the data directory, file by file, behind the rows of the user's
+/// own folder (its bearings/*.csv, else its *.csv). Throws InputError where neither has any.
 [[nodiscard]] std::vector<CatalogueBearing> read_catalogues();
 
 /// Rows whose name contains `filter` (case, blanks and a trailing "TA" do not matter); all if

@@ -24,14 +24,14 @@ struct CorrectionFile {
   std::vector<NamedFile> files{};         ///< that it names, as they were when it was read
 };
 
-/// Reads [correction] (keys with their units: raceway keys) into SI. Files that it names are
-/// looked for beside it.
+/// Reads [correction] (keys with their units: raceway keys) into SI. Files that it names are looked
+/// for in its folder.
 ///
 /// Throws InputError naming file, line, key, value and allowed range.
 [[nodiscard]] CorrectionFile read_correction(const std::string& path);
 
-/// The same from text; `source` stands in messages, and names of files are relative to it. Files of
-/// `held` are not read again.
+/// Parses [correction] from text; `source` stands in messages, and file names are relative to it.
+/// Files of `held` are not read again.
 [[nodiscard]] CorrectionFile parse_correction(std::string text, const std::string& source,
                                               std::vector<NamedFile> held = {});
 
@@ -40,8 +40,8 @@ struct CorrectionFile {
 [[nodiscard]] std::string new_corrections(const std::vector<correction::Model>& models,
                                           const std::string& comment);
 
-/// The text with the numbers, sections, channels, effects and ranges of these models, which are
-/// those of the file or grew out of them; comments and all else are kept.
+/// The text with the numbers, sections, channels, effects and ranges of these models, which come
+/// from the file or grew out of it; comments and all else are kept.
 [[nodiscard]] std::string with_corrections(const CorrectionFile& file,
                                            const std::vector<correction::Model>& models);
 

@@ -12,13 +12,12 @@ namespace raceway::files {
 /// Reads a measurement CSV (columns with their units: docs/files.md) into SI, by the table of
 /// channels.
 ///
-/// What the file may leave out comes from the model, as Expected says: loads, temperature, and the
-/// inertia by which a coast-down (time and speed alone) becomes friction torque. Of the measured
-/// columns those are kept that the subject predicts; where there is none of them the first one of
-/// Expected::measured, which the subject may then refuse. Whatever was filled in, ignored or left
-/// out is told in `notes`.
+/// Loads, temperature and the inertia that turns a coast-down (time and speed alone) into friction
+/// torque may come from the model, as Expected says. Of the measured columns, the ones that the
+/// subject predicts are kept; if there are none, the first of Expected::measured, which the subject
+/// may then refuse. `notes` lists everything that was filled in, ignored or left out.
 ///
-/// An empty cell is an error, but in a measured column beside others: it was not read then.
+/// An empty cell is an error, except in a measured column with others: it counts as not read.
 ///
 /// Throws InputError: a required or no measured column missing, a column that looks misspelt, every
 /// cell that is empty, no number or impossible (all of them in one message, the first ten in full),

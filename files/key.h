@@ -10,8 +10,8 @@
 #include "record/parameter.h"
 #include "record/units.h"
 
-/// Keys of model files as data: one table of keys stands beside each reader, which reads by it;
-/// files/key_tables.h lists all of them.
+/// Keys of model files as data: each reader reads by its own table of keys; files/key_tables.h
+/// lists all of them.
 namespace raceway::files {
 
 /// Values that a key takes.
@@ -56,7 +56,7 @@ struct Key {
   Default fallback;
   std::string_view meaning;
 
-  /// The same under another name, as of a number whose unit another key says.
+  /// Returns the key under another name, as for a number whose unit another key gives.
   [[nodiscard]] constexpr Key as(std::string_view other, std::string_view unit) const {
     Key key = *this;
     key.name = other;
@@ -65,14 +65,14 @@ struct Key {
   }
 };
 
-/// Keys of one table, or those of them that one reader reads.
+/// Keys of one table, or the part of them that one reader reads.
 struct KeyTable {
   std::string_view name;  ///< "bearing", "correction.channel"; a part in capitals is one's own
   std::span<const Key> keys;
   std::string_view only{};  ///< where they may stand there: "of a spindle"; "" everywhere
 };
 
-// What tables of keys are written with.
+// Helpers for writing tables of keys.
 constexpr Form between(double lower, double upper, std::string_view unit = {}) {
   return {.kind = "number", .lower = lower, .upper = upper, .unit = unit};
 }

@@ -20,7 +20,7 @@ struct ListedKey {
   [[nodiscard]] std::string fallback() const;
 };
 
-/// Those of the reader in files/correction_file.h.
+/// Tables of the reader in files/correction_file.h.
 [[nodiscard]] std::vector<KeyTable> correction_tables();
 
 /// Every key of model files, table by table. Numbers of effects are in their catalogues.

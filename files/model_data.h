@@ -24,9 +24,9 @@ struct ModelDatum {
   bool whole = false;  ///< a count
 };
 
-/// All numbers that a model rests on: those of its file, the defaults that were used, and those of
+/// All numbers that a model rests on: numbers of its file, defaults that were used, and numbers of
 /// the bearing that [bearing] catalogue picks. A default that follows from other numbers (a bore
-/// from pitch circle and balls) is none of its own.
+/// from pitch circle and balls) is not one of them.
 ///
 /// Left out are numbers that no prediction is made of, as [calibration] and [columns], the settings
 /// of [solver] and how many bearings stand in a set, which is a choice and no datum.
@@ -51,7 +51,7 @@ class ModelData {
   std::vector<ModelDatum> data_;
 };
 
-/// How far a number may be off, as somebody writes it: "0.01" in its unit, "10%" of it.
+/// Spread of a number as the user writes it: "0.01" in its unit, "10%" of it.
 struct SpreadText {
   std::string name;
   std::string text;
@@ -60,11 +60,12 @@ struct SpreadText {
 /// "ball_diameter_mm=0.01,lubricant.viscosity_40C_mm2_s=10%". Throws InputError.
 [[nodiscard]] std::vector<SpreadText> parse_spreads(const std::string& list);
 
-/// The same from a file with the keys of a model, in which numbers, or texts as "10%", say how far
-/// the numbers of the model may be off. Throws InputError.
+/// Reads spreads from a file with the keys of a model; a value is the spread of that number, or a
+/// text as "10%". Throws InputError.
 [[nodiscard]] std::vector<SpreadText> read_spreads(const std::string& path);
 
-/// In the unit of a number of that value. Throws InputError: no number, negative, a share of zero.
+/// Spread in the unit of a number of that value. Throws InputError: no number, negative, a share of
+/// zero.
 [[nodiscard]] double spread_of(const SpreadText& spread, double value);
 
 }  // namespace raceway::files

@@ -16,14 +16,14 @@ struct NamedFile {
 /// Files that a model names. Each is read once.
 class NamedFiles {
  public:
-  /// `model`: its file, beside which they are looked for. Files of `held` are not read again.
+  /// `model`: its file; names are relative to its folder. Files of `held` are not read again.
   explicit NamedFiles(const std::string& model, std::vector<NamedFile> held = {});
 
   /// Throws InputError as read_text().
   [[nodiscard]] const NamedFile& read(const std::string& name);
-  /// How messages call it.
+  /// Name of the file in messages.
   [[nodiscard]] std::string shown(const std::string& name) const;
-  /// Those that were asked for.
+  /// Files that were read.
   [[nodiscard]] const std::vector<NamedFile>& list() const { return read_; }
 
  private:

@@ -5,8 +5,8 @@
 
 #include "bearing/geometry.h"
 
-/// What a number is, where it lies in its range but not where such a number lies: one line for the
-/// user, empty where nothing is strange.
+/// Checks for numbers that lie in their range but are unlikely: one line for the user with the
+/// likely meaning, empty for a usual number.
 namespace raceway::files {
 
 /// A temperature in C that would be a usual one in K.

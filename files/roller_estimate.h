@@ -26,15 +26,14 @@ struct EstimatedRollers {
 };
 
 /// Estimates the rollers of a size of series N10. Boundary dimensions are those of dimension series
-/// 10, as the rows S 60xx of the catalogue have them.
+/// 10, as in the rows S 60xx of the catalogue.
 ///
 ///   d_m = (d + D)/2,   L = D_w
 ///   printed sizes   D_w = E - d_m,   Z = C0/(44 (1 - γ) L D_w), rounded
 ///   others          D_w = 0.485 (D - d)/2 to 0.5 mm,   Z = 0.71 π d_m/D_w, rounded
 ///
 /// Accuracy: C by these rollers, which is not used to find them, meets the printed C within 2.1 %
-/// for
-///           eight of eleven sizes; N1013 5.6 % above, N1022 and N1024 16 % below it.
+///           for eight of eleven sizes; N1013 5.6 % above, N1022 and N1024 16 % below it.
 /// Throws InputError for another series and for a size that the catalogue does not have.
 [[nodiscard]] EstimatedRollers estimated_rollers(std::string_view designation,
                                                  const std::vector<CatalogueBearing>& rows);

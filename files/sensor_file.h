@@ -9,7 +9,7 @@
 #include "record/note.h"
 #include "rig/sensor_calibration.h"
 
-/// The calibration of a torque sensor: its readings, and what was made of them.
+/// The calibration of a torque sensor: its readings and the result.
 namespace raceway::files {
 
 /// Readings in the order of the file.
@@ -32,7 +32,7 @@ struct SensorReadings {
 /// The units of its coefficients: "V", "V/Nm", "V/Nm2", "V/Nm3".
 [[nodiscard]] std::string coefficient_unit(int coefficient);
 
-/// As a JSON document (docs/files.md); see results.h.
+/// The calibration as a JSON document (docs/files.md); see results.h.
 [[nodiscard]] std::string sensor_calibration_json(const rig::SensorCalibration& calibration,
                                                   const std::string& source);
 

@@ -24,7 +24,7 @@ namespace raceway::files {
                                          const std::vector<const record::Channel*>& needed,
                                          const ReadOptions& options = {});
 
-/// Of columns as read_series() has them.
+/// Options for columns as read_series() reads them.
 [[nodiscard]] ReadOptions over_time(ReadOptions options);
 
 }  // namespace raceway::files

@@ -7,17 +7,17 @@
 
 namespace raceway::files {
 
-/// What a spindle ran under and what was read of it, over time, into SI: time_s or dates,
-/// speed_rpm, the inputs that record::spindle_channel() knows, and of what is measured the sensors
-/// of the model and axial_displacement_um. Columns of other names are named and ignored.
+/// Reads operating conditions and measurements of a spindle over time into SI: time_s or dates,
+/// speed_rpm, the inputs that record::spindle_channel() knows, the sensors of the model and
+/// axial_displacement_um. Other columns are named in a note and ignored.
 ///
-/// An empty cell of what is measured was not read then; everywhere else it is an error. Throws as
+/// An empty cell of a measured column counts as not read; everywhere else it is an error. Throws as
 /// read_series(), and for a column that is a misspelt sensor.
 [[nodiscard]] record::Record read_spindle_record(const Source& source,
                                                  const model::Spindle& spindle,
                                                  const ReadOptions& options = {});
 
-/// Of columns as read_spindle_record() has them.
+/// Options for columns as read_spindle_record() reads them.
 [[nodiscard]] ReadOptions of_spindle(ReadOptions options);
 
 }  // namespace raceway::files

@@ -13,7 +13,7 @@ namespace raceway::files {
 /// One constant load from rest at t = 0, rising in time.
 struct LoadCase {
   std::string name = {};
-  double power_start = unset, power_end = unset;  ///< [W]; NaN: that of its speed
+  double power_start = unset, power_end = unset;  ///< [W]; NaN: the power at its speed
   double speed = unset;                           ///< [rad/s]; NaN: only its power is known
   double at_once = 0.0;                           ///< displacement of the row at t = 0 [m]
   std::vector<double> time = {};                  ///< [s]
@@ -30,7 +30,7 @@ struct LoadCase {
 /// in a case, a speed that changes within one.
 [[nodiscard]] std::vector<LoadCase> read_load_cases(const std::string& path);
 
-/// The same from text; `source` stands in messages.
+/// Parses load cases from text; `source` stands in messages.
 [[nodiscard]] std::vector<LoadCase> parse_load_cases(std::string text, const std::string& source);
 
 /// Units of two columns without a head.

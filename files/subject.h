@@ -6,7 +6,7 @@
 
 namespace raceway::files {
 
-/// What a model stands for: a bearing on a rig, or the sets on a shaft.
+/// Subject of a model: a bearing on a rig, or the sets on a shaft.
 [[nodiscard]] std::shared_ptr<const model::ModelSubject> make_subject(const model::Model& model);
 
 }  // namespace raceway::files

@@ -9,13 +9,14 @@
 
 namespace raceway::files {
 
-/// A table [columns] (TOML) for a file of somebody else, by the words and units in its header and
-/// its row of units; what was not found stands in it as a comment. Throws InputError as read_csv().
+/// Suggests a table [columns] (TOML) for a data file, from the words and units in its header and
+/// its row of units; columns that were not found stand in it as comments. Throws InputError as
+/// read_csv().
 [[nodiscard]] std::string suggested_columns(const Source& source,
                                             const model::ModelSubject& subject);
 
-/// The same of a record over time, for the corrections of a file: columns that they ask for by the
-/// words of their names, others by names of their own.
+/// Suggests [columns] for a record over time, for the corrections of a file: columns that they ask
+/// for by the words of their names, others under names of their own.
 [[nodiscard]] std::string suggested_columns(const Source& source,
                                             const std::vector<correction::Model>& models);
 

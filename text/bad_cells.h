@@ -10,7 +10,7 @@
 
 namespace raceway::text {
 
-/// Collects what is wrong with cells; one message tells of all, the first ten in full, by line.
+/// Collects errors in cells; one message lists all, the first ten in full, by line.
 class BadCells {
  public:
   /// `rows` is the number of rows that the message speaks of.
@@ -33,7 +33,7 @@ class BadCells {
   std::vector<BadCell> first_;  // by line
 };
 
-/// What the cells of a column may be, in the unit of the column.
+/// Allowed range of the cells of a column, in the unit of the column.
 struct CellRange {
   std::string_view column;  ///< its name, for messages
   double lower, upper;      ///< closed
@@ -45,7 +45,8 @@ struct CellRange {
   return {channel.name, channel.lower, channel.upper, channel.unit};
 }
 
-/// A cell in the unit of its column; what is no number or lies outside of the range goes to `bad`.
+/// Reads a cell in the unit of its column; text that is no number, or outside of the range, goes to
+/// `bad`.
 [[nodiscard]] ParsedNumber read_cell(const CsvTable& table, std::size_t row, std::size_t column,
                                      const CellRange& range, BadCells& bad);
 

@@ -10,9 +10,9 @@ namespace raceway::text {
 
 using record::Place;
 
-/// Something a user wrote is wrong. The message is complete and meant to be shown as it stands:
+/// An error in the user's input. The message is complete and meant to be shown as it stands:
 /// `FILE:LINE: key or column = value: what is wrong or allowed range`. It may have several lines;
-/// the place is then that of the first.
+/// the place is then the place of the first.
 struct InputError : std::runtime_error {
   explicit InputError(const std::string& message, Place where = {})
       : std::runtime_error(message), place(std::move(where)) {}

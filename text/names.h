@@ -11,7 +11,7 @@ namespace raceway::text {
 
 using record::edit_distance;
 
-/// Without blanks at both ends.
+/// Removes blanks at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
 /// Letters of ASCII as small ones.
@@ -22,7 +22,7 @@ using record::edit_distance;
 [[nodiscard]] std::optional<std::string> nearest_name(std::string_view name,
                                                       std::span<const std::string> known);
 
-/// As TOML has a text: "..." with quotes and backslashes written as \" and \\.
+/// Text in the form of TOML: "..." with quotes and backslashes written as \" and \\.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// "a, b and c", `last_word` being the word before the last.

@@ -5,7 +5,7 @@
 
 namespace raceway::text {
 
-/// What a number that a person enters may be, both ends included, in the unit of its name.
+/// Allowed range of a number that a person enters, both ends included, in the unit of its name.
 struct NumberRange {
   double lower, upper;
   std::string_view unit;
@@ -13,7 +13,7 @@ struct NumberRange {
 
 inline constexpr NumberRange speed_range{0.0, 1e6, "rpm"};
 inline constexpr NumberRange load_range{0.0, 1e8, "N"};
-/// On a shaft, whose loads have a direction.
+/// Loads on a shaft, which have a direction.
 inline constexpr NumberRange signed_load_range{-1e8, 1e8, "N"};
 inline constexpr NumberRange temperature_range{-100.0, 400.0, "C"};
 inline constexpr NumberRange moment_range{-1e9, 1e9, "N mm"};

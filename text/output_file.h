@@ -6,8 +6,8 @@
 
 namespace raceway::text {
 
-/// What to do where the file to be written exists already: `refuse` names --force as what replaces
-/// it, `refuse_naming_replace` --replace, of a command whose --force is a load.
+/// Behaviour for a file that exists already: `refuse` names --force as the flag that replaces it,
+/// `refuse_naming_replace` --replace, for a command whose --force is a load.
 enum class IfExists { refuse, refuse_naming_replace, replace };
 
 /// Throws InputError where write_text() would: a name that promises a workbook, a picture of points
@@ -16,9 +16,9 @@ enum class IfExists { refuse, refuse_naming_replace, replace };
 /// calculation.
 void require_writable(const std::string& path, IfExists if_exists);
 
-/// Writes a whole file or nothing: into a file beside it first, which then takes its name. Keeps
-/// the permissions of a file it replaces. A file that came meanwhile is kept unless it is to be
-/// replaced. Throws InputError as above, and where the disk is full.
+/// Writes a whole file or nothing: into a temporary file in the same folder first, which then takes
+/// its name. Keeps the permissions of a file it replaces. A file that came meanwhile is kept unless
+/// it is to be replaced. Throws InputError as above, and where the disk is full.
 void write_text(const std::string& path, std::string_view text, IfExists if_exists);
 
 /// A file to be written; its text must live until it is.
@@ -31,8 +31,8 @@ struct OutputFile {
 /// files are then still there, unless the disk fails between two names.
 void write_files(const std::vector<OutputFile>& files, IfExists if_exists);
 
-/// For a process that is told to stop: removes what is half written, and lets nothing more be
-/// written. Gives the files that write_text() has written whole. May be called from any thread; the
+/// Stops writing in a process that is about to end: removes half-written files and refuses further
+/// ones. Returns the files that write_text() has written whole. May be called from any thread; the
 /// process must end then.
 [[nodiscard]] std::vector<std::string> stop_writing();
 

@@ -5,7 +5,7 @@
 
 namespace raceway::text {
 
-/// Marks that a spreadsheet expects; those of a German Excel.
+/// Marks that a spreadsheet expects; defaults of a German Excel.
 struct SpreadsheetMarks {
   char separator = ';';
   char decimal = ',';

@@ -5,7 +5,7 @@ namespace raceway::text {
 /// Room that write_12_digits() may need.
 inline constexpr int twelve_digits_room = 32;
 
-/// A number as printf("%.12g") writes it, to the byte; gives the end of it, without a NUL.
+/// Writes a number as printf("%.12g") does, to the byte; returns its end, without a NUL.
 ///
 /// Accuracy: exact. From 1e-4 to 1e12 the digits are those of one rounded product and a whole
 /// number, where the product lies so far from the middle between two of them that its rounding

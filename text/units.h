@@ -7,7 +7,7 @@
 
 namespace raceway::text {
 
-/// What a unit measures.
+/// Quantity that a unit measures.
 enum class Dimension {
   moment,
   force,
@@ -31,7 +31,7 @@ struct Unit {
   Dimension dimension;
   double factor;        ///< SI = factor * value + offset
   double offset = 0.0;  ///< [K] of temperatures
-  /// How else it is written, between blanks, as in_short() makes it of what stands in a file.
+  /// Other spellings, between blanks, as in_short() normalises the text of a file.
   std::string_view spellings = {};
   std::string_view names = {};  ///< further spellings, in small letters, read in any case
 
@@ -39,7 +39,7 @@ struct Unit {
   [[nodiscard]] constexpr double in_unit(double si) const { return (si - offset) / factor; }
 };
 
-/// All of them; the first of a dimension that names of channels have is that of this program.
+/// All units; the first of a dimension with names in channels is the unit of this program.
 [[nodiscard]] std::span<const Unit> units();
 
 /// The unit of that spelling: "Nm", "N m", "N·m", "[1/min]", "min-1", "°C", "µm", "rad_s",

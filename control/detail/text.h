@@ -22,10 +22,10 @@ namespace raceway::control {
                                           std::string_view before = {},
                                           std::string_view after = {});
 
-/// Of the check record, against `correct`, in double [um].
+/// Tolerance of the check record against `correct`, in double [um].
 inline constexpr const char* control_tolerance = "1e-9";
 
-/// What a state that was saved belongs to: another model has another one.
+/// Hash of the numbers of a plan; a saved state belongs to the plan with the same stamp.
 [[nodiscard]] std::uint32_t stamp(const ControlPlan& plan);
 
 /// The lines that every file begins with: what it is, of which model, and what is not in it. Each

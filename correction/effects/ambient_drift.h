@@ -6,7 +6,7 @@
 
 namespace raceway::correction {
 
-/// The room moves the machine: a lag of the room's temperatures, else of those of the base.
+/// The room moves the machine: a lag of the room temperatures, else of the base temperatures.
 struct AmbientDrift final : EffectKind {
   static constexpr EffectCard ambient_card{
       .id = "ambient-drift",

@@ -38,11 +38,12 @@ struct RecordedInput final : EffectKind {
   }
 
  private:
-  /// Temperatures of the room are those of ambient-drift.
+  /// Temperatures of the room belong to ambient-drift.
   static bool is_nameless(const Channel& c) {
     return record::is_temperature(c) && !record::is_ambient(c);
   }
-  /// Of all channels that temperatures drive, but for that of the reference itself; null for none.
+  /// Reference that all temperature-driven channels share, the channel of the reference itself
+  /// aside; null for none.
   static const Channel* common_reference(const Model& m) {
     const Channel* common = nullptr;
     for (const DrivenChannel& c : m.channels)

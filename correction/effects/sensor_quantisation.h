@@ -4,8 +4,8 @@
 
 namespace raceway::correction {
 
-/// The displacement steps with the last digit of a sensor. The record itself tells it: what is left
-/// steps back with that digit, and is no larger than the feedthrough makes it.
+/// The displacement steps with the last digit of a sensor. The record itself shows it: the residual
+/// steps back with that digit, by no more than the feedthrough explains.
 struct SensorQuantisation final : EffectKind {
   static constexpr EffectCard quantisation_card{
       .id = "sensor-quantisation",

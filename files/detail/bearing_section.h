@@ -28,14 +28,14 @@ struct NamedBearing {
 };
 
 [[nodiscard]] std::vector<KeyTable> bearing_tables();
-/// Those of every bearing.
+/// Keys of every bearing.
 [[nodiscard]] std::span<const Key> bearing_keys();
 
-/// A geometry as keys of [bearing], in their units; without what it does not know.
+/// A geometry as keys of [bearing], in their units; unknown values are left out.
 [[nodiscard]] std::vector<std::pair<std::string, double>> keys_of(
     const bearing::BearingGeometry& geometry);
 
-/// What [bearing] must have and has not, where it names no row of the catalogue.
+/// Required keys that are missing in [bearing], where it names no row of the catalogue.
 [[nodiscard]] Names missing_keys_of_bearing(const ModelTables& tables);
 
 class BearingReader {

@@ -9,22 +9,22 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
-/// What the contact law takes of [lubricant], [bearing] and [friction] beside what every law does,
-/// and [life]; shared with the reader of models. All throw InputError as
-/// read_model() does.
+/// Data of the contact law in [lubricant], [bearing] and [friction], in addition to the data of
+/// every law, and [life]; shared with the reader of models. All throw InputError as read_model()
+/// does.
 namespace raceway::files {
 
-/// The keys of the contact law in a table. In those of data they may stand beside any law.
+/// The keys of the contact law in a table. In tables of data they may stand with any law.
 [[nodiscard]] std::span<const Key> contact_keys(std::string_view table);
 
-/// Of [bearing] and [life].
+/// Tables of [bearing] and [life].
 [[nodiscard]] std::vector<KeyTable> contact_tables();
 
 /// `used`: the law is `contact`, so that defaults matter and are named. `supply` is read already.
 [[nodiscard]] friction::contact::ContactData read_contact(ModelTables& tables, bool used,
                                                           std::optional<friction::Supply> supply);
 
-/// Of those keys the ones that a file has in its tables of data.
+/// Keys of the contact law that a file has in its tables of data.
 [[nodiscard]] Names written_contact_keys(const ModelTables& tables);
 
 /// The number of the law that is of the lubricant.

@@ -8,8 +8,7 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_section.h"
 
-/// What a correction file says of how far its numbers may be trusted; shared by its reader and its
-/// writer.
+/// Trust section of a correction file; shared by its reader and its writer.
 namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> trust_tables();

@@ -13,7 +13,7 @@ namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> effect_tables();
 
-/// `shaft` is null for a bearing on a rig; of a spindle, effects are those of a spindle. Throws
+/// `shaft` is null for a bearing on a rig; `spindle`: reads the effects of a spindle. Throws
 /// InputError as read_model() does.
 [[nodiscard]] std::vector<effects::Effect> read_effects(ModelTables& tables,
                                                         const model::Shaft* shaft,

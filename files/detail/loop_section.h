@@ -9,8 +9,8 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
-/// [calibration] and [loop] of a model file: what is asked of it; shared with the reader of models.
-/// Both look at the model that all other tables make, and throw InputError as read_model() does.
+/// Sections [calibration] and [loop] of a model file; shared with the reader of models. Both look
+/// at the model that all other tables make, and throw InputError as read_model() does.
 namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> loop_tables();
@@ -24,7 +24,8 @@ namespace raceway::files {
 [[nodiscard]] std::optional<fit::Covariance> read_covariance(const ModelTables& tables,
                                                              const model::Model& model);
 
-/// Where the covariance is not that of the values in the model: which, in words; otherwise empty.
+/// Describes a covariance that belongs to other values than the model has; empty where the values
+/// agree.
 [[nodiscard]] std::string other_values(const fit::Covariance& covariance,
                                        const model::Model& model);
 

@@ -9,7 +9,7 @@
 
 namespace raceway::files {
 
-/// The model that these tables describe, `text` being that of its file; throws as read_model().
+/// The model that these tables describe, `text` being the text of its file; throws as read_model().
 /// Shared by the readers of models.
 [[nodiscard]] ModelFile model_of_tables(ModelTables& tables, std::string text);
 

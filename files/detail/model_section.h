@@ -66,9 +66,9 @@ class Section {
       : source_(std::move(source)), name_(std::move(name)), table_(table), keys_(std::move(keys)) {
     if (!keys_.empty()) refuse_others();
   }
-  /// The same table by all keys that it may have.
+  /// Returns the table with all keys that it may have.
   [[nodiscard]] Section with(Keys keys) const { return {source_, name_, table_, std::move(keys)}; }
-  /// The same table by some of its keys; others may stand there.
+  /// Returns the table with some of its keys; others may stand there.
   [[nodiscard]] Section part(Keys keys) const {
     Section result = *this;
     result.keys_ = std::move(keys);
@@ -109,7 +109,7 @@ class Section {
   [[noreturn]] void fail_missing(std::string_view name, const std::string& why = "") const {
     fail_missing(key(name), why);
   }
-  /// Those of the keys that are not there, each as "[bearing] ball_count: must be from 3 to 200".
+  /// Keys that are missing, each as "[bearing] ball_count: must be from 3 to 200".
   [[nodiscard]] Names lacking(std::initializer_list<std::string_view> names) const {
     Names list;
     for (const std::string_view one : names)
@@ -128,7 +128,7 @@ class Section {
   [[nodiscard]] std::optional<double> number(std::string_view name) const {
     return number(key(name));
   }
-  /// By a key that is in no table.
+  /// Reads the number of a key that is in no table.
   [[nodiscard]] std::optional<double> number(const Key& key) const {
     const toml::node* const node = find(key.name);
     if (!node && table_ && key.fallback.required) fail_missing(key);

@@ -25,7 +25,7 @@ class ModelTables {
   [[nodiscard]] const toml::table& root() const { return root_; }
   [[nodiscard]] const std::string& source() const { return source_; }
   [[nodiscard]] const std::vector<UsedDefault>& defaults() const { return defaults_; }
-  /// That the model names.
+  /// Files that the model names.
   [[nodiscard]] NamedFiles& files() { return files_; }
   [[nodiscard]] std::string place(const toml::key& key) const {
     return fmt::format("{}:{}", source_, key.source().begin.line);
@@ -60,11 +60,11 @@ class ModelTables {
     defaults_.push_back(
         {std::string(table), std::string(key), std::move(value), origin, std::move(why)});
   }
-  /// Of a default that its key has in words.
+  /// Notes a default that its key gives in words.
   void note_default(const Section& s, std::string_view key, const std::string& value) {
     note_default(s.name(), key, value, fmt::format("default: {}", s.key(key).fallback.words));
   }
-  /// What the file says, else the default, which is noted.
+  /// Returns the value of the file, else the default, which is noted.
   double number(const Section& s, std::string_view key, double fallback) {
     if (const auto value = s.number(key)) return *value;
     note_default(s.name(), key, fmt::format("{:.10g}", fallback));

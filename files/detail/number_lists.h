@@ -11,7 +11,7 @@
 /// throw InputError with the place.
 namespace raceway::files {
 
-/// Of a covariance of fitted parameters.
+/// Keys of a covariance of fitted parameters.
 inline constexpr Key covariance_keys[]{
     {"parameters", a_list, is_required, "names of what was fitted, as in [calibration] free"},
     {"units", a_list, is_required, "of each, as calibrate shows it"},

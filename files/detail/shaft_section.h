@@ -14,13 +14,13 @@
 /// The table [arrangement] of a model file; shared with the reader of models.
 namespace raceway::files {
 
-/// What the reader of models lends to that of its [arrangement].
+/// Context from the reader of models for the reader of [arrangement].
 struct ShaftContext {
   const NamedBearing& base;  ///< [bearing]
   /// Reads a table that changes keys of `base`, with `further` keys allowed.
   std::function<NamedBearing(const Section& table, Keys further)> read_bearing;
   std::function<void(std::string_view key, const std::string& value)> note_default;
-  /// Of the shaft and the housing of a spindle [1/K]; NaN without.
+  /// Thermal expansion of the shaft and the housing of a spindle [1/K]; NaN without.
   std::pair<double, double> expansions{unset, unset};
 };
 

@@ -23,7 +23,7 @@ inline constexpr record::Channel torque_signal_deviation{
     .role = record::Role::deviation,
     .of = "torque_signal_V"};
 
-/// Of a calibration: by weights on an arm, or another sensor.
+/// Reference torque of a calibration: by weights on an arm, or another sensor.
 inline constexpr record::Channel reference_torque{.name = "reference_Nm",
                                                   .variable = "reference",
                                                   .words = "reference torque",

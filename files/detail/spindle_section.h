@@ -16,8 +16,8 @@ namespace raceway::files {
 /// Tables that only a spindle has.
 [[nodiscard]] const Names& tables_of_spindle();
 
-/// Whether the file is of a spindle: [shaft] and [housing], or [network]. Refuses a file that has
-/// one of the two, both kinds, or another table of a spindle without them.
+/// Returns true for the file of a spindle: [shaft] and [housing], or [network]. Refuses a file that
+/// has one of the two, both kinds, or another table of a spindle without them.
 [[nodiscard]] bool is_spindle(const ModelTables& tables);
 
 /// Keys of a spindle in tables that other models have too; none where the file is of none.

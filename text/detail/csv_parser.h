@@ -33,7 +33,7 @@ class CsvParser {
 
   /// Throws InputError as read_csv().
   void run();
-  /// What was skipped above, between and behind the rows goes to the notes.
+  /// Adds notes on lines that were skipped above, between and behind the rows.
   void add_notes();
 
  private:

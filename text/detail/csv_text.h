@@ -19,7 +19,7 @@ void append_text(fmt::memory_buffer& out, std::string_view text);
 /// The text that append_text() put behind an apostrophe, as readers of CSV take it.
 [[nodiscard]] std::string_view without_guard(std::string_view cell);
 
-/// 12 digits; nothing for what is not finite.
+/// Appends a value with 12 digits; nothing for a value that is not finite.
 void append_value(fmt::memory_buffer& out, double value);
 
 }  // namespace raceway::text

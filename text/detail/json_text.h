@@ -7,7 +7,7 @@
 
 #include "record/note.h"
 
-/// The one writer of numbers as JSON; shared by those of results and pages.
+/// The one writer of numbers as JSON; shared by the writers of results and pages.
 namespace raceway::text {
 
 using json = nlohmann::ordered_json;

@@ -23,7 +23,7 @@ inline constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
 /// where known, column.
 [[nodiscard]] toml::table parse_toml(std::string_view text, std::string_view source);
 
-/// Where a line begins, counted from 1.
+/// Byte at which a line begins; lines count from 1.
 [[nodiscard]] std::size_t line_start(std::string_view text, std::size_t line);
 /// Byte of a place that toml++ gives as line and column, which counts code points. A mark of UTF-8
 /// at the beginning is no column.
