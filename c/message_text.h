@@ -26,7 +26,7 @@ class MessageText : public session::Messages {
 class Reply {
  public:
   Reply(char* text, std::size_t size) noexcept;
-  /// As much as fits, cut between characters of UTF-8, with a final 0.
+  /// Stores the text up to the size of the buffer, cut between characters of UTF-8, with a final 0.
   void put(std::string_view text) noexcept;
 
  private:
@@ -34,7 +34,8 @@ class Reply {
   std::size_t size_;
 };
 
-/// Puts what is being thrown into the reply, in the words of the command. Within a `catch` alone.
+/// Puts the current exception into the reply, in the words of the command. Only for use in a
+/// `catch`.
 void explain(Reply& reply) noexcept;
 
 /// The result of `work`; `failed` where it throws, and the reply says why.

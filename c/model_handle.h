@@ -9,7 +9,7 @@
 #include "files/model_file.h"
 #include "session/source.h"
 
-/// What the caller's pointer stands for; nothing in it changes, so that threads may share it.
+/// Object behind the caller's pointer. It never changes, so threads may share it.
 struct raceway_model {
   raceway::files::ModelFile file;
   std::string messages;

@@ -1,12 +1,12 @@
-/// The friction of spindle bearings for C, Fortran, MATLAB, Octave, LabVIEW, Modelica: models are
-/// read from TOML (docs/files.md), states go in as plain arrays, results come out as plain arrays.
+/// Friction of spindle bearings for C, Fortran, MATLAB, Octave, LabVIEW, Modelica: models are read
+/// from TOML (docs/files.md), states go in as plain arrays, results come out as plain arrays.
 ///
-/// Units:    those of the names, as in files: rpm, N, C, N mm.
+/// Units:    given in the names, as in files: rpm, N, C, N mm.
 /// Returns:  0 done, 1 wrong input, 2 some states without a result, as the command raceway.
-/// Messages: where a function takes `message` and `message_size`, it leaves there what is to be
-///           said, in UTF-8 and always with a final 0: what is wrong, in the words of the command,
-///           or notes and warnings, a line each ("note: ...", "warning: ..."), or an empty text.
-///           What does not fit is cut off, never within a character. NULL or a size of 0: no text.
+/// Messages: a function that takes `message` and `message_size` writes its message there, in UTF-8
+///           with a final 0: the error in the words of the command, or notes and warnings, a line
+///           each ("note: ...", "warning: ..."), or an empty text. Text that does not fit is cut
+///           off, never within a character. NULL or a size of 0: no text.
 /// Threads:  all functions may be called from any number of threads at once, with the same model
 ///           too: a model does not change. raceway_free() alone must come last, and once.
 /// Errors:   no function throws, prints or ends the program. Without enough memory: 1 or NULL.
@@ -25,14 +25,14 @@
 extern "C" {
 #endif
 
-/// A model as it was read: of a bearing on a rig, of the sets on a shaft, or of a spindle, whose
-/// sets are then solved as those of a shaft.
+/// A model that was read: a bearing on a rig, the bearing sets of a shaft, or a spindle, whose sets
+/// are solved as for a shaft.
 typedef struct raceway_model raceway_model;
 
-/// What a function returns.
+/// Return values of the functions.
 enum { RACEWAY_DONE = 0, RACEWAY_WRONG_INPUT = 1, RACEWAY_NOT_CONVERGED = 2 };
 
-/// How a state ended; raceway_status_name() has the words.
+/// Solution status of a state; raceway_status_name() gives the words.
 enum {
   RACEWAY_STATUS_CONVERGED = 0,
   RACEWAY_STATUS_NO_EQUILIBRIUM = 1,  ///< nothing balances this load
@@ -42,7 +42,7 @@ enum {
   RACEWAY_STATUS_NOT_RUN = 5
 };
 
-/// Of the library, as "0.1.0". Static: not to be freed.
+/// Version of the library, as "0.1.0". Static: do not free it.
 RACEWAY_API const char* raceway_version(void);
 
 /// A status in the words of tables and JSON, as "no_equilibrium"; "unknown" for any other number.
@@ -57,23 +57,24 @@ RACEWAY_API const char* raceway_status_name(int status);
 RACEWAY_API raceway_model* raceway_create(const char* toml_text, const char* source_name,
                                           char* message, size_t message_size);
 
-/// The same from a file. "-" is an error: standard input belongs to the program that calls.
+/// Reads a model from a file, otherwise as raceway_create(). "-" is an error: standard input
+/// belongs to the calling program.
 RACEWAY_API raceway_model* raceway_create_from_file(const char* path, char* message,
                                                     size_t message_size);
 
 /// Ends a model; nothing of it may be used afterwards. NULL does nothing.
 RACEWAY_API void raceway_free(raceway_model* model);
 
-/// What was said as the model was read: how many defaults were used, what is doubtful. As
-/// `message` above; lives as long as the model. Of NULL an empty text.
+/// Notes from reading the model, such as the number of defaults used and doubtful values. Format as
+/// `message` above; valid as long as the model. Empty for NULL.
 RACEWAY_API const char* raceway_messages(const raceway_model* model);
 
 /// Number of result columns of raceway_solve() and raceway_table(); 0 of NULL.
 RACEWAY_API size_t raceway_column_count(const raceway_model* model);
 
 /// Name of a column with its unit, as "power_loss_W"; columns count from 0, the first is
-/// "friction_torque_Nmm", of a shaft that of all its bearings. Lives as long as the model. NULL
-/// where there is no such column.
+/// "friction_torque_Nmm", for a shaft the total of all its bearings. Valid as long as the model.
+/// NULL for a column that does not exist.
 RACEWAY_API const char* raceway_column_name(const raceway_model* model, size_t column);
 
 /// The column of that name, -1 where there is none.
@@ -88,7 +89,7 @@ RACEWAY_API int raceway_column_index(const raceway_model* model, const char* nam
 /// strides   4 numbers in the order of these arrays: from one state to the next so many doubles.
 ///           1: an array of `count` numbers. 0: one number for all states. Negative: not given, as
 ///           NULL, for languages without one. NULL: all are 1.
-/// columns   `column_count` columns that are wanted, from raceway_column_index(). NULL or a count
+/// columns   `column_count` columns to compute, from raceway_column_index(). NULL or a count
 ///           of 0: all, in their order.
 /// values    [count x columns], column behind column: that of state i and the j-th wanted column
 ///           is values[j * count + i], in Fortran and MATLAB values(i, j). NaN where there is none.
@@ -123,14 +124,14 @@ RACEWAY_API int raceway_table(const raceway_model* model, const double* speed_rp
                               size_t temperature_count, const int* columns, size_t column_count,
                               double* values, int* status, char* message, size_t message_size);
 
-/// What a rig reads [N mm]: friction torque of all its bearings (`bearings` under [rig]), with what
-/// the effects of the model make of the sensor; the column friction_torque_Nmm is that of one
-/// bearing, without them. Balls are solved for only where the model needs them, which makes it
-/// several times faster than raceway_solve().
+/// Predicts the reading of a rig [N mm]: friction torque of all its bearings (`bearings` under
+/// [rig]), with the effects of the model on the sensor; the column friction_torque_Nmm is for one
+/// bearing, without them. Balls are solved for only where the model needs them, so it is several
+/// times faster than raceway_solve().
 ///
-/// States and strides are those of raceway_solve(). `readings_Nmm` [count], `status` [count] or
-/// NULL. Returns and errors as there; wrong input also: a shaft, and a model with an effect that
-/// needs what a state does not have, as a time.
+/// States, strides, returns and errors are those of raceway_solve(). `readings_Nmm` [count],
+/// `status` [count] or NULL. A shaft, or a model with an effect that needs an input that states
+/// lack, as a time, is wrong input, too.
 RACEWAY_API int raceway_predict(const raceway_model* model, size_t count, const double* speed_rpm,
                                 const double* axial_load_N, const double* radial_load_N,
                                 const double* temperature_C, const int* strides,

@@ -17,7 +17,7 @@ namespace raceway::cli {
 struct AxisFlags {
   std::string speed, axial_load, radial_load, temperature;
 
-  /// Declares the flags; `speed_help` is that of the speed.
+  /// Declares the flags; `speed_help` is the help text of the speed.
   void declare(CLI::App& command, const std::string& speed_help);
   /// Values of each; none where a flag is not given.
   [[nodiscard]] session::AskedAxes asked() const;

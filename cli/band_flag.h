@@ -15,8 +15,8 @@ struct BandFlag {
 
   /// Declares the flag.
   void declare(CLI::App& command);
-  /// Returns nothing where nobody asked. Throws text::InputError for a model without a covariance
-  /// of its values.
+  /// Returns nothing if no band was requested. Throws text::InputError for a model without a
+  /// covariance of its values.
   [[nodiscard]] std::optional<model::Band> of(const files::ModelFile& file) const;
 };
 

@@ -17,12 +17,12 @@ struct LearnFlags {
 
   /// Declares the flags.
   void declare(CLI::App& command);
-  /// Before anything is read. Throws text::InputError: a flag without --learn, a duration that is
-  /// none, a file that cannot be written.
+  /// Checks the flags before anything is read. Throws text::InputError: a flag without --learn, a
+  /// duration that is none, a file that cannot be written.
   void check(text::IfExists if_exists) const;
 };
 
-/// Where the results of `correct` go.
+/// Destinations of the results of `correct`.
 struct CorrectOutput {
   std::string csv{};  ///< file, "-" for stdout, empty for none
   CsvStyle style{};

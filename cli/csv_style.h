@@ -12,8 +12,8 @@ namespace raceway::cli {
 /// Form of the tables that a command writes: `--format csv` or `excel`, `--separator` and
 /// `--decimal-mark`.
 ///
-/// Excel's form has its header in the first line. The comments, with the model, go into a file
-/// beside it: run.csv and run_comments.txt.
+/// Excel's form has its header in the first line. The comments, with the model, go into a second
+/// file: run.csv and run_comments.txt.
 struct CsvStyle {
   std::string format = "csv", separator, decimal_mark;
 

@@ -3,14 +3,14 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-/// What a shell and `man` need to know of the program, made of the commands' own description: a
-/// command or a flag that is declared is in all of them.
+/// Shell completions and man pages, generated from the declared commands and flags, so that they
+/// are always complete.
 namespace raceway::cli {
 
 /// A completion for bash: commands, flags, files, ids of effects.
 [[nodiscard]] std::string bash_completion(const CLI::App& app);
 
-/// The same for zsh, with the help of every flag beside it.
+/// A completion for zsh, with the help text of every flag.
 [[nodiscard]] std::string zsh_completion(const CLI::App& app);
 
 /// The page raceway(1), which lists the commands.

@@ -18,7 +18,7 @@ namespace raceway::cli {
   return number(error / channel.factor, digits);
 }
 
-/// From so many channels on they are lines of one table.
+/// Number of channels from which they are lines of one table.
 inline constexpr std::size_t many_channels = 3;
 
 }  // namespace raceway::cli

@@ -12,7 +12,7 @@ void print_trust(const record::Channel& displacement, const correction::Trust& t
 
 /// The text of an identification: lags, gains, and the error they leave.
 void print_identification(const correction::Identification& found, const record::Record& record);
-/// The same of a baseline that is shown and not written.
+/// Prints a baseline that is shown and not written.
 void print_baseline(const record::Channel& displacement, const correction::ArxBaseline& found,
                     const record::Record& record);
 

@@ -20,8 +20,8 @@ using text::temperature_range;
 CLI::Option* add_number(CLI::App& command, const std::string& flag, double& value,
                         const NumberRange& range, const std::string& help);
 
-/// The same of a length, with its unit behind it where that is not mm: "70", "70mm", "2.7559in";
-/// `value` is in m.
+/// A flag that takes a length, in mm unless a unit follows: "70", "70mm", "2.7559in"; `value` is in
+/// m.
 CLI::Option* add_length(CLI::App& command, const std::string& flag, double& value,
                         const NumberRange& range, const std::string& help);
 

@@ -11,9 +11,9 @@ struct FlagProblem {
   std::string flag, what;  ///< `what` names the flag too
 };
 
-/// What is wrong with the flags among the arguments of a command: unknown (with the nearest name),
-/// given twice, or without its value. To be asked before parsing, which would first complain about
-/// what is missing because of a misspelt flag.
+/// Finds an error in the flags of a command: unknown (with the nearest name), given twice, or
+/// without its value. Call it before parsing, which would first complain about what is missing
+/// because of a misspelt flag.
 [[nodiscard]] std::optional<FlagProblem> flag_problem(const CLI::App& command,
                                                       std::span<char* const> arguments);
 

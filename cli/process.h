@@ -5,17 +5,17 @@
 #include <string_view>
 #include <thread>
 
-/// What the program as a process has to do with the one that started it.
+/// Process control: standard streams, signals, time limit.
 namespace raceway::cli {
 
-/// Before anything else: standard streams that are closed fail from now on, where the next file to
-/// be opened would have taken their place; told to stop (Ctrl-C, kill, a closed terminal), the
-/// process removes what is half written, says on stderr what was kept, and ends by that signal; a
-/// limit of file size is an error as a full disk is.
+/// Prepares the process; call it first. A closed standard stream then fails, instead of being
+/// replaced by the next file that is opened. On a stop signal (Ctrl-C, kill, a closed terminal) the
+/// process removes half-written files, lists the kept ones on stderr, and ends by that signal. A
+/// file size limit is an error like a full disk.
 void start_process();
 
-/// While it lives, the first Ctrl-C raises a flag in place of ending the process, and so does the
-/// end of `seconds`.
+/// Raises a flag at the first Ctrl-C, instead of ending the process, and at the end of `seconds`,
+/// as long as it lives.
 class InterruptFlag {
  public:
   explicit InterruptFlag(double seconds);
@@ -30,15 +30,14 @@ class InterruptFlag {
   std::jthread clock_;
 };
 
-/// Onto stderr, without what a terminal would obey. One that cannot be written keeps nothing from
-/// being done.
+/// Writes to stderr, without terminal control characters. A failed write stops nothing.
 void write_message(std::string_view text);
 
-/// Sends off what stdout still holds: a full disk or a closed pipe shows at the end. Empty, or what
-/// is wrong.
+/// Flushes stdout, so that a full disk or a closed pipe shows at the end. Returns the error, or an
+/// empty text.
 [[nodiscard]] std::string stdout_problem();
 
-/// The same in the words for an error that is known already.
+/// Returns the same message for an error number that is known already.
 [[nodiscard]] std::string stdout_problem(int error);
 
 }  // namespace raceway::cli

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-/// The files of a run. No command writes over what it reads, nor two things into one file.
+/// The files of a run. No command overwrites its inputs, nor writes two outputs to one file.
 namespace raceway::cli {
 
 /// Takes the files from a parsed command line: --output, --report, --plot, --save, --correction,
@@ -14,7 +14,7 @@ namespace raceway::cli {
 /// argument with a control character is refused, too.
 void check_files(const CLI::App& command);
 
-/// The same of outputs whose names come out during the run. After check_files().
+/// Checks outputs whose names appear only during the run. Call it after check_files().
 void check_outputs(const std::vector<std::string>& outputs);
 
 /// A file that a model names and that is read, too: it is none of the outputs, or text::InputError.

@@ -4,7 +4,7 @@
 
 namespace raceway::cli {
 
-/// Which datum matters most, in a terminal; `all`: with those that hardly do.
+/// Prints the data of the model in order of influence; `all`: with those of little influence.
 void print_sensitivity(const results::Sensitivity& sensitivity, bool all);
 
 }  // namespace raceway::cli

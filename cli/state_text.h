@@ -15,7 +15,7 @@ namespace raceway::cli {
 /// A bearing at one operating point in a terminal: balls, stiffness, pressures, friction, life.
 void print_state(const model::Model& model, const bearing::OperatingPoint& point,
                  const session::PointAnswer& answer);
-/// Friction torque with its parts; beside the first two the heat of the rings.
+/// Friction torque with its parts; the heat of the rings stands next to the first two.
 void print_torque(const model::Model& model, const model::FrictionPrediction& friction,
                   const friction::HeatSplit& heat);
 

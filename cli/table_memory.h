@@ -8,7 +8,7 @@
 
 namespace raceway::cli {
 
-/// What becomes of the points of a table.
+/// Output form of a table.
 enum class TableForm { text, file, json };
 
 /// Throws text::InputError for a table with more points than can be made in one go, or that takes

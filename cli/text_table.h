@@ -15,9 +15,8 @@ class TextTable {
   struct Column {
     std::string name;
     std::string unit;
-    bool left = false;  ///< left-aligned, for words
-    bool wraps =
-        false;  ///< of the last column: its words are filled into what is left of the width
+    bool left = false;   ///< left-aligned, for words
+    bool wraps = false;  ///< of the last column: its words fill the remaining width
   };
   explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }

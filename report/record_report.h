@@ -14,9 +14,9 @@
 #include "verdict/compare.h"
 #include "verdict/diagnosis.h"
 
-/// The page of a record over time: what was measured and predicted with the inputs below, what each
-/// channel adds, what is left, what a step of an input does, and how much each model or effect
-/// leaves.
+/// The page of a record over time: measured and predicted values with the inputs below, the
+/// contribution of each channel, the residual, step responses, and the error of each model or
+/// effect.
 namespace raceway::report {
 
 /// A correction as it is drawn, or a spindle: that with each channel that was measured.
@@ -29,8 +29,8 @@ struct DrawnModel {
 };
 
 /// The page around the document that `command` prints with `--json`. Models of one channel share
-/// what was measured; eight parts are those of the first of each. `facts` are those of spindles,
-/// `changes` from each of them to the next.
+/// its readings; the eight parts are those of the first model of each channel. `facts` describe
+/// spindles, `changes` the differences from each of them to the next.
 [[nodiscard]] std::string record_report(const std::string& command, const std::string& results,
                                         const record::Record& record,
                                         const std::vector<DrawnModel>& models,

@@ -51,10 +51,10 @@ struct ModelOfPage {
                                      const verdict::AddResult& result,
                                      const std::vector<ModelOfPage>& facts = {});
 
-/// What is drawn around a bearing, beside the curves: points with their predicted balance.
+/// Points of a bearing with their predicted balance, drawn in addition to the curves.
 using BearingStates = std::vector<std::pair<bearing::OperatingPoint, model::FrictionPrediction>>;
 
-/// `measured` may be null. Friction torque in it is that of all bearings of the rig.
+/// `measured` may be null. Its friction torque is the sum over all bearings of the rig.
 [[nodiscard]] std::string table_report(const std::string& model_file, const model::Model& model,
                                        const friction::StribeckTable& table,
                                        const BearingStates& states, const record::Record* measured,
@@ -67,8 +67,8 @@ struct LawOfReport {
   std::string statement;  ///< how well it follows the curve, or why none was fitted
 };
 
-/// `warnings` are what the command says of the bearings, of speeds without balance and of limits
-/// that are passed, which `findings` has as data.
+/// `warnings`: texts of the command on the bearings, on speeds without balance and on exceeded
+/// limits, which `findings` has as data.
 [[nodiscard]] std::string displacement_report(
     const std::string& model_file, const model::Model& model,
     std::span<const shaft::ShaftPoint> points, std::span<const shaft::ShaftPrediction> predictions,

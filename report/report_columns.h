@@ -20,7 +20,7 @@ class ReportColumns {
   void keep(std::size_t row) { wanted_.push_back(row); }
   /// Keeps those where `values` are highest and lowest in each of 500 stretches of the rows.
   void keep_extremes(const std::vector<double>& values);
-  /// Both, for what is drawn over time.
+  /// Adds the column and keeps its extremes, for a curve over time.
   void add_course(std::string name, std::vector<double> values) {
     keep_extremes(values);
     add(std::move(name), std::move(values));

@@ -19,8 +19,8 @@ struct DrawnField {
   std::vector<spindle::FieldCell> cells;
 };
 
-/// `results`: what `--json` prints but for its rows, which are those of `drawn`. `mesh_text`: what
-/// the command says of the cells.
+/// `results`: the output of `--json` without its rows, which `drawn` has. `mesh_text`: the text of
+/// the command on the cells.
 [[nodiscard]] std::string spindle_run_report(const ModelOfPage& model, const std::string& programme,
                                              std::size_t rows_asked, const spindle::Run& run,
                                              const spindle::DrawnRun& drawn,

@@ -5,8 +5,8 @@
 
 namespace raceway::results {
 
-/// How sure the rows of a result are as far as it comes from fitted parameters: half the widths of
-/// 95 % bands (model::Band), beside the numbers that they are of.
+/// Uncertainty of the rows of a result from fitted parameters: half widths of 95 % bands
+/// (model::Band), next to the numbers that they belong to.
 struct BandOfResult {
   std::vector<std::string> parameters;  ///< that were fitted
   std::vector<std::string> names;       ///< with unit: "friction_torque_band_Nmm"

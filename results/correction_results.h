@@ -12,7 +12,7 @@
 
 namespace raceway::results {
 
-/// What a model is worth on a record that it did not see.
+/// Errors of a model on a record that it did not see.
 struct Validation {
   std::string data{};             ///< file of the record
   correction::Metrics metrics{};  ///< one constant removed
@@ -32,7 +32,7 @@ struct Validation {
     const std::string& model_file, const record::Record& record,
     const std::vector<std::pair<const record::Channel*, correction::ArxBaseline>>& found);
 
-/// What a model makes of a record.
+/// Result of a correction on a record.
 struct Corrected {
   const record::Channel* displacement = nullptr;
   correction::InitialState initial_state = correction::InitialState::rest;

@@ -8,7 +8,7 @@
 
 namespace raceway::results {
 
-/// What a model learnt from the readings of one displacement.
+/// Result of learning from the readings of one displacement.
 struct Learnt {
   const record::Channel* displacement = nullptr;
   correction::Learning learning{};

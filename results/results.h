@@ -41,19 +41,19 @@ namespace raceway::results {
                                      const BandOfResult* band = nullptr,
                                      const model::Findings& findings = {});
 
-/// The columns of a band are those of the table; `band` tells its parameters, and may be null.
+/// The columns of the band stand in the table; `band` gives its parameters, and may be null.
 [[nodiscard]] std::string table_json(const model::Model& model,
                                      const friction::StribeckTable& table,
                                      const BandOfResult* band = nullptr,
                                      const model::Findings& findings = {});
 
-/// `record` is what was fitted to.
+/// `record`: the record of the fit.
 [[nodiscard]] std::string calibration_json(const verdict::Calibration& calibration,
                                            const record::Record& record);
 
-/// One document for one model; for several `{"models": [...]}` in the order given. Of each model
-/// the comparisons of its measured channels, and of corrections where the record leaves what they
-/// have seen.
+/// One document for one model; for several `{"models": [...]}` in the order given. It has the
+/// comparisons of the measured channels of each model, and for corrections the departures of the
+/// record from the range of the fit.
 [[nodiscard]] std::string comparison_json(
     const std::vector<std::string>& model_files,
     const std::vector<std::vector<verdict::Comparison>>& comparisons, const record::Record& record,
@@ -65,12 +65,12 @@ namespace raceway::results {
                                      const std::vector<record::Note>& notes,
                                      const correction::RecordCheck* over_time = nullptr);
 
-/// The same of a model without data.
+/// The document of a check of a model without data.
 [[nodiscard]] std::string model_check_json(const std::string& model_name,
                                            const std::vector<files::UsedDefault>& defaults,
                                            const std::vector<record::Note>& notes);
 
-/// Why there is no result: `{"error": {"message", "file", "line", "key"}}`, null where not known.
+/// The document of an error: `{"error": {"message", "file", "line", "key"}}`, null where not known.
 [[nodiscard]] std::string error_json(const std::string& message, const text::Place& place);
 
 [[nodiscard]] std::string bearings_json(const std::vector<files::CatalogueBearing>& rows);

@@ -9,7 +9,7 @@
 #include "files/model_data.h"
 #include "fit/sobol_indices.h"
 
-/// Which datum of a model matters most for a prediction; numbers in the units of their names.
+/// Sensitivity of predictions to the data of a model; numbers in the units of their names.
 namespace raceway::results {
 
 /// A datum that was varied, or a number of the question.
@@ -23,10 +23,10 @@ struct VariedDatum {
   bool has_elasticity = true;  ///< not of a temperature in C, whose zero means nothing
 };
 
-/// What one datum does to one prediction, all others as they are.
+/// Effect of one datum on one prediction, all others unchanged.
 struct LocalSensitivity {
   double derivative = unset;
-  double derivative_error = unset;   ///< what two steps differ by after extrapolation
+  double derivative_error = unset;   ///< difference of two steps after extrapolation
   double change = unset;             ///< derivative times spread
   double low = unset, high = unset;  ///< the prediction at value - spread and at value + spread
   double share = unset;              ///< of the sum of squares of the changes [1]
@@ -43,14 +43,14 @@ struct PredictionSensitivity {
   double value = unset;
   std::vector<LocalSensitivity> local = {};  ///< of each datum
   std::vector<std::size_t> order = {};       ///< of the data, the largest change first
-  /// Of the data in Sensitivity::sampled, where they were asked for.
+  /// Sobol' indices of the data in Sensitivity::sampled, if requested.
   std::optional<fit::SobolIndices> global = {};
-  std::vector<std::string> cannot_tell = {};  ///< what the samples leave open, in words
+  std::vector<std::string> cannot_tell = {};  ///< questions that the samples leave open, in words
 };
 
 struct Sensitivity {
   std::string source, model;
-  std::vector<std::string> inputs = {};          ///< names of what a state is given by
+  std::vector<std::string> inputs = {};          ///< names of the inputs of a state
   std::vector<std::vector<double>> states = {};  ///< values of these
   std::vector<VariedDatum> data = {};            ///< those that enter
   std::vector<PredictionSensitivity> predictions = {};
@@ -61,7 +61,7 @@ struct Sensitivity {
   std::vector<std::size_t> sampled = {};  ///< indices of data
   /// Data that the samples leave as they are, since the model does not take all of their spread.
   std::vector<std::pair<std::string, std::string>> not_sampled = {};
-  /// Of the evaluations those without every prediction, and the data of the first of them.
+  /// Evaluations with a missing prediction, and the data of the first of them.
   std::size_t failed = 0;
   std::string why_failed = {};
   std::vector<double> first_failed = {};

@@ -38,7 +38,7 @@ struct DisplacementColumn {
                                             std::string_view model_text,
                                             const BandOfResult* band = nullptr);
 
-/// The same as JSON: {"rows": [...]} with what stands still at its head.
+/// Shaft position against speed as JSON: {"rows": [...]}, with the standstill values at its head.
 [[nodiscard]] std::string displacement_json(const model::Model& model,
                                             std::span<const shaft::ShaftPoint> points,
                                             std::span<const shaft::ShaftPrediction> predictions,

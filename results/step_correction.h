@@ -11,7 +11,7 @@
 
 namespace raceway::results {
 
-/// How K(P) and T(P) stand in a correction.
+/// Form of K(P) and T(P) in a correction.
 enum class StepLaw {
   curve,  ///< through all points, K(0) = 0, as a table
   power,  ///< K = a P^b, T = c P^d
@@ -24,7 +24,7 @@ struct PowerAtSpeed {
   double power = unset;  ///< [W]
 };
 
-/// What a correction is made of, beside the step responses.
+/// Data of a correction in addition to the step responses.
 struct StepCorrectionParts {
   std::string name = {};                              ///< of the model
   std::vector<PowerAtSpeed> power = {};               ///< rising in speed
@@ -46,12 +46,12 @@ struct StepCorrection {
   std::vector<std::pair<std::string, std::string>> tables = {};
 };
 
-/// The text of such a model. Tables stand beside `path` with its name before theirs: c_friction.csv
-/// of c.toml.
+/// The text of such a model. Tables stand in the folder of `path`, their names begin with its name:
+/// c_friction.csv of c.toml.
 [[nodiscard]] StepCorrection step_correction(const correction::Model& model,
                                              const std::string& path);
 
-/// Paths of the tables that step_correction() may write beside `path`.
+/// Paths of the tables that step_correction() may write for `path`.
 [[nodiscard]] std::vector<std::string> step_correction_tables(const std::string& path);
 
 /// Writes all of it, tables first.

@@ -18,8 +18,8 @@ namespace raceway::results {
 [[nodiscard]] std::string step_responses_text(const spindle::StepResponses& responses,
                                               std::string_view source, std::string_view model_text);
 
-/// The same, and the laws K(P) and T(P). `notes`: what the user should know. `error` of the
-/// correction, null where none was asked for.
+/// The step responses with the laws K(P) and T(P) as JSON. `notes`: for the user. `error` of the
+/// correction, null if not requested.
 [[nodiscard]] std::string step_responses_json(const spindle::StepResponses& responses,
                                               const spindle::PowerLaws& laws,
                                               const std::vector<record::Note>& notes,

@@ -11,7 +11,7 @@
 
 namespace raceway::results {
 
-/// How far a correction is from the whole simulation that its step responses were taken of.
+/// Difference between a correction and the full simulation that its step responses come from.
 struct Superposition {
   std::size_t rows = 0;
   double rms = unset;                      ///< of correction less simulation [m]
@@ -33,7 +33,8 @@ struct Superposition {
                                           const spindle::Inputs& inputs = {},
                                           const std::atomic<bool>* cancelled = nullptr);
 
-/// Half hours at shares of the fastest speed [rad/s], with rests: what no step response has seen.
+/// Half hours at shares of the fastest speed [rad/s], with rests: a course that no step response
+/// contains.
 [[nodiscard]] record::Record trial_programme(double fastest);
 
 /// "0.42 um rms, 1.9 um at most (after 3.20 h), of a travel of 57.3 um".

@@ -13,13 +13,14 @@ namespace raceway::session {
 /// torque of the contacts".
 [[nodiscard]] std::string judgement(const friction::contact::ContactResult& result);
 
-/// Why balls that are not of steel change the torque of the contact law, against the same bearing
-/// with steel balls at that point; empty for steel balls, other laws and points without balance.
+/// Explains why balls that are not of steel change the torque of the contact law, compared with the
+/// same bearing with steel balls at that point; empty for steel balls, other laws and points
+/// without balance.
 [[nodiscard]] std::string balls_statement(const model::Model& model,
                                           const bearing::OperatingPoint& point);
 
-/// What a user of a bearing in balance should know, one line each: a load below which its balls
-/// may skid, a gyroscopic moment that no friction holds, a life that no standard defines.
+/// Notes for a user of a bearing in balance, one line each: a load below which its balls may skid,
+/// a gyroscopic moment that no friction holds, a life that no standard defines.
 [[nodiscard]] std::vector<std::string> notes_on_state(const model::Model& model,
                                                       const bearing::Bearing& bearing,
                                                       const bearing::OperatingPoint& point,

@@ -12,24 +12,25 @@ namespace raceway::session {
 
 /// Corrections as a program or a table that runs without this one.
 struct ControlExport {
-  control::ControlPlan plan{};  ///< with what is to be known of it
+  control::ControlPlan plan{};  ///< with notes
   std::string text{};
-  /// Of linuxcnc: the lines that load it and connect the axes, and those that end it.
+  /// For linuxcnc: the lines that load the component and connect the axes, and the lines that end
+  /// it.
   std::string hal{}, hal_shutdown{};
 };
 
-/// What a file of that name can be. Throws text::InputError: a component of LinuxCNC is called as
-/// its file.
+/// Checks the name of the output. Throws text::InputError: the name of a LinuxCNC component is the
+/// name of its file.
 void require_control_name(const std::string& format, const std::string& output);
 
-/// The files with the lines of HAL that stand beside the component.
+/// HAL files of the component.
 struct HalFiles {
   std::string start{}, shutdown{};
 };
 [[nodiscard]] HalFiles hal_files(const std::string& output);
 
-/// What a control runs of a model file, with a record to hold it to: `record`, or without it one
-/// that is made up. A table that export wrote is read back, with the record that is in it.
+/// Plan of a model file for a control, with a check record: `record`, or without it a synthetic
+/// one. A table that export wrote is read back, with the record in it.
 ///
 /// Throws text::InputError as the readers do, and for a record with a table.
 [[nodiscard]] control::ControlPlan open_plan(Messages& messages, const Source& model,

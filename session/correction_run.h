@@ -10,7 +10,7 @@
 
 namespace raceway::session {
 
-/// What the corrections of a file make of a record.
+/// Results of the corrections of a file on a record.
 struct CorrectionRun {
   SeriesQuestion asked{};
   std::vector<results::Corrected> corrected{};  ///< of each displacement
@@ -23,19 +23,20 @@ struct CorrectionRun {
   [[nodiscard]] std::string page() const;
 };
 
-/// Throws text::InputError for what the record does not allow.
+/// Throws text::InputError for a record that does not allow it.
 [[nodiscard]] CorrectionRun correct(SeriesQuestion asked);
 
-/// How a correction learns from the readings of a record, as durations with their unit ("4h");
-/// empty: as LearningOptions has it.
+/// Settings for learning from the readings of a record, as durations with their unit ("4h"); empty:
+/// default of LearningOptions.
 struct LearningChoices {
   std::string every{}, forget{};
 
-  /// Before anything is read. Throws text::InputError for a duration that is none.
+  /// Checks the durations before anything is read. Throws text::InputError for a duration that is
+  /// none.
   void check() const;
 };
 
-/// What the corrections of a file learnt from the readings of a record.
+/// Results of learning for the corrections of a file.
 struct LearningRun {
   SeriesQuestion asked{};
   std::vector<results::Learnt> learnt{};  ///< of each displacement
@@ -48,7 +49,7 @@ struct LearningRun {
   [[nodiscard]] std::string text() const;
 };
 
-/// Throws text::InputError for what the record does not allow.
+/// Throws text::InputError for a record that does not allow it.
 [[nodiscard]] LearningRun learn(SeriesQuestion asked, const LearningChoices& choices);
 
 }  // namespace raceway::session

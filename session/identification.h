@@ -16,7 +16,7 @@
 
 namespace raceway::session {
 
-/// What `raceway identify` may be told beside model and record, as it stands in its command line.
+/// Options of `raceway identify` in addition to model and record, as in its command line.
 struct IdentifyChoices {
   std::string order = "1:3";          ///< sections of each channel: "2" or "1:3"
   std::vector<std::string> inputs{};  ///< columns that may drive; "all" alone: all that vary
@@ -25,7 +25,8 @@ struct IdentifyChoices {
   std::function<void(double share, std::string_view step)> progress{};
   std::function<bool()> cancelled{};
 
-  /// Before anything is read. Throws text::InputError for an order or lags that are none.
+  /// Checks the options before anything is read. Throws text::InputError for an order or lags that
+  /// are none.
   void check() const;
 };
 
@@ -41,15 +42,15 @@ struct IdentifyChoices {
                                                    const correction::Model& model,
                                                    const IdentifyChoices& choices);
 
-/// What a model is worth on a record that it did not see, and what is to be known of that.
+/// Errors of a model on a record that it did not see, with warnings.
 struct Validated {
   results::Validation validation{};
   std::vector<record::Note> warnings{};
 };
 [[nodiscard]] Validated validated(const correction::Model& model, const record::Record& other);
 
-/// Makes that record what the model is judged by: see correction/trust.h. For a model that was
-/// found.
+/// Makes that record the evidence for the trust in the model: see correction/trust.h. For an
+/// identified model.
 void judge_by(correction::Model& model, const results::Validation& other);
 
 [[nodiscard]] std::vector<correction::Model> models_of(

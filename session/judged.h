@@ -34,8 +34,8 @@ namespace raceway::session {
                                     std::span<const shaft::ShaftPoint> points,
                                     std::span<const shaft::ShaftPrediction> predictions);
 
-/// Rows of a table of a bearing or a shaft, which are looked at by the names of their columns;
-/// those of rollers by their speed alone.
+/// Rows of a table of a bearing or a shaft, which are judged by the names of their columns; rows of
+/// rollers by their speed alone.
 class JudgedColumns {
  public:
   /// The model must outlive it.
@@ -83,8 +83,8 @@ class JudgedColumns {
 void require_possible_speed(const model::Model& model, double speed, const std::string& name);
 void require_possible_temperature(const model::Model& model, double temperature,
                                   const std::string& name);
-/// The same for all rows of a record, with file and line, and for water that enters the coolant
-/// channel as ice or steam.
+/// Checks all rows of a record, with file and line, also for water that enters the coolant channel
+/// as ice or steam.
 void require_possible(const model::Model& model, const record::Record& record);
 
 }  // namespace raceway::session

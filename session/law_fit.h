@@ -17,7 +17,7 @@ struct LawFit {
   shaft::KinematicLawFit fit{};
   std::optional<results::LawAtSpeed> at{};
 
-  /// How well it follows the curve; `table` says where the table is that replaces it.
+  /// Quality of the fit in a sentence; `table` is the place of the table that replaces it.
   [[nodiscard]] std::string statement(const std::string& table) const;
   [[nodiscard]] std::string json(const std::string& table) const;
 };

@@ -6,8 +6,8 @@
 
 namespace raceway::session {
 
-/// How well a fitted law follows its curve, in a sentence or two; `table` says where the monotone
-/// table is that replaces a law which does not.
+/// Quality of a fitted law in a sentence or two; `table` is the place of the monotone table that
+/// replaces a law which does not follow its curve.
 [[nodiscard]] std::string law_statement(const shaft::KinematicLawFit& fit,
                                         const std::string& table);
 

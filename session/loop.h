@@ -14,26 +14,26 @@
 #include "verdict/calibrate.h"
 #include "verdict/diagnose.h"
 
-/// The loop, as the command, Python and programs ask it, whatever a model file describes: how far a
-/// model is from what was measured, which effect is missing, what adding it buys.
+/// The loop for the command, Python and programs, whatever a model file describes: the error of a
+/// model against measurements, the missing effect, the gain by adding it.
 namespace raceway::session {
 
 /// A model with its measurements, ready for a fit.
 struct LoopQuestion {
   std::shared_ptr<const LoopModel> model;
   record::Record data{};
-  std::shared_ptr<const fit::Subject> subject{};  ///< as it is held against the data
+  std::shared_ptr<const fit::Subject> subject{};  ///< as prepared for the fit
 
   [[nodiscard]] const std::string& source() const { return model->about().source; }
 };
 
-/// Opens both and says what is to be known of them. Throws text::InputError as open_loop_model(),
+/// Opens both and gives notes on them. Throws text::InputError as open_loop_model(),
 /// LoopModel::read() and LoopModel::for_fit().
 [[nodiscard]] LoopQuestion ask(Messages& messages, const Source& model,
                                const std::vector<Source>& data, const LoopOptions& options);
 
-/// As those of fit, and text::InputError for what the data do not allow. `effects`: as people name
-/// them.
+/// Throws as the functions of fit, and text::InputError for a question that the data do not allow.
+/// `effects`: as people name them.
 [[nodiscard]] verdict::Calibration calibrate(const LoopQuestion& asked,
                                              const verdict::CalibrateOptions& options = {});
 [[nodiscard]] verdict::Diagnosis diagnose(const LoopQuestion& asked,
@@ -41,7 +41,7 @@ struct LoopQuestion {
 [[nodiscard]] verdict::AddResult add(const LoopQuestion& asked, const Names& effects);
 [[nodiscard]] std::vector<double> predict(const LoopQuestion& asked);
 
-/// What was found as JSON, and as one page.
+/// The results as JSON, and as one page.
 [[nodiscard]] std::string json(const LoopQuestion& asked, const verdict::Calibration& found);
 [[nodiscard]] std::string json(const LoopQuestion& asked, const verdict::Diagnosis& found);
 [[nodiscard]] std::string json(const LoopQuestion& asked, const verdict::AddResult& found);
@@ -52,13 +52,13 @@ struct LoopQuestion {
 [[nodiscard]] FittedTexts fitted_texts(const LoopQuestion& asked,
                                        const verdict::Calibration& found);
 
-/// Models held against one record, in the order given.
+/// Models compared with one record, in the order given.
 struct ComparedModels {
   record::Record data{};
   Names names{};  ///< of the models, by their files
   std::vector<ComparedModel> models{};
 
-  /// Of each model, by measured channel.
+  /// Comparisons of each model, by measured channel.
   [[nodiscard]] std::vector<std::vector<verdict::Comparison>> errors() const;
   [[nodiscard]] std::string json() const;
   /// The report, as one page.
@@ -72,12 +72,12 @@ struct ComparedModels {
                                      const std::vector<Source>& data, const CompareOptions& how,
                                      const LoopOptions& options);
 
-/// A table [columns] (TOML) that proposes which columns of somebody else's file are which of ours;
-/// of a file with several corrections for all of them.
+/// Suggests a table [columns] (TOML) that assigns the columns of a data file to channels; for a
+/// file with several corrections, for all of them.
 [[nodiscard]] std::string suggested_columns(Messages& messages, const Source& model,
                                             const Source& data, LoopOptions options);
 
-/// What a record can tell of a model.
+/// Checks of a model and a record.
 struct CheckedModel {
   LoopModel::About model{};
   record::Record data{};

@@ -31,27 +31,27 @@ class LoopModel;
 using LoopModels = std::vector<std::unique_ptr<LoopModel>>;
 using Names = std::vector<std::string>;
 
-/// Which part of a file is asked.
+/// Part of a file.
 enum class Part { any, bearing, correction };
 
-/// What a question of the loop may ask for beside models and data.
+/// Options of a question in addition to models and data.
 struct LoopOptions {
   Reading reading{};
   Names per_record{};  ///< parameters that each of several records has for itself
   bool rows = false;   ///< rows of a logger stay apart, where dwells would be averaged
   Tolerance tolerance{};
-  /// Of a file that describes several things: a column that the wanted one predicts.
+  /// For a file with several parts: a column that the wanted part predicts.
   std::string channel{};
   Part part = Part::any;
   Defaults defaults = Defaults::count;
-  /// Gives the model of that place among several what no file can say; may be empty.
+  /// Changes the model of that place among several beyond its file; may be empty.
   std::function<void(files::ModelFile&, std::size_t)> amend{};
 };
 
-/// How models are held against a record.
+/// Options for comparing models with a record.
 struct CompareOptions {
   Names refit{};  ///< parameters that are fitted to it before
-  /// The constant that is taken off each run of a correction: "mean", "first" or "none".
+  /// The constant that is subtracted from each run of a correction: "mean", "first" or "none".
   std::string zero = "mean";
 };
 
@@ -62,7 +62,7 @@ struct FittedTexts {
   std::vector<std::string> texts{};
   /// Numbers of the covariance that stand as corrected data, for which no covariance is written.
   Names corrected_data{};
-  /// Of every text the effects that no file can say, with their numbers.
+  /// Effects of every text that no file can express, with their numbers.
   struct OwnEffect {
     std::string id;
     std::vector<double> values;
@@ -70,7 +70,7 @@ struct FittedTexts {
   std::vector<std::vector<OwnEffect>> own_effects{};
 };
 
-/// A model held against a record.
+/// A model compared with a record.
 struct ComparedModel {
   std::shared_ptr<const fit::Subject> subject{};
   std::vector<verdict::Comparison> errors{};   ///< by measured channel
@@ -79,11 +79,11 @@ struct ComparedModel {
   std::optional<report::ModelOfPage> facts{};  ///< of all else
 };
 
-/// What a file describes, opened for the loop: a bearing on its rig, the sets on a shaft, a
-/// spindle, or the correction of one displacement.
+/// Contents of a file, opened for the loop: a bearing on its rig, the sets on a shaft, a spindle,
+/// or the correction of one displacement.
 class LoopModel {
  public:
-  /// What its file says of itself.
+  /// Description of the file.
   struct About {
     std::string source;  ///< file name, for messages
     std::string name;
@@ -98,32 +98,33 @@ class LoopModel {
   [[nodiscard]] const About& about() const { return about_; }
   [[nodiscard]] virtual std::shared_ptr<const fit::Subject> as_written() const = 0;
 
-  /// Reads measurements of it and of those that it is compared with, and says what is to be known
-  /// of them. Several files are joined to one record. Throws text::InputError.
+  /// Reads measurements of it and of the models that it is compared with, and gives notes on them.
+  /// Several files are joined to one record. Throws text::InputError.
   [[nodiscard]] virtual record::Record read(Messages& messages, const std::vector<Source>& data,
                                             const Reading& reading,
                                             const LoopModels& compared_with = {}) const = 0;
-  /// As a fit takes it. What is doubtful of its inputs is said, and stands in the notes of the
-  /// record. Throws text::InputError for what the record does not allow, and for `per_record`.
+  /// The subject as a fit takes it. Doubts about its inputs are messages and stand in the notes of
+  /// the record. Throws text::InputError for a fit that the record does not allow, and for
+  /// `per_record`.
   [[nodiscard]] virtual std::shared_ptr<const fit::Subject> for_fit(
       Messages& messages, record::Record& data, const Names& per_record) const = 0;
   /// The effects that a person means by these names. Throws std::invalid_argument where one name
   /// means several.
   [[nodiscard]] virtual Names meant(const Names& effects, const record::Record& data) const = 0;
 
-  /// Says what is to be known of it beside the first of several that are compared. Throws
-  /// text::InputError where they cannot be.
+  /// Adds notes for a comparison with the first of several models. Throws text::InputError where
+  /// they cannot be compared.
   virtual void stand_beside(Messages& messages, const LoopModel& first) const = 0;
-  /// Held against a record, after a fit of what `how` and `per_record` name. Throws
-  /// std::invalid_argument for what the record does not allow.
+  /// Compares it with a record, after a fit of the parameters that `how` and `per_record` name.
+  /// Throws std::invalid_argument for a comparison that the record does not allow.
   [[nodiscard]] virtual ComparedModel compared(Messages& messages, const record::Record& data,
                                                const CompareOptions& how,
                                                const Names& per_record) const = 0;
-  /// What a record over time can tell of it; none where its rows are no course in time.
+  /// Checks of a record over time for it; none where its rows are no time series.
   [[nodiscard]] virtual std::optional<correction::RecordCheck> over_time(
       const record::Record& data) const = 0;
 
-  /// Which columns of somebody else's file may be which of ours, as a table [columns].
+  /// Suggests a table [columns] that assigns the columns of a data file to channels.
   [[nodiscard]] virtual std::string suggested_columns(const Source& data) const = 0;
 
   /// The report, as one page.
@@ -131,7 +132,7 @@ class LoopModel {
                                          const verdict::Diagnosis& found) const = 0;
   [[nodiscard]] virtual std::string page(const record::Record& data,
                                          const verdict::AddResult& found) const = 0;
-  /// The text of its file with what a fit found.
+  /// The text of its file with the fitted values.
   [[nodiscard]] virtual FittedTexts fitted_texts(const record::Record& data,
                                                  const verdict::Calibration& found) const = 0;
 
@@ -139,26 +140,26 @@ class LoopModel {
   About about_;
 };
 
-/// What a file says of itself, of all that it describes. Throws text::InputError as the readers.
+/// Description of a file with all its parts. Throws text::InputError as the readers.
 [[nodiscard]] LoopModel::About describe(Messages& messages, const Source& file,
                                         const LoopOptions& options);
 
 /// Names of the records that have values of their own; empty where one model holds for all.
 [[nodiscard]] Names records_apart(const fit::Subject& subject);
 
-/// The subject fitted to a record, for a comparison after it. `names`: what was asked to be fitted.
+/// The subject fitted to a record, for a comparison after it. `names`: the parameters to fit.
 /// Throws std::invalid_argument for a fit that does not converge.
 [[nodiscard]] verdict::Calibration refitted(Messages& messages, const fit::Subject& subject,
                                             const record::Record& data, const Names& names);
 
-/// Opens the part of a file that is asked, which `place` of several it is, and says what is to be
-/// known of it. Throws text::InputError as the readers and Tolerance, and for a file with several
-/// parts of which none is chosen.
+/// Opens the requested part of a file, the `place`-th of several, and gives notes on it. Throws
+/// text::InputError as the readers and Tolerance, and for a file with several parts of which none
+/// is chosen.
 [[nodiscard]] std::unique_ptr<LoopModel> open_loop_model(Messages& messages, const Source& file,
                                                          const LoopOptions& options,
                                                          std::size_t place = 0);
 
-/// The same for a question that all corrections of a file answer alike: of several the first.
+/// Opens a file for a question that all its corrections answer alike: of several the first.
 [[nodiscard]] std::unique_ptr<LoopModel> open_any_correction(Messages& messages, const Source& file,
                                                              LoopOptions options);
 

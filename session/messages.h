@@ -7,7 +7,7 @@
 
 namespace raceway::session {
 
-/// Hears the notes beside an answer: stderr of the command, the warnings of Python.
+/// Receives the notes on an answer: stderr of the command, the warnings of Python.
 class Messages {
  public:
   virtual ~Messages() = default;

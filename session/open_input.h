@@ -13,37 +13,37 @@
 
 namespace raceway::session {
 
-/// Which models a command takes.
+/// Models that a command accepts.
 enum class Accepts { rig, rig_or_shaft, shaft };
 
-/// Whether opening a model counts its defaults in a note. A command that lists them does not count
-/// them, and a model that was opened before is not told of again.
+/// Choice whether opening a model counts its defaults in a note. A command that lists them does not
+/// count them, nor does a second opening of the same model.
 enum class Defaults { count, keep };
 
 /// Says notes on a file, whose name begins each text.
 void say_of(Messages& messages, const std::string& source, std::vector<record::Note> notes);
 
-/// Reads a model, counts the defaults that were used, and says what is to be known of it. Throws
+/// Reads a model, counts the defaults that were used, and gives notes on it. Throws
 /// text::InputError for a model that is not accepted.
 [[nodiscard]] files::ModelFile open_model(Messages& messages, const Source& model,
                                           Accepts accepts = Accepts::rig,
                                           Defaults defaults = Defaults::count);
 
-/// What a page says of a model, with the numbers that it was used with.
+/// Facts on a model for a page, with the numbers that it was used with.
 [[nodiscard]] report::ModelOfPage of_page(const files::ModelFile& file, const model::Model& used);
 
 /// Warns where the file says something of its bearing or solver that changes no digit of the
 /// friction torque: the law takes no account of it.
 void warn_of_ignored_data(Messages& messages, const files::ModelFile& file);
 
-/// Reads measurements for a model, a coast-down turned into torque. What is to be known of them and
-/// what is doubtful of them is said, and stands in the notes of the record.
+/// Reads measurements for a model, a coast-down turned into torque. Notes and doubts are messages
+/// and stand in the notes of the record.
 [[nodiscard]] record::Record open_data(Messages& messages, const Source& data,
                                        const model::ModelSubject& subject,
                                        const files::ReadOptions& options);
 
-/// The same of one file or several, which are joined to one record. Each must be of what the model
-/// stands for; `model` is its file, for messages.
+/// Reads one file or several, which are joined to one record, otherwise as open_data(). Each must
+/// fit the subject of the model; `model` is its file, for messages.
 [[nodiscard]] record::Record open_records(Messages& messages, const std::vector<Source>& data,
                                           const std::string& model,
                                           const model::ModelSubject& subject,

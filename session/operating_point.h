@@ -11,8 +11,8 @@
 #include "session/wording.h"
 #include "shaft/shaft_prediction.h"
 
-/// The points at which a model is asked: what it says where a question does not, in which range a
-/// number is one, and what a shaft takes. Numbers are in the units of files.
+/// Operating points of a question: defaults from the model, ranges of the numbers, and loads that a
+/// shaft takes. Numbers are in the units of files.
 namespace raceway::session {
 
 /// NaN where the model says: the axial load of its rig, on a shaft the external one; the radial
@@ -22,25 +22,25 @@ struct AskedPoint {
          moment_y_Nmm = unset, moment_z_Nmm = unset;
 };
 
-/// What a model says, without a speed. The axial load is NaN where it says none.
+/// Operating point of a model, without a speed. The axial load is NaN if the model gives none.
 [[nodiscard]] bearing::OperatingPoint point_of(const model::Model& model);
-/// The same with what is asked.
+/// Operating point of a model with the requested values.
 [[nodiscard]] bearing::OperatingPoint point_of(const model::Model& model, const AskedPoint& asked);
 
-/// What of a point stands in a question.
+/// Loads that a question contains.
 struct GivenLoads {
   bool axial_load = false;
   bool acting_axial_load = false;  ///< one that is not 0
   bool radial_load = false, moments = false;
 };
 
-/// Throws text::InputError for an axial load that neither the question nor the model has, and for
-/// what a shaft does not take. Warns of moments that change nothing.
+/// Throws text::InputError for an axial load that neither the question nor the model has, and for a
+/// load that a shaft does not take. Warns of moments that change nothing.
 void require_loads(Messages& messages, const files::ModelFile& file, const GivenLoads& given,
                    Wording wording);
 
-/// A point that is asked, with its numbers in their ranges. Throws text::InputError as
-/// require_loads(), and for a number out of its range.
+/// A requested point, with its numbers in their ranges. Throws text::InputError as require_loads(),
+/// and for a number out of its range.
 [[nodiscard]] bearing::OperatingPoint operating_point(Messages& messages,
                                                       const files::ModelFile& file,
                                                       const AskedPoint& asked, Wording wording);
@@ -54,7 +54,7 @@ struct AskedAxes {
 [[nodiscard]] friction::TableAxes table_axes(Messages& messages, const files::ModelFile& file,
                                              const AskedAxes& asked, Wording wording);
 
-/// The points of an operating point as those of a shaft.
+/// Operating points as points of a shaft.
 [[nodiscard]] std::vector<shaft::ShaftPoint> shaft_points(
     std::span<const bearing::OperatingPoint> points);
 

@@ -10,14 +10,14 @@
 #include "session/messages.h"
 #include "session/wording.h"
 
-/// Which datum of a model matters most for what it predicts.
+/// Sensitivity of predictions to the data of a model.
 namespace raceway::session {
 
 struct SensitivityQuestion {
   /// Words as "torque" or names of columns; empty: the torque of a bearing, the displacement of a
   /// shaft or a spindle.
   std::vector<std::string> predictions{};
-  /// States: all combinations. Speeds there must be; else the model says what is empty.
+  /// States: all combinations. Speeds are required; empty others come from the model.
   std::vector<double> speeds_rpm{}, axial_loads_N{}, radial_loads_N{}, temperatures_C{};
   bool steady = false;  ///< of a whole spindle, where its speed leads
   bool coolant_on = true;
@@ -27,13 +27,13 @@ struct SensitivityQuestion {
   std::size_t samples = 0;  ///< of global indices; 0: none
   std::uint64_t seed = 1;
   Wording wording = Wording::flags;
-  /// Makes of a model as read what is asked, where that is more than its file says.
+  /// Changes the model as read to the question, beyond its file.
   std::function<void(files::ModelFile&)> amend{};
   const std::atomic<bool>* cancelled = nullptr;
   std::function<void(double)> progress{};  ///< called with the share that is done
 };
 
-/// What a model can be asked about: words, and the columns that they stand for.
+/// Predictions of a model that can be requested: words, and the columns that they stand for.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> sensitivity_words(
     const model::Model& model, bool steady);
 
@@ -50,14 +50,14 @@ struct SensitivityQuestion {
 /// spread to value + spread, independent of each other.
 ///
 /// Points are solved on all cores; neither their number nor their order changes a digit. Throws
-/// text::InputError for what was asked wrong, fit::Cancelled where `cancelled` is set meanwhile.
+/// text::InputError for a wrong question, fit::Cancelled where `cancelled` is set meanwhile.
 [[nodiscard]] results::Sensitivity sensitivity(Messages& messages, const files::ModelFile& file,
                                                const SensitivityQuestion& question);
 
 /// "speed_rpm 6000, axial_load_N 300" of a state.
 [[nodiscard]] std::string words_of_state(const results::Sensitivity& s, std::size_t state);
 
-/// What has no value, one line each.
+/// Predictions without a value, one line each.
 [[nodiscard]] std::vector<std::string> sensitivity_warnings(const results::Sensitivity& s);
 
 }  // namespace raceway::session

@@ -10,13 +10,13 @@
 
 namespace raceway::session {
 
-/// Where the bearings of a shaft lose their inner contacts or fall below their minimum load, each
-/// with the range of speeds in which it does, found between the points, which rise in speed.
+/// Warnings on bearings of a shaft that lose their inner contacts or fall below their minimum load,
+/// each with the range of speeds, found between the points, which rise in speed.
 [[nodiscard]] std::vector<std::string> shaft_warnings(
     const model::Model& model, std::span<const shaft::ShaftPoint> points,
     std::span<const shaft::ShaftPrediction> predictions);
 
-/// Why a point has not converged, in words.
+/// Reason why a point has not converged, in words.
 [[nodiscard]] std::string shaft_problem(const model::Model& model,
                                         const shaft::ShaftPrediction& prediction);
 

@@ -25,7 +25,7 @@ class ShaftCurve {
   }
   /// Half widths of the band; null where none was asked for.
   [[nodiscard]] const results::BandOfResult* band() const { return band_ ? &*band_ : nullptr; }
-  /// Whether every speed has a position and a torque.
+  /// Returns true if every speed has a position and a torque.
   [[nodiscard]] bool converged() const;
   /// Limits that are passed at the worst speed, unloaded bearings, and speeds without a value.
   [[nodiscard]] std::vector<record::Note> warnings() const;

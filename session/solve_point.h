@@ -24,8 +24,8 @@ struct PointAnswer {
   [[nodiscard]] bool converged() const { return status == bearing::SolveStatus::converged; }
 };
 
-/// Of a point without balance, behind its numbers: that none exists where that is certain, and
-/// otherwise that none was found.
+/// Statement on a point without balance, for the end of its numbers: that none exists if that is
+/// certain, otherwise that none was found.
 [[nodiscard]] std::string words_of_absence(const bearing::SolveReport& report,
                                            const bearing::OperatingPoint& point);
 
@@ -36,8 +36,8 @@ struct PointAnswer {
 [[nodiscard]] model::Findings judge(const model::Model& model, const bearing::OperatingPoint& point,
                                     const PointAnswer& answer);
 
-/// What a user should know of an answer that has converged: its findings, balls that may skid; and
-/// what makes it doubtful: limits of running bearings, a shoulder that cuts an ellipse.
+/// Notes on a converged answer: its findings, balls that may skid. Warnings: limits of running
+/// bearings, a shoulder that cuts an ellipse.
 [[nodiscard]] std::vector<record::Note> notes_on_point(const model::Model& model,
                                                        const bearing::OperatingPoint& point,
                                                        const PointAnswer& answer);

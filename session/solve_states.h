@@ -38,13 +38,13 @@ struct SolvedStates {
   std::vector<bearing::SolveStatus> status;
 };
 
-/// What solve_states() can answer of a model.
+/// Columns that solve_states() gives for a model.
 [[nodiscard]] std::vector<std::string> state_columns(const model::Model& model);
 
 /// Solves a bearing, or the sets on a shaft (axial loads are then external ones), at many states,
 /// on all cores. Neither the number of threads nor the other states change a digit.
 ///
-/// `columns`: those that are wanted, by name; all where empty. With a `band` of the model its
+/// `columns`: names of the requested columns; all where empty. With a `band` of the model its
 /// columns (band_columns()) follow. Loads and temperatures that are not given are those of the
 /// model. Throws text::InputError: no speed, no load, a number out of its range (with its place in
 /// the array), an unknown column, radial loads or moments on a shaft; Cancelled where `cancelled`
@@ -55,8 +55,8 @@ struct SolvedStates {
                                         const std::atomic<bool>* cancelled = nullptr,
                                         const model::Band* band = nullptr);
 
-/// All columns of one state by itself, with the 15 digits that `raceway solve` shows, and what is
-/// to be known of it. Many states are solved side by side, and differ by what docs/speed.md says.
+/// All columns of one state by itself, with the 15 digits that `raceway solve` shows, with notes on
+/// it. Many states are solved side by side; docs/speed.md gives the difference.
 /// Throws as solve_states(), and for more than one state.
 [[nodiscard]] SolvedStates solve_state(Messages& messages, const files::ModelFile& file,
                                        const StateArrays& states,
@@ -72,9 +72,10 @@ struct PredictedStates {
   std::vector<bearing::SolveStatus> status;  ///< `not_finite` where only the reading is no number
 };
 
-/// What a rig reads at many states; no further column, so that balls are solved for only where the
-/// model needs them. Otherwise as solve_states(). Throws text::InputError also for a shaft, and for
-/// an effect that needs what no state has, a time or a temperature of a ring.
+/// Solves the readings of a rig at many states; no further column, so that balls are solved for
+/// only where the model needs them. Otherwise as solve_states(). Throws text::InputError also for a
+/// shaft, and for an effect that needs an input which states lack, a time or a temperature of a
+/// ring.
 [[nodiscard]] PredictedStates predict_states(Messages& messages, const files::ModelFile& file,
                                              const StateArrays& states);
 

@@ -19,7 +19,7 @@ inline constexpr text::NumberRange moment_load_range{-1e5, 1e5, "N m"};
 struct DeflectionQuestion {
   double force = 0.0;        ///< [N]; axial: positive towards the tool
   bool axial = false;        ///< the force; else it is radial
-  double axial_force = 0.0;  ///< beside a radial one, positive towards the tool [N]
+  double axial_force = 0.0;  ///< in addition to a radial one, positive towards the tool [N]
   double moment = 0.0;  ///< at its place, positive as the force further in front, at the tool [N m]
   double at = 0.0;      ///< behind the nose face [m]
   double speed = 0.0;   ///< [rad/s]
@@ -42,7 +42,7 @@ struct SpindleDeflection {
 
   [[nodiscard]] bool converged() const { return result.converged(); }
   [[nodiscard]] std::vector<std::string> notes() const;
-  /// Why there is none, or limits that it passes.
+  /// Reason why there is none, or limits that it passes.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string json() const;
   [[nodiscard]] std::string csv() const;

@@ -37,7 +37,7 @@ struct SpindleRun {
 
   [[nodiscard]] bool converged() const { return run.report.converged(); }
   [[nodiscard]] std::vector<std::string> notes() const { return model::notes_of(findings); }
-  /// Where and why it ended early, and limits that it passes.
+  /// Place and reason of an early end, and limits that it passes.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string json() const;
   [[nodiscard]] std::string csv() const;

@@ -57,13 +57,14 @@ struct SpindleSteps {
 [[nodiscard]] SpindleSteps simulated_steps(Messages& messages, const files::ModelFile& file,
                                            const StepQuestion& question);
 
-/// Of load cases that were read; `file` may be null. Those with a speed alone have the power of the
-/// model there, at a temperature of its lubricant [C]; NaN: that of its rig.
+/// Step responses from load cases that were read; `file` may be null. Cases with a speed alone have
+/// the power of the model there, at a temperature of its lubricant [C]; NaN: the temperature of its
+/// rig.
 [[nodiscard]] SpindleSteps imported_steps(const std::vector<files::LoadCase>& cases,
                                           const std::string& source, const files::ModelFile* file,
                                           double temperature_C);
 
-/// What a correction of them is asked to be.
+/// Options of a correction made of step responses.
 struct StepCorrectionQuestion {
   std::string law = "curve";                     ///< of K and T: "curve", "power" or "line"
   std::string lags = "auto";                     ///< delay elements: "one", "two" or "auto"
@@ -76,8 +77,8 @@ struct StepCorrectionQuestion {
 [[nodiscard]] correction::Model correction_of_steps(Messages& messages, const SpindleSteps& steps,
                                                     const StepCorrectionQuestion& question);
 
-/// A correction of them against the whole simulation, over a programme of speeds, read as that of a
-/// spindle is. Throws std::invalid_argument as results::superposition().
+/// Compares a correction of them with the full simulation, over a programme of speeds, read as a
+/// spindle record. Throws std::invalid_argument as results::superposition().
 [[nodiscard]] results::Superposition superposition_of_steps(
     Messages& messages, const SpindleSteps& steps, const correction::Model& correction,
     const Source& programme, const std::atomic<bool>* cancelled = nullptr);

@@ -14,23 +14,24 @@ namespace raceway::session {
 /// "6000 rpm", or the name of a load case.
 [[nodiscard]] std::string name_of(const spindle::StepResponse& step);
 
-/// Friction loss of all bearings of a shaft at a speed, at a temperature [C]; NaN: that of the rig
-/// [W]. Throws std::invalid_argument where it does not balance.
+/// Friction loss of all bearings of a shaft at a speed and a temperature [C]; NaN: the temperature
+/// of the rig [W]. Throws std::invalid_argument where it does not balance.
 [[nodiscard]] double friction_power(const model::Model& model, double speed, double temperature);
 
-/// What its sets alone move by at a speed [m].
+/// Displacement by the bearing sets alone at a speed [m].
 [[nodiscard]] double kinematic_at(const model::Model& model, double speed);
 
-/// Of a correction, what step responses do not tell: power over speed, and what moves at once.
+/// Parts of a correction that step responses do not determine: power over speed, and instant
+/// displacement.
 struct StepParts {
   std::vector<results::PowerAtSpeed> power = {};
   std::optional<shaft::KinematicLaw> kinematic = {};
   std::vector<std::string> notes = {};
 };
 
-/// Powers are those of the steps where these have speeds, else by the friction of the model up to
-/// the largest of them. The kinematic law is that of the model, else of what the steps have at
-/// once. `model` may be null.
+/// Powers come from the steps if these have speeds, else from the friction of the model up to the
+/// largest of them. The kinematic law comes from the model, else from the instant parts of the
+/// steps. `model` may be null.
 [[nodiscard]] StepParts step_parts(const spindle::StepResponses& responses,
                                    const model::Model* model, double temperature);
 

@@ -8,9 +8,9 @@
 #include "model/model.h"
 #include "shaft/shaft_prediction.h"
 
-/// What stands in a table beside the torque: of a bearing its moments, angles and pressures, of a
-/// shaft those of every bearing. The position comes last. Of single states a bearing has stiffness
-/// and ball loads, too.
+/// Columns of a table in addition to the torque: for a bearing its moments, angles and pressures,
+/// for a shaft the same for every bearing. The position comes last. For single states a bearing has
+/// stiffness and ball loads, too.
 namespace raceway::session {
 
 enum class Columns { of_tables, of_states };
@@ -22,7 +22,7 @@ enum class Columns { of_tables, of_states };
 void fill_table_line(const model::Model& model, std::span<const bearing::OperatingPoint> points,
                      std::span<friction::TablePoint> out, Columns which = Columns::of_tables);
 
-/// The same of a single state whose prediction is there.
+/// Fills the columns of a single state whose prediction is there.
 void fill_state(const model::Model& model, const bearing::OperatingPoint& point,
                 const model::FrictionPrediction& prediction, friction::TablePoint& out);
 void fill_shaft_state(const model::Model& model, const shaft::ShaftPrediction& prediction,

@@ -17,7 +17,7 @@
 
 namespace raceway::session {
 
-/// A Stribeck table as it is asked.
+/// A requested Stribeck table.
 struct TableQuestion {
   AskedAxes axes{};
   friction::TableSlab slab{};
@@ -25,7 +25,7 @@ struct TableQuestion {
   Wording wording = Wording::arguments;
 };
 
-/// Its grid and the names of its columns: what is to be known before it is made.
+/// Grid and column names of a table, before it is computed.
 struct TablePlan {
   friction::TableAxes axes;
   std::vector<std::string> columns;
@@ -34,7 +34,7 @@ struct TablePlan {
 [[nodiscard]] TablePlan plan_table(Messages& messages, const files::ModelFile& file,
                                    const TableQuestion& question);
 
-/// The table, and what it can be written as.
+/// The table and its output formats.
 struct TableAnswer {
   friction::StribeckTable table{};
   std::optional<model::Band> band{};
@@ -44,7 +44,7 @@ struct TableAnswer {
   /// `format`: csv, with the model in its head, plain or modelica.
   [[nodiscard]] std::string text(const files::ModelFile& file, const std::string& format,
                                  const std::function<void(double)>& progress = {}) const;
-  /// What a user should know of it.
+  /// Notes for the user.
   [[nodiscard]] std::vector<std::string> notes(const model::Model& model) const;
   /// Limits that it passes.
   [[nodiscard]] std::vector<record::Note> warnings() const {

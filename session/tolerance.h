@@ -11,7 +11,7 @@
 
 namespace raceway::session {
 
-/// `--tolerance 2um,0.5K` of a command: errors that do not matter to whoever uses the model.
+/// `--tolerance 2um,0.5K` of a command: errors that do not matter to the user of the model.
 struct Tolerance {
   std::string text;
 

@@ -4,8 +4,7 @@
 
 namespace raceway::session {
 
-/// How messages call what was asked for: by the flags of the command or the arguments of a
-/// function.
+/// Naming of arguments in messages: by the flags of the command or the arguments of a function.
 enum class Wording { flags, arguments };
 
 /// "--moment" or "moment_Nm".

@@ -8,11 +8,11 @@
 
 namespace raceway::report {
 
-/// What the pages say of each model: law, its factors and those of the effects, oil, defaults.
-/// Shared by the reports.
+/// Facts on each model for the pages: law, its factors and the factors of the effects, oil,
+/// defaults. Shared by the reports.
 [[nodiscard]] text::json model_facts(const std::vector<ModelOfPage>& models);
 
-/// What changed from each model to the next.
+/// Changes from each model to the next.
 [[nodiscard]] text::json changes_json(const std::vector<model::ModelChanges>& changes);
 
 }  // namespace raceway::report

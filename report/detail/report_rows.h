@@ -12,8 +12,8 @@
 
 namespace raceway::report {
 
-/// Rows of a record as columns of a report: what was set, what one channel read, its noise, what
-/// models say. Names of columns end with the unit; readings are in that of the channel.
+/// Rows of a record as columns of a report: settings, readings of one channel, their noise,
+/// predictions. Names of columns end with the unit; readings are in the unit of the channel.
 class ReportRows {
  public:
   /// `rows` of the record, rising.
@@ -29,15 +29,16 @@ class ReportRows {
   std::string add_readings(const std::string& name, std::vector<double> values);
   /// The standard deviation of each reading [SI], NaN where not known.
   void add_std(std::vector<double> std);
-  /// What a model predicts, as the next of the columns `predicted_0_UNIT`, ..., and where it errs
-  /// on the plan. After add_std().
+  /// Adds the predictions of a model as the next of the columns `predicted_0_UNIT`, ..., and its
+  /// errors on the plan. Call it after add_std().
   void add_model(const std::string& name, const verdict::Comparison& comparison);
 
   void finish(Document& document) const;
 
  private:
   void add_inputs();
-  /// Several records, which take the place of runs where they have none beside.
+  /// Returns true for several records, which take the place of runs unless there are more runs than
+  /// records.
   [[nodiscard]] bool by_record() const {
     return !record_.parts.empty() && record_.runs.size() <= record_.parts.size();
   }

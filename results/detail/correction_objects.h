@@ -6,7 +6,7 @@
 /// Results of corrections as JSON objects, shared by the writers of results.
 namespace raceway::results {
 
-/// `rmse_um`, `fit_percent` and the rest, by their definitions beside each other.
+/// `rmse_um`, `fit_percent` and the other metrics, each by its own definition.
 [[nodiscard]] text::json metrics_object(const correction::Metrics& metrics);
 
 }  // namespace raceway::results

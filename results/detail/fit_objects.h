@@ -15,7 +15,8 @@
 /// results.
 namespace raceway::results {
 
-/// Of one model; the first channel at the top, all of them in `channels` where there are several.
+/// Comparison of one model; the first channel at the top, all of them in `channels` where there are
+/// several.
 [[nodiscard]] text::json comparison_object(const std::string& model_file,
                                            const std::vector<const verdict::Comparison*>& channels,
                                            const record::Record& record);
@@ -41,7 +42,7 @@ struct ChannelCount {
 [[nodiscard]] double log_determinant_in_units(const fit::Likelihood& likelihood,
                                               const std::vector<ChannelCount>& channels);
 
-/// By the order of their parameters.
+/// Rows of the matrix, in the order of the parameters.
 [[nodiscard]] text::json correlation_rows(const Eigen::MatrixXd& correlation);
 
 /// Puts a list with one entry for each measured channel into a document, where there are several.
@@ -60,7 +61,7 @@ void add_notes(text::json& document, const record::Record& record);
 [[nodiscard]] text::json hold_out_object(const std::vector<fit::HoldOut>& hold_out,
                                          const std::vector<const record::Channel*>& channels);
 
-/// rows_beyond_range (null where the model does not say what it has seen) and beyond_range.
+/// rows_beyond_range (null where the model gives no range) and beyond_range.
 [[nodiscard]] text::json beyond_object(const correction::Beyond& beyond,
                                        const record::Record& record);
 

@@ -21,14 +21,14 @@ namespace raceway::results {
 /// Level of a band and the fitted parameters behind it.
 [[nodiscard]] text::json band_json(const BandOfResult& band);
 
-/// Puts the half widths of one row of it beside the numbers of that row.
+/// Adds the half widths of one row of the band to the numbers of that row.
 void add_band(text::json& row, const BandOfResult& band, std::size_t index);
 
 /// Ratings and lives, kappa and static safety, which balls and rollers have alike.
 void add_life(text::json& document, const model::Model& model, const model::BearingLife& life);
 
-/// Speed of the cage and frequencies at a shaft speed [rad/s]; `spin`: the name of that of an
-/// element about its own axis.
+/// Speed of the cage and frequencies at a shaft speed [rad/s]; `spin`: the name for the frequency
+/// of an element about its own axis.
 void add_frequencies(text::json& document, const bearing::BearingFrequencies& turns, double speed,
                      std::string_view spin);
 

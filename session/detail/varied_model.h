@@ -100,7 +100,7 @@ class Data {
   std::vector<State> states_;
   std::vector<results::VariedDatum> all_;
   std::vector<std::size_t> asked_;
-  std::vector<std::size_t> axes_;  // of the data behind those of the model
+  std::vector<std::size_t> axes_;  // indices of data, behind the data of the model
 };
 
 /// Calls `work(i)` for i < count on all cores and reports progress from `from` to `to`.
