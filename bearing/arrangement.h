@@ -10,14 +10,14 @@
 
 namespace raceway::bearing {
 
-/// How the sets at the two ends of a shaft face each other. `front` is the tool side.
+/// Orientation of the bearing sets at the two ends of a shaft. `front` is the tool side.
 ///
 ///   back_to_back   O: bearings at the front push the shaft towards the tool, those behind away
 ///   face_to_face   X: the other way round
 ///   tandem         all bearings in one set, which pushes towards the tool, against a spring
 enum class Layout { back_to_back, face_to_face, tandem };
 
-/// What holds the outer rings of the rear set: the housing, or a spring that presses them on.
+/// Support of the outer rings of the rear set: fixed in the housing, or preloaded by a spring.
 enum class Mounting { rigid, spring };
 
 enum class Side { front, rear };
@@ -25,7 +25,7 @@ enum class Side { front, rear };
 /// One bearing of a set.
 struct MountedBearing {
   std::shared_ptr<const Bearing> bearing;
-  /// How much further than its set this bearing is pressed, from how its faces are ground [m].
+  /// Additional compression of this bearing beyond that of its set, from its ground faces [m].
   double offset = 0.0;
   [[nodiscard]] bool operator==(const MountedBearing&) const = default;
 };
@@ -36,8 +36,7 @@ struct PreloadForce {
   [[nodiscard]] bool operator==(const PreloadForce&) const = default;
 };
 
-/// How far clamping presses the two sides together, from where both just touch [m]: the gap ground
-/// into the faces.
+/// Clamping travel from first contact of the two sides [m]: the gap ground into the faces.
 struct PreloadOffset {
   double offset = unset;
   [[nodiscard]] bool operator==(const PreloadOffset&) const = default;
@@ -45,14 +44,14 @@ struct PreloadOffset {
 
 using Preload = std::variant<PreloadForce, PreloadOffset>;
 
-/// What a user says of an arrangement.
+/// Arrangement as the user enters it.
 struct ArrangementDesign {
   Layout layout = Layout::back_to_back;
   std::vector<MountedBearing> front = {};
   std::vector<MountedBearing> rear = {};  ///< none in tandem
   Mounting mounting = Mounting::rigid;
   Preload preload = {};
-  double spring_rate = 0.0;  ///< of a spring mounting [N/m]; 0 keeps its force whatever happens
+  double spring_rate = 0.0;  ///< of a spring mounting [N/m]; 0: constant force
   /// Share of the way from this mounting to the other one, rigid or a spring that keeps its force;
   /// see Arrangement::Seat [1].
   double other_mounting = 0.0;

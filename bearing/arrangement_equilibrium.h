@@ -9,7 +9,7 @@
 
 namespace raceway::bearing {
 
-/// What moves the grooves of one bearing of an arrangement from where they were mounted [m].
+/// Shifts of the grooves of one bearing of an arrangement from the mounted state [m].
 struct RingShift {
   double axial = 0.0;         ///< inner ring pressed further into the bearing
   double radial = 0.0;        ///< circle of inner groove centres grows beyond that of the outer
@@ -18,7 +18,7 @@ struct RingShift {
   [[nodiscard]] bool operator==(const RingShift&) const = default;
 };
 
-/// What an arrangement runs under.
+/// Operating condition of an arrangement.
 struct ArrangementCondition {
   double speed = 0.0;          ///< [rad/s], >= 0
   double external_load = 0.0;  ///< axial, on the shaft, positive towards the tool [N]
@@ -79,7 +79,7 @@ struct ArrangementEquilibrium {
   /// Bearing i as the friction laws want it: all balls, displacement and stiffness in x alone (the
   /// other components of the stiffness are NaN).
   [[nodiscard]] BearingEquilibrium bearing(std::size_t i, const Arrangement& arrangement) const;
-  /// How the balls of each bearing turn, for `EquilibriumOptions::rotations`; empty under race
+  /// Given ball rotations of each bearing, for `EquilibriumOptions::rotations`; empty under race
   /// control.
   [[nodiscard]] std::vector<GivenRotation> rotations() const;
 };
@@ -115,8 +115,8 @@ struct ArrangementEquilibrium {
     const Arrangement& arrangement, const ArrangementCondition& condition,
     const EquilibriumOptions& options = {}, const ArrangementEquilibrium* neighbour = nullptr);
 
-/// The same for many conditions, each from the one before it. Throws std::invalid_argument if the
-/// sizes differ.
+/// Solves many conditions, each starting from the one before it. Throws std::invalid_argument if
+/// the sizes differ.
 void solve_arrangement(const Arrangement& arrangement,
                        std::span<const ArrangementCondition> conditions,
                        std::span<ArrangementEquilibrium> results,

@@ -20,7 +20,7 @@ struct PlaneOf {
 };
 using Plane = PlaneOf<double>;
 
-/// What all balls of a bearing share at one speed.
+/// Constants of all balls of a bearing at one speed.
 template <typename T>
 struct BallConstantsOf {
   T inner_radius;      ///< (f_i - 0.5) D: groove centre to ball centre without load [m]
@@ -36,7 +36,7 @@ struct BallConstants : BallConstantsOf<double> {
   RaceControl race_control;
 };
 
-/// What decides how a ball rotates: one of the races, or somebody else.
+/// Source of a ball's rotation: control by one race, or values given by the caller.
 enum class Rotation { outer_control, inner_control, given };
 
 /// C = m d_m ω²/2 [N].
@@ -89,9 +89,9 @@ struct BallBalanceOf : BallForcesOf<T> {
 };
 using BallBalance = BallBalanceOf<double>;
 
-/// Who decides whether a ball touches the inner race. `automatic` is the physics; the other two
-/// hold one side of the switch while a solver looks for a solution there. A `kept` contact may
-/// pull: Q = K δ |δ|^0.5, smooth through zero; such a solution counts only if no contact pulls.
+/// Contact of a ball with the inner race. `automatic` is the physics; the other two hold one side
+/// of the switch while a solver looks for a solution there. A `kept` contact may pull:
+/// Q = K δ |δ|^0.5, smooth through zero; such a solution counts only if no contact pulls.
 enum class InnerContact : signed char { automatic, kept, lost };
 
 /// Sines and cosines of both contact angles, and 1/(1 + cos(αi - αo)).
@@ -102,8 +102,8 @@ struct ContactAngles {
   T inv;
 };
 
-/// What race control decides: orbital speed ratio m = ω_m/ω, frictions Ti and To, and how they
-/// follow the contact angles (_i, _o: per radian of αi, αo).
+/// Results of race control: orbital speed ratio m = ω_m/ω, frictions Ti and To, and their
+/// derivatives by the contact angles (_i, _o: per radian of αi, αo).
 template <typename T>
 struct RaceLaw {
   T m, m_i, m_o;
@@ -181,7 +181,7 @@ template <typename T>
   return law;
 }
 
-/// What a given rotation's frictions gain where the inner contact is pressed [N per N].
+/// Derivatives of the frictions of a given rotation by the inner contact load [N/N].
 struct FrictionGain {
   double inner, outer;
 };
@@ -341,8 +341,8 @@ template <Rotation rotation, typename T>
   return b;
 }
 
-/// The same for the race control of the constants, or the rotation that is given;
-/// `moment_arm_ratio` = f_i D / R_i [1].
+/// Balance under the race control of the constants, or under a given rotation; `moment_arm_ratio` =
+/// f_i D / R_i [1].
 [[nodiscard]] inline BallBalance ball_balance(const BallConstants& c, Plane groove_centre,
                                               Plane ball_centre, double moment_arm_ratio,
                                               InnerContact contact = InnerContact::automatic,

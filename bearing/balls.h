@@ -10,7 +10,7 @@
 
 namespace raceway::bearing {
 
-/// Which balls a load leaves alike, and so which ring coordinates it needs.
+/// Symmetry of the balls under a load; it fixes the ring coordinates needed.
 enum class Symmetry {
   thrust,  ///< all balls alike: one ball, x
   mirror,  ///< load in the x-y plane, ball k like ball Z - k: half the balls, x, y (and θz)
@@ -22,7 +22,7 @@ enum class Symmetry {
   return symmetry == Symmetry::thrust ? 1 : symmetry == Symmetry::mirror ? count / 2 + 1 : count;
 }
 
-/// How many balls of the bearing distinct ball k stands for [1].
+/// Number of balls that distinct ball k represents [1].
 [[nodiscard, gnu::always_inline]] constexpr double weight_of_ball(Symmetry symmetry, int count,
                                                                   int k) {
   if (symmetry == Symmetry::none) return 1.0;
@@ -63,7 +63,7 @@ class Balls {
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(count_); }
   [[nodiscard]] bool empty() const { return count_ == 0; }
 
-  /// Which of distinct() ball k is like.
+  /// Index in distinct() of the ball equivalent to ball k.
   [[nodiscard]] std::size_t twin(std::size_t k) const {
     return symmetry_ == Symmetry::thrust                     ? 0
            : symmetry_ == Symmetry::mirror && 2 * k > size() ? size() - k
@@ -79,9 +79,9 @@ class Balls {
     return (*this)[k];
   }
 
-  /// The first of those that are alike, by azimuth.
+  /// First ball of each group of equivalent balls, by azimuth.
   [[nodiscard]] std::span<const BallEquilibrium> distinct() const { return distinct_; }
-  /// How many balls of the bearing distinct ball i stands for [1].
+  /// Number of balls that distinct ball i represents [1].
   [[nodiscard]] double weight(std::size_t i) const {
     return weight_of_ball(symmetry_, count_, static_cast<int>(i));
   }

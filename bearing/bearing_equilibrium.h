@@ -38,7 +38,7 @@ struct BearingEquilibrium {
   /// (deep groove, α0 = 0: from the centred position).
   Vector5 displacement = Vector5::Constant(unset);
   Balls balls;
-  /// How each of balls.distinct() turns, where that was given; empty under race control.
+  /// Given rotation of each of balls.distinct(); empty under race control.
   std::vector<GivenRotation> rotations;
   /// Tangent stiffness ∂(F_x, F_y, F_z, M_y, M_z)/∂displacement [N/m, N/rad, N m/m, N m/rad]. Not
   /// quite symmetric at speed, since centrifugal and gyroscopic forces follow the motion.
@@ -72,7 +72,7 @@ struct BearingEquilibrium {
                                                            const OperatingPoint& point,
                                                            const EquilibriumOptions& options = {});
 
-/// The same from a neighbour's solution, for sweeps; falls back to the cold start.
+/// Solves from a neighbour's solution, for sweeps; falls back to the cold start.
 [[nodiscard]] BearingEquilibrium solve_bearing_equilibrium(const Bearing& bearing,
                                                            const OperatingPoint& point,
                                                            const EquilibriumOptions& options,

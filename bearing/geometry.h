@@ -18,7 +18,7 @@ struct BearingGeometry {
   double bore = unset;            ///< d [m], default d_m - 1.5 D
   double outer_diameter = unset;  ///< outer diameter of the outer ring [m], default d_m + 1.5 D
   double static_load_rating = unset;  ///< C0 [N]; friction laws that use it demand it
-  /// Of the shoulders that the balls run against, where they are known [m]; see shoulder.h.
+  /// Diameters of the shoulders that the balls run against, where known [m]; see shoulder.h.
   double inner_shoulder_diameter = unset, outer_shoulder_diameter = unset;
 
   /// Distance of the two groove centres without load, B D = (f_i + f_o - 1) D [m].
@@ -26,7 +26,7 @@ struct BearingGeometry {
   /// Radius of the circle of inner groove centres, R_i = d_m/2 + (f_i - 0.5) D cos α0 [m].
   /// Lever of tilt and moment. (ISO/TS 16281 writes it so; some programs take d_m/2.)
   [[nodiscard]] double inner_groove_centre_radius() const;
-  /// Of the outer one, R_o = d_m/2 - (f_o - 0.5) D cos α0 [m].
+  /// Radius of the circle of outer groove centres, R_o = d_m/2 - (f_o - 0.5) D cos α0 [m].
   [[nodiscard]] double outer_groove_centre_radius() const;
   /// γ' = D / d_m [1].
   [[nodiscard]] double diameter_ratio() const;

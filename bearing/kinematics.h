@@ -4,7 +4,7 @@
 
 namespace raceway::bearing {
 
-/// Which race holds the ball against spinning: at that race the ball rolls without spin.
+/// Race that controls the ball: at that race the ball rolls without spin.
 enum class RaceControl { outer, inner };
 
 /// Speeds of a ball from its contact angles, the inner ring turning at ω. All laws here are
@@ -24,15 +24,15 @@ T cage_speed_ratio(RaceControl control, const T& cos_inner, const T& cos_outer,
   return (cos_difference - g * cos_outer) / (1.0 + cos_difference);
 }
 
-/// Rotation of a ball that does not follow from its contact angles by race control, as whoever
-/// balances its friction found it: its orbital speed and the frictions in its plane.
+/// Rotation of a ball from its friction balance instead of race control: its orbital speed and the
+/// frictions in its plane.
 ///
 ///   m = p/(p + q) + m_c,   p = (1 - g cos αi) cos(αo - β),   q = (1 + g cos αo) cos(αi - β)
 ///   Ti, To = s times those given,   s = x (2 - x),   x = Qi/(load at which they were found) <= 1
 ///
-/// rolling without slip at both contacts about an axis at pitch β, and what creep adds. β, m_c and
-/// the frictions stay as they are while contact angles move, and the frictions vanish with the
-/// inner contact. Without any it is outer control of a ball off the inner race, where αo = 0.
+/// Rolling without slip at both contacts about an axis at pitch β, plus creep. β, m_c and the
+/// frictions stay as they are while contact angles move, and the frictions vanish with the inner
+/// contact. The default is outer control of a ball off the inner race, where αo = 0.
 struct GivenRotation {
   double cos_pitch = 1.0, sin_pitch = 0.0;            ///< of β
   double creep = 0.0;                                 ///< m_c [1]
@@ -48,7 +48,7 @@ struct BallSpeeds {
   double pitch_angle;       ///< β between the ball's axis and the bearing axis
   double inner_spin_speed;  ///< relative rotation about the normal of the inner contact; 0 under
                             ///< inner control
-  double outer_spin_speed;  ///< the same at the outer contact; 0 under outer control
+  double outer_spin_speed;  ///< relative rotation at the outer contact; 0 under outer control
 };
 
 /// Speeds of a ball:
@@ -111,7 +111,7 @@ struct BallRotation {
   return p / (p + q);
 }
 
-/// The same of a ball whose rotation is given: it rolls about its axis, and the cage creeps.
+/// Rotation of a ball by a friction balance: it rolls about its axis, and the cage creeps.
 [[nodiscard]] inline BallRotation ball_rotation(const GivenRotation& given,
                                                 double inner_contact_angle,
                                                 double outer_contact_angle, double diameter_ratio,

@@ -27,8 +27,8 @@ class LoadShares {
   [[nodiscard]] bool choose(std::vector<InnerContact>& contacts, RingState& state) const;
   /// Ring and balls with these contacts, the lost balls thrown against the outer race.
   [[nodiscard]] bool spread(const std::vector<InnerContact>& contacts, RingState& state) const;
-  /// The same, and how far the worst contact is on the wrong side by it [m]; NaN where there is
-  /// none.
+  /// Ring and balls as spread(). Returns by how much the worst contact violates its assumed side
+  /// [m]; NaN if no ring position is found.
   [[nodiscard]] double violation(const std::vector<InnerContact>& contacts, RingState& state) const;
   /// Balls in falling order of c.
   [[nodiscard]] const std::vector<std::size_t>& order() const { return order_; }
@@ -51,7 +51,7 @@ class LoadShares {
     Plane groove, ball;
   };
 
-  /// Of a ball under this axial force with its groove centre at this radius; `near` is a start.
+  /// Share of a ball under this axial force, groove centre at this radius; `near` is the start.
   [[nodiscard]] Share share_at(double axial, double radius, const Share& near) const;
   /// All that follows from the inner angle.
   void set_outer_angle(double axial, Share& share) const;

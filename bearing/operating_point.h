@@ -4,7 +4,7 @@
 
 namespace raceway::bearing {
 
-/// What is applied to the inner ring of one bearing. x along the shaft, y and z radial,
+/// Speed, loads and moments on the inner ring of one bearing. x along the shaft, y and z radial,
 /// right-handed; the inner ring turns, the outer ring stands.
 struct OperatingPoint {
   double speed = 0.0;  ///< shaft to housing [rad/s], >= 0 (the sense of rotation is immaterial)

@@ -14,8 +14,8 @@
 // fits all components.
 namespace raceway::bearing {
 
-/// What holds a ball: two springs on one line, or the balance of a ball that orbits, under race
-/// control or in a rotation that is given.
+/// Model of a ball: two springs in line, or the balance of an orbiting ball under race control or
+/// with a given rotation.
 enum class BallModel { at_rest, outer_control, inner_control, given_rotation };
 
 /// Ring coordinates that are unknowns, among x, y, z, θy, θz.
@@ -67,7 +67,7 @@ decltype(auto) with_model(BallModel model, F&& f) {
   return with_race_control(model, f);
 }
 
-/// Where the balls are, and which of them are unknowns: one, half of them, or all.
+/// Positions of the balls, and the number of unknown ones: one, half of them, or all.
 struct BallCircle {
   const double* azimuth;  ///< [rad]
   const double* cosine;   ///< of the azimuth
@@ -77,11 +77,11 @@ struct BallCircle {
   std::span<const GivenRotation> rotations = {};  ///< of the balls, or one of all; see BallModel
 
   [[nodiscard, gnu::always_inline]] int used() const { return distinct_balls(symmetry, count); }
-  /// How many balls of the bearing ball k stands for [1].
+  /// Number of balls that ball k represents [1].
   [[nodiscard, gnu::always_inline]] double weight(int k) const {
     return weight_of_ball(symmetry, count, k);
   }
-  /// Where rotations are given, that of ball k.
+  /// Given rotation of ball k, or null.
   [[nodiscard, gnu::always_inline]] const GivenRotation* rotation(int k) const {
     if (rotations.empty()) return nullptr;
     return &rotations[rotations.size() == 1 ? 0 : static_cast<std::size_t>(k)];
@@ -121,7 +121,7 @@ struct BallStep {
   T outer_approach;  ///< δo [m]
 };
 
-/// What one ball does to the ring, in its own plane, the ball's position eliminated.
+/// Contribution of one ball to the ring, in its own plane, the ball's position eliminated.
 template <typename T>
 struct BallShare {
   T force[3];              ///< f_axial, f_radial, f_m [N]
@@ -223,7 +223,7 @@ template <class C, typename T>
 template <class C, typename T>
 struct RingSums {
   T carried[C::count];              ///< by the balls [N]
-  T ahead[C::count];                ///< the same once they have made their own step [N]
+  T ahead[C::count];                ///< after the balls' own step [N]
   T stiffness[C::count][C::count];  ///< with the balls eliminated [N/m]
 
   RingSums() {
@@ -283,8 +283,8 @@ void complete(const BallCircle& circle, RingSums<AllCoordinates, T>& sums) {
   }
 }
 
-/// Of the loads summed again from the reported balls, relative; rounding leaves a thousandth of it.
-/// The self-check of every solve: what does not carry the load is no result.
+/// Relative error allowed when the loads are summed again from the reported balls; rounding causes
+/// a thousandth of it. Self-check of every solve.
 inline constexpr double largest_load_error = 1e-8;
 
 /// A ring in balance as it is reported.

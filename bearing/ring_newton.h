@@ -11,11 +11,11 @@ namespace raceway::bearing {
 struct NewtonLimits {
   double tolerance;  ///< on the scaled residual [1]
   int steps;         ///< of one lane
-  /// Of the merit that a whole step may leave behind: a ball that changes sides may raise it once.
+  /// Factor by which a whole step may raise the merit; a ball that changes sides may do so once.
   double rise = 4.0;
 };
 
-/// How far lanes have come; each is true in at most one of these.
+/// Progress of the lanes; each lane is true in at most one of these.
 template <typename T>
 struct NewtonProgress {
   Mask<T> taken;      ///< has moved to its trial state, and goes on from there unless it is in:
@@ -36,7 +36,7 @@ class RingNewton {
   RingPoint<T> point;
   T ring[5];
   std::vector<PlaneOf<T>> balls;
-  T trial_ring[5];  ///< where the next pass looks
+  T trial_ring[5];  ///< evaluated by the next pass
   std::vector<PlaneOf<T>> trial_balls;
   T steps = T(0.0);     ///< made since the start
   T residual = T(0.0);  ///< at `ring` and `balls` [1]

@@ -58,7 +58,7 @@ class RingSystem {
 
   /// Balls that are unknowns: one, half of them, or all.
   [[nodiscard]] std::size_t balls_used() const { return static_cast<std::size_t>(circle_.used()); }
-  /// How many balls of the bearing ball k stands for [1].
+  /// Number of balls that ball k represents [1].
   [[nodiscard]] double weight(std::size_t k) const { return circle_.weight(static_cast<int>(k)); }
   /// Inner groove centre of ball k [m].
   [[nodiscard]] Plane groove_centre(const Vector5& ring, std::size_t k) const;

@@ -82,7 +82,7 @@ struct LineContact {
   double stiffness = unset;     ///< c1 of one slice at one race [N/m^(10/9)]
   double compliance = unset;    ///< k1 + k2 [1/Pa]
   double inner_radius = unset;  ///< R of roller and inner raceway, D/2 (1 - D/d_m) [m]
-  double outer_radius = unset;  ///< the same at the outer raceway, D/2 (1 + D/d_m) [m]
+  double outer_radius = unset;  ///< radius at the outer raceway, D/2 (1 + D/d_m) [m]
 
   [[nodiscard]] double radius(Race race) const {
     return race == Race::inner ? inner_radius : outer_radius;

@@ -6,7 +6,7 @@
 
 namespace raceway::bearing {
 
-/// Where the loaded balls of an angular-contact bearing lie in the inner groove.
+/// Position of the loaded balls of an angular-contact bearing in the inner groove.
 enum class Seat {
   shoulder,       ///< against the shoulders, as the bearing is meant to run
   groove_bottom,  ///< at the bottom, without contact angle

@@ -52,7 +52,7 @@ class ShaftSystem {
   [[nodiscard]] const BallConstants& constants(std::size_t i) const {
     return members_[i].constants;
   }
-  /// How the balls of bearing i turn, where that is given and they turn at all.
+  /// Given rotation of the balls of bearing i; null at rest or if none is given.
   [[nodiscard]] const GivenRotation* rotation(std::size_t i) const {
     return at_rest_ || options_.rotations.empty() ? nullptr : &options_.rotations[i];
   }

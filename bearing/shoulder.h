@@ -6,18 +6,18 @@
 
 namespace raceway::bearing {
 
-/// How far a groove reaches up its shoulder: the angle of its edge from the groove's bottom, seen
-/// from the groove's centre as contact angles are [rad]. NaN where no shoulder diameter is given.
+/// Angle of a shoulder's edge from the bottom of the groove, measured at the groove's centre like a
+/// contact angle [rad]. NaN where no shoulder diameter is given.
 ///
 ///   inner   cos θ = (R_i - d_s/2)/r_i,   r_i = f_i D,   R_i = d_m/2 + (f_i - 0.5) D cos α0
 ///   outer   cos θ = (d_s/2 - R_o)/r_o,   r_o = f_o D,   R_o = d_m/2 - (f_o - 0.5) D cos α0
 ///
-/// Source: geometry, derived. The land heights h = d_s/2 - (R_i - r_i) of [Harris2006] say the
-/// same:
-///         cos θ = 1 - h/r. Domain: d_s of validated(BearingGeometry).
+/// Source:   geometry, derived. Equal to cos θ = 1 - h/r with the land heights
+///           h = d_s/2 - (R_i - r_i) of [Harris2006].
+/// Domain:   d_s of validated(BearingGeometry).
 [[nodiscard]] double shoulder_angle(const BearingGeometry& geometry, Race race);
 
-/// What is left between the edge of the contact ellipse and that of the shoulder [rad]:
+/// Angular margin between the contact ellipse and the shoulder's edge [rad]:
 ///
 ///   θ - (α + asin(a/r))
 ///
@@ -25,9 +25,8 @@ namespace raceway::bearing {
 /// shoulder cuts the ellipse off, and its edge carries more than Hertz says.
 /// Source:   static ellipse against land height as in [Harris2006, vol. 1], from memory, print not
 ///           seen.
-/// Domain:   a balance; of α0 = 0 (deep groove, two shoulders) |α|, else α: beyond the bottom of
-/// the
-///           groove no shoulder stands. NaN without a shoulder, or where no ball touches.
+/// Domain:   a balance; for α0 = 0 (deep groove, two shoulders) |α|, else α: there is no shoulder
+///           beyond the bottom of the groove. NaN without a shoulder, or where no ball touches.
 /// Accuracy: the shoulder has a sharp edge here; a real one is rounded over a tenth of a millimetre
 ///           or so, some 1 deg.
 struct ShoulderMargins {

@@ -18,7 +18,7 @@ enum class SolveStatus {
 /// The status in the words of the JSON results, e.g. "no_equilibrium".
 [[nodiscard]] std::string_view name(SolveStatus status);
 
-/// How a solve ended. Starts as a failure; only the solver turns it into a success.
+/// Outcome of a solve. It starts as a failure; only the solver turns it into a success.
 struct SolveReport {
   SolveStatus status = SolveStatus::not_run;
   int iterations = 0;       ///< Newton steps, over all stages

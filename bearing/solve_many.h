@@ -42,9 +42,9 @@ void solve_many(std::span<const BearingCase> cases, std::span<BearingEquilibrium
                 const EquilibriumOptions& options = {},
                 InstructionSet set = best_instruction_set());
 
-/// The same for callers that keep a few numbers of each: `take` gets the index of each point and
-/// its equilibrium, from several threads at once, each index once. Memory is bounded whatever the
-/// number of points.
+/// Solves for callers that keep a few numbers of each point: several threads call `take` with the
+/// index of a point and its equilibrium, each index once. Memory does not grow with the number of
+/// points.
 void visit_equilibria(const Bearing& bearing, std::span<const OperatingPoint> points,
                       const std::function<void(std::size_t, const BearingEquilibrium&)>& take,
                       const EquilibriumOptions& options = {},

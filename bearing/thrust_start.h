@@ -5,7 +5,7 @@
 
 namespace raceway::bearing {
 
-/// Where pure thrust puts every ball, to a few digits: the start of all other solves.
+/// Approximate position of every ball under pure thrust: the start of all other solves.
 template <typename T>
 struct ThrustStart {
   T axial_displacement;    ///< of the inner ring [m]
@@ -212,9 +212,9 @@ Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, 
   return found;
 }
 
-/// What remains is one equation in cot αi, that the radial distances fill the radial distance of
-/// the groove centres; it is solved by a bracketing secant. False where it has no root: no
-/// equilibrium under pure thrust. Lanes that have their root keep it while others go on.
+/// Solves the remaining equation in cot αi by a bracketing secant: the radial distances add up to
+/// that of the groove centres. False where it has no root: no equilibrium under pure thrust. Lanes
+/// with a root keep it while others go on.
 template <RaceControl control, typename T>
 Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const T& thrust,
                      ThrustStart<T>& start) {

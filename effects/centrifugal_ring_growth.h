@@ -8,8 +8,8 @@
 
 namespace raceway::effects {
 
-/// What both forms share: an inner ring that widens with the square of speed, at once and without
-/// lag, unlike thermal-preload.
+/// Law of both forms: the inner ring widens with the square of speed, at once and without lag,
+/// unlike thermal-preload.
 ///
 ///   x = c (n/10 000 rpm)²
 ///
@@ -20,7 +20,7 @@ struct RingGrowthAtSpeed {
   static constexpr std::string_view id = "centrifugal-ring-growth";
   static constexpr std::string_view title = "inner ring that widens at speed";
 
-  /// What is `size` at 10 000 rpm, in the unit of the size.
+  /// Growth at `speed`, in the unit of `size`, which is the growth at 10 000 rpm.
   static double at_speed(double size, double speed) {
     const double ratio = speed / (10000.0 * rpm);
     return size * ratio * ratio;

@@ -86,10 +86,9 @@ struct FilmSelfHeating {
     double temperature, moment, slope, reach;  ///< [K], [N m], [N m/K], [K]
   };
 
-  /// The same by Newton's method, where somebody remembers tangents and is asked for that about a
-  /// temperature or close by; begins at `temperature`. M falls ever more slowly with T, so that
-  /// every tangent leads to a temperature below that of the film or at it, and the next one nearer.
-  /// False where it finds none.
+  /// Solves by Newton's method from `temperature`; `tangent_about` returns a remembered tangent at
+  /// or near a temperature. M is convex in T, so each tangent leads to a temperature at or below
+  /// that of the film, and the next one nearer. False if it finds none.
   template <typename TangentAbout>
   static bool lubricant_by_tangents(const LubricantInputs& in, std::span<const double> values,
                                     double temperature, const TangentAbout& tangent_about,

@@ -20,7 +20,7 @@ class OwnMoment {
   /// [N m]
   [[nodiscard]] virtual double moment(const MomentInputs& inputs,
                                       std::span<const double> values) const = 0;
-  /// Whether a model file can say it: a formula, but no function of a program.
+  /// True if a model file can store it: a formula, but not a function of a program.
   [[nodiscard]] virtual bool stands_in_files() const { return true; }
 };
 
@@ -46,15 +46,15 @@ class Formula : public OwnMoment {
     const record::Channel* channel = nullptr;  ///< otherwise: as recorded with the row, in its unit
     [[nodiscard]] double value(const MomentInputs& inputs) const;
   };
-  /// What a formula may use beside its parameters; every input of the table of channels is among
-  /// them.
+  /// Variables that a formula may use besides its parameters, with every input of the channel
+  /// table.
   [[nodiscard]] static std::span<const Variable> variables();
 
  private:
   record::Expression expression_;
 };
 
-/// What a model file says of an effect of the user's own.
+/// User-made effect as written in a model file.
 struct UserMadeEffect {
   struct Number {
     std::string name, unit;
@@ -67,10 +67,10 @@ struct UserMadeEffect {
   std::vector<Number> parameters;
 };
 
-/// The same kind of thing as an effect of the catalogue. Throws FormulaError.
+/// Makes an effect like those of the catalogue. Throws FormulaError.
 [[nodiscard]] Effect make_effect(const UserMadeEffect& given);
-/// The same of a moment that is no formula; `torque_Nmm` says in words what it is. At zero of the
-/// first parameter that may be zero it is off.
+/// Makes an effect from a moment that is not a formula; `torque_Nmm` describes it in words. The
+/// effect is off where the first parameter that may be zero is zero.
 [[nodiscard]] Effect make_effect(const UserMadeEffect& given, std::unique_ptr<OwnMoment> moment);
 
 }  // namespace raceway::effects

@@ -8,11 +8,11 @@
 
 namespace raceway::effects {
 
-/// What a fault of the sensor of one channel is called and how large it may be. The laws, the same
-/// for every channel, are in sensor_offset.h, sensor_gain.h and sensor_drift.h.
+/// Names and possible size of a sensor fault on one channel. The laws, the same for every channel,
+/// are in sensor_offset.h, sensor_gain.h and sensor_drift.h.
 template <std::size_t confused>
 struct SensorCard {
-  const record::Channel& channel;  ///< what the sensor measures
+  const record::Channel& channel;  ///< measured by the sensor
   std::string_view id, title, mechanism, formula;
   std::string_view source = "definition";
   std::array<std::string_view, confused> confused_with;
@@ -22,7 +22,7 @@ struct SensorCard {
   std::string_view settled_by = {};
 };
 
-/// What an effect has from its card.
+/// Members that an effect takes from its card.
 template <const auto& card>
 struct SensorFault {
   static constexpr const record::Channel& channel = card.channel;

@@ -7,12 +7,12 @@
 
 namespace raceway::effects {
 
-/// What a sensor adds as it gets warm, or what its fixture grows by [SI unit of its channel].
+/// Temperature drift of a sensor, or thermal growth of its fixture [SI unit of its channel].
 ///
 ///   x_read = x + c (T - T0)/10 K
 ///
-/// Source:   definition. T0 is the temperature at which the sensor was set to zero, which nobody
-///           writes down: it is fitted too, within the temperatures of the record.
+/// Source:   definition. T0, the temperature at which the sensor was zeroed, is rarely recorded:
+///           it is fitted too, within the temperatures of the record.
 /// Domain:   every reading; T is the temperature of the row (temperature_C), not that of a ring.
 template <const auto& card>
 struct SensorTemperatureDrift : SensorFault<card> {
@@ -32,7 +32,7 @@ struct SensorTemperatureDrift : SensorFault<card> {
   }
 };
 
-/// What a sensor adds as time goes by [SI unit of its channel].
+/// Time drift of a sensor [SI unit of its channel].
 ///
 ///   x_read = x + c t/1 h
 ///

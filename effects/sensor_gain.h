@@ -7,7 +7,7 @@
 
 namespace raceway::effects {
 
-/// What a sensor adds in proportion to what it measures [SI unit of its channel].
+/// Gain error of a sensor [SI unit of its channel].
 ///
 ///   x_read = (1 + g) x        x counted from the zero of the channel's unit
 ///

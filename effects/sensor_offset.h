@@ -7,7 +7,7 @@
 
 namespace raceway::effects {
 
-/// What a sensor shows at zero [SI unit of its channel].
+/// Zero error of a sensor [SI unit of its channel].
 ///
 ///   x_read = x + c
 ///
@@ -22,7 +22,7 @@ struct SensorOffset : SensorFault<card> {
   }
 };
 
-/// The same as seal-friction with slope zero; turning the other way round separates them.
+/// Acts like seal-friction with slope zero; reversing the rotation separates them.
 inline constexpr SensorCard<3> torque_offset{
     .channel = record::friction_torque,
     .id = "torque-offset",
@@ -42,8 +42,8 @@ inline constexpr SensorCard<3> torque_offset{
     .size_power = 3.0,
     .settled_by = "the torque of the standing shaft, or in both directions of rotation"};
 
-/// Of a transducer that was zeroed on a warm or turning shaft, or before it had settled in its
-/// seats.
+/// Zero error of a transducer that was zeroed on a warm or turning shaft, or before it had settled
+/// in its seats.
 inline constexpr SensorCard<3> displacement_offset{
     .channel = record::axial_displacement,
     .id = "displacement-offset",

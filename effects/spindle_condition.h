@@ -4,8 +4,8 @@
 
 namespace raceway::effects {
 
-/// What effects change of a spindle: plain factors and sources. Changes of several effects multiply
-/// factors and add sources.
+/// Changes of a spindle by effects: factors and sources. Several effects multiply their factors and
+/// add their sources.
 struct SpindleCondition {
   double outer_seat_factor = 1.0;           ///< on the conductance of the outer seats [1]
   double convection_factor = 1.0;           ///< on free convection of housing and end faces [1]
@@ -17,9 +17,10 @@ struct SpindleCondition {
   double seal_heat = 0.0;  ///< into the shaft at the nose, between the housing's face and bearing 1
   /// Powers of the speed of motor and drive heat [1].
   double motor_heat_exponent = 1.0, drive_heat_exponent = 1.0;
-  /// Of a sleeve that the model lacks, from the housing to the inlet (else the ambient) [W/K].
+  /// Conductance of a sleeve that the model lacks, from the housing to the inlet (else the ambient)
+  /// [W/K].
   double sleeve_conductance = 0.0;
-  /// How far it goes: 0 between the sets, 1 over their bearings to the outermost faces [1].
+  /// Extent of that sleeve: 0 between the sets, 1 over their bearings to the outermost faces [1].
   double sleeve_reach = 1.0;
   /// Rise of the machine at the flange [K], approached with a time constant [s].
   double structure_rise = 0.0, structure_time = 3600.0;

@@ -9,10 +9,10 @@
 
 namespace raceway::effects {
 
-/// What a conductance of a spindle that is not as entered is called, and how far off it may be.
+/// Names and possible size of an error in a spindle's conductance as entered.
 template <std::size_t confused>
 struct SpindleFactorCard {
-  double SpindleCondition::*factor;  ///< which one
+  double SpindleCondition::*factor;  ///< changed by the effect
   std::string_view id, title, mechanism, formula;
   std::array<std::string_view, confused> confused_with;
   Parameter size;

@@ -9,10 +9,10 @@
 
 namespace raceway::effects {
 
-/// What a source of heat that the model lacks is called, and how large it may be.
+/// Names and possible size of a heat source that the model lacks.
 template <std::size_t confused>
 struct SpindleHeatCard {
-  double SpindleCondition::*heat;  ///< which one
+  double SpindleCondition::*heat;  ///< added by the effect
   std::string_view id, title, mechanism, source;
   std::array<std::string_view, confused> confused_with;
   Parameter size;

@@ -8,7 +8,7 @@
 
 namespace raceway::effects {
 
-/// What both forms share: rings whose difference in temperature presses them against each other.
+/// Law of both forms: the temperature difference of the rings presses them together.
 ///
 ///   x = c P,   P = (M1 + M0) ω of the base law at the load as entered or mounted
 ///

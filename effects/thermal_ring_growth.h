@@ -8,9 +8,9 @@
 
 namespace raceway::effects {
 
-/// What both forms share: the inner raceway grows against the outer one by the temperatures of the
-/// rings. Free expansion is λ (T_i - T_o) d_m/2 with the thermal expansion λ of the rings: 0.5 um/K
-/// at d_m 90 mm, steel.
+/// Law of both forms: the inner raceway grows relative to the outer one with the ring temperatures.
+/// Free expansion is λ (T_i - T_o) d_m/2 with the thermal expansion λ of the rings: 0.5 um/K at d_m
+/// 90 mm, steel.
 struct GrowthByRingTemperatures {
   static constexpr std::string_view id = "thermal-ring-growth";
   static constexpr bool follows_heat = true;
