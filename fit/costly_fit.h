@@ -7,10 +7,10 @@
 
 #include "fit/separable.h"
 
-/// Fits of subjects of which a prediction costs much (Subject::is_costly()).
+/// Fits of subjects with costly predictions (Subject::is_costly()).
 namespace raceway::fit {
 
-/// What a fit ends with, and the derivatives of all means by the values there.
+/// Result of a fit, and the derivatives of all means by its values.
 struct CostlyFit {
   SeparableFit fit{};
   Eigen::MatrixXd slope{};
@@ -42,7 +42,7 @@ class CostlyProblem {
 
  private:
   [[nodiscard]] SeparableFit at(const Eigen::VectorXd& values) const;
-  /// Of the means, by the scales of the parameters.
+  /// Derivatives of the means by the parameters on their scales.
   [[nodiscard]] Eigen::MatrixXd differences(const SeparableFit& here) const;
   [[nodiscard]] Eigen::VectorXd difference(const SeparableFit& here, std::size_t parameter,
                                            double by) const;
@@ -60,8 +60,8 @@ class CostlyProblem {
   mutable std::vector<double> all_;  // readings by row
 };
 
-/// What of the means of one block stays where all others alone decide, by the derivatives: the
-/// readings are not predicted again. Parameters stay within their bounds.
+/// Residuals of all means after a refit without one block, linearised: the readings are not
+/// predicted again. Parameters stay within their bounds.
 [[nodiscard]] Eigen::VectorXd left_of_block(const CostlyFit& fit,
                                             const std::vector<Parameter>& parameters,
                                             const Means& means, int block);

@@ -6,7 +6,7 @@
 
 namespace raceway::fit {
 
-/// How sure parameters that were fitted together are, in the units of the files.
+/// Covariance of parameters fitted together, in the units of the files.
 struct Covariance {
   std::vector<std::string> names;
   Eigen::VectorXd values;  ///< to which it belongs
@@ -14,7 +14,7 @@ struct Covariance {
 
   /// Standard deviation of one of them.
   [[nodiscard]] double std(std::size_t parameter) const;
-  /// Of two of them [1]; 0 where one does not scatter.
+  /// Correlation of two parameters [1]; 0 where one has no variance.
   [[nodiscard]] double correlation(std::size_t first, std::size_t second) const;
 };
 

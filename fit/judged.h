@@ -13,8 +13,8 @@ namespace raceway::fit {
 using record::Channel;
 using record::Record;
 
-/// What a smooth misfit of unknown origin may look like: the typical reading times a sum of
-/// products of powers of some inputs.
+/// Form of a smooth misfit of unknown origin: the typical reading times a sum of products of powers
+/// of some inputs.
 struct Surface {
   struct Input {
     std::vector<double> values;  ///< by row, on the scale on which it is smooth
@@ -24,11 +24,11 @@ struct Surface {
   std::vector<std::vector<int>> terms{};  ///< the exponent of each input
 };
 
-/// How a regression is made up that must hold whatever may be missing, so that what it leaves is
-/// noise. Few rows do not hold all columns: what comes first wins.
+/// Columns of a regression that fits whatever effect is missing, so that its residuals are noise.
+/// With few rows not all columns fit; the first ones win.
 struct Saturation {
   Surface surface{};
-  std::vector<const Channel*> levels{};  ///< that may each have a value of their own
+  std::vector<const Channel*> levels{};  ///< inputs with a free value at each level
   bool levels_before_candidates = false;
   /// Every candidate changes readings in proportion to its size, so that its scores are all of it.
   bool proportional = false;
@@ -40,7 +40,7 @@ struct Factor {
   std::vector<double> values;  ///< by row
 };
 
-/// How a shape that is in no catalogue is written as a formula.
+/// Formula of a shape that is in no catalogue.
 struct Formula {
   struct Input {
     std::string word;            ///< in the formula: "speed_rpm"
@@ -70,8 +70,8 @@ struct Axis {
 struct Fault {
   std::string id;          ///< of Subject::catalogue()
   bool certain = true;     ///< shown whatever the model; otherwise it has to explain what is left
-  std::string datum;       ///< what is wrong, in words: "the sensor of ..."
-  std::string correction;  ///< how, in words
+  std::string datum;       ///< the fault in words: "the sensor of ..."
+  std::string correction;  ///< details of it in words
   std::shared_ptr<const Record> without{};  ///< the record without it, as far as it can be told
 };
 
@@ -85,21 +85,21 @@ struct Blocking {
       false;  ///< blocks rise with an input: the first and the last are ends of its range
 };
 
-/// How the records of a model are judged, and what to measure next. All rows are those of the
-/// record that is handed in. Every function has a default.
+/// Judgement of a model's records, and the next measurements. All rows belong to the record passed
+/// in. Every function has a default.
 class Judged {
  public:
   virtual ~Judged() = default;
 
   // What a record shows.
-  /// What an id of Subject::catalogue() cannot be felt without and model or record do not have;
-  /// empty if nothing.
+  /// Input that an effect of Subject::catalogue() needs and the model or record lacks; empty if
+  /// none.
   [[nodiscard]] virtual std::string lacks(const std::string& id, const Record& record) const;
-  /// The levels without which parameters of the model do nearly the same; empty if nothing.
+  /// Levels without which parameters of the model act almost alike; empty if none.
   [[nodiscard]] virtual std::string lacks_levels(const std::string& id, const Record& record) const;
   /// Default: none.
   [[nodiscard]] virtual std::vector<Fault> faults(const Record& record) const;
-  /// What it looks like where readings are in another unit or of the other sign; empty if not.
+  /// Doubt that readings are in another unit or of the other sign, in words; empty if none.
   [[nodiscard]] virtual std::string doubt(const Record& record,
                                           std::span<const double> predicted) const;
 
@@ -109,9 +109,9 @@ class Judged {
   [[nodiscard]] virtual Saturation saturation(const Record& record) const;
   /// Inputs whose recorded values scatter about what they were. Default: none.
   [[nodiscard]] virtual std::vector<const Channel*> scattering(const Record& record) const;
-  /// By which the law of a candidate may be bent. Default: inputs that vary.
+  /// Factors by which the law of a candidate may be bent. Default: inputs that vary.
   [[nodiscard]] virtual std::vector<Factor> factors(const Record& record) const;
-  /// Nothing where no formula can be given.
+  /// Formula of a shape; empty if none can be given.
   [[nodiscard]] virtual std::optional<Formula> formula(const Record& record) const;
   /// Default: a level, or range of levels, of one input at a time; runs where there are few inputs.
   [[nodiscard]] virtual std::vector<Blocking> blockings(const Record& record) const;
@@ -121,7 +121,7 @@ class Judged {
   [[nodiscard]] virtual std::vector<Axis> axes(const Record& record) const;
   /// A point in words. Default: "995 rpm, 100 N".
   [[nodiscard]] virtual std::string words(std::span<const Setting> point) const;
-  /// What should be recorded beside, so that the rivals are told apart.
+  /// Further quantities to record, which separate the rivals.
   [[nodiscard]] virtual std::vector<std::string> records_needed(
       const Record& record, const std::vector<std::vector<std::string>>& rivals,
       const std::vector<std::string>& not_testable) const;

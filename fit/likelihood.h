@@ -5,14 +5,14 @@
 
 namespace raceway::fit {
 
-/// How likely readings are under a fit, scatter being normal with the covariance S of their noise.
+/// Likelihood of readings under a fit, with normal noise of covariance S.
 ///
 ///   -2 ln L = χ² + ln det(2 π S),   χ² = eᵀ S^-1 e
 ///   AIC = -2 ln L + 2 k      [Akaike1974]
 ///   BIC = -2 ln L + k ln N   [Schwarz1978]
 ///
-/// Only fits to the same readings under the same S may be held against each other. Of readings in
-/// SI; in a unit of f SI units -2 ln L is less by 2 N ln f.
+/// Compare only fits to the same readings under the same S. Readings are in SI; in a unit of f SI
+/// units -2 ln L is less by 2 N ln f.
 struct Likelihood {
   int readings = 0;                ///< N, of all channels together
   int parameters = 0;              ///< k, which the fit moved, those at a bound among them
@@ -27,16 +27,15 @@ struct Likelihood {
   [[nodiscard]] double bic() const;
 };
 
-/// Against noise that is known: of errors whose whitened squares sum up to `misfit`.
+/// Likelihood under known noise, of errors whose whitened squares sum up to `misfit`.
 [[nodiscard]] Likelihood likelihood_of(double misfit, const Whitening& whitening, int parameters);
 
-/// By which standard errors that known noise gives are widened: root of the reduced χ² where the
+/// Factor by which standard errors from known noise are widened: root of the reduced χ² where the
 /// misfit exceeds the noise beyond chance (1 %), else 1.
 [[nodiscard]] double widening(double misfit, int degrees_of_freedom);
 
-/// Of readings that weigh alike and are independent, the variance of their noise being its estimate
-/// of greatest likelihood:  -2 ln L = N (1 + ln(2 π s²)),  s² = Σe²/N.  k counts no noise, as
-/// usual.
+/// Likelihood of independent readings of equal weight, with the maximum likelihood estimate of the
+/// noise variance: -2 ln L = N (1 + ln(2 π s²)), s² = Σe²/N. k does not count the noise, as usual.
 [[nodiscard]] Likelihood likelihood_of_alike(double rmse, int readings, int parameters);
 
 }  // namespace raceway::fit

@@ -6,7 +6,7 @@
 
 namespace raceway::fit {
 
-/// Where the standard deviations of readings come from.
+/// Source of the standard deviations of readings.
 enum class NoiseSource {
   none,
   declared,
@@ -19,7 +19,7 @@ enum class NoiseSource {
 /// "neighbours".
 [[nodiscard]] std::string_view name(NoiseSource source);
 
-/// How much of the readings of one channel is scatter.
+/// Noise of the readings of one channel.
 struct Noise {
   double rms = unset;  ///< SI; NaN where nothing is known
   NoiseSource source = NoiseSource::none;

@@ -10,17 +10,16 @@
 
 namespace raceway::fit {
 
-/// What is scatter in the readings of one channel: its size, its growth with the reading, its
-/// memory.
+/// Noise of the readings of one channel: its size, its growth with the reading, its correlation.
 ///
 ///   s_i² = (relative y_i (n_i/n_max)^p)² + (absolute a_i)² + (input b_i)²
 ///
 /// with the input n that records sweep, a_i = 1 and b_i the change of the reading as an input
-/// changes by the width of a level, both over their rms; and the correlation of Whitening. Of means
-/// over dwells a_i is what they have from the scatter within, which neighbours know nothing of.
-/// Declared standard deviations take the place of the whole sum. Found from what a saturated
-/// regression leaves, never from the misfit of a physical model, which would call missing physics
-/// noise.
+/// changes by the width of a level, both over their rms; and the correlation of Whitening. For
+/// means over dwells, a_i comes from the scatter within a dwell, independent of its neighbours.
+/// Declared standard deviations take the place of the whole sum. The noise is estimated from the
+/// residuals of a saturated regression, never from the misfit of a physical model, which would
+/// count missing physics as noise.
 struct NoiseModel {
   /// Standard deviation in proportion to the reading, at the largest of the swept input [1].
   double relative = 0.0;
@@ -38,11 +37,11 @@ struct NoiseModel {
   std::vector<Whitening> allowed{};
   /// Nothing tells how much runs differ: runs and levels of the plan coincide.
   bool unknown_runs = false;
-  bool undeclared_blocks = false;       ///< `run_share` is that of blocks nobody declared as runs
+  bool undeclared_blocks = false;       ///< `run_share` is for blocks not declared as runs
   bool as_declared = false;             ///< the declared standard deviations are what is found
   std::vector<std::size_t> outliers{};  ///< readings counted with less weight, none left out
-  /// By which the standard deviations of each of several joined records are larger or smaller [1];
-  /// empty where they scatter alike.
+  /// Factor on the standard deviations of each of several joined records [1]; empty where they
+  /// scatter alike.
   std::vector<double> records{};
   double rms = unset;          ///< over the readings [SI]
   double median_step = unset;  ///< of time, to which the correlation belongs [s]
@@ -101,12 +100,12 @@ struct ChannelReadings {
                                               const Eigen::VectorXd& size,
                                               const NoiseOptions& options = {});
 
-/// The same noise on other readings of its channel, of typical sizes `size` [SI].
+/// Whitening by the same noise for other readings of its channel, of typical sizes `size` [SI].
 [[nodiscard]] Whitening whitening_of(const NoiseModel& noise, const ChannelReadings& readings,
                                      const Eigen::VectorXd& size);
 
-/// What of an error is more than noise, both root mean squares: sqrt(error² - noise²), 0 where it
-/// is less.
+/// Error in excess of the noise, both root mean squares: sqrt(error² - noise²), 0 if the error is
+/// less.
 [[nodiscard]] double beyond_noise(double error, double noise);
 
 /// Counts what a model leaves by its own coarseness as scatter: `error` [SI], the same at every

@@ -22,19 +22,19 @@ struct Observations {
   }
   /// Rows of one channel.
   [[nodiscard]] std::span<const std::size_t> rows(std::size_t channel) const;
-  /// That part of a vector by observation that belongs to a channel.
+  /// Part of a vector by observation that belongs to a channel.
   [[nodiscard]] auto of(std::size_t channel, const Eigen::VectorXd& all) const {
     return all.segment(first[channel], size(channel));
   }
   /// The column of a record at every observation.
   [[nodiscard]] Eigen::VectorXd at(std::span<const double> column) const;
-  /// Those of some channels alone.
+  /// Observations of some channels only.
   [[nodiscard]] Observations only(std::span<const std::size_t> wanted) const;
-  /// Where the readings of a predictor stand that belong to the observations.
+  /// Indices of the observations among the readings of a predictor.
   [[nodiscard]] std::vector<std::size_t> places(std::size_t rows) const;
 };
 
-/// What of a record was read and has a prediction, `predicted` as predict() gives it.
+/// Readings of a record that have a prediction, `predicted` as predict() gives it.
 [[nodiscard]] Observations observe(const std::vector<Measured>& channels, const Record& record,
                                    std::span<const double> predicted);
 

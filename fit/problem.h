@@ -24,8 +24,8 @@ struct Screened {
   /// Readings per `unit_size`, at the neutral point: one column per trial value of the shapes, not
   /// whitened [SI].
   Eigen::MatrixXd scores{};
-  /// What the most of it that is met in practice changes, where that is no multiple of the scores:
-  /// one column or none.
+  /// Change by the largest amount met in practice, where it is not a multiple of the scores: one
+  /// column or none.
   Eigen::MatrixXd most{};
   std::string not_testable{};  ///< why not, in a sentence; empty where it can be tested
 
@@ -54,7 +54,7 @@ struct Problem {
 /// those of each candidate.
 [[nodiscard]] Response response_with(const Problem& problem, std::span<const Screened* const> on);
 
-/// The same at the rows of another record, of which `observed` were taken.
+/// Readings at the rows of another record, with its observations `observed`.
 [[nodiscard]] Response response_with(const Problem& problem, std::span<const Screened* const> on,
                                      const std::shared_ptr<const Record>& record,
                                      const Observations& observed);

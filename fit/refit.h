@@ -12,7 +12,7 @@ namespace raceway::fit {
 struct HeldOutReading {
   std::size_t channel = 0;  ///< of Subject::measured()
   std::size_t row = 0;      ///< of the record, in its middle
-  int part = 0;             ///< that was held out
+  int part = 0;             ///< held-out part
   double residual = unset;  ///< prediction minus reading [SI]
 };
 

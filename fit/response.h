@@ -22,8 +22,7 @@ struct Response {
   /// SI, by observation; NaN where there is no prediction.
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> readings{};
 
-  /// Where parts begin that may be of another unit, and where the last one ends; one part of all
-  /// where empty.
+  /// First indices of parts that may differ in unit, and the end of the last one; empty: one part.
   std::vector<Eigen::Index> parts{};
 
   struct Affine {

@@ -8,7 +8,7 @@
 #include "fit/subject.h"
 #include "fit/whitening.h"
 
-/// Where readings stand in time and in runs.
+/// Order of readings in time and in runs.
 namespace raceway::fit {
 
 /// Settings that vary and are constant within every run, in words: "axial load"; empty where there

@@ -18,14 +18,14 @@ struct Means {
     std::size_t channel = 0;             ///< of Subject::measured()
     double weight = 1.0;                 ///< over that of others: 1/tolerance of its channel
     double time = unset;                 ///< middle of its rows [s]
-    int block = -1;                      ///< that is held out; -1: none
+    int block = -1;                      ///< in which it is held out; -1: none
   };
   std::vector<Mean> list{};
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(list.size()); }
 };
 
-/// Error of a channel that does not matter [SI]: what somebody said, else what the model declares
-/// as its own coarseness together with the noise of a reading. NaN where neither was said.
+/// Tolerance of a channel [SI]: as given, else the model's declared coarseness together with the
+/// noise of a reading. NaN where neither is given.
 [[nodiscard]] double tolerance_of(const Measured& measured, const Record& record);
 
 /// Means over `width` [s], each within one run and one block; single rows where that is 0.
@@ -68,8 +68,8 @@ class Separable {
   [[nodiscard]] SeparableFit from(const Eigen::VectorXd& start, int left_out = -1,
                                   const std::vector<bool>& held = {},
                                   double ridge = usual_ridge) const;
-  /// How far the misfit falls where the parameter `size` is freed and `place`, which only it feels,
-  /// takes each of these values: all else in proportion follows, what bends stays.
+  /// Fall of the misfit if the parameter `size` is freed and `place`, which acts only through it,
+  /// takes each of these values. Proportional parameters follow; bending ones stay.
   [[nodiscard]] std::vector<double> falls(Eigen::VectorXd values, std::size_t size,
                                           std::size_t place,
                                           const std::vector<double>& tried) const;

@@ -9,11 +9,11 @@
 
 namespace raceway::fit {
 
-/// Where a function is asked for the indices of Sobol': two sets A and B of points in the unit
-/// cube, and for every input i the set AB_i, A with column i of B.
+/// Sample points for the Sobol' indices of a function: two sets A and B of points in the unit cube,
+/// and for every input i the set AB_i, A with column i of B.
 ///
-/// Points of Sobol' in 2 x inputs dimensions with the direction numbers of Joe and Kuo, the columns
-/// of A before those of B, scrambled as Owen does it by the hash of Burley.
+/// Sobol' points in 2 x inputs dimensions with the direction numbers of Joe and Kuo, the columns of
+/// A before those of B, with Owen scrambling by the hash of Burley.
 ///
 /// Source:   [Saltelli2010] for the sets; [JoeKuo2008]; [Burley2020, section 3].
 /// Domain:   1 to 1800 inputs; samples a power of two from 2 to 2^24, which alone fill the cube

@@ -5,14 +5,14 @@
 
 namespace raceway::fit {
 
-/// Where each reading stands in time, for correlated noise. Readings are in that order.
+/// Position of each reading in time, for correlated noise. Readings are in this order.
 struct RowOrder {
   /// Time since the row before, in units of the median step [1]; infinite where the correlation
   /// starts anew, also in the first row.
   std::vector<double> step;
   std::vector<bool> new_run;    ///< the row belongs to another run than the row before
   std::vector<bool> new_state;  ///< it belongs to another dwell than the row before
-  /// The row begins a block that may be a run which nobody declared; empty where nothing looks so.
+  /// True if the row begins a block that may be an undeclared run; empty if there is none.
   std::vector<bool> new_block;
   /// In each such block the swept input, the first setting, goes one way at a level of another
   /// setting that no other block has.
@@ -39,12 +39,12 @@ class Whitening {
   /// `common`: c of each reading, in (0, 1]; 1 where empty.
   Whitening(Eigen::VectorXd std, const RowOrder& order, double correlation, double run_share,
             double state_share = 0.0, const Eigen::VectorXd& common = {});
-  /// Of several channels, one behind the other, whose noises have nothing to do with each other.
+  /// Whitening of several channels, one after the other, with independent noise.
   explicit Whitening(const std::vector<Whitening>& parts);
 
   [[nodiscard]] Eigen::MatrixXd operator()(const Eigen::MatrixXd& columns) const;
   [[nodiscard]] Eigen::VectorXd operator()(const Eigen::VectorXd& column) const;
-  /// The same with standard deviations larger by a factor.
+  /// Whitening with standard deviations larger by a factor.
   [[nodiscard]] Whitening scaled(double factor) const;
   /// ln of the determinant of the covariance.
   [[nodiscard]] double log_determinant() const { return log_determinant_; }

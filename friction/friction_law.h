@@ -14,13 +14,13 @@ namespace raceway::friction {
 
 /// The base law of a model. `contact` sums friction over the balls in balance
 /// (friction/contact/contact_law.h); the others are formulas for the bearing as a whole. Laws of
-/// cylindrical rollers have other numbers and stand in friction/roller_friction.h; in files they
-/// have the names of those of balls, and the type of the bearing says which is meant.
+/// cylindrical rollers have other parameters (friction/roller_friction.h); files use the names of
+/// the ball laws, and the type of the bearing decides.
 enum class FrictionLaw { palmgren, skf, contact, roller_palmgren, roller_skf };
-/// Those of ball bearings.
+/// Laws of ball bearings.
 inline constexpr std::array all_friction_laws{FrictionLaw::palmgren, FrictionLaw::skf,
                                               FrictionLaw::contact};
-/// Those of cylindrical roller bearings.
+/// Laws of cylindrical roller bearings.
 inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
                                                  FrictionLaw::roller_skf};
 [[nodiscard]] constexpr bool of_rollers(FrictionLaw law) {
@@ -44,12 +44,11 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 ///   roller_palmgren: f0, f1   roller_skf: mu_bl, mu_EHL, K_rs
 [[nodiscard]] std::span<const Parameter> parameters(FrictionLaw law);
 
-/// Whether a number of a law is of the lubricant, and stands with it in a file.
+/// True if a parameter of a law belongs to the lubricant and is written with it in a file.
 [[nodiscard]] bool of_the_lubricant(const Parameter& number);
 
-/// What the law takes in of a bearing, by the names of the keys of a model file without their
-/// units. All else of it changes no digit of the moments: not a ball's diameter, nor what carries
-/// the load at speed.
+/// Bearing data that the law uses, as keys of a model file without their units. No other bearing
+/// datum changes the moments, neither the ball diameter nor the load distribution at speed.
 ///   palmgren: contact_angle, pitch_diameter, static_load_rating
 ///   skf:      ball_material (its density), bore, outer_diameter
 ///   contact and laws of rollers: everything; the list is empty

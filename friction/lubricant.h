@@ -7,7 +7,7 @@
 
 namespace raceway::friction {
 
-/// How a lubricant comes to the bearing.
+/// Lubricant supply of the bearing.
 enum class Supply { oil_air, grease, jet, bath };
 
 /// As files write it: "oil-air", "grease", "jet", "bath".

@@ -72,7 +72,7 @@ T f1_load(const BearingState<T>& s) {
   return s.f1_load == F1Load::P0 ? static_equivalent_load(s) : palmgren_load(s);
 }
 
-/// What f1 takes the power of [1]: P0/C0 or F_b/C0.
+/// Load ratio in the power law of f1 [1]: P0/C0 or F_b/C0.
 template <typename T>
 T f1_ratio(const BearingState<T>& s) {
   const double C0 = s.bearing->geometry().static_load_rating;

@@ -95,7 +95,7 @@ void require_data(FrictionLaw law, const bearing::RollerBearing& bearing);
 /// Friction moments of a law of rollers [N m], as BaseMoments has them for balls.
 [[nodiscard]] BaseMoments<double> roller_moments(FrictionLaw law, const RollerState& state,
                                                  std::span<const double> values);
-/// What these laws look at of a bearing in a model. Without a balance the sums have no number.
+/// State of a bearing in a model as these laws use it. Without equilibrium the sums are NaN.
 [[nodiscard]] RollerState roller_state(const BearingState<double>& state);
 
 /// Splits the friction power of a cylindrical roller bearing between its rings [W].

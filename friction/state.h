@@ -22,12 +22,12 @@ enum class F1Load { P0, F_b, F_r, rollers };
 template <typename T = double>
 struct BearingState {
   const bearing::Bearing* bearing = nullptr;  ///< null where the bearing has cylindrical rollers
-  /// Balls in balance at this point; null where nobody solved it. A law that needs it says so
-  /// (`needs_equilibrium`), and only then it is solved for.
+  /// Ball equilibrium at this point; null if not solved. needs_equilibrium() says which laws
+  /// need it.
   const bearing::BearingEquilibrium* equilibrium = nullptr;
   bearing::RaceControl race_control = bearing::RaceControl::outer;
   F1Load f1_load = F1Load::P0;
-  /// What the contact law takes in beside; other laws do not look at them.
+  /// Further inputs of the contact law; other laws ignore them.
   const Lubricant* lubricant = nullptr;
   const contact::ContactData* contact = nullptr;
   T speed = T(0.0);                  ///< [rad/s]

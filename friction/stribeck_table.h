@@ -28,7 +28,7 @@ struct TableAxes {
 /// for more points than can be counted.
 void validate(const TableAxes& axes);
 
-/// What is to be filled in at one point of a table.
+/// Values at one point of a table.
 struct TablePoint {
   /// `converged` where all values are finite. A law that needs no balls has a moment also where
   /// they find no balance; the status then is that of the balance.
@@ -68,7 +68,7 @@ struct StribeckTable {
   /// Index of a point from its place on each axis.
   [[nodiscard]] std::size_t index(std::size_t speed, std::size_t axial_load,
                                   std::size_t radial_load, std::size_t temperature) const;
-  /// How many points have values here, and the index of the first.
+  /// Number of points with values here, and the index of the first.
   [[nodiscard]] std::size_t points() const { return slab.points(axes.size()); }
   [[nodiscard]] std::size_t first() const { return slab.first(axes.size()); }
   /// Operating point of an index.
@@ -96,13 +96,13 @@ using TableLine =
                                                  const std::function<void(double)>& progress = {},
                                                  const TableSlab& slab = {});
 
-/// What happens to a question outside the table.
+/// Treatment of a query outside the table.
 enum class Outside {
   error,  ///< throws std::invalid_argument: name, value with unit, range
   clamp,  ///< the nearest edge answers, and the answer says so
 };
 
-/// Where a table is asked.
+/// Query point of a table.
 struct TablePosition {
   double speed = unset;             ///< [rad/s]
   double axial_load = unset;        ///< [N]

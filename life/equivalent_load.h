@@ -10,15 +10,15 @@ struct LoadFactors {
   double X, Y, e;
 };
 
-/// Of one bearing under an axial load [N].
+/// Load factors of one bearing under an axial load [N].
 ///
 ///   up to 15 deg    by F_a/(Z D²), 0.172 to 6.89 N/mm²; the ends hold outside
 ///   from 20 deg     by the contact angle alone
 ///   between         linear, in the load first; 0 to 5 deg are those of a deep groove
 ///
 /// The first column that catalogues use, f0 F_a/C0, is F_a/(Z D²) over cos α, since C0 = f0 Z D²
-/// cos α: so no f0 is needed. Source:   [ISO281, table 3], print not seen; every row was read in a
-/// transcript, and X + Y e = 1
+/// cos α: so no f0 is needed.
+/// Source:   [ISO281, table 3], print not seen; every row was read in a transcript, and X + Y e = 1
 ///           within 1 % at all its points (tested), as P is continuous at e.
 /// Domain:   α0 from 0 to 45 deg, F_a by magnitude; no number beyond.
 /// Accuracy: as printed. Under preload or at speed the reference life (reference_life.h) is better.

@@ -2,7 +2,7 @@
 
 #include "bearing/geometry.h"
 
-/// How long a bearing lasts: ratings and lives of ISO 281 and ISO/TS 16281.
+/// Bearing life: ratings and lives of ISO 281 and ISO/TS 16281.
 namespace raceway::life {
 
 /// Factor f_c of the dynamic rating of radial and angular contact ball bearings of one row [1], as

@@ -33,7 +33,7 @@ struct RaceRatings {
 ///           ball loads, as their makers do it; ISO 281 has none for them.
 [[nodiscard]] double reference_life(const RaceRatings& ratings, const bearing::Balls& balls);
 
-/// The same of loads that are already summed up, Q_ei and Q_ee [N].
+/// Reference life from loads that are already summed up, Q_ei and Q_ee [N].
 [[nodiscard]] double reference_life(const RaceRatings& ratings, double inner_mean,
                                     double outer_mean);
 
@@ -41,7 +41,7 @@ struct RaceRatings {
 /// Source: [ISO16281, eq. 11].
 [[nodiscard]] double reference_load(double load_rating, double reference_life);
 
-/// How often the largest pressure of a contact fits into that of the static rating, by load [1].
+/// Static safety factor of a contact from its largest pressure, by load [1].
 ///
 ///   s = (4200 MPa/p_max)³
 ///

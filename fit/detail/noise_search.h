@@ -25,7 +25,7 @@ class NoiseSearch {
     }
   };
 
-  /// What the standard deviations are made of, each part with an rms of one.
+  /// Parts of the standard deviations, each with an rms of one.
   struct Parts {
     Eigen::VectorXd reading, own, slope;
   };
@@ -60,29 +60,29 @@ class NoiseSearch {
   double find_shares() { return find_shares(all_shares()); }
   /// The best of these; its -2 ln L with what its parts cost.
   double find_shares(const std::vector<Shares>& list);
-  /// Whether the relative part grows with the input that is swept, and how. Under each growth the
-  /// doubtful readings are others: each of them costs what its rarity is worth.
+  /// Finds the growth of the relative part with the swept input. Each growth has its own doubtful
+  /// readings, and each of these costs what its rarity is worth.
   void find_growth();
-  /// A first look: logarithms of what the saturated regression leaves against the logarithm of the
-  /// swept input. ln |z| of a normal law has a standard deviation of 1.11.
+  /// Quick test: logarithms of the residuals of the saturated regression against the logarithm of
+  /// the swept input. ln |z| of a normal law has a standard deviation of 1.11.
   [[nodiscard]] bool seems_to_grow() const;
   /// Readings that gather at one level of a setting are no outliers: there the rig scatters more.
   void spare_levels();
   /// First doubts, from a regression of few columns that outliers cannot bend to themselves, as
   /// they do with one that has half as many columns as rows: reweighted by Tukey's biweight from
-  /// least absolute deviations. What is doubted without reason find_outliers() takes back.
+  /// least absolute deviations. find_outliers() takes back unfounded doubts.
   void suspect_outliers();
   void find_outliers();
-  /// How much each of several records scatters, of the common shape: days and sensors differ.
+  /// Finds the scatter of each of several records, in the common shape: days and sensors differ.
   void find_records();
   /// Correlation and runs both at once, as each can look like the other.
   void find_memory();
   /// Finds the offset that the pieces of one dwell have in common. It competes with the correlation
   /// between neighbours, so both are searched together.
   void find_states();
-  /// Offsets that follow blocks of rows which nobody declared as runs.
+  /// Finds offsets that follow blocks of rows not declared as runs.
   void find_blocks();
-  /// Scaled to what the regression leaves.
+  /// Whitening scaled to the residuals of the regression.
   [[nodiscard]] Whitening scaled(double phi, double run_share, const Shares& shares,
                                  double& factor) const;
   void set_scale();

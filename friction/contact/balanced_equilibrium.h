@@ -22,7 +22,7 @@ class TurningBalls {
   [[nodiscard]] bool turn(std::span<const bearing::BallEquilibrium> balls, double ball_scale);
   /// The rotations found are those that the forces were found with.
   [[nodiscard]] bool settled() const;
-  /// What the last turn() changes of the forces on a ball, of the load that presses it [1].
+  /// Change of the forces on a ball in the last turn(), over its load plus `ball_scale` [1].
   [[nodiscard]] double change() const { return change_; }
   [[nodiscard]] bearing::SolveStatus status() const { return status_; }
   [[nodiscard]] const std::vector<bearing::GivenRotation>& rotations() const { return rotations_; }
@@ -37,8 +37,7 @@ class TurningBalls {
   std::vector<BallAttitude> attitudes_;
   std::vector<bearing::GivenRotation> rotations_;
   double change_ = 0.0, films_ = 0.0;
-  /// How far the rotations go towards those that are found: less where forces and rotations chase
-  /// each other.
+  /// Share of the step to the rotations found; less where forces and rotations oscillate.
   double share_ = 1.0, last_change_ = std::numeric_limits<double>::infinity();
   bearing::SolveStatus status_ = bearing::SolveStatus::not_run;
 };
@@ -74,9 +73,9 @@ struct BalancedEquilibrium {
     const ContactLaw& law, const bearing::EquilibriumOptions& options = {},
     const bearing::BearingEquilibrium* neighbour = nullptr);
 
-/// The same of an arrangement; `oils`: one for each bearing, or one for all. The report is of the
-/// whole, iterations are Newton's. Throws std::invalid_argument as solve_arrangement(), and for
-/// another number of oils.
+/// Solves an arrangement; `oils`: one for each bearing, or one for all. The report covers the whole
+/// arrangement; iterations are Newton's. Throws std::invalid_argument as solve_arrangement(), and
+/// for another number of oils.
 [[nodiscard]] bearing::ArrangementEquilibrium solve_balanced_arrangement(
     const bearing::Arrangement& arrangement, const bearing::ArrangementCondition& condition,
     std::span<const OilState> oils, const ContactLaw& law,

@@ -19,7 +19,7 @@ struct BallAttitude {
   SlipMotion inner_slip, outer_slip;
   Traction inner, outer;                            ///< of both contacts
   double inner_force = unset, outer_force = unset;  ///< T_i, T_o as in BallBalance [N]
-  double shaft_power = unset;                       ///< what traction takes from the shaft [W]
+  double shaft_power = unset;  ///< power that traction takes from the shaft [W]
   bearing::SolveReport report;
 
   [[nodiscard]] double ball_speed() const { return std::hypot(along, across, orbital); }
@@ -54,12 +54,11 @@ class BallAttitudes {
   BallAttitudes(const bearing::Bearing& bearing, double speed, const OilState& oil,
                 const ContactLaw& law);
 
-  /// Of a ball under these loads at these contact angles; from the attitude of a neighbour or at
-  /// another load, where there is one.
+  /// Attitude of a ball under these loads at these contact angles. `start`: attitude of a neighbour
+  /// or at another load.
   [[nodiscard]] BallAttitude solve(const bearing::BallEquilibrium& ball,
                                    const BallAttitude* start = nullptr) const;
-  /// The same on films made at the cage speed of `start`, or at that of outer control; for those
-  /// who come again.
+  /// Attitude with films at the cage speed of `start`, or of outer control; for iterations.
   [[nodiscard]] BallAttitude solve_once(const bearing::BallEquilibrium& ball,
                                         const BallAttitude* start = nullptr) const;
 

@@ -10,7 +10,7 @@
 
 namespace raceway::friction::contact {
 
-/// What the contact law takes in beside bearing, viscosities and its own parameters.
+/// Inputs of the contact law besides bearing, viscosities and its own parameters.
 struct ContactData {
   OilData oil;
   double eyring_stress = default_eyring_stress;  ///< τ0 [Pa]

@@ -63,7 +63,7 @@ struct RaceFriction {
                    film_traction(ellipse(c, load, motion), shear(c, motion)));
   }
 
-  /// The same of a contact whose sliding is known, on its film().
+  /// Friction of a contact with known sliding, on its film().
   [[nodiscard]] ContactFriction contact(ContactFriction c, double load, const ContactMotion& motion,
                                         double film_speed, const Traction& traction) const {
     c.sliding = traction.power;
@@ -155,7 +155,7 @@ struct BearingFriction {
   bool converged = false;
   [[nodiscard]] double moment() const { return inner.sum() + outer.sum(); }  ///< [N m]
 
-  /// Of a bearing that is not in balance: no numbers.
+  /// Friction of a bearing without equilibrium: NaN.
   [[nodiscard]] static BearingFriction none() {
     BearingFriction f;
     f.inner = f.outer = {unset, unset, unset};
@@ -173,7 +173,7 @@ struct BearingFriction {
   }
 };
 
-/// What a race of a bearing takes, at one state of the oil and one speed [rad/s].
+/// Friction of the contacts of one race, at one state of the oil and one speed [rad/s].
 [[nodiscard]] inline RaceFriction race_friction(const bearing::Bearing& bearing, bearing::Race race,
                                                 const OilState& oil, const ContactLaw& law,
                                                 double speed) {
@@ -241,9 +241,9 @@ template <typename Contacts, typename Look>
 /// balanced_equilibrium.h's.
 /// Source:   the laws of this folder; the sum by power, derived.
 /// Domain:   speed >= 0, at standstill the limit of slow rotation; converged equilibrium, else NaN.
-/// Accuracy: the laws to rounding, sliding 0.1 %. The level of a bearing at speed is known to +-40
-///           %: supply of the inlets (+32 to +55 % flooded) and their heat; ratios of bearings are
-///           known much better.
+/// Accuracy: the laws to rounding, sliding 0.1 %. The level of a bearing at speed is known to
+///           +-40 %: supply of the inlets (+32 to +55 % flooded) and their heat; ratios of
+///           bearings are known much better.
 /// `look` as of sum_over_contacts().
 template <typename Look>
 [[nodiscard]] BearingFriction bearing_friction(const bearing::Bearing& bearing,
@@ -265,7 +265,7 @@ template <typename Look>
   return sum_over_contacts(equilibrium, turning, contacts, look);
 }
 
-/// What looks at no contact.
+/// `look` that ignores all contacts.
 inline constexpr auto no_look = [](std::size_t, bearing::Race, const ContactFriction&, double) {};
 
 [[nodiscard]] inline BearingFriction bearing_friction(

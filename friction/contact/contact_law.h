@@ -72,8 +72,8 @@ struct ContactResult {
   [[nodiscard]] BaseMoments<double> moments() const {
     return {.load = sliding() + hysteresis() + drag, .viscous = rolling()};
   }
-  /// Whether the result of one set of values follows from that of another: the factors of rolling
-  /// and hysteresis, to which parts are in proportion, may differ, unless they were 0.
+  /// True if rescale() leads from one set of values to the other: only the factors of rolling and
+  /// hysteresis, to which parts are proportional, differ, and a changed one was not 0.
   [[nodiscard]] static bool rescales(std::span<const double> from, std::span<const double> to);
   void rescale(std::span<const double> from, std::span<const double> to);
   /// Leaves this share of the oil's resistance to rolling [1].

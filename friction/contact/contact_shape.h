@@ -8,8 +8,7 @@
 
 namespace raceway::friction::contact {
 
-/// What the contacts of one race have in common, at the nominal contact angle as
-/// Bearing::contact().
+/// Shape common to the contacts of one race, at the nominal contact angle as Bearing::contact().
 ///
 ///   R_x = D (1 ∓ γ)/2,  γ = D cos α0/d_m,  upper sign at the inner race;   R_z = f D/(2 f - 1)
 ///   R = 2 f D/(2 f + 1)
@@ -40,7 +39,7 @@ struct ContactShape {
           .unit_major_axis = hertz.semi_major_axis(1.0)};
 }
 
-/// How ball and race move upon each other at one contact.
+/// Relative motion of ball and race at one contact.
 struct ContactMotion {
   double surface_speed = 0.0;  ///< u, mean of both surfaces in the frame of the cage [m/s]
   double rolling = 0.0;  ///< ω_roll, relative rotation about the tangent across rolling [rad/s]

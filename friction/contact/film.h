@@ -99,7 +99,7 @@ struct StarvationFactors {
   return film.minimum / composite_roughness;
 }
 
-/// How a surface comes to carry on its asperities: B and C of asperity_share() [1, 1].
+/// Load share of a surface's asperities: B and C of asperity_share() [1, 1].
 struct AsperityLaw {
   double B = 1.8, C = 1.2;
 };

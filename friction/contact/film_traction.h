@@ -4,8 +4,8 @@
 
 namespace raceway::friction::contact {
 
-/// Whether a contact of half axis a slides by spin beside its rolling. Under race control one race
-/// spins by what rounding leaves: below a billionth of the other slip, ω_roll/(2 R) a.
+/// True if a contact of half axis a slides by spin besides differential slip. Under race control
+/// rounding leaves a spin at one race: below a billionth of the other slip, ω_roll/(2 R) a.
 [[nodiscard]] inline bool spins_beside(double spin, double differential, double semi_major_axis) {
   return std::abs(spin) > 1e-9 * std::abs(differential) * semi_major_axis;
 }

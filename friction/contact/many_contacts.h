@@ -23,7 +23,7 @@ void contact_results(std::span<const BearingState<double>> states, std::span<con
                      std::span<ContactResult> results,
                      bearing::InstructionSet set = bearing::best_instruction_set());
 
-/// Where friction_of_many() writes: one number a point, or nothing where a span is empty.
+/// Output of friction_of_many(): one number per point; an empty span is not filled.
 struct FrictionColumns {
   std::span<double> torque{};                                    ///< [N m]
   std::span<double> rolling{}, sliding{}, hysteresis{}, drag{};  ///< parts of it [N m]
@@ -36,7 +36,7 @@ struct FrictionColumns {
   std::span<double> inner_equivalent_load{}, outer_equivalent_load{};
 };
 
-/// What friction_of_many() is asked about, beside the operating points.
+/// Inputs of friction_of_many() besides the operating points.
 struct FrictionOfMany {
   const bearing::Bearing* bearing = nullptr;
   const Lubricant* lubricant = nullptr;

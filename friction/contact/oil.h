@@ -7,8 +7,8 @@
 #include "friction/lubricant.h"
 #include "record/units.h"
 
-/// What happens in the contacts of ball and race: film, rolling resistance of the oil, traction,
-/// hysteresis. Formulas only; who sums them over a bearing is a layer above.
+/// Contacts of ball and race: film, rolling resistance of the oil, traction, hysteresis. Formulas
+/// only; the layer above sums them over a bearing.
 namespace raceway::friction::contact {
 
 /// Kinds of oil (of a grease: its base oil) that differ in the properties below.
@@ -73,7 +73,7 @@ inline constexpr double density_slope = 6.5e-4;
          std::pow(kinematic_viscosity / mm2_per_s, oil.pressure_viscosity_t) / GPa;
 }
 
-/// Of an oil at one temperature and ambient pressure.
+/// State of an oil at one temperature and ambient pressure.
 struct OilState {
   double kinematic_viscosity = unset;  ///< ν [m²/s]
   double density = unset;              ///< ρ [kg/m³]
@@ -83,7 +83,7 @@ struct OilState {
   double conductivity = unset;         ///< k_f [W/(m K)]
 };
 
-/// What is known of an oil beside its viscosities; what is unset takes the default of its kind.
+/// Data of an oil besides its viscosities; unset data take the default of the oil type.
 struct OilData {
   OilType type = OilType::mineral;
   double density_15C = unset;         ///< [kg/m³]

@@ -28,7 +28,7 @@ class Roelands {
            std::exp(log_ * (std::pow(1.0 + pressure / reference_pressure, exponent_) - 1.0));
   }
 
-  /// η0, L and Z of the formula, for those who make many pressures at once.
+  /// η0, L and Z of the formula, for callers that evaluate many pressures at once.
   [[nodiscard]] double at_no_pressure() const { return viscosity_; }
   [[nodiscard]] double logarithm() const { return log_; }
   [[nodiscard]] double exponent() const { return exponent_; }

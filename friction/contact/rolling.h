@@ -7,7 +7,7 @@
 
 namespace raceway::friction::contact {
 
-/// How much oil the inlets of the contacts have.
+/// Oil supply of the contact inlets.
 enum class Inlet { flooded, limited };
 
 /// A loaded contact for rolling_force(): its inlet and its ellipse.
@@ -79,7 +79,7 @@ struct RollingEllipse {
   return 2.0 * force * speed;
 }
 
-/// Share of the rolling force that is left where the inlet heats itself [1].
+/// Share of the rolling force that remains under inlet shear heating [1].
 ///
 ///   φ = 1/(1 + 0.29 L^0.78),   L of thermal_loading()
 ///
@@ -87,7 +87,7 @@ struct RollingEllipse {
 /// Domain:   L >= 0; 1 at L = 0. Measured up to L about 5; spindle bearings reach 10, where this is
 ///           an extrapolation that takes two thirds of the rolling force.
 /// Trap:     above L of about 40 the force of a limited inlet times this falls as the oil grows
-///           thicker (flooded: 300), thick oil at the highest speeds; no one has measured there.
+///           thicker (flooded: 300), thick oil at the highest speeds; no measurements there.
 [[nodiscard]] inline double thermal_rolling_factor(double loading) {
   if (!(loading > 0.0)) return 1.0;
   return 1.0 / (1.0 + 0.29 * std::pow(loading, 0.78));

@@ -9,8 +9,8 @@
 
 namespace raceway::friction::contact {
 
-/// How ball and race slide upon each other in one contact: x along rolling, y across, ω_roll about
-/// the tangent across and ω_s about the normal,
+/// Slip of ball and race in one contact: x along rolling, y across, ω_roll about the tangent across
+/// and ω_s about the normal,
 ///
 ///   v_x = v_x0 + ω_roll y²/(2 R) - ω_s y,   v_y = v_y0 + ω_s x
 struct SlipMotion {
@@ -18,12 +18,12 @@ struct SlipMotion {
   double rolling = 0.0, spin = 0.0;  ///< ω_roll, ω_s, signed [rad/s]
 };
 
-/// What resists each of the four parts of a SlipMotion, and how.
+/// Resisting force and slopes for each of the four parts of a SlipMotion.
 ///
 ///   force_k = Σ τ·∂v/∂k,   slope_kl = ∂force_k/∂l = Σ ∂v/∂k·(dτ/dv)·∂v/∂l
 ///
 /// τ follows from a potential that is convex in v, so the slopes are symmetric and nowhere
-/// negative, and the power of friction is Σ force_k k, whatever the points.
+/// negative, and the power of friction is Σ force_k k, for any set of points.
 struct SlipForces {
   std::array<double, 4> force{};  ///< by along, across [N], rolling, spin [N m]
   double slope[4][4] = {};        ///< [N s/m, N s, N m s]

@@ -32,7 +32,7 @@ struct CentreSlip {
   double along = 0.0, across = 0.0;
 };
 
-/// What the shear stress of a contact sums to.
+/// Sums of the shear stress over a contact.
 struct TractionSums {
   double along = 0.0, across = 0.0;  ///< Σ τ_x, Σ τ_y [N]
   double along_slope = 0.0;          ///< d(Σ τ_x)/dv_x0 [N s/m]
@@ -133,7 +133,7 @@ struct Traction {
   bool converged = false;
   CentreSlip slip;               ///< v_x0, v_y0 [m/s]
   double power = unset;          ///< [W], >= 0
-  double spin_moment = unset;    ///< that resists ω_s [N m]
+  double spin_moment = unset;    ///< moment that resists ω_s [N m]
   double mean_friction = unset;  ///< Σ |τ|/Q [1]
   double mean_slip = unset;      ///< Σ p |v|/Q [m/s]
 };
@@ -197,7 +197,7 @@ template <class Field>
           .mean_slip = s.pressure_slip / load};
 }
 
-/// Of a contact that rolls freely and holds nothing across: Σ τ_x = 0, v_y0 = 0 (race control).
+/// Traction of a freely rolling contact without a force across: Σ τ_x = 0, v_y0 = 0 (race control).
 template <class Field>
 [[nodiscard]] Traction rolling_traction(const Field& field) {
   CentreSlip slip;
@@ -205,7 +205,7 @@ template <class Field>
   return traction_at(field, slip, false, found);
 }
 
-/// Of a contact that rolls freely and creeps across until it holds a force T: Σ τ_x = 0,
+/// Traction of a freely rolling contact that creeps across until it holds a force T: Σ τ_x = 0,
 /// Σ τ_y = T [N]. Not converged where no slip up to 1 km/s holds it. Not for the gyroscopic moment
 /// of a ball under race control, which a film cannot hold.
 template <class Field>

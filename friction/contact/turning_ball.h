@@ -132,7 +132,7 @@ class TurningBall {
     return {b[0], b[1], b[2], b[3]};
   }
 
-  /// What traction takes from the shaft, ω (Σ τ_x ρ_i + Σ τ_x h cos αi + M_s sin αi) [W].
+  /// Power that traction takes from the shaft, ω (Σ τ_x ρ_i + Σ τ_x h cos αi + M_s sin αi) [W].
   [[nodiscard]] double shaft_power(const SlipForces& inner) const {
     return speed_ * (inner.force[0] * inner_radius_ + inner.force[2] * ci_ + inner.force[3] * si_);
   }

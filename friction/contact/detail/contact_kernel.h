@@ -10,7 +10,7 @@ namespace raceway::friction::contact {
 inline constexpr std::size_t contacts_of_block = 8;
 inline constexpr std::size_t most_kernel_rings = 16, most_kernel_angles = 16;
 
-/// What all contacts of a call share: race, law, whether they spin. Names as in contact_friction.h;
+/// Data common to all contacts of a call: race, law, spin or not. Names as in contact_friction.h;
 /// powers of a contact's own numbers are left out of the factors.
 struct KernelRace {
   bool flooded, starves;  ///< inlets of rolling_force(); inlet_over_b is given

@@ -6,8 +6,8 @@
 
 namespace raceway::friction::contact {
 
-/// What of the contacts of a bearing their powers alone do not carry, on its way to a
-/// ContactResult. Part of contact_law.cpp and many_contacts.cpp.
+/// Sums over the contacts of a bearing that a ContactResult needs besides the powers. Part of
+/// contact_law.cpp and many_contacts.cpp.
 struct ContactSums {
   double slip = 0.0, load = 0.0;
   double holding = unset, over_traction = unset;

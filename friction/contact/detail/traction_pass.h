@@ -15,9 +15,9 @@ inline constexpr std::size_t most_rings = 16;
 template <typename Real>
 struct CirclePoints {
   std::size_t rings, rows;
-  /// Of a point: places in units of b and a [1].
+  /// Position of each point in units of b and a [1].
   alignas(64) Real x[most_rings][side_by_side], y[most_rings][side_by_side];
-  /// Of a ring: weight, those of all points of the ellipse sum to π a b/2 of s; p/p0 [1].
+  /// Weight of each ring (all points of the ellipse sum to π a b/2 of s) and s = p/p0 [1].
   alignas(64) Real weight[most_rings], s[most_rings];
 };
 
