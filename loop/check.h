@@ -8,7 +8,7 @@
 
 namespace raceway::loop {
 
-/// What a record holds, and what it can tell of a subject.
+/// Contents of a record, and the parts of a subject that it can test.
 struct Check {
   struct Column {
     const record::Channel* channel = nullptr;
@@ -25,11 +25,11 @@ struct Check {
   struct Testable {
     std::string id;
     std::string ruled_out;  ///< why it cannot be at work here; empty if it can
-    std::string missing;    ///< what the record or the subject lack; empty if testable
+    std::string missing;    ///< input that the record or the subject lacks; empty if testable
     std::string levels;     ///< without which base parameters do nearly the same; empty if none
   };
   int rows = 0, runs = 0;
-  std::vector<MeasuredChannel> measured;  ///< what the subject predicts first, then all else
+  std::vector<MeasuredChannel> measured;  ///< predicted by the subject first, then others
   std::vector<Column> columns;
   std::vector<record::Parameter> free;  ///< identifiable or not
   std::string problem;  ///< why the free parameters cannot be fitted; empty if they can

@@ -6,8 +6,8 @@
 
 namespace raceway::model {
 
-/// What turns the balls of a model that no race holds; all zero where a race does. Where it moves,
-/// so does the balance.
+/// Inputs of the ball rotation without race control; all zero under race control. A change of these
+/// changes the balance.
 struct BallTurning {
   double temperature = 0.0;                                 ///< of the oil [K]
   double viscosity_40C = 0.0, viscosity_100C = 0.0;         ///< [m²/s]
@@ -25,7 +25,7 @@ struct BallTurning {
     const bearing::EquilibriumOptions& options, const friction::Lubricant& oil,
     const bearing::BearingEquilibrium* neighbour = nullptr);
 
-/// The same of sets. `temperatures`: of the oil in each bearing, or of all [K].
+/// Balance of the sets. `temperatures`: of the oil in each bearing, or one for all [K].
 [[nodiscard]] bearing::ArrangementEquilibrium solve_sets(
     const Model& model, const bearing::Arrangement& arrangement,
     const bearing::ArrangementCondition& condition, std::span<const double> temperatures,

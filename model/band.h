@@ -19,7 +19,7 @@ namespace raceway::model {
 /// Accuracy: exact where y is linear in θ; otherwise to the square of the standard errors.
 class Band {
  public:
-  /// What is predicted, as a list of numbers that is as long for every model.
+  /// Predicted numbers, a list of the same length for every model.
   using Outputs = std::function<std::vector<double>(const Model&)>;
 
   static constexpr double level = 0.95;

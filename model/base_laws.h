@@ -6,8 +6,8 @@
 
 namespace raceway::model {
 
-/// What a base law needs and the model does not have, in words: a datum of the bearing, or a model
-/// without an effect that belongs to the law it has; empty where it has all.
+/// Input that a base law needs and the model lacks, in words: a datum of the bearing, or a model
+/// without an effect that belongs to its present law; empty if none.
 [[nodiscard]] std::string lacks_for_law(const Model& model, friction::FrictionLaw law);
 
 /// The model with another base law, whose numbers are the published ones and whose usual numbers

@@ -5,9 +5,9 @@
 
 namespace raceway::model {
 
-/// How long a bearing lasts at one point, by the formulas of life/; what has no number there is NaN
-/// here (a thrust bearing, a film too thin for ISO 281). Times count at the point's speed, infinite
-/// at standstill.
+/// Life of a bearing at one point, by the formulas of life/; NaN where they give no number (a
+/// thrust bearing, a film too thin for ISO 281). Times are at the point's speed, infinite at
+/// standstill.
 struct BearingLife {
   double load_rating = unset;      ///< C [N], given or of ISO 281
   double fatigue_load = unset;     ///< C_u [N], likewise

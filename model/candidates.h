@@ -9,7 +9,7 @@
 
 namespace raceway::model {
 
-/// Whether a parameter of the effect is among those that the model frees.
+/// True if the model frees a parameter of the effect.
 [[nodiscard]] bool is_free(const Model& model, std::string_view id);
 
 /// Ids of effects of the user's own that change nothing yet, a size of zero: they stand in the

@@ -15,20 +15,20 @@ namespace raceway::model {
 /// Balls in balance, shared by all that look at them.
 using Balance = std::shared_ptr<const bearing::BearingEquilibrium>;
 
-/// What the contacts of one row were found to take, for fits that ask for nearly the same again and
-/// again: the integrals over the ellipses are most of their time.
+/// Stored contact results of one row, for fits that need nearly the same ones repeatedly: the
+/// integrals over the ellipses take most of their time.
 ///
-/// A result is remembered by balance, oil, temperature and the numbers of the law; factors of
+/// The key of a result is balance, oil, temperature and the parameters of the law; factors of
 /// rolling and hysteresis may differ. Along ν(T) of the oil it is known close by too, in proportion
 /// to the temperature, for films that warm themselves. Accuracy: by temperature 1e-7; all else is
 /// what contact_result() gives.
 class ContactMemory {
  public:
-  /// Of the state `s`, whose balls are those of `balls`.
+  /// Result for the state `s` with the balls `balls`.
   [[nodiscard]] friction::contact::ContactResult at(const Balance& balls,
                                                     const friction::BearingState<double>& s,
                                                     std::span<const double> values);
-  /// Takes up what somebody else found for a state.
+  /// Stores a result found elsewhere for a state.
   void know(const Balance& balls, const friction::BearingState<double>& s,
             std::span<const double> values, const friction::contact::ContactResult& result) {
     (void)remember(balls, s, values, result);

@@ -13,7 +13,7 @@ namespace raceway::model {
                                              const bearing::BearingEquilibrium& equilibrium,
                                              const FrictionPrediction& prediction);
 
-/// The same of the balls or rollers that are in balance in the prediction.
+/// Heat by ring, with the balls or rollers in balance in the prediction.
 [[nodiscard]] friction::HeatSplit heat_split(const Model& model,
                                              const bearing::OperatingPoint& point,
                                              const FrictionPrediction& prediction);

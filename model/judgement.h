@@ -139,7 +139,7 @@ class Judge {
 
 /// True for balls that are much lighter than the rings, as those of silicon nitride.
 [[nodiscard]] bool has_ceramic_balls(const bearing::Bearing& bearing);
-/// The same of the bearing of a model; false for rollers.
+/// True for such balls in the bearing of a model; false for rollers.
 [[nodiscard]] bool has_ceramic_balls(const Model& model);
 
 /// The range in which a number can be, and the reason for its ends.

@@ -4,7 +4,7 @@
 
 namespace raceway::model {
 
-/// What is said of the life of a bearing; what is unset follows from its geometry.
+/// Life data of a bearing; unset ratings follow from its geometry.
 struct LifeData {
   double dynamic_load_rating = unset;  ///< C [N]; unset: that of ISO 281
   double fatigue_load = unset;         ///< C_u [N]; unset: that of ISO 281

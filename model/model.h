@@ -19,7 +19,7 @@
 
 namespace raceway::model {
 
-/// What is known of the test rig; it fills in what a record does not carry.
+/// Data of the test rig, used where a record has none.
 struct Rig {
   double inertia = unset;           ///< of all that coasts down [kg m²]; NaN: not given
   bool unknown_inertia = false;     ///< said to be unknown: torques up to a common factor
@@ -38,7 +38,7 @@ struct Rig {
 struct Shaft {
   bearing::Arrangement arrangement;
   double external_load = 0.0;  ///< axial, positive towards the tool [N]
-  /// What is not measured is left at the mounting temperature.
+  /// Temperatures that are not measured stay at the mounting temperature.
   std::optional<bearing::SetTemperatures> temperatures = {};
   /// A set has bearings of its own: what the model says of its bearing is not of all.
   bool own_bearings = false;
@@ -49,20 +49,20 @@ struct PrintedSpeed {
   double oil = unset, grease = unset;
 };
 
-/// What the user believes of a bearing on a rig, or of the sets on a shaft. What the loop asks of
-/// it is answered by rig::RigSubject and shaft::ShaftSubject.
+/// Model of a bearing on a rig, or of the sets on a shaft, as the user has it. rig::RigSubject and
+/// shaft::ShaftSubject present it to the loop.
 struct Model {
   std::string name;
-  /// Of the rows of the record that it is held against [K]; NaN where there is none.
+  /// Temperature range of the rows of the record in use [K]; NaN without a record.
   double coldest = unset, hottest = unset;
   ModelBearing bearing;
   friction::Lubricant lubricant;
-  std::optional<friction::Supply> supply = {};  ///< rules out effects; none where nobody named it
+  std::optional<friction::Supply> supply = {};  ///< rules out effects; empty if not given
   friction::FrictionLaw law = friction::FrictionLaw::palmgren;
   friction::F1Load f1_load = friction::F1Load::P0;  ///< of the palmgren law; of rollers of all
   std::vector<double> law_values;                   ///< in the order of friction::parameters(law)
   friction::contact::ContactData contact = {};      ///< of the contact law
-  std::vector<effects::Effect> effects;             ///< what has been added so far, in order
+  std::vector<effects::Effect> effects;             ///< added so far, in order
   bearing::EquilibriumOptions solver;
   /// No race holds the balls: traction turns them. Of the contact law alone; see solve_balls().
   bool balanced_balls = false;
@@ -73,11 +73,11 @@ struct Model {
   std::vector<std::string> free;
   /// The first bearing of its front set is `bearing`.
   std::optional<Shaft> shaft = {};
-  /// What stands around the sets, where the model is of a whole spindle; `shaft` is there too.
+  /// Surroundings of the sets in a model of a whole spindle; `shaft` is then set too.
   std::optional<Spindle> spindle = {};
-  /// Errors that do not matter to whoever uses the model, by the name of the measured channel [SI].
+  /// Errors acceptable to the user, by the name of the measured channel [SI].
   std::vector<record::NamedValue> tolerances = {};
-  /// Of parameters that were fitted, at the values that they have here.
+  /// Covariance of fitted parameters, at their values here.
   std::optional<fit::Covariance> covariance = {};
 
   /// The form of the effects that it may have.

@@ -12,8 +12,8 @@ namespace raceway::model {
 
 /// The bearing of a model: one with balls, or one with cylindrical rollers.
 ///
-/// What is of balls takes it as the bearing::Bearing that it is; for one with rollers that throws
-/// std::invalid_argument, so that no number of balls is ever given for rollers.
+/// Code for ball bearings takes it as a bearing::Bearing. For rollers this throws
+/// std::invalid_argument, so that no ball result is ever given for rollers.
 class ModelBearing {
  public:
   // Either kind is the bearing of a model.

@@ -15,8 +15,8 @@ struct ChangedNumber {
   double after = unset;
 };
 
-/// What a step from one model to the next has changed of effects, base law and arrangement: all
-/// that calibrate and add write. Bearing, lubricant and rig are not compared.
+/// Changes of effects, base law and arrangement from one model to the next: all that calibrate and
+/// add write. Bearing, lubricant and rig are not compared.
 struct ModelChanges {
   std::vector<std::string> added, removed;  ///< ids of effects
   std::vector<ChangedNumber> numbers;       ///< in the order of parameters()

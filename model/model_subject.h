@@ -12,19 +12,19 @@
 
 namespace raceway::model {
 
-/// What a reader of measurements for a model must know.
+/// Columns that a model expects of a reader of measurements.
 struct Expected {
-  /// What a column that is not there stands for.
+  /// Value that replaces a missing column.
   struct Default {
     const record::Channel* channel;
     double value;      ///< in every row [SI]; NaN: the column is required
-    std::string from;  ///< where the value stands: "[rig]"
+    std::string from;  ///< source of the value: "[rig]"
   };
-  /// A column that is not there though its partner is.
+  /// Missing column whose partner is present.
   struct Partner {
     const record::Channel* channel;
     const record::Channel* partner;
-    std::string from;  ///< what stands in its place, in words
+    std::string from;  ///< substitute, in words
   };
   std::vector<Default> defaults{};
   std::vector<Partner> partners{};
@@ -48,7 +48,8 @@ class ModelSubject : public fit::Subject {
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] virtual Expected expected() const = 0;
 
-  /// With the range of its temperatures, of which the coldest is the room where nobody said.
+  /// Subject with the temperature range of the record; the coldest is the room if the rig gives
+  /// none.
   [[nodiscard]] std::unique_ptr<fit::Subject> informed_by(const fit::Record& record) const override;
 
   [[nodiscard]] std::vector<fit::Parameter> parameters() const override;
@@ -79,14 +80,14 @@ class ModelSubject : public fit::Subject {
   explicit ModelSubject(const Model& model);
   ModelSubject(Model model, std::vector<std::string> waiting);
 
-  /// The same kind of subject, with the same data put right.
+  /// Subject of the same kind, with the same corrected data.
   [[nodiscard]] std::unique_ptr<ModelSubject> with(Model model,
                                                    std::vector<std::string> waiting) const;
-  /// The same kind of subject.
+  /// Subject of the same kind.
   [[nodiscard]] virtual std::unique_ptr<ModelSubject> make(
       Model model, std::vector<std::string> waiting) const = 0;
 
-  /// Without the effects that wait: what is predicted.
+  /// Model without the effects that wait, as predicted.
   [[nodiscard]] const Model& active() const { return active_; }
   /// Places in active() of the parameters of these names. Throws as fit::find_parameters().
   [[nodiscard]] std::vector<ParameterPlace> places(const std::vector<std::string>& names) const;

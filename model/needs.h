@@ -16,9 +16,8 @@ namespace raceway::model {
 /// cylindrical rollers have none. Empty if it does.
 [[nodiscard]] std::string refused_by_law(const effects::Description& effect, const Model& model);
 
-/// What an effect cannot be felt without and the model or the record do not have, in words; empty
-/// if there is nothing. A need for several levels is not among these: whether base parameters do
-/// the same is found out on the data themselves.
+/// Input that an effect needs and the model or the record lacks, in words; empty if none. A need
+/// for several levels is not included: the data themselves show whether base parameters act alike.
 [[nodiscard]] std::string missing_need(const effects::Description& effect, const Model& model,
                                        const record::Record& record);
 

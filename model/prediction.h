@@ -23,25 +23,24 @@ struct FrictionPrediction {
   /// Added moment of each effect, in the order of the model [N m]; 0 for one that acts on
   /// condition, lubricant or reading, and shows in the other terms.
   std::vector<double> effects;
-  /// Of the contact law: where `load` and `viscous` come from, as the film leaves it.
+  /// Result of the contact law from which `load` and `viscous` come, with the effects on the film.
   std::optional<friction::contact::ContactResult> contacts;
   double torque = unset;      ///< sum of all these [N m]
   double power_loss = unset;  ///< torque times speed [W]
   double reading = unset;  ///< of the rig: torque of all its bearings, then the reading steps [N m]
-  effects::Condition condition;  ///< what effects change of the entered condition
+  effects::Condition condition;  ///< changes of the entered condition by effects
   effects::Film film;            ///< viscosity and temperature of the film
   /// The bearing as the condition makes it; null where that is the one entered.
   std::shared_ptr<const bearing::Bearing> bearing;
-  /// Balls in balance; null where there is none, and where nobody asked for it and nothing needed
-  /// it.
+  /// Balls in balance; null without a balance, or if it was neither requested nor needed.
   std::shared_ptr<const bearing::BearingEquilibrium> equilibrium;
-  /// In its place where the bearing has cylindrical rollers.
+  /// Rollers in balance, for a bearing with cylindrical rollers.
   std::shared_ptr<const bearing::RollerEquilibrium> rollers;
   bearing::SolveReport report;  ///< not_run where no equilibrium was needed
 
   [[nodiscard]] bool predicted() const;  ///< torque is a number
-  /// How the point ended, for every command alike: as the search for its balance did, and
-  /// `converged` only where the torque, its parts and the loss are finite; else `not_finite`.
+  /// Status of the point, for all commands: that of the search for its balance, but `converged`
+  /// only where the torque, its parts and the loss are finite; else `not_finite`.
   [[nodiscard]] bearing::SolveStatus status() const;
 };
 
@@ -51,20 +50,20 @@ struct FrictionPrediction {
   return prediction.bearing ? *prediction.bearing : *model.bearing;
 }
 
-/// What the torque of a model is made of, by name: parts of the base law, then the effects.
+/// Names of the parts of a model's torque: parts of the base law, then the effects.
 ///   palmgren, skf: load, viscous        contact: rolling, sliding, hysteresis, drag
 [[nodiscard]] std::vector<std::string> torque_parts(const Model& model);
-/// The same of a prediction [N m], in that order; NaN where there is none.
+/// Torque parts of a prediction [N m], in that order; NaN where there is none.
 [[nodiscard]] std::vector<double> moments_of_parts(const Model& model,
                                                    const FrictionPrediction& prediction);
 
-/// Of the contact law: the contacts of every distinct ball of a prediction that has converged, as
-/// its film leaves them.
+/// Contacts of every distinct ball of a converged prediction by the contact law, with the effects
+/// on the film.
 [[nodiscard]] std::vector<friction::contact::BallFriction> ball_contacts(
     const Model& model, const bearing::OperatingPoint& point, const FrictionPrediction& prediction);
 
-/// What keeps a prediction from converging, in words: "no_equilibrium" and the like, or which
-/// effect gives no finite moment.
+/// Reason why a prediction has not converged, in words: "no_equilibrium" and the like, or the
+/// effect without a finite moment.
 [[nodiscard]] std::string why_not_converged(const Model& model,
                                             const FrictionPrediction& prediction);
 
@@ -85,7 +84,7 @@ struct FrictionPrediction {
                                                   bool with_equilibrium = false,
                                                   const effects::Record& record = {});
 
-/// The same for many points, solved side by side and shared among threads: neither the number of
+/// Predicts many points, solved side by side and shared among threads: neither the number of
 /// threads nor the other points change a digit. `records` may be empty. Throws
 /// std::invalid_argument if the sizes differ.
 void predict_sweep(const Model& model, std::span<const bearing::OperatingPoint> points,

@@ -21,11 +21,10 @@ class RowPredictor {
  public:
   using Rollers = std::shared_ptr<const bearing::RollerEquilibrium>;
 
-  /// `known`: the balance under the condition `given`, where somebody has it: as entered, or that
-  /// of a bearing in its set on a shaft. `given` is a condition beside what the effects in `steps`
-  /// make of it. `bearing`: whose balls are in that balance, where it is not the model's.
-  /// `rollers`: the balance as entered of a bearing with cylindrical rollers, where somebody has
-  /// it.
+  /// `known`: the balance under the condition `given`, if available: as entered, or for a bearing
+  /// in its set on a shaft. `given`: a condition in addition to the changes by the effects in
+  /// `steps`. `bearing`: the bearing of that balance, if not the model's. `rollers`: the balance as
+  /// entered of a bearing with cylindrical rollers, if available.
   RowPredictor(const Model& model, const Steps& steps, const bearing::OperatingPoint& point,
                const effects::Record& record, Balance known = nullptr,
                const effects::Condition& given = {},
@@ -44,8 +43,8 @@ class RowPredictor {
   /// Finds the balance alone, as predict() would.
   void balance(const Model& model, const Steps& steps);
 
-  /// The same of the contacts, whose balance is known: their state, and their friction, which
-  /// predict() then remembers. Nothing under other laws, without a balance, on a bearing that the
+  /// State of the contacts in a known balance, for callers that then answer with their friction,
+  /// which predict() reuses. Empty under other laws, without a balance, on a bearing that the
   /// condition has changed, or where effects act on the film.
   [[nodiscard]] std::optional<friction::BearingState<double>> ask_contacts(const Model& model,
                                                                            const Steps& steps);
@@ -89,7 +88,7 @@ class RowPredictor {
   double temperature_, viscosity_;          // of the row, as corrected
   std::optional<friction::Lubricant> oil_;  // where it is not that of the model
 
-  /// What was solved under other conditions: fits come back to where they took differences.
+  /// Balance solved under another condition: fits return to points where they took differences.
   struct KnownBalance {
     effects::Condition condition;
     BallTurning turning;
@@ -133,7 +132,7 @@ void predict_all(const Model& model, const Steps& steps, std::span<RowPredictor>
 /// Balances of points as entered, without any effect.
 [[nodiscard]] std::vector<Balance> entered_balances(
     const Model& model, std::span<const bearing::OperatingPoint> points);
-/// The same of a bearing with cylindrical rollers.
+/// Balances of a bearing with cylindrical rollers, as entered, without any effect.
 [[nodiscard]] std::vector<RowPredictor::Rollers> entered_rollers(
     const Model& model, std::span<const bearing::OperatingPoint> points);
 

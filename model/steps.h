@@ -12,7 +12,7 @@ namespace raceway::model {
 /// a whole do not, so with them one whose load is only assumed can be compared without a solve.
 [[nodiscard]] bool needs_equilibrium(const Model& model);
 
-/// Which effects of a model act where; found once for many predictions.
+/// Effects of a model by the step at which they act; found once for many predictions.
 struct Steps {
   /// Indices into Model::effects; `reading` is that of the channel that is read.
   std::vector<std::size_t> entry, condition, lubricant, moment, reading;
@@ -34,15 +34,14 @@ enum class Stage { entry, condition, lubricant, base, moment, reading };
     const Model& model, const bearing::OperatingPoint& point,
     const bearing::BearingEquilibrium* equilibrium);
 
-/// What the effects of a model change of the condition of a bearing in the state `entered`, beside
-/// what is `given`; not finite where an input is not known. The bearing may be another one than the
-/// model's.
+/// Condition of a bearing in the state `entered`: `given`, then changed by the effects of a model;
+/// not finite where an input is not known. The bearing may be another one than the model's.
 [[nodiscard]] effects::Condition condition_of(const Model& model, const Steps& steps,
                                               const friction::BearingState<double>& entered,
                                               const bearing::OperatingPoint& point,
                                               const effects::Record& record,
                                               const effects::Condition& given = {});
-/// The same, where the power at the entered load is known [W].
+/// Condition of a bearing, with its power at the entered load known [W].
 [[nodiscard]] effects::Condition condition_of(const Model& model, const Steps& steps,
                                               const friction::BearingState<double>& entered,
                                               const bearing::OperatingPoint& point,
@@ -51,7 +50,7 @@ enum class Stage { entry, condition, lubricant, base, moment, reading };
 
 /// True if an effect on the condition looks at the power of the base law at the entered load.
 [[nodiscard]] bool uses_power(const Model& model, const Steps& steps);
-/// That power [W]; a law of the contacts gets the balls of that load first.
+/// Power of the base law at the entered load [W]; for the contact law, the balls are solved first.
 [[nodiscard]] double entered_power(const Model& model, friction::BearingState<double> entered,
                                    const bearing::OperatingPoint& point);
 

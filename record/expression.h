@@ -8,7 +8,7 @@
 
 namespace raceway::record {
 
-/// What is wrong with a formula, and where.
+/// Error in a formula, and its position.
 struct FormulaError : std::invalid_argument {
   FormulaError(const std::string& what, std::size_t where, std::string which)
       : std::invalid_argument(what), position(where), unknown_name(std::move(which)) {}

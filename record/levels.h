@@ -12,7 +12,7 @@ namespace raceway::record {
 /// NaN is passed over.
 [[nodiscard]] std::vector<double> level_starts(std::span<const double> values, double width);
 
-/// Of which level a value is, by its starts.
+/// Index of the level of a value, by the level starts.
 [[nodiscard]] std::size_t level_of(double value, std::span<const double> starts);
 
 /// The step of a channel over these values [SI].

@@ -7,7 +7,7 @@
 
 namespace raceway::record {
 
-/// Where something stands that a user wrote; what is not known is empty or 0.
+/// Place in the user's input; unknown parts are empty or 0.
 struct Place {
   std::string file = {};
   int line = 0;          ///< from 1

@@ -8,8 +8,8 @@
 
 namespace raceway::record {
 
-/// What is known beforehand of a number of a law or an effect. Values are in the unit of the files,
-/// named by `unit` and by the ending of `name`.
+/// Card of a parameter of a law or an effect. Values are in the unit of the files, given by `unit`
+/// and by the ending of `name`.
 struct NumberCard {
   std::string_view name;
   std::string_view unit;  ///< "1" where dimensionless
@@ -32,11 +32,11 @@ struct Interval {
 struct Parameter {
   std::string name;  ///< as people write it: "f0", "my-effect.c"
   std::string unit;  ///< "1" where dimensionless
-  /// Where it stands in the file of the model: "friction.f0", "effect.2.c" of the third effect.
-  /// More than one where a parameter stands for several equal numbers.
+  /// Addresses in the model file: "friction.f0", "effect.2.c" of the third effect. More than one
+  /// where a parameter stands for several equal numbers.
   std::vector<std::string> addresses{};
   double start = unset;                 ///< as the model has it, and where a fit begins
-  double value = unset;                 ///< what a fit made of it; the start where nobody fitted it
+  double value = unset;                 ///< fitted value; the start if not fitted
   double initial = unset;               ///< default of its law
   double lower = unset, upper = unset;  ///< closed bounds
   double plausible_lower = unset, plausible_upper = unset;  ///< range met in practice

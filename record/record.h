@@ -14,8 +14,7 @@ namespace raceway::record {
 struct Column {
   const Channel* channel = nullptr;
   std::vector<double> values;  ///< SI; NaN where nothing was read
-  /// Of a deviation: found by a regression over many more samples than there are rows, so that it
-  /// is as good as known.
+  /// True for a deviation from a regression over many more samples than rows: it counts as known.
   bool known = false;
 };
 
@@ -32,18 +31,18 @@ enum class SettingsHold {
   until_row,  ///< from the row before until its own
 };
 
-/// What was measured: columns over rows. Rows are known by their place here; the line of a file is
-/// kept for messages alone.
+/// Measured data: columns over rows. Rows are identified by their index; lines of the file are kept
+/// for messages only.
 struct Record {
   std::string source{};             ///< file name, for messages
   std::vector<Column> columns{};    ///< all of one length
   std::vector<std::string> runs{};  ///< names of the runs, to which the column `run` has indices
   std::vector<int> lines{};         ///< of the file, by row; empty where rows come from no file
-  std::vector<Note> notes{};        ///< what the reader did that the user should know
-  /// The readings have one factor in common that nobody knows.
+  std::vector<Note> notes{};        ///< actions of the reader, for the user
+  /// True if the readings share one unknown factor.
   bool up_to_a_factor = false;
   SettingsHold settings_hold = SettingsHold::sampled;  ///< of a record over time
-  /// Of a record that joined() made, to which the column `part` has indices; otherwise empty.
+  /// Parts of a record made by joined(), indexed by the column `part`; otherwise empty.
   std::vector<Part> parts{};
 
   [[nodiscard]] std::size_t rows() const {
@@ -66,8 +65,7 @@ struct Record {
   /// length is another than that of the others.
   Column& set(const Channel& channel, std::vector<double> values);
 
-  /// Whether rows differ on a channel by more than its step, as a value or as a share of the
-  /// largest.
+  /// True if rows differ on a channel by more than its step, absolute or as a share of the largest.
   [[nodiscard]] bool varies(const Channel& channel) const;
   /// The deviation of a measured channel that the record has, null where it has none.
   [[nodiscard]] const Column* deviation_of(const Channel& measured) const;
@@ -76,7 +74,7 @@ struct Record {
 
   /// These rows, in this order.
   [[nodiscard]] Record picked(std::span<const std::size_t> rows) const;
-  /// The same columns without any row.
+  /// Columns without any row.
   [[nodiscard]] Record without_rows() const;
 
   /// "line 12" of a file, otherwise "row 3", counted from 1; "line 12 of monday" of a part.

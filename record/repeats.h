@@ -9,9 +9,9 @@ namespace raceway::record {
 /// Rows that measure the same: indices into a record.
 using RepeatGroup = std::vector<std::size_t>;
 
-/// When two rows stand at the same point: no input differs by more than this.
+/// Limits within which two rows are at the same point: no input differs by more.
 struct SamePoint {
-  double relative = 1e-3;    ///< where differences count against the size [1]
+  double relative = 1e-3;    ///< for inputs compared by ratio [1]
   double temperature = 0.1;  ///< otherwise [K]; 0.3 % of a viscosity
 };
 

@@ -6,7 +6,7 @@
 
 namespace raceway::record {
 
-/// How an input goes from one row of a record over time to the next.
+/// Course of an input between two rows of a record over time.
 enum class Course {
   straight,  ///< along a straight line, as temperatures do
   held       ///< as it was, as what a control has set
@@ -25,7 +25,7 @@ enum class Course {
 /// subtracts it from the displacement; a record does not keep it.
 inline constexpr std::string_view offset_kind = "offset";
 
-/// Of a room: its name says "ambient", "room" or "air".
+/// True for a room temperature: the name has the word "ambient", "room" or "air".
 [[nodiscard]] bool is_ambient(const Channel& channel);
 
 }  // namespace raceway::record

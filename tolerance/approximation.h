@@ -30,13 +30,12 @@ struct Recorded {
 struct Approximation {
   std::shared_ptr<const fit::Subject> subject{};  ///< as it was before the fit
   std::vector<std::string> names{};               ///< of the parameters that were fitted
-  std::vector<record::Parameter> parameters{};    ///< the same
+  std::vector<record::Parameter> parameters{};    ///< the fitted parameters
   fit::SeparableFit fit{};
   std::vector<double> held_out{};  ///< error of each mean that its fit did not see [SI]; NaN: none
   double rms = unset;              ///< weighted as the means are
   double rms_held_out = unset;     ///< NaN where nothing can be held out
-  /// The same of each channel of Subject::measured(), in its tolerances; NaN of one that has no
-  /// mean.
+  /// Both rms of each channel of Subject::measured(), in its tolerances; NaN for one without means.
   std::vector<double> channel_rms{}, channel_held_out{};
   /// Derivatives of the means by the values; kept of what is costly alone.
   Eigen::MatrixXd slope{};
@@ -58,7 +57,7 @@ struct ApproximationOptions {
 /// Throws std::invalid_argument where no start has a prediction for every reading.
 void require_fit(const Approximation& approximation);
 
-/// The same with candidates switched on, begun where the fit without them ended.
+/// Fits with candidates switched on, from the end of the fit without them.
 [[nodiscard]] Approximation approximate_with(const Approximation& base, const Recorded& recorded,
                                              const std::vector<const fit::Candidate*>& candidates,
                                              const ApproximationOptions& options = {});
@@ -67,17 +66,17 @@ void require_fit(const Approximation& approximation);
 /// them.
 void hold_out(Approximation& approximation, const Recorded& recorded);
 
-/// The same fitted to single rows (means, of very long records) without a ridge, begun where it
-/// ended. `rows` gets what it was fitted to.
+/// Fits an approximation to single rows (means, for very long records) without a ridge, from where
+/// it ended. `rows` gets the data fitted.
 [[nodiscard]] Approximation refined(const Approximation& approximation, const Recorded& recorded,
                                     Recorded& rows);
 
-/// Standard errors of all parameters, widened for what is left following the rows before it, and by
-/// what the model declares as its own error.
+/// Standard errors of all parameters, widened for the autocorrelation of the residuals, and by the
+/// model's declared error.
 struct ApproximationErrors {
   Eigen::MatrixXd covariance{};
   double condition = unset;         ///< of the columns, each of unit length
-  double correlation_time = unset;  ///< of what is left [s]
+  double correlation_time = unset;  ///< of the residuals [s]
   double effective = unset;         ///< number of means that count as independent
 };
 [[nodiscard]] ApproximationErrors errors_of(const Approximation& approximation,
@@ -86,7 +85,7 @@ struct ApproximationErrors {
 /// The subject with its fitted values.
 [[nodiscard]] std::shared_ptr<const fit::Subject> fitted(const Approximation& approximation);
 
-/// The same with the errors on parts held out.
+/// Refit of an approximation, with its held-out errors.
 [[nodiscard]] fit::Refit refit_of(const Approximation& approximation, const Recorded& recorded);
 
 }  // namespace raceway::tolerance

@@ -7,8 +7,8 @@
 
 namespace raceway::tolerance {
 
-/// When a model fails that nothing in its catalogue mends: where it errs most, whether that comes
-/// back after a time, and how long it lasts. `left`: reading minus prediction of every mean.
+/// Course of residuals over time that no effect of the catalogue explains: where they are largest,
+/// their period and their correlation time. `left`: reading minus prediction of every mean.
 [[nodiscard]] verdict::Course course_of(const fit::Means& means, const Eigen::VectorXd& left);
 
 }  // namespace raceway::tolerance

@@ -12,12 +12,12 @@
 
 namespace raceway::verdict {
 
-/// What switching effects on bought on one measured channel.
+/// Gain from the effects switched on, for one measured channel.
 struct ChannelGain {
   Comparison before{}, after{};  ///< in sample, each refitted, over the same rows
   fit::NoiseModel noise{};       ///< by which readings were weighed, in the order of the errors
-  double tolerance = unset;      ///< SI; NaN where nobody said
-  /// Over blocks that neither fit saw; with a tolerance within the range of what was measured [SI].
+  double tolerance = unset;      ///< SI; NaN if not given
+  /// Held-out errors of both fits [SI]; with a tolerance, within the measured range.
   double rmse_held_out_before = unset, rmse_held_out_after = unset;
 
   [[nodiscard]] const record::Channel& channel() const { return *before.channel; }

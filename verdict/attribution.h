@@ -23,9 +23,9 @@ struct Explanation {
   bool rechecked = false;
   double least_loss = unset;  ///< rise of -2 ln L when the least of several members is dropped
   bool elastic = false;       ///< with exponents that bend the law
-  /// Of every factor of the subject, by its name; 0 where it does not vary.
+  /// Exponents of every factor of the subject, by its name; 0 where it does not vary.
   std::vector<record::NamedValue> exponents{};
-  std::size_t free_exponents = 0;  ///< how many of them were free
+  std::size_t free_exponents = 0;  ///< number of those that were free
   /// True if an exponent ended at the limit to which the law may be bent.
   [[nodiscard]] bool bent_to_a_bound() const;
 };

@@ -24,7 +24,7 @@ struct ChannelError {
 
 struct Calibration {
   std::shared_ptr<const fit::Subject> subject{};  ///< with the fitted values
-  std::vector<record::Parameter> parameters{};    ///< those that were free
+  std::vector<record::Parameter> parameters{};    ///< free parameters
   Eigen::MatrixXd correlation{};  ///< of the estimates, NaN where there is no standard error
   int rows = 0;                   ///< used
   std::vector<std::size_t> rows_not_predicted{};  ///< rows of the record, not used
@@ -38,9 +38,9 @@ struct Calibration {
   std::vector<ChannelError> channels{};
   int iterations = 0;
   fit::FitStatus status = fit::FitStatus::not_run;
-  std::vector<record::Note> messages{};  ///< what the user should know
-  /// Of a subject that only approximates: error on parts that no fit saw [SI], and how long what is
-  /// left remembers itself [s]; NaN where that is not known.
+  std::vector<record::Note> messages{};  ///< for the user
+  /// Held-out error [SI] and correlation time of the residuals [s], for a subject that only
+  /// approximates; NaN where not known.
   double rms_held_out = unset, correlation_time = unset;
 
   [[nodiscard]] bool converged() const { return status == fit::FitStatus::converged; }
@@ -74,12 +74,12 @@ struct CalibrateOptions {
                                              const record::Record& record,
                                              const CalibrateOptions& options = {});
 
-/// Of those parameters that have a standard error; names and values as in the calibration. Nothing
-/// where none has one.
+/// Covariance of the parameters with a standard error; names and values as in the calibration.
+/// Empty if none has one.
 [[nodiscard]] std::optional<fit::Covariance> covariance_of(const Calibration& calibration);
 
-/// What a fit of the free parameters `response.parameters` that was made elsewhere says: values,
-/// errors, correlation. `before` are the readings without it, `whitening` is the noise of the data.
+/// Calibration from a fit of the free parameters `response.parameters` made elsewhere: values,
+/// errors, correlation. `before`: readings without the fit; `whitening`: noise of the data.
 [[nodiscard]] Calibration calibration_of(std::shared_ptr<const fit::Subject> fitted,
                                          const fit::Response& response, const fit::ResponseFit& fit,
                                          const fit::Observations& observed,

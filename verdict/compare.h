@@ -34,7 +34,7 @@ struct RowError {
   double sigmas = unset;    ///< residual over standard deviation [1]
 };
 
-/// Whether the misfit is larger than the noise.
+/// Test whether the misfit is larger than the noise.
 ///   declared or regression   statistic = χ²/degrees of freedom, χ² distribution
 ///   repeats                  statistic = F, lack of fit over pure error, F distribution
 ///   none                     NaN
@@ -45,10 +45,10 @@ struct LackOfFit {
   int noise_degrees_of_freedom = 0;  ///< of the pure error, 0 where the noise is declared
 };
 
-/// Whether neighbours in the swept setting err alike; needs no noise. Rows are strung by run and
-/// all other settings, then by that one (by time where there is none); correlation = mean product
-/// of neighbours over mean square, for pure noise about normal with a variance of 1/pairs. p is
-/// one-sided. It also rises where the noise itself drifts along the run.
+/// Correlation of the errors of neighbours in the swept setting; needs no noise. Rows are sorted by
+/// run and all other settings, then by the swept one (by time where there is none); correlation =
+/// mean product of neighbours over mean square, for pure noise about normal with a variance of
+/// 1/pairs. p is one-sided. It also rises where the noise itself drifts along the run.
 struct Pattern {
   const record::Channel* along = nullptr;
   double correlation = unset;  ///< in [-1, 1], NaN below 8 pairs
@@ -62,7 +62,7 @@ enum class Judgement {
   unknown     ///< the noise is not known, and no pattern shows
 };
 
-/// A model held against the readings of one channel. Residuals are prediction minus reading.
+/// Comparison of a model with the readings of one channel. Residuals are prediction minus reading.
 struct Comparison {
   const record::Channel* channel = nullptr;
   int rows = 0;                                                     ///< compared
@@ -71,17 +71,18 @@ struct Comparison {
   /// mean, negative is worse. NaN if all readings are equal.
   double fit_percent = unset;
   fit::Noise noise{};
-  /// Where the noise is not known: what a diagnosis would take for it [SI]; see
-  /// estimate_unknown_noise(). NaN where nobody asked and where the data cannot tell.
+  /// Noise that a diagnosis would assume where it is not known [SI]; see estimate_unknown_noise().
+  /// NaN if not requested or not determined by the data.
   double estimated_noise = unset;
   LackOfFit lack_of_fit{};
   Pattern pattern{};
-  /// In which what is left forgets itself [s]; NaN but for what only comes near, over time.
+  /// Correlation time of the residuals [s]; only for a subject that approximates over time, else
+  /// NaN.
   double correlation_time = unset;
   std::string_view begins{};  ///< Measured::begins
   Judgement judgement = Judgement::unknown;
-  double tolerance = unset;         ///< error below which it does not matter [SI]; NaN: nobody said
-  std::vector<ErrorRange> where{};  ///< worst first; only of what varies
+  double tolerance = unset;           ///< acceptable error [SI]; NaN if not given
+  std::vector<ErrorRange> where{};    ///< worst first; only of what varies
   std::vector<ErrorRange> records{};  ///< of each of several joined records, in their order
   std::vector<RowError> worst{};      ///< the five worst rows, worst first
   std::vector<RowError> errors{};     ///< all compared rows, in the order of the data
@@ -89,8 +90,8 @@ struct Comparison {
   std::string statement{};  ///< in one sentence: how wrong, structure or noise, and where
 };
 
-/// The noise of a measured channel: as the model declares it or as neighbours in time tell it where
-/// the model only comes near, otherwise estimate_noise().
+/// Noise of a measured channel: as declared by the model or estimated from neighbours in time if
+/// the model only approximates, otherwise estimate_noise().
 [[nodiscard]] fit::Noise noise_of(const record::Record& record, const fit::Measured& measured);
 
 /// Compares a model with every measured channel that the record has. `fitted_parameters` of the
@@ -101,7 +102,7 @@ struct Comparison {
                                               const record::Record& record,
                                               int fitted_parameters = 0);
 
-/// The same of one channel for predictions made elsewhere: `predicted` by row of the record, NaN
+/// Compares one channel with predictions made elsewhere: `predicted` by row of the record, NaN
 /// where there is none.
 [[nodiscard]] Comparison compare(std::span<const double> predicted, const record::Record& record,
                                  const fit::Measured& measured, int fitted_parameters = 0);

@@ -12,7 +12,7 @@
 namespace raceway::verdict {
 
 struct DiagnoseOptions {
-  /// What may be missing, by id; all candidates of the subject where empty.
+  /// Effects that may be missing, by id; empty: all candidates of the subject.
   std::vector<std::string> candidates{};
   int tried_before = 0;  ///< other candidates once tried on these data, for the multiplicity
   int most_rows = most_rows_of_a_fit;
@@ -21,7 +21,7 @@ struct DiagnoseOptions {
   bool other_bases = true;
   fit::NoiseOptions noise{};
   std::function<void(double share, std::string_view step)> progress{};
-  const std::atomic<bool>* cancelled = nullptr;  ///< where it is set diagnose() throws Cancelled
+  const std::atomic<bool>* cancelled = nullptr;  ///< diagnose() throws Cancelled once it is set
 };
 
 /// Says whether an effect is missing in the subject, which, or what to measure to find out.
@@ -40,12 +40,12 @@ struct DiagnoseOptions {
 /// Fewer than 15 rows do not tell their noise: from 8 on it is the declared one, and only
 /// candidates of one number are tried, alone.
 ///
-/// Where a channel has a tolerance (Measured::tolerance), the question is whether what is missing
-/// matters on blocks that the fit did not see, within the range of what was measured: nothing is
-/// missing where the refitted model stays within it there; an effect explains the data where it
-/// brings the error within, beside all that come as near by a fifth; two effects do where no single
-/// one does and they gain a fifth. Throws std::invalid_argument where the data cannot carry a
-/// verdict, and Cancelled. Not of a subject that only approximates: see loop/loop.h.
+/// If a channel has a tolerance (Measured::tolerance), the question is whether a missing effect
+/// matters on held-out blocks within the measured range: nothing is missing if the refitted model
+/// stays within the tolerance there; an effect explains the data if it brings the error within, as
+/// do all that come as near by a fifth; two effects do if no single one does and they gain a fifth.
+/// Throws std::invalid_argument where the data cannot carry a verdict, and Cancelled. Not for a
+/// subject that only approximates: see loop/loop.h.
 [[nodiscard]] Diagnosis diagnose_by_noise(const fit::Subject& subject, const record::Record& record,
                                           const DiagnoseOptions& options = {});
 

@@ -29,25 +29,24 @@ enum class Verdict {
 /// The verdict in the words of the JSON results, e.g. "nothing-missing".
 [[nodiscard]] std::string_view name(Verdict verdict);
 
-/// What a diagnosis found out on one measured channel, readings in the order of
-/// `baseline.errors`.
+/// Diagnosis of one measured channel, readings in the order of `baseline.errors`.
 struct ChannelDiagnosis {
   Comparison baseline{};  ///< after refitting the free parameters
   fit::NoiseModel noise{};
   double rmse_before = unset, rmse_after = unset;  ///< in sample [SI]
-  double tolerance = unset;                        ///< SI; NaN where nobody said
-  /// On blocks that the fit did not see, without and with the verdict; with a tolerance within the
-  /// range of what was measured [SI].
+  double tolerance = unset;                        ///< SI; NaN if not given
+  /// Held-out errors without and with the verdict [SI]; with a tolerance, within the measured
+  /// range.
   double rmse_held_out_before = unset, rmse_held_out_after = unset;
 
   [[nodiscard]] const record::Channel& channel() const { return *baseline.channel; }
 };
 
-/// How one effect explains the data, all base parameters refitted with it.
+/// Fit of one effect to the data, all base parameters refitted with it.
 struct RankedEffect {
   std::string id;
   std::string datum{};       ///< Candidate::datum: what is wrong, rather than missing
-  std::string correction{};  ///< what that datum would be, in words
+  std::string correction{};  ///< corrected value of that datum, in words
   /// Candidate::acts_on; the id then ends in ":" and the name of it, unless that goes without
   /// saying.
   std::vector<std::pair<std::string, std::string>> acts_on{};
@@ -58,9 +57,9 @@ struct RankedEffect {
   double gain = unset;
   fit::Likelihood likelihood{};                 ///< of what the gain is of
   std::vector<double> rmse{};                   ///< of each channel [SI]
-  std::vector<double> rmse_held_out{};          ///< the same over blocks that the fit did not see
+  std::vector<double> rmse_held_out{};          ///< held-out error of each channel [SI]
   std::vector<record::Parameter> parameters{};  ///< named without the id
-  std::size_t size = 0;                         ///< which of them gives it its size
+  std::size_t size = 0;                         ///< index of the one that gives it its size
   /// Base parameters without it (start) and with it (value): what they had been hiding of it.
   std::vector<record::Parameter> base{};
   std::vector<std::string> indistinguishable_from{};  ///< ids; names of base parameters
@@ -72,30 +71,30 @@ struct RankedEffect {
   }
 };
 
-/// How a set of effects explains the data.
+/// Fit of a set of effects to the data.
 struct SetFit {
   double gain = unset;  ///< RankedEffect::gain, of the whole set
   fit::Likelihood likelihood{};
   std::vector<double> rmse{};  ///< of each channel [SI]
 };
 
-/// Of estimates; NaN at a bound.
+/// Correlation of estimates; NaN at a bound.
 struct Correlation {
   std::vector<std::string> names{};
   Eigen::MatrixXd matrix{};
 };
 
-/// What one effect adds to the readings [SI], in the order of the channels and of their
+/// Contribution of one effect to the readings [SI], in the order of the channels and of their
 /// `baseline.errors`.
 struct EffectShare {
   std::string id;
   std::vector<double> readings{};
 };
 
-/// The readings that a set of effects predicts, and what they are made of, ordered as above.
+/// Readings that a set of effects predicts, and their parts, ordered as above.
 struct ExplainedReadings {
   std::vector<double> total{};         ///< effects on, base parameters refitted with them [SI]
-  std::vector<double> base{};          ///< the same with the effects off again
+  std::vector<double> base{};          ///< with the effects off again [SI]
   std::vector<EffectShare> effects{};  ///< the total less that without this one effect
 };
 
@@ -112,17 +111,17 @@ struct DetectableSize {
 
 struct NotTestable {
   std::string id;
-  std::string reason;  ///< what the data lack, which parameters do the same, or what rules it out
+  std::string reason;  ///< missing data, parameters that act alike, or a reason that rules it out
 };
 
-/// What a model leaves over time that nothing in its catalogue explains.
+/// Residuals over time that no effect of the catalogue explains.
 struct Course {
   std::vector<std::pair<double, double>> when{};  ///< from and to, where it is largest [s]
   double period = unset;         ///< after which it comes back [s]; NaN where it does not
-  double time_constant = unset;  ///< in which it forgets itself [s]
+  double time_constant = unset;  ///< correlation time [s]
 };
 
-/// A measurement that would tell apart what the data cannot.
+/// Measurement that would separate effects that the data cannot.
 struct SuggestedMeasurement {
   std::vector<fit::Setting> point;
   std::string words;  ///< of the point
@@ -140,7 +139,7 @@ struct OtherBaseTried {
   double gain = unset;
   fit::Likelihood likelihood{};
   std::vector<double> rmse{};           ///< of each channel [SI]
-  std::vector<double> rmse_held_out{};  ///< the same over blocks that the fit did not see
+  std::vector<double> rmse_held_out{};  ///< held-out error of each channel [SI]
   std::vector<record::Parameter> parameters{};
   double remaining_p_value = unset;  ///< of the gate on what it leaves; NaN where not asked
   bool explains = false;             ///< nothing is missing in it that these data can show
@@ -150,11 +149,11 @@ struct Diagnosis {
   Verdict verdict = Verdict::nothing_missing;
   std::string headline;                    ///< for a person, without its proof
   std::string sentence;                    ///< the verdict with the numbers it rests on
-  std::vector<ChannelDiagnosis> channels;  ///< that were measured, the first leading
+  std::vector<ChannelDiagnosis> channels;  ///< measured ones, the first leading
   double p_value = unset;  ///< of the gate: chance of such a misfit if nothing were missing
   double remaining_p_value = unset;  ///< with the verdict's effects on
   std::vector<RankedEffect>
-      effects;  ///< those of the verdict first, best set leading; then by rank
+      effects;  ///< effects of the verdict first, best set leading; then by rank
   std::vector<std::vector<std::string>>
       sets;                    ///< explanations within reach of the best, best first
   std::vector<SetFit> fits;    ///< of these sets; empty of a subject that only approximates
@@ -163,7 +162,7 @@ struct Diagnosis {
   /// The verdict's best set first, where there is one; then every single effect that is ranked.
   std::vector<ExplainedReadings> explained;
   bool verdict_is_explained = false;  ///< `explained` begins with the verdict's best set
-  /// Of a subject that only approximates: itself, then with the verdict's best set.
+  /// Refits of a subject that only approximates: itself, then with the verdict's best set.
   std::vector<fit::Refit> refits;
   std::vector<DetectableSize> would_have_been_found;
   std::vector<NotTestable> not_testable;
@@ -171,7 +170,7 @@ struct Diagnosis {
   std::vector<SuggestedMeasurement> suggested_measurements;
   std::vector<fit::Axis> axes;  ///< at which one may measure, in the order of a suggested point
   double predicted_separation = unset, separation_by_repetition = unset;
-  std::vector<std::string> records_needed;  ///< what to record beside it, to tell them apart
+  std::vector<std::string> records_needed;  ///< further quantities to record, to separate them
   std::optional<fit::Shape> shape;
   std::optional<Course> course;
   /// Base parameters without (start) and with the verdict (value), which are the same where it
@@ -185,14 +184,14 @@ struct Diagnosis {
   std::vector<std::size_t> rows_not_predicted;  ///< rows
   /// Tried where no candidate explains the misfit, the best first.
   std::vector<OtherBaseTried> other_bases{};
-  /// What is found with the first of them in the place of the base model, single candidates alone;
-  /// null where none of them is worth it.
+  /// Diagnosis with the first of them as the base model, single candidates only; null if none is
+  /// worth it.
   std::shared_ptr<const Diagnosis> given_other_base{};
-  /// With a tolerance: whether the model as it is, refitted, is good enough; and effects that are
-  /// certain, lower the held-out error and yet do not matter.
+  /// With a tolerance: true if the refitted model is good enough without effects; and effects that
+  /// are certain and lower the held-out error, but do not matter.
   bool within_tolerance = false;
   std::vector<std::string> significant_but_immaterial;
-  std::vector<record::Note> messages;  ///< what the user should know
+  std::vector<record::Note> messages;  ///< for the user
 
   /// A tolerance was given, and decides.
   [[nodiscard]] bool tolerance_limited() const;

@@ -6,7 +6,7 @@
 #include "verdict/attribution.h"
 #include "verdict/diagnosis.h"
 
-/// What a fitted explanation says in numbers.
+/// Sizes and errors of a fitted explanation.
 namespace raceway::verdict {
 
 /// Numbers of one member of an explanation, named without its id. A size is plausible within three
@@ -14,13 +14,13 @@ namespace raceway::verdict {
 [[nodiscard]] std::vector<record::Parameter> sizes_of(const fit::Problem& problem,
                                                       const Explanation& e, std::size_t member);
 
-/// Whether the sizes of all members are.
+/// True if the sizes of all members are plausible.
 [[nodiscard]] bool sizes_plausible(const fit::Problem& problem, const Explanation& e);
 
 /// Sizes of all members: "c = 3.1 +- 0.2 um".
 [[nodiscard]] std::string size_text(const fit::Problem& problem, const Explanation& e);
 
-/// What a member that is a datum would be, in words; empty for all else.
+/// Corrected value of a member that is a datum, in words; empty for others.
 [[nodiscard]] std::string correction_text(const fit::Problem& problem, const Explanation& e,
                                           std::size_t member);
 
@@ -35,11 +35,11 @@ namespace raceway::verdict {
 /// Base parameters of the model without effects; errors as calibrate() gives them.
 [[nodiscard]] std::vector<record::Parameter> base_alone(const Evidence& evidence);
 
-/// How likely the readings are under a fit of the base, or of an explanation.
+/// Likelihood of the readings under a fit of the base, or of an explanation.
 [[nodiscard]] fit::Likelihood likelihood_of(const Evidence& evidence, const fit::ResponseFit& fit);
 
-/// Of the estimates of a fit whose parameters these are; of estimates with this covariance, NaN
-/// where one has none.
+/// Correlation of the estimates of a fit of these parameters, or of estimates with this covariance;
+/// NaN where one has none.
 [[nodiscard]] Correlation correlation_of(const std::vector<record::Parameter>& parameters,
                                          const fit::ResponseFit& fit);
 [[nodiscard]] Correlation correlation_of(const std::vector<record::Parameter>& parameters,
@@ -51,13 +51,13 @@ namespace raceway::verdict {
                                            const fit::ResponseFit& fit,
                                            const std::vector<fit::Blocking>& blockings);
 
-/// The same within the range of what was measured: an outermost block of an ordered blocking, which
-/// the others could only extrapolate to, counts with its error in the fit.
+/// Held-out errors within the measured range: an outermost block of an ordered blocking, where the
+/// others only extrapolate, counts with its error in the fit.
 [[nodiscard]] std::vector<double> held_out_within_range(
     const Evidence& evidence, const fit::Response& response, const fit::ResponseFit& fit,
     const std::vector<fit::Blocking>& blockings);
 
-/// The readings of an explanation that is no bent law, and what they are made of; by observation.
+/// Readings of an explanation that is not a bent law, and their parts; by observation.
 [[nodiscard]] ExplainedReadings explained_readings(const Evidence& evidence, const Explanation& e);
 
 }  // namespace raceway::verdict

@@ -7,7 +7,7 @@
 
 namespace raceway::verdict {
 
-/// What a diagnosis would take for the noise of one channel.
+/// Noise of one channel that a diagnosis would assume.
 struct EstimatedNoise {
   const record::Channel* channel = nullptr;
   double rms = unset;       ///< over the readings used [SI]

@@ -26,7 +26,7 @@ struct Evidence {
   fit::ResponseFit base{};                ///< refitted under that noise
   std::size_t rows_in_record = 0;
   bool few_rows = false;  ///< too few to tell their noise, which is the declared one
-  std::string hint{};     ///< where the readings look like another unit or the other sign
+  std::string hint{};     ///< Judged::doubt()
   std::vector<record::Note> notes{};
 
   [[nodiscard]] std::size_t rows() const { return problem.record->rows(); }
@@ -34,9 +34,9 @@ struct Evidence {
   [[nodiscard]] const Eigen::VectorXd& std() const { return whitening.std(); }
 };
 
-/// What a diagnosis may be asked to do otherwise.
+/// Options of a diagnosis.
 struct EvidenceOptions {
-  /// What may be missing, by id; all candidates where empty.
+  /// Effects that may be missing, by id; empty: all candidates.
   std::vector<std::string> candidates{};
   int most_rows = most_rows_of_a_fit;
   fit::NoiseOptions noise{};

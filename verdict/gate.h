@@ -43,7 +43,7 @@ struct Gate {
   Eigen::VectorXd visibility;  ///< share of a column that the tangent leaves [1]
   Eigen::MatrixXd projected;   ///< columns without the tangent, not normalised
 
-  /// Of both together, by Bonferroni; of all shapes of the noise the largest.
+  /// p of both tests together, by Bonferroni; the largest of all shapes of the noise.
   [[nodiscard]] double p_value() const;
   [[nodiscard]] bool alarm() const { return p_value() < alarm_level; }
 };

@@ -14,7 +14,7 @@ void hold_dependent(const fit::Response& response, const fit::Whitening& whiteni
                     const std::function<std::string(const std::string& parameter)>& lacks,
                     Calibration& result);
 
-/// What is said of a parameter that is held because the data lack what it is told by.
+/// Message on a parameter that is held because the data lack `needed`.
 [[nodiscard]] std::string not_identifiable(const record::Parameter& held,
                                            const std::string& needed);
 

@@ -16,7 +16,7 @@ struct MisfitCell {
   bool significant = false;  ///< beyond chance at 5 % over the whole map (Bonferroni)
 };
 
-/// Where on the plan a model errs, and by how much more than chance.
+/// Map of a model's misfit over two inputs, and its significance.
 ///
 /// The ranges are those of Comparison::where: levels where the data have few, bins of about equally
 /// many rows otherwise. `across` is the input that records sweep (Pattern::along), `up` the first
@@ -32,7 +32,7 @@ struct MisfitMap {
   const record::Channel* up_channel = nullptr;  ///< null where no other input varies
   std::vector<ErrorRange> across;               ///< rising
   std::vector<ErrorRange> up;                   ///< rising
-  std::vector<MisfitCell> cells;                ///< those with rows, row by row of the map
+  std::vector<MisfitCell> cells;                ///< cells that have data, row by row of the map
   double needed_sigmas = unset;                 ///< from which a cell is significant
 };
 

@@ -27,7 +27,7 @@ struct Finding {
   std::vector<const Explanation*> with_data{};
 };
 
-/// What decides between explanations.
+/// Limits and options of a search.
 struct SearchLimits {
   double needed_gain = unset;  ///< fall of -2 ln L that admits a candidate
   int tried = 0;               ///< candidates, for the multiplicity
@@ -36,9 +36,9 @@ struct SearchLimits {
   std::function<bool()> cancelled{};
 };
 
-/// Looks for what explains a misfit: each candidate alone, both corrections of the base law, pairs,
-/// triples, bent laws, in this order, until what is left is noise. With a tolerance, until what is
-/// left does not matter on blocks that the fit did not see.
+/// Looks for an explanation of a misfit: each candidate alone, both corrections of the base law,
+/// pairs, triples, bent laws, in this order, until the residuals are noise. With a tolerance, until
+/// the held-out error is within it.
 class Search {
  public:
   Search(const Evidence& evidence, const Attribution& attribution,
@@ -47,9 +47,9 @@ class Search {
   /// Refits every candidate alone.
   void refit_singles();
   [[nodiscard]] const std::vector<Explanation>& singles() const { return singles_; }
-  /// What explains the misfit to the noise.
+  /// Explains the misfit down to the noise.
   [[nodiscard]] Finding explain();
-  /// What brings the error on held-out blocks within the tolerance.
+  /// Brings the held-out error within the tolerance.
   [[nodiscard]] Finding explain_within_tolerance();
 
   /// Pairs that would do without being shown, and the shape of what is missing: filled in on the
@@ -67,7 +67,7 @@ class Search {
   [[nodiscard]] bool raises_the_error(const Explanation& e) const;
   /// True if it lowers that rms residual by this share at least.
   [[nodiscard]] bool lowers_the_error(const Explanation& e, double share) const;
-  /// The error of an explanation on held-out blocks, the largest share of a channel's tolerance.
+  /// Held-out error of an explanation as the largest share of a channel's tolerance.
   [[nodiscard]] double share_of_tolerance(const fit::Response& response,
                                           const fit::ResponseFit& fit) const;
 
@@ -83,8 +83,8 @@ class Search {
   [[nodiscard]] std::optional<Finding> two_candidates();
   [[nodiscard]] std::optional<Finding> three_candidates();
   [[nodiscard]] double least_loss_of(const Explanation& triple);
-  /// What the best of so many sets must gain: more than the best that is smaller, by more than
-  /// chance would pay for.
+  /// Gain needed by the best of `choices` sets: that of the best smaller set plus a margin for
+  /// chance.
   [[nodiscard]] double gain_beyond(const Ranked& smaller, int choices) const;
   [[nodiscard]] Finding bent_law();
   void add_bent_physics(std::vector<const Explanation*>& set);

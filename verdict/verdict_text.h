@@ -27,7 +27,7 @@ namespace raceway::verdict {
 [[nodiscard]] std::string within_tolerance_text(const Diagnosis& d);
 /// Error before and after, in sample and on the blocks held out.
 [[nodiscard]] std::string error_text(const Diagnosis& d);
-/// How wrong the base parameters had been, from a hundredth on; empty if none.
+/// Errors of the base parameters without the verdict, from 1 %; empty if none.
 [[nodiscard]] std::string shift_text(const Diagnosis& d);
 /// The first of the measurements that are suggested; empty if none.
 [[nodiscard]] std::string measure_text(const Diagnosis& d);

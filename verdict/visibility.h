@@ -9,10 +9,10 @@
 
 namespace raceway::verdict {
 
-/// What these data can show at all, whatever is missing.
+/// Effects that these data can show at all, whatever is missing.
 struct Visibility {
   std::size_t tried = 0;  ///< effects that readings can show at all, whatever their range [1]
-  std::vector<DetectableSize> would_have_been_found;  ///< those of them that have a size for it
+  std::vector<DetectableSize> would_have_been_found;  ///< effects with a detectable size
   std::vector<NotTestable> not_testable;
   std::vector<std::vector<std::string>> aliases;  ///< effects alike on these data
 };

@@ -36,7 +36,7 @@ namespace raceway::algebra {
 
 /// Solution x of A x = b for a regular A, by LU with partial pivoting. A: n × n.
 ///
-/// Where A is singular, x is not finite or is huge.
+/// For a singular A, x is not finite or is huge.
 [[nodiscard]] Eigen::VectorXd solve_square(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 
 /// Inverse of a regular A, by LU with partial pivoting. A: n × n.

@@ -18,19 +18,19 @@ class Investigation {
   Investigation(const fit::Subject& subject, const record::Record& record,
                 const DiagnoseOptions& options);
 
-  /// What the data can show at all, and how far the refitted model is off.
+  /// Finds the effects that the data can show, and the error of the refitted model.
   void look();
-  /// Whether that is more than noise, or more than is allowed.
+  /// True if that error exceeds the noise, or the tolerance.
   [[nodiscard]] bool is_anything_missing() const;
-  /// What explains it.
+  /// Finds effects that explain it.
   void attribute();
-  /// Whether that holds on rows that no fit saw, with sizes that one can believe.
+  /// Checks the explanation on held-out rows, and its sizes for plausibility.
   void confirm();
   /// Compares other base models if no candidate explains the misfit.
   void try_other_bases();
-  /// What to measure next where the data cannot tell.
+  /// Proposes measurements where the data cannot decide.
   void propose();
-  /// The verdict in words.
+  /// Puts the verdict into words.
   [[nodiscard]] Diagnosis conclude();
 
  private:

@@ -19,7 +19,7 @@ struct Weighed {
   bool by_misfit = false;    ///< and by a scatter beside them that explains what a fit leaves
 };
 
-/// What a diagnosis rests on; nothing where the data cannot carry one.
+/// Evidence of a diagnosis; empty if the data cannot carry one.
 [[nodiscard]] std::optional<Evidence> evidence_of(const fit::Subject& subject,
                                                   const record::Record& record);
 
