@@ -10,7 +10,7 @@ namespace raceway::bearing {
 struct ScannedSet {
   std::vector<InnerContact> contacts;  ///< of the balls that are unknowns
   RingState state;
-  double imbalance;  ///< largest component of what is left of the load there, by the load [1]
+  double imbalance;  ///< largest component of the unbalanced load, by the load [1]
 };
 
 /// Under inner control: which inner contacts can be kept together, from a scan over places of the

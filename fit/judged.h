@@ -69,7 +69,7 @@ struct Axis {
 /// A fault that a record shows of itself: no number of a model mends it.
 struct Fault {
   std::string id;          ///< of Subject::catalogue()
-  bool certain = true;     ///< shown whatever the model; otherwise it has to explain what is left
+  bool certain = true;     ///< shown whatever the model; otherwise it has to explain the residuals
   std::string datum;       ///< the fault in words: "the sensor of ..."
   std::string correction;  ///< details of it in words
   std::shared_ptr<const Record> without{};  ///< the record without it, as far as it can be told

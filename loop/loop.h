@@ -19,7 +19,7 @@ using verdict::compare;
 /// verdict::calibrate_by_noise(), or tolerance::calibrate_approximation().
 ///
 /// Throws std::invalid_argument as they do, and for intervals by profile likelihood of a subject
-/// that only approximates: what it leaves follows itself.
+/// that only approximates: its residuals are autocorrelated.
 [[nodiscard]] verdict::Calibration calibrate(const fit::Subject& subject,
                                              const record::Record& record,
                                              const verdict::CalibrateOptions& options = {});

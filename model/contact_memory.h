@@ -38,7 +38,7 @@ class ContactMemory {
   [[nodiscard]] effects::FilmSelfHeating::Tangent tangent(const Balance& balls,
                                                           friction::BearingState<double> s,
                                                           std::span<const double> values);
-  /// At which a tangent was asked for last [K], NaN where none was.
+  /// Temperature of the last tangent requested [K]; NaN if none was.
   [[nodiscard]] double last_temperature() const { return last_temperature_; }
 
  private:

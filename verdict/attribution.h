@@ -19,7 +19,7 @@ struct Explanation {
   std::vector<record::Parameter> parameters{};  ///< base, then those of the members
   double gain = unset;  ///< fall of -2 ln L against the base, less ln N for each shape that is free
   bool ran_away = false;  ///< not converged, as its size left all bounds of belief
-  Gate recheck{};         ///< of what is left, against the rest of the catalogue
+  Gate recheck{};         ///< of the residuals, against the rest of the catalogue
   bool rechecked = false;
   double least_loss = unset;  ///< rise of -2 ln L when the least of several members is dropped
   bool elastic = false;       ///< with exponents that bend the law

@@ -32,7 +32,7 @@ struct Calibration {
   /// χ²/degrees of freedom against the noise of the data; NaN where that is not known [1]
   double reduced_chi_square = unset;
   fit::Likelihood likelihood{};
-  /// By which standard errors are widened, and intervals with them; NaN where there are none [1].
+  /// Factor by which standard errors and intervals are widened; NaN where there are none [1].
   double error_factor = unset;
   std::vector<fit::ProfileInterval> profile{};  ///< by parameter, where it was asked for
   std::vector<ChannelError> channels{};

@@ -27,7 +27,8 @@ struct DiagnoseOptions {
 /// Says whether an effect is missing in the subject, which, or what to measure to find out.
 ///
 ///   noise from a saturated regression -> gate (smooth misfit, largest score) -> each candidate
-///   alone, then pairs and triples, refitted with all base parameters -> gate again on what is left
+///   alone, then pairs and triples, refitted with all base parameters -> gate again on the
+///   residuals
 ///   -> blocked hold-out, plausible size -> next measurements
 ///
 /// Level of the gate: 1 %. An effect is admitted where -2 ln L falls by more than ln N + 2 ln m,

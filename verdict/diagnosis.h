@@ -106,7 +106,7 @@ struct DetectableSize {
   double size = unset;              ///< of that parameter
   double share_of_reading = unset;  ///< rms of the effect at that size over rms of the readings [1]
   std::string most_alike{};         ///< the effect it is hardest told from, empty if none
-  double told_apart_from = unset;   ///< size from which it is told from that one
+  double told_apart_from = unset;   ///< size from which the two are separated
 };
 
 struct NotTestable {
@@ -141,7 +141,7 @@ struct OtherBaseTried {
   std::vector<double> rmse{};           ///< of each channel [SI]
   std::vector<double> rmse_held_out{};  ///< held-out error of each channel [SI]
   std::vector<record::Parameter> parameters{};
-  double remaining_p_value = unset;  ///< of the gate on what it leaves; NaN where not asked
+  double remaining_p_value = unset;  ///< of the gate on its residuals; NaN where not asked
   bool explains = false;             ///< nothing is missing in it that these data can show
 };
 

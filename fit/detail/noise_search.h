@@ -54,7 +54,7 @@ class NoiseSearch {
   [[nodiscard]] Eigen::VectorXd common(const Shares& shares, const Parts& parts) const;
   /// A reading by its size, with the growth of the noise over the swept input.
   [[nodiscard]] Eigen::VectorXd grown(const Eigen::VectorXd& reading) const;
-  /// By what a standard deviation is larger than its parts make it.
+  /// Factor by which a standard deviation exceeds that of its parts.
   [[nodiscard]] Eigen::VectorXd stretched() const { return widening_.cwiseProduct(by_record_); }
   [[nodiscard]] std::vector<Shares> all_shares() const;
   double find_shares() { return find_shares(all_shares()); }
