@@ -73,13 +73,13 @@ Run setup_new(CLI::App& command) {
                    "a spindle on three of it, S 6014 C without BEARING; runs as it stands");
   command
       .add_option("--record", flags->record,
-                  "instead a correction, for the displacements of this record over time (CSV),\n"
-                  "with a channel for each temperature")
+                  "instead a correction, for the displacements of this record over time\n"
+                  "(CSV), with a channel for each temperature")
       ->type_name("RECORD");
   command
       .add_option("--columns", flags->columns,
-                  "which columns of RECORD are which of ours (TOML, table [columns]), where\n"
-                  "their names do not say it")
+                  "which columns of RECORD are which of ours (TOML, table [columns]),\n"
+                  "where their names do not say it")
       ->type_name("FILE");
   add_length(command, "--bore", flags->wanted.outline.bore, {1, 5000, "mm"},
              "of one that is not in the catalogue, in mm or with its unit (2.7559in)");
@@ -98,8 +98,8 @@ Run setup_new(CLI::App& command) {
       ->type_name("NAME");
   command
       .add_option("--law", flags->wanted.law,
-                  "palmgren, skf or contact (default; of a spindle and of rollers palmgren,\n"
-                  "and rollers have no contact)")
+                  "palmgren, skf or contact (default; of a spindle and of rollers\n"
+                  "palmgren, and rollers have no contact)")
       ->check(CLI::IsMember({"palmgren", "skf", "contact"}))
       ->type_name("NAME");
   command.add_option("-o,--output", flags->output, "model file to write; stdout without it")

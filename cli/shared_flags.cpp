@@ -24,8 +24,8 @@ void declare(CLI::App& command, session::Reading& reading) {
 void declare_beside(CLI::App& command, session::Reading& reading) {
   command
       .add_option("--beside", reading.beside,
-                  "of a record over time: a further file of it with a clock of its own, as\n"
-                  "temperatures of another logger; again for each")
+                  "of a record over time: a further file of it with a clock of its own,\n"
+                  "as temperatures of another logger; again for each")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("FILE");

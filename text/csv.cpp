@@ -239,7 +239,8 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
 void CsvTable::take_units_out_of_cells() {
   constexpr std::size_t searched = 20;  // rows
   for (std::size_t c = 0; c < header.size(); ++c) {
-    if (is_numeric(c)) continue;
+    // "9 Nm" is the name of a run as it stands.
+    if (is_numeric(c) || header[c] == "run_id" || header[c] == "setup_id") continue;
     const auto measured_at = [&](std::size_t row) { return measured_cell(cell(row, c)); };
     std::size_t first = 0;
     while (first < rows() && first < searched && !measured_at(first)) ++first;
@@ -265,7 +266,7 @@ void CsvTable::take_units_out_of_cells() {
     }
     units.resize(header.size());
     units[c] = unit;
-    notes.push_back(fmt::format("the cells of {} have their unit, {}", header[c], unit));
+    notes.push_back(fmt::format("the cells of column {} have their unit, {}", header[c], unit));
   }
 }
 

@@ -7,6 +7,7 @@ shift
 # Told by a key: the offers of the line as it stands, into a file.
 cat >$folder/session <<'END'
 PS1=
+LISTMAX=10000 # no question before a long list
 unsetopt zle_bracketed_paste
 fpath=($folder $fpath)
 autoload -Uz compinit

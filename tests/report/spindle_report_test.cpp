@@ -61,7 +61,7 @@ TEST_F(SpindleReport, OfARunHasTheSectionAndTheColumnsOfItsCsv) {
   EXPECT_EQ(d["kind"], "spindle_run");
   EXPECT_EQ(d["bearings"], Json({"front_1", "front_2", "rear_1"}));
   EXPECT_EQ(d["inputs"], Json({"speed_rpm", "coolant_on", "ambient_temperature_C", "axial_load_N",
-                               "radial_load_N"}));
+                               "radial_load_N", "moment_Nm"}));
   for (const char* name : {"axial_displacement_um", "thermal_displacement_um", "front_force_N",
                            "heat_stored_W", "rear_1_inner_ring_temperature_C", "front_2_force_N"})
     EXPECT_EQ(column_of_page(d, name)["values"].size(), d["rows"]["rows"]) << name;

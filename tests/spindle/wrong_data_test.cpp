@@ -15,7 +15,7 @@
 namespace raceway::spindle {
 namespace {
 
-constexpr double room = kelvin(20);
+constexpr double room_temperature = kelvin(20);
 
 model::Model measured_spindle() {
   model::Model m = base_spindle();
@@ -41,14 +41,14 @@ record::Record recorded(const model::Model& model) {
                                          : k < 70 ? 3000.0
                                                   : 6000.0) *
                                         rpm,
-                               .ambient_temperature = room}});
+                               .ambient_temperature = room_temperature}});
   const Run run = Simulator(model).simulate(rows);
   std::vector<double> time, speed, ambient, moved;
   std::vector<std::vector<double>> read(model.spindle->sensors.size());
   for (std::size_t k = 0; k < rows.size(); ++k) {
     time.push_back(rows[k].time);
     speed.push_back(rows[k].inputs.speed);
-    ambient.push_back(room);
+    ambient.push_back(room_temperature);
     moved.push_back(run.moments[k].displacement);
     for (std::size_t s = 0; s < read.size(); ++s) read[s].push_back(run.moments[k].sensors[s]);
   }

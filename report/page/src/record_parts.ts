@@ -47,7 +47,7 @@ export function ladder(rungs: Rung[], { tolerance, noise }: Limits, unit = 'µm'
     title: rungs.length > 1 ? 'RMS error, one after the other' : 'RMS error',
     note: note ?? (lines.length ? `Dashed: ${lines.join('; ')}.` : 'No tolerance was given, and the noise is not known.'),
     wide: true,
-    height: 92 + rungs.length * (held ? 44 : 34),
+    height: 92 + Math.min(rungs.length * (held ? 44 : 34), 1300), // with its table on a sheet of paper
     onPaper: 0.62,
     option: (l, width) => {
       const top = legend(held ? names : [], width, l);
