@@ -352,22 +352,24 @@ std::optional<Doubt> unit_of_coast_down(const model::ModelSubject& subject, cons
                                         const Ratio& ratio) {
   const record::Column* const std = data.deviation_of(record::friction_torque);
   if (!ratio.far() || !std || !std->known || !subject.expected().coast_down) return std::nullopt;
-  double most = remarkable;
-  const text::Unit* likely = nullptr;
+  double strongest = remarkable;
+  const text::Unit* in_unit = nullptr;
   for (const char* name : {"min", "h", "ms"}) {
     const text::Unit& unit = *text::find_unit(name, text::Dimension::time);
     Record other = data;
     for (double& torque : other.find(record::friction_torque)->values) torque /= unit.factor;
-    if (const double evidence = evidence_for(subject, data, other); evidence > most)
-      most = evidence, likely = &unit;
+    const double evidence = evidence_for(subject, data, other);
+    if (!(evidence > strongest)) continue;
+    strongest = evidence;
+    in_unit = &unit;
   }
-  if (!likely) return std::nullopt;
+  if (!in_unit) return std::nullopt;
   return Doubt{
       fmt::format("readings of friction torque are about {:.2g} times too {} for the model: times "
                   "in {} in a column of s?",
                   std::exp(std::abs(ratio.middle)), ratio.middle < 0 ? "small" : "large",
-                  likely->words),
-      {{&record::time, likely->suffix}}};
+                  in_unit->words),
+      {{&record::time, in_unit->suffix}}};
 }
 
 /// Loads that no bearing of this size is run with.

@@ -9,8 +9,8 @@
 namespace raceway::files {
 namespace {
 
-constexpr double usual[] = {999.0,   999.9,   9999.0,   9999.9,  9999.99,
-                            99999.0, 99999.9, 999999.0, 999999.9};
+constexpr double usual_marks[] = {999.0,   999.9,   9999.0,   9999.9,  9999.99,
+                                  99999.0, 99999.9, 999999.0, 999999.9};
 
 /// A speed or a load may be 9999 as it is set.
 bool is_mark(double value, const record::Channel& channel) {
@@ -18,7 +18,7 @@ bool is_mark(double value, const record::Channel& channel) {
   const double size = std::abs(value);
   if (size >= beyond_range) return true;
   if (channel.role == record::Role::setting && value == std::floor(size)) return false;
-  return std::find(std::begin(usual), std::end(usual), size) != std::end(usual);
+  return std::find(std::begin(usual_marks), std::end(usual_marks), size) != std::end(usual_marks);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ using record::Channel;
 using record::Record;
 
 constexpr std::size_t most_channels = 4;  // beyond it single lags go astray
-constexpr double least_warming = 0.5;     // [K]
+constexpr double least_rise = 0.5;        // [K]
 constexpr double a_tenth = 0.1;
 
 /// Between the lowest and the highest value; 0 of none.
@@ -56,7 +56,7 @@ double length_of(const Record& record) {
 std::vector<const record::Column*> driving(const Record& record) {
   std::vector<const record::Column*> list;
   for (const record::Column& c : record.columns)
-    if (c.channel->is_input() && record::is_temperature(*c.channel) && width_of(c) > least_warming)
+    if (c.channel->is_input() && record::is_temperature(*c.channel) && width_of(c) > least_rise)
       list.push_back(&c);
   if (const record::Column* const speed = record.find(record::speed);
       list.empty() && speed && width_of(*speed) > 0.0)

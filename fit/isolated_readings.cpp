@@ -185,14 +185,18 @@ std::vector<std::size_t> far_readings(const record::Record& record,
   std::vector<std::size_t> rows;
   std::vector<bool> is_far(values.size());
   for (std::size_t row = 0; row < values.size(); ++row)
-    if (values[row] < low - far || values[row] > high + far)
-      rows.push_back(row), is_far[row] = true;
+    if (values[row] < low - far || values[row] > high + far) {
+      rows.push_back(row);
+      is_far[row] = true;
+    }
   for (const record::Column& input : record.columns) {
     if (!input.channel->is_input() || rows.empty()) continue;
     double least = unset, most = unset;
     for (std::size_t row = 0; row < values.size(); ++row)
-      if (!is_far[row])
-        least = std::fmin(least, input.values[row]), most = std::fmax(most, input.values[row]);
+      if (!is_far[row]) {
+        least = std::fmin(least, input.values[row]);
+        most = std::fmax(most, input.values[row]);
+      }
     std::erase_if(rows, [&](std::size_t row) {
       return input.values[row] < least || input.values[row] > most;
     });

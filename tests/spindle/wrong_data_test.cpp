@@ -43,18 +43,18 @@ record::Record recorded(const model::Model& model) {
                                         rpm,
                                .ambient_temperature = room_temperature}});
   const Run run = Simulator(model).simulate(rows);
-  std::vector<double> time, speed, ambient, moved;
+  std::vector<double> time, speeds, ambient, moved;
   std::vector<std::vector<double>> read(model.spindle->sensors.size());
   for (std::size_t k = 0; k < rows.size(); ++k) {
     time.push_back(rows[k].time);
-    speed.push_back(rows[k].inputs.speed);
+    speeds.push_back(rows[k].inputs.speed);
     ambient.push_back(room_temperature);
     moved.push_back(run.moments[k].displacement);
     for (std::size_t s = 0; s < read.size(); ++s) read[s].push_back(run.moments[k].sensors[s]);
   }
   record::Record record;
   record.set(record::time, time);
-  record.set(record::speed, speed);
+  record.set(record::speed, speeds);
   record.set(*record::spindle_channel("ambient_temperature_C"), ambient);
   record.set(record::axial_displacement, moved);
   for (std::size_t s = 0; s < read.size(); ++s)
