@@ -7,7 +7,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string power = tests::source_dir() + "/data/corrections/power";
+const std::string power_folder = tests::source_dir() + "/data/corrections/power";
 
 const std::string room =
     "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\nname = \"room\"\n"
@@ -17,13 +17,13 @@ TEST(Join, ASumInAnotherFolderFindsTheTablesOfItsParts) {
   const ScratchFolder scratch;
   std::filesystem::create_directories(scratch.path() / "out");
   const std::string sum = scratch.file("out/sum.toml");
-  const Result r =
-      run("join " + power + "/correction.toml " + scratch.write("room.toml", room) + " -o " + sum);
+  const Result r = run("join " + power_folder + "/correction.toml " +
+                       scratch.write("room.toml", room) + " -o " + sum);
   ASSERT_EQ(r.status, 0) << r.err;
   EXPECT_THAT(r.err, HasSubstr("2 channels"));
   EXPECT_THAT(r.err, HasSubstr("the trust of the sum is not known"));
   EXPECT_EQ(run("check " + sum).status, 0);
-  EXPECT_EQ(run("correct " + sum + " " + power + "/test.csv -o -").status, 0);
+  EXPECT_EQ(run("correct " + sum + " " + power_folder + "/test.csv -o -").status, 0);
   EXPECT_THAT(run("join " + sum + " " + scratch.file("room.toml") + " -o " + sum).err,
               HasSubstr("sum.toml"));  // never over what it reads
 }
