@@ -51,6 +51,7 @@ struct Outcome {
   double pairs_seconds = unset;               ///< of a verdict that tried pairs; NaN where none was
   std::string sentence{}, failure{};          ///< what the library threw
 
+  [[nodiscard]] bool follows_a_body() const;
   [[nodiscard]] bool right() const;
   /// A statement that excludes the truth.
   [[nodiscard]] bool wrong() const;
