@@ -9,6 +9,7 @@
 #include "correction/numbers.h"
 #include "files/model_file.h"
 #include "text/error.h"
+#include "text/format_number.h"
 #include "text/number_text.h"
 
 // Last: see text/detail/toml_text.h.
