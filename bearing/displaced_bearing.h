@@ -22,7 +22,7 @@ class DisplacedBearing {
   DisplacedBearing(const Bearing& bearing, double speed, const RingShift& shift = {},
                    const EquilibriumOptions& options = {});
 
-  /// The same bearing with its rings in another state.
+  /// Moves the rings to another state of the same bearing.
   void set_shift(const RingShift& shift);
   /// Balances the balls at this displacement of the inner ring, counted as in BearingEquilibrium;
   /// the shift comes on top. False where a ball finds no balance: force and stiffness are not

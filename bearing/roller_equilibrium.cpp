@@ -101,7 +101,7 @@ class RollerBalance {
     }
   }
 
-  /// What holds the ring, and its tangent stiffness.
+  /// Force on the ring by all rollers, and its tangent stiffness.
   void ring_into(Vector4& load, Matrix4& stiffness) const {
     load.setZero();
     stiffness.setZero();
@@ -281,7 +281,7 @@ class RollerBalance {
     evaluate(load, free);
   }
 
-  /// Of both contacts of a roller, its middle and tilt following.
+  /// Stiffness of both contacts of a roller in series: its middle and tilt settle in between.
   [[nodiscard]] Matrix2 in_series(std::size_t k) const {
     const Matrix2& Ki = inner_[k].stiffness;
     return Ki - Ki * pseudo_inverse(Ki + outer_[k].stiffness) * Ki;

@@ -19,7 +19,7 @@ struct NewFlags {
   bool force = false;
 };
 
-/// Whether anything is said of a bearing.
+/// True if a flag describes a bearing.
 bool names_a_bearing(const session::NewModel& wanted) {
   const files::BearingOutline& o = wanted.outline;
   return !wanted.bearing.empty() || wanted.spindle || !wanted.law.empty() || o.ball_count > 0 ||

@@ -266,7 +266,7 @@ std::vector<Effect> CorrectionSubject::possible() const {
         list.push_back(std::move(e));
     }
   }
-  // What drives an effect with a name of its own is not offered twice.
+  // A column that drives a named effect is no candidate of its own.
   std::vector<std::vector<const Channel*>> named;
   for (const Effect& e : list)
     if (!card_of(e).by_column) named.push_back(e.columns);

@@ -81,11 +81,14 @@ std::string line_of(const text::CsvTable& table, const ColumnProposal& p) {
                      p.unit->suffix);
 }
 
-/// The lines of a map that somebody gave.
+/// Lines of the map that the user gave.
 std::string rules_text(const ColumnMap& map) {
   std::string text;
   if (map.decimal_mark != '\0') text += fmt::format("decimal_mark = \"{}\"\n", map.decimal_mark);
   if (map.date_order) text += fmt::format("date_order = \"{}\"\n", text::name(*map.date_order));
+  if (map.settings_hold)
+    text += fmt::format("settings_hold = \"{} row\"\n",
+                        *map.settings_hold == record::SettingsHold::from_row ? "from" : "until");
   for (const ColumnRule& rule : map.rules) {
     text += rule.key + " = ";
     if (rule.constant) {

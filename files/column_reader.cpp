@@ -162,7 +162,7 @@ text::DateOrder ColumnReader::order_of(const ColumnSource& source) {
   for (std::size_t row = 0; row < table_.rows(); ++row)
     for (const Reading& other : readings)
       if (other.elapsed[row] != readings.front().elapsed[row]) ask_for_order(source, readings, row);
-  // All have the same times; which day it was nobody asks.
+  // All readings give the same elapsed times, so the order does not matter.
   undecided_date_ = readings.size() > 1 && begin[mark] != '.';
   return readings.front().order;
 }

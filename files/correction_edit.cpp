@@ -13,6 +13,7 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/correction_trust.h"
 #include "files/detail/model_tables.h"
+#include "files/detail/table_lines.h"
 
 // Changes a correction file and leaves all else as the user wrote it.
 namespace raceway::files {
@@ -73,13 +74,7 @@ class Editor {
     const toml::table root = parsed();
     const toml::array* const list = root.get("correction")->as_array();
     if (list && index + 1 < list->size()) {
-      at = table_begin(*list->get(index + 1)->as_table());
-      while (at > 0) {
-        const std::size_t before = text_.rfind('\n', at - 2) + 1;
-        const std::size_t first = text_.find_first_not_of(" \t", before);
-        if (text_[first] != '#') break;
-        at = before;
-      }
+      at = with_comment_above(text_, table_begin(*list->get(index + 1)->as_table()));
     }
     std::string lines;
     if (at > 0 && text_[at - 1] != '\n') lines += line_end_;
@@ -99,10 +94,7 @@ class Editor {
     const toml::table& table = *entry->second.as_table();
     std::size_t begin = text::line_start(
         text_, table.is_inline() ? entry->first.source().begin.line : table.source().begin.line);
-    auto last = table.source().begin.line;
-    if (table.is_inline()) last = std::max(last, table.source().end.line);
-    for (const auto& [_, node] : table) last = std::max(last, node.source().end.line);
-    std::size_t end = text_.find('\n', text::line_start(text_, last));
+    std::size_t end = text_.find('\n', text::line_start(text_, last_line(table)));
     end = end == text_.npos ? text_.size() : end + 1;
     if (std::string_view(text_).substr(0, begin).ends_with(line_end_ + line_end_))
       begin -= line_end_.size();

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "correction/numbers.h"
 #include "files/model_file.h"
@@ -14,7 +13,7 @@
 
 // Last: see text/detail/toml_text.h.
 #include "files/detail/correction_trust.h"
-#include "text/detail/toml_text.h"
+#include "files/detail/table_lines.h"
 
 namespace raceway::files {
 namespace {
@@ -27,16 +26,6 @@ using correction::Model;
                          {.file = file.source, .key = key});
 }
 
-/// Last line of a table and of all that stands in it.
-toml::source_index last_line(const toml::node& node) {
-  toml::source_index last = node.source().end.line;
-  if (const toml::table* const table = node.as_table())
-    for (const auto& [_, inner] : *table) last = std::max(last, last_line(inner));
-  if (const toml::array* const list = node.as_array())
-    for (const toml::node& inner : *list) last = std::max(last, last_line(inner));
-  return last;
-}
-
 struct Lines {
   std::size_t begin, end;
 };
@@ -46,12 +35,7 @@ Lines lines_of(const std::string& text, const toml::table& table) {
   Lines lines{text::line_start(text, table.source().begin.line),
               text.find('\n', text::line_start(text, last_line(table)))};
   lines.end = lines.end == text.npos ? text.size() : lines.end + 1;
-  while (lines.begin > 1) {
-    const std::size_t before = text.rfind('\n', lines.begin - 2) + 1;
-    const std::size_t first = text.find_first_not_of(" \t", before);
-    if (text[first] != '#') break;
-    lines.begin = before;
-  }
+  lines.begin = with_comment_above(text, lines.begin);
   return lines;
 }
 

@@ -177,6 +177,9 @@ part = "housing"
 position_mm = {:.6g}                   # assumed: beside the first bearing
 radius_mm = {:.6g}                     # assumed
 
+[columns]
+settings_hold = "until row"        # as loggers stamp the end of an interval; "from row" for a list of events
+
 # Fits, coolant, motor and drive: raceway keys "[seat]", "[coolant]", "[motor]", "[drive]".
 # raceway check THIS-FILE lists every default that is used.
 )",

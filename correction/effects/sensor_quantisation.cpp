@@ -14,7 +14,7 @@
 namespace raceway::correction {
 namespace {
 
-/// True if an error of this size makes up much of what is left. A feedthrough of an input in steps
+/// True if an error of this size makes up much of the residual. A feedthrough of an input in steps
 /// is found a third too small [errors in variables], and its error with it.
 bool explains(double rms, std::span<const double> left) {
   constexpr double much_of_it = 0.4;  // of the mean square

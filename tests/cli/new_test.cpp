@@ -39,6 +39,7 @@ TEST(New, ASpindleRunsAsItIsWritten) {
 TEST(New, EveryAssumedNumberOfASpindleIsMarked) {
   const Result written = run("new --spindle");
   ASSERT_EQ(written.status, 0) << written.err;
+  EXPECT_THAT(written.out, HasSubstr("settings_hold = \"until row\""));
   std::istringstream lines(written.out);
   bool is_assumed = false;
   std::string table;
@@ -115,10 +116,13 @@ TEST(New, AMapNamesWhatTheWordsDoNot) {
   const std::string record = scratch.write("export.csv", german_drift("Y7")),
                     model = scratch.file("drift.toml");
   expect_refused(run("new --record " + record), "no column is a displacement");
-  const std::string map = scratch.write("map.toml", "[columns]\ndisplacement_y_um = \"Y7\"\n");
+  const std::string map = scratch.write("map.toml",
+                                        "[columns]\nsettings_hold = \"until row\"\n"
+                                        "displacement_y_um = \"Y7\"\n");
   const Result written = run("new --record " + record + " --columns " + map + " -o " + model);
   ASSERT_EQ(written.status, 0) << written.err;
   EXPECT_THAT(file_text(model), HasSubstr("displacement_y_um = { column = \"Y7\" }\n"));
+  EXPECT_THAT(file_text(model), HasSubstr("settings_hold = \"until row\"\n"));
   EXPECT_EQ(run("identify " + model + " " + record).status, 0);
   expect_refused(run("new 'S 6014 C' --columns " + map),
                  "--columns is for the columns of a --record");

@@ -71,6 +71,7 @@ TEST(RollerReference, AShaftOnRollersUnderABeltIsInBalance) {
 
 // Heat follows the rollers along this tangent within a time step.
 TEST(RollerSum, FallsWithTheClearanceAsTheDifferenceQuotient) {
+  int beyond = 0;
   const bearing::RollerBearing b = steel_bearing(n1012());
   for (const double speed : {0.0, 8000 * rpm})
     for (const double load : {0.0, 1500.0})
@@ -88,11 +89,13 @@ TEST(RollerSum, FallsWithTheClearanceAsTheDifferenceQuotient) {
         const double outer =
             (at(clearance + step).outer_sum() - at(clearance - step).outer_sum()) / (2.0 * step);
         const double slope = at(clearance).sum_by_clearance;
-        // A slice that comes into touch within the step begins with the ninth root of what it has.
-        const double size = std::abs(quotient) + 1e6;
-        EXPECT_NEAR(slope, quotient, 2e-3 * size) << speed << ' ' << load << ' ' << clearance;
-        EXPECT_NEAR(slope, outer, 2e-3 * size) << speed << ' ' << load << ' ' << clearance;
+        const double size = std::abs(quotient) + 1e6,
+                     off = std::max(std::abs(slope - quotient), std::abs(slope - outer)) / size;
+        EXPECT_LT(off, 2e-3) << speed << ' ' << load << ' ' << clearance;
+        beyond += off > 1e-4 ? 1 : 0;
       }
+  // In one of the 12 a slice comes into touch within the step, where its slope is infinite.
+  EXPECT_LE(beyond, 1);
 }
 
 }  // namespace

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+// Last: see text/detail/toml_text.h.
+#include "text/detail/toml_text.h"
+
+/// Lines of a table in the text of a model file, for those that edit it.
+namespace raceway::files {
+
+/// Last line of a table and of all that stands in it.
+inline toml::source_index last_line(const toml::node& node) {
+  toml::source_index last = node.source().end.line;
+  if (const toml::table* const table = node.as_table())
+    for (const auto& [_, inner] : *table) last = std::max(last, last_line(inner));
+  if (const toml::array* const list = node.as_array())
+    for (const toml::node& inner : *list) last = std::max(last, last_line(inner));
+  return last;
+}
+
+/// Start of the comment lines right above a line that starts at `at`; `at` where there are none.
+inline std::size_t with_comment_above(const std::string& text, std::size_t at) {
+  while (at > 1) {
+    const std::size_t before = text.rfind('\n', at - 2) + 1;
+    if (text[text.find_first_not_of(" \t", before)] != '#') break;
+    at = before;
+  }
+  return at;
+}
+
+}  // namespace raceway::files
