@@ -257,7 +257,7 @@ def again():
 
 def plot():
     sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-    from svg_chart import panel, picture
+    from figures import BLUE, ORANGE, draw, line
 
     s = Samples("day")
     late = {k for i, counts in s.ticks() if counts > 1 for k in range(i, i + AFTER_LATE)}
@@ -271,31 +271,18 @@ def plot():
         followed.append((minutes, s.followed[part[0]]))
         differences = [s.followed[i] - s.asked[i] for i in part]
         apart += [(minutes, min(differences)), (minutes, max(differences))]
-    blue, light, dashes = "#1f5fa8", "#e8a33d", ' stroke-dasharray="5 5"'
-    ticks = range(0, 43, 6)
-    print(
-        picture(
-            [
-                panel(
-                    0,
-                    "offset of Z [um] over time of the record [min]",
-                    ticks,
-                    range(-25, 1, 5),
-                    [(asked, blue, ""), (followed, light, dashes)],
-                    width=480,
-                ),
-                panel(
-                    1,
-                    "joint less what was asked for [um] over time of the record [min]",
-                    ticks,
-                    [-0.15, -0.1, -0.05, 0, 0.05, 0.1, 0.15],
-                    [(apart, blue, "")],
-                    width=480,
-                ),
-            ],
-            [("asked for by the component", blue, ""), ("command of the joint less that of its axis", light, dashes)],
-            width=480,
-        )
+    draw(
+        sys.stdout,
+        [
+            (
+                "offset of Z [um] over time of the record [min]",
+                [
+                    line(asked, BLUE, "asked for by the component"),
+                    line(followed, ORANGE, "command of the joint less that of its axis", "--"),
+                ],
+            ),
+            ("joint less what was asked for [um]", [line(apart, BLUE)]),
+        ],
     )
     left_out = sum(counts > 1 for _, counts in s.ticks())
     print(f"plot: {left_out} counts while the servo thread was late are not in the picture", file=sys.stderr)

@@ -1,0 +1,156 @@
+#!/usr/bin/env python3
+"""Draws the figures of docs/ from numbers of the program.
+
+    python3 scripts/figures.py [build/release/raceway]
+
+writes docs/laws.svg, docs/race-control.svg and docs/spindle-day.svg.
+"""
+
+import csv
+import json
+import subprocess
+import sys
+import tempfile
+
+import matplotlib
+
+matplotlib.use("svg")
+matplotlib.rcParams.update(
+    {
+        "svg.fonttype": "none",  # text stays text
+        "svg.hashsalt": "raceway",  # the same numbers give the same file
+        "font.family": "sans-serif",
+        "font.size": 9,
+        "axes.titlesize": 9,
+        "axes.titlelocation": "left",
+        "axes.grid": True,
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+        "grid.color": "#ddd",
+    }
+)
+from matplotlib import pyplot
+
+BLUE, RED, GREEN, VIOLET, ORANGE = "#1f5fa8", "#b5431d", "#2d7d46", "#6a3d9a", "#e8a33d"
+BALLS = {"steel": "-", "silicon-nitride": "--"}
+
+
+def line(points, colour, name=None, style="-"):
+    """(x, y) points as a line; where y is None it has a gap."""
+    return list(points), {"color": colour, "label": name, "linestyle": style}
+
+
+def draw(target, charts, columns=2, width=4.6, height=3.2):
+    """Writes an SVG picture to a file or stream: `charts` of (title, lines), beside each other in `columns`."""
+    rows = -(-len(charts) // columns)
+    figure, axes = pyplot.subplots(rows, columns, figsize=(columns * width, rows * height + 0.4), layout="constrained", squeeze=False)
+    legend = {}
+    for axis, (title, lines) in zip(axes.flat, charts):
+        for points, style in lines:
+            x, y = zip(*[(x, float("nan") if y is None else y) for x, y in points])
+            (handle,) = axis.plot(x, y, **style)
+            if style["label"]:
+                legend.setdefault(style["label"], handle)
+        axis.set_title(title)
+        axis.margins(x=0)
+    if legend:
+        figure.legend(legend.values(), legend.keys(), loc="upper center", bbox_to_anchor=(0.5, 0), ncols=min(4, len(legend)), frameon=False)
+    figure.savefig(target, format="svg", bbox_inches="tight", metadata={"Date": None})
+    pyplot.close(figure)
+
+
+def answer(program, text, *arguments):
+    """The JSON document of a question about a model text."""
+    with tempfile.NamedTemporaryFile("w", suffix=".toml") as file:
+        file.write(text)
+        file.flush()
+        run = subprocess.run([program, arguments[0], file.name, "--json", *arguments[1:]], check=True, capture_output=True, text=True)
+    return json.loads(run.stdout)
+
+
+def read(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+def with_balls(text, material):
+    return text.replace('ball_material = "steel"', f'ball_material = "{material}"')
+
+
+def laws(program):
+    """Friction torque of one bearing by every law."""
+    model = read("data/examples/7014.toml")
+    spin = '\n[[effect]]\nid = "spin-friction"\nfriction_coefficient = 0.06\n'
+
+    def by(law):
+        return model.split("[friction]")[0] + f'[friction]\nlaw = "{law}"\n'
+
+    models = {"palmgren": (BLUE, model), "palmgren + spin-friction": (RED, model + spin), "skf": (GREEN, by("skf")), "contact": (VIOLET, by("contact"))}
+
+    def lines(key, *axes):
+        for name, (colour, text) in models.items():
+            for material, style in BALLS.items():
+                rows = answer(program, with_balls(text, material), "table", *axes)["rows"]
+                yield line([(row[key], row["friction_torque_Nmm"]) for row in rows], colour, f"{name}, {material}", style)
+
+    draw(
+        "docs/laws.svg",
+        [
+            ("friction torque [N mm] against speed [rpm], 300 N", list(lines("speed_rpm", "--speed", "0:12000:150", "--axial-load", "300"))),
+            ("the same against axial load [N], 10000 rpm", list(lines("axial_load_N", "--speed", "10000", "--axial-load", "50:2000:50"))),
+        ],
+    )
+
+
+def race_control(program):
+    """Angles, displacement and torque of one bearing under each race control, over speed."""
+    model = read("data/examples/race-control.toml")
+    quantities = {
+        "outer contact angle [deg]": lambda s: s["balls"][0]["outer_contact_angle_deg"],
+        "axial displacement [um]": lambda s: s["axial_displacement_um"],
+        "friction torque [N mm]": lambda s: s["friction_torque_Nmm"],
+    }
+    runs = []
+    for control, colour in [("outer", BLUE), ("inner", RED), ("balanced", GREEN)]:
+        for material, style in BALLS.items():
+            text = with_balls(model.replace('race_control = "balanced"', f'race_control = "{control}"'), material)
+            states = [answer(program, text, "solve", "--axial-load", "500", "--speed", str(n)) for n in [100, *range(500, 15001, 500)]]
+            runs.append((states, colour, f"{control}, {material}", style))
+    charts = [
+        (f"{title} against speed [rpm]", [line([(s["speed_rpm"], number(s)) for s in states], *look) for states, *look in runs])
+        for title, number in quantities.items()
+    ]
+    draw("docs/race-control.svg", charts, columns=3, width=3.6)
+
+
+def spindle_day(program):
+    """A spindle through eight hours, cooled and not."""
+
+    def day(*flags):
+        with tempfile.TemporaryDirectory() as folder:
+            out = folder + "/run.csv"
+            profile = ["--speed-profile", "data/spindles/day.csv"]
+            subprocess.run(
+                [program, "spindle", "data/spindles/externally_driven.toml", *profile, "-o", out, "--quiet", *flags], check=True, capture_output=True
+            )
+            return list(csv.DictReader(row for row in read(out).splitlines() if not row.startswith("#")))
+
+    def over_hours(rows, column):
+        return [(float(row["time_s"]) / 3600.0, float(row[column])) for row in rows]
+
+    runs = [(day(), BLUE, "cooled"), (day("--coolant", "off"), RED, "coolant off")]
+    charts = [("speed [rpm] over time [h]", [line(over_hours(runs[0][0], "speed_rpm"), "#222")])]
+    for title, column in [("nose against flange [um]", "axial_displacement_um"), ("force of the front set [N]", "front_force_N")]:
+        charts.append((title, [line(over_hours(rows, column), colour, name) for rows, colour, name in runs]))
+    rings = [
+        line(over_hours(rows, f"front_1_{ring}_ring_temperature_C"), colour, None, style)
+        for rows, colour, _ in runs
+        for ring, style in [("inner", "-"), ("outer", "--")]
+    ]
+    draw("docs/spindle-day.svg", charts + [("first bearing: inner ring, outer ring dashed [C]", rings)])
+
+
+if __name__ == "__main__":
+    PROGRAM = sys.argv[1] if len(sys.argv) > 1 else "build/release/raceway"
+    for figure_of in (laws, race_control, spindle_day):
+        figure_of(PROGRAM)
