@@ -2,14 +2,12 @@
 
 #include <stdlib.h>  // mkdtemp
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -26,72 +24,42 @@ using namespace correction_study;
 
 struct Arguments {
   std::string folder, rigs;
-  bool run = false, all = false;
+  bool run = false;
   unsigned seeds = 3, first = 1, threads = 2;
-  std::vector<Class> wished;
+  std::vector<std::string> only;
+
+  [[nodiscard]] std::vector<Class> wished() const {
+    std::vector<Class> found;
+    for (const Class& c : classes())
+      if (is_wished(c.id)) found.push_back(c);
+    return found;
+  }
+  [[nodiscard]] bool is_wished(std::string_view id) const {
+    return only.empty() || std::find(only.begin(), only.end(), id) != only.end();
+  }
 };
 
-void usage() {
-  std::puts(
-      "correction_study --write FOLDER [--seeds N] [--first SEED] [--only CLASS,CLASS]\n"
-      "correction_study --run [--seeds N] [--first SEED] [--only CLASS,CLASS] [--threads N]\n"
-      "correction_study --rigs FOLDER [--only CLASS,CLASS] [--threads N]\n\n"
-      "Machines with a known truth for the diagnosis of correction models: N of each class\n"
-      "(default 3). --write puts each into a folder of its own, --run has them diagnosed, --rigs\n"
-      "those that lie in a folder. Classes:\n");
-  for (const Class& c : classes()) std::printf("  %s\n", std::string(c.id).c_str());
-}
-
-unsigned count(std::string_view word, const std::string& text) {
-  unsigned n = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
-  if (error != std::errc() || end != text.data() + text.size() || n < 1 || n > 100000)
-    throw std::invalid_argument(std::string(word) + " " + text +
-                                ": a whole number from 1 to 100000");
-  return n;
-}
-
-Arguments parse(int argc, char** argv) {
-  Arguments a;
-  for (int i = 1; i < argc; ++i) {
-    const std::string_view word = argv[i];
-    const auto value = [&]() -> std::string {
-      if (i + 1 >= argc) throw std::invalid_argument(std::string(word) + " needs a value");
-      return argv[++i];
-    };
-    if (word == "--write") {
-      a.folder = value();
-    } else if (word == "--run") {
-      a.run = true;
-    } else if (word == "--rigs") {
-      a.rigs = value();
-    } else if (word == "--threads") {
-      a.threads = count(word, value());
-    } else if (word == "--seeds") {
-      a.seeds = count(word, value());
-    } else if (word == "--first") {
-      a.first = count(word, value());
-    } else if (word == "--only") {
-      std::istringstream list(value());
-      for (std::string id; std::getline(list, id, ',');) a.wished.push_back(find_class(id));
-    } else if (word == "--help" || word == "-h") {
-      usage();
-      std::exit(0);
-    } else {
-      throw std::invalid_argument("unknown option " + std::string(word) + "; see --help");
-    }
-  }
-  if (int{!a.folder.empty()} + int{!a.rigs.empty()} + int{a.run} != 1)
-    throw std::invalid_argument("one of --write FOLDER, --run, --rigs FOLDER; see --help");
-  if (a.wished.empty()) {
-    a.wished.assign(classes().begin(), classes().end());
-    a.all = true;
-  }
-  return a;
+void declare(CLI::App& app, Arguments& a) {
+  std::vector<std::string> ids;
+  for (const Class& c : classes()) ids.emplace_back(c.id);
+  const CLI::Range count(1U, 100000U);
+  CLI::Option_group* const job = app.add_option_group("one of");
+  job->add_option("--write", a.folder, "put each machine into a folder of its own below this one");
+  job->add_flag("--run", a.run, "have them diagnosed");
+  job->add_option("--rigs", a.rigs, "have those that lie in this folder diagnosed");
+  job->require_option(1);
+  app.add_option("--seeds", a.seeds, "machines of each class")->check(count)->capture_default_str();
+  app.add_option("--first", a.first, "first seed")->check(count)->capture_default_str();
+  app.add_option("--threads", a.threads, "threads that diagnose")
+      ->check(count)
+      ->capture_default_str();
+  app.add_option("--only", a.only, "of these classes alone")
+      ->delimiter(',')
+      ->check(CLI::IsMember(ids));
 }
 
 void write(const Arguments& a) {
-  for (const Class& c : a.wished)
+  for (const Class& c : a.wished())
     for (unsigned seed = a.first; seed < a.first + a.seeds; ++seed) {
       const Rig rig = make_rig(c, seed);
       write_rig(rig, a.folder);
@@ -106,9 +74,7 @@ std::vector<Case> cases_in(const Arguments& a) {
   std::vector<Case> cases;
   for (const auto& entry : std::filesystem::directory_iterator(a.rigs)) {
     std::optional<Case> c = read_case(entry.path());
-    const auto is_its = [&](const Class& wished) { return wished.id == c->kind; };
-    if (c && (a.all || std::any_of(a.wished.begin(), a.wished.end(), is_its)))
-      cases.push_back(std::move(*c));
+    if (c && a.is_wished(c->kind)) cases.push_back(std::move(*c));
   }
   std::sort(cases.begin(), cases.end(),
             [](const Case& x, const Case& y) { return x.name < y.name; });
@@ -145,7 +111,10 @@ class Scratch {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  Arguments a = parse(argc, argv);
+  Arguments a;
+  CLI::App app("Machines with a known truth for the diagnosis of correction models");
+  declare(app, a);
+  CLI11_PARSE(app, argc, argv)
   if (!a.folder.empty()) {
     write(a);
   } else if (!a.rigs.empty()) {

@@ -1,22 +1,21 @@
 // study: how often the diagnosis is right, against the bars it is held to. See docs/study.md.
 
+#include <fmt/core.h>
 #include <glog/logging.h>
 #include <tbb/global_control.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <memory>
-#include <sstream>
-#include <stdexcept>
+#include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "tests/hidden_effect/bars.h"
@@ -33,68 +32,28 @@ struct Arguments {
   int threads = 0;  // all
 };
 
-void usage() {
-  std::puts(
-      "study [--seeds N] [--blocks LIST] [--json] [--by-effect] [--misses] [--threads N]\n"
-      "      [--only TEXT] [--write FOLDER]\n\n"
-      "Hides effects in measurements of a generator of its own, has them diagnosed and holds what\n"
-      "comes out against the bars. N seeds for each case (default 20). Of the block real only "
-      "kinds with TEXT in\n"
-      "their name. With --write nothing is asked: model.toml, train.csv and truth.json of each "
-      "rig\n"
-      "go to a folder of its own, for another version of the program. Blocks, by comma:\n");
-  for (const Block& b : blocks())
-    std::printf("  %-11s %s\n", std::string(b.id).c_str(), std::string(b.what).c_str());
-}
-
-Arguments parse(int argc, char** argv) {
-  Arguments a;
-  for (int i = 1; i < argc; ++i) {
-    const std::string_view word = argv[i];
-    const auto value = [&]() -> std::string {
-      if (i + 1 >= argc) throw std::invalid_argument(std::string(word) + " needs a value");
-      return argv[++i];
-    };
-    const auto count = [&]() {
-      const std::string text = value();
-      char* end = nullptr;
-      const long n = std::strtol(text.c_str(), &end, 10);
-      if (*end != '\0' || n < 1 || n > 100000)
-        throw std::invalid_argument(std::string(word) + " " + text + ": a whole number from 1 on");
-      return static_cast<int>(n);
-    };
-    if (word == "--seeds") {
-      a.seeds = count();
-    } else if (word == "--threads") {
-      a.threads = count();
-    } else if (word == "--only") {
-      a.only = value();
-    } else if (word == "--write") {
-      a.write = value();
-    } else if (word == "--json") {
-      a.json = true;
-    } else if (word == "--by-effect") {
-      a.by_effect = true;
-    } else if (word == "--misses") {
-      a.misses = true;
-    } else if (word == "--blocks") {
-      std::istringstream list(value());
-      for (std::string id; std::getline(list, id, ',');) {
-        if (std::none_of(blocks().begin(), blocks().end(),
-                         [&](const Block& b) { return b.id == id; }))
-          throw std::invalid_argument("no block \"" + id + "\"; see study --help");
-        a.blocks.push_back(id);
-      }
-    } else if (word == "--help" || word == "-h") {
-      usage();
-      std::exit(0);
-    } else {
-      throw std::invalid_argument("unknown option " + std::string(word));
-    }
+void declare(CLI::App& app, Arguments& a) {
+  std::vector<std::string> ids;
+  std::string list = "Blocks:";
+  for (const Block& b : blocks()) {
+    ids.emplace_back(b.id);
+    list += fmt::format("\n  {:<11} {}", b.id, b.what);
   }
-  if (a.blocks.empty())
-    for (const Block& b : blocks()) a.blocks.emplace_back(b.id);
-  return a;
+  app.footer(list);
+  const CLI::Range count(1, 100000);
+  app.add_option("--seeds", a.seeds, "of each case")->check(count)->capture_default_str();
+  app.add_option("--blocks", a.blocks, "by comma; default: all")
+      ->delimiter(',')
+      ->check(CLI::IsMember(ids));
+  app.add_option("--only", a.only, "of the block real the kinds with this text in their name");
+  app.add_option("--threads", a.threads, "default: all")->check(count);
+  app.add_flag("--json", a.json, "bars as JSON");
+  app.add_flag("--by-effect", a.by_effect, "what each hidden effect was taken for");
+  app.add_flag("--misses", a.misses, "the sentence of each verdict that is not right");
+  app.add_option(
+      "--write", a.write,
+      "diagnose nothing: model.toml, train.csv and truth.json of each rig into a folder of its own "
+      "below this one");
 }
 
 /// A bar on a terminal, nothing elsewhere.
@@ -234,31 +193,41 @@ void write(const std::vector<Trial>& all, const std::string& folder) {
 }
 
 void print_json(const std::vector<Bar>& table, const Arguments& arguments, std::size_t rigs) {
+  nlohmann::ordered_json bars = nlohmann::ordered_json::array();
+  // An interval or a limit that a bar lacks is not finite, and null in JSON.
   const auto value = [](double v) {
-    return std::isnan(v) || std::abs(v) > 1e200 ? std::string("null") : number(v, 6);
+    return std::abs(v) < 1e200 ? nlohmann::ordered_json(v) : nlohmann::ordered_json();
   };
-  std::printf("{\"seeds\": %d, \"rigs\": %zu, \"bars\": [", arguments.seeds, rigs);
-  const char* separator = "\n";
-  for (const Bar& b : table) {
-    if (b.trials == 0) continue;
-    std::printf(
-        "%s  {\"bar\": \"%s\", \"what\": \"%s\", \"sense\": \"%s\", \"must\": %s, \"good\": %s, "
-        "\"measured\": %s, \"lower\": %s, \"upper\": %s, \"unit\": \"%s\", \"cases\": %d, "
-        "\"missed\": %s}",
-        separator, b.number.c_str(), b.what.c_str(),
-        b.at_least ? ">=" : "<=", value(b.must).c_str(), value(b.good).c_str(),
-        value(b.measured).c_str(), value(b.interval.lower).c_str(), value(b.interval.upper).c_str(),
-        b.unit.c_str(), b.trials, b.missed() ? "true" : "false");
-    separator = ",\n";
-  }
-  std::puts("\n]}");
+  for (const Bar& b : table)
+    if (b.trials > 0)
+      bars.push_back({{"bar", b.number},
+                      {"what", b.what},
+                      {"sense", b.at_least ? ">=" : "<="},
+                      {"must", value(b.must)},
+                      {"good", value(b.good)},
+                      {"measured", value(b.measured)},
+                      {"lower", value(b.interval.lower)},
+                      {"upper", value(b.interval.upper)},
+                      {"unit", b.unit},
+                      {"cases", b.trials},
+                      {"missed", b.missed()}});
+  const nlohmann::ordered_json document = {
+      {"seeds", arguments.seeds}, {"rigs", rigs}, {"bars", std::move(bars)}};
+  std::puts(document.dump(1).c_str());
 }
 
 }  // namespace
 
 int main(int argc, char** argv) try {
   FLAGS_minloglevel = google::GLOG_FATAL;  // Ceres logs trial points without balance as errors
-  const Arguments arguments = parse(argc, argv);
+  Arguments arguments;
+  CLI::App app(
+      "Hides effects in measurements of a generator of its own, has them diagnosed and holds what "
+      "comes out against the bars");
+  declare(app, arguments);
+  CLI11_PARSE(app, argc, argv)
+  if (arguments.blocks.empty())
+    for (const Block& b : blocks()) arguments.blocks.emplace_back(b.id);
   std::unique_ptr<tbb::global_control> limit;
   if (arguments.threads > 0)
     limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,

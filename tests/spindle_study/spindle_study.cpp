@@ -1,17 +1,12 @@
 // spindle_study: spindles with a known truth for the diagnosis of spindle models.
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
-#include <charconv>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <mutex>
-#include <sstream>
-#include <stdexcept>
 #include <string>
-#include <string_view>
-#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -28,77 +23,40 @@ struct Arguments {
   std::string write, rigs, run, raceway = "raceway";
   bool check = false;
   unsigned seeds = 1, first = 1, threads = 1;
-  std::vector<const Class*> wished;
+  std::vector<std::string> only;
+
+  [[nodiscard]] std::vector<const Class*> wished() const {
+    std::vector<const Class*> found;
+    for (const Class& c : classes())
+      if (only.empty() || std::find(only.begin(), only.end(), c.id) != only.end())
+        found.push_back(&c);
+    return found;
+  }
 };
 
-void usage() {
-  std::puts(
-      "spindle_study --check\n"
-      "spindle_study --write FOLDER [--seeds N] [--first SEED] [--only CLASS,CLASS] [--threads N]\n"
-      "spindle_study --rigs FOLDER --raceway PROGRAM [--only CLASS,CLASS] [--threads N]\n"
-      "spindle_study --run FOLDER --raceway PROGRAM [--seeds N] [--first SEED] [...]\n\n"
-      "Spindles with a known truth for the diagnosis of spindle models: N of each class (default\n"
-      "1). --check holds the simulator to data/reference/spindle_reference.json, --write puts "
-      "each\n"
-      "spindle into a folder of its own, --rigs has those in a folder diagnosed by the program,\n"
-      "--run does both. Classes:\n");
-  for (const Class& c : classes()) std::printf("  %s\n", std::string(c.id).c_str());
-}
-
-unsigned count(std::string_view word, const std::string& text) {
-  unsigned n = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
-  if (error != std::errc() || end != text.data() + text.size() || n < 1 || n > 100000)
-    throw std::invalid_argument(std::string(word) + " " + text +
-                                ": a whole number from 1 to 100000");
-  return n;
-}
-
-Arguments parse(int argc, char** argv) {
-  Arguments a;
-  for (int i = 1; i < argc; ++i) {
-    const std::string_view word = argv[i];
-    const auto value = [&]() -> std::string {
-      if (i + 1 >= argc) throw std::invalid_argument(std::string(word) + " needs a value");
-      return argv[++i];
-    };
-    if (word == "--write") {
-      a.write = value();
-    } else if (word == "--rigs") {
-      a.rigs = value();
-    } else if (word == "--run") {
-      a.run = value();
-    } else if (word == "--raceway") {
-      a.raceway = value();
-    } else if (word == "--check") {
-      a.check = true;
-    } else if (word == "--seeds") {
-      a.seeds = count(word, value());
-    } else if (word == "--first") {
-      a.first = count(word, value());
-    } else if (word == "--threads") {
-      a.threads = count(word, value());
-    } else if (word == "--only") {
-      std::istringstream list(value());
-      for (std::string id; std::getline(list, id, ',');) a.wished.push_back(&find_class(id));
-    } else if (word == "--help" || word == "-h") {
-      usage();
-      std::exit(0);
-    } else {
-      throw std::invalid_argument("unknown option " + std::string(word) + "; see --help");
-    }
-  }
-  if (int{!a.write.empty()} + int{!a.rigs.empty()} + int{!a.run.empty()} + int{a.check} != 1)
-    throw std::invalid_argument("one of --check, --write, --rigs, --run; see --help");
-  if (a.wished.empty())
-    for (const Class& c : classes()) a.wished.push_back(&c);
-  return a;
+void declare(CLI::App& app, Arguments& a) {
+  std::vector<std::string> ids;
+  for (const Class& c : classes()) ids.emplace_back(c.id);
+  const CLI::Range count(1U, 100000U);
+  CLI::Option_group* const job = app.add_option_group("one of");
+  job->add_flag("--check", a.check, "hold the simulator to data/reference/spindle_reference.json");
+  job->add_option("--write", a.write, "put each spindle into a folder of its own below this one");
+  job->add_option("--rigs", a.rigs, "have those in this folder diagnosed");
+  job->add_option("--run", a.run, "write them into this folder and have them diagnosed");
+  job->require_option(1);
+  app.add_option("--raceway", a.raceway, "program that diagnoses")->capture_default_str();
+  app.add_option("--seeds", a.seeds, "spindles of each class")->check(count)->capture_default_str();
+  app.add_option("--first", a.first, "first seed")->check(count)->capture_default_str();
+  app.add_option("--threads", a.threads, "threads")->check(count)->capture_default_str();
+  app.add_option("--only", a.only, "of these classes alone")
+      ->delimiter(',')
+      ->check(CLI::IsMember(ids));
 }
 
 /// Names of what was written.
 std::vector<std::string> write(const Arguments& a, const std::string& folder) {
   std::vector<std::pair<const Class*, unsigned>> wished;
-  for (const Class* c : a.wished)
+  for (const Class* c : a.wished())
     for (unsigned seed = a.first; seed < a.first + a.seeds; ++seed) wished.emplace_back(c, seed);
   std::vector<std::string> names(wished.size());
   std::atomic<std::size_t> next = 0;
@@ -138,7 +96,7 @@ void judge_rigs(const Arguments& a, const std::vector<Case>& cases) {
 /// Writes and judges what it wrote; what else lies in the folder stays.
 void run(const Arguments& a) {
   const std::vector<std::string> names = write(a, a.run);
-  std::vector<Case> cases = cases_in(a.run, a.wished);
+  std::vector<Case> cases = cases_in(a.run, a.wished());
   std::erase_if(cases, [&](const Case& c) {
     return std::find(names.begin(), names.end(), c.name) == names.end();
   });
@@ -148,7 +106,10 @@ void run(const Arguments& a) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  const Arguments a = parse(argc, argv);
+  Arguments a;
+  CLI::App app("Spindles with a known truth for the diagnosis of spindle models");
+  declare(app, a);
+  CLI11_PARSE(app, argc, argv)
   if (a.check) {
     bool good = true;
     for (const std::vector<Compared>& figures : {steady_states(), start_ups()})
@@ -161,7 +122,7 @@ int main(int argc, char** argv) try {
   if (!a.write.empty()) {
     write(a, a.write);
   } else if (!a.rigs.empty()) {
-    judge_rigs(a, cases_in(a.rigs, a.wished));
+    judge_rigs(a, cases_in(a.rigs, a.wished()));
   } else {
     run(a);
   }
