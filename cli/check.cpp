@@ -96,7 +96,7 @@ int suggest(const CheckFlags& flags) {
 
 /// What the model leaves to the program.
 void print_defaults(const std::string& source, const std::vector<files::UsedDefault>& defaults) {
-  fmt::print("{}: {} default{}\n", source, defaults.size(), defaults.size() == 1 ? "" : "s");
+  fmt::print("{}: {} assumption{}\n", source, defaults.size(), defaults.size() == 1 ? "" : "s");
   for (const std::string& line : files::short_lines(defaults)) fmt::print("  {}\n", line);
 }
 
@@ -183,6 +183,7 @@ Run setup_check(CLI::App& command) {
       "  raceway check my.toml export.csv --suggest-columns -o map.toml\n"
       "  raceway check my.toml export.csv --columns map.toml");
   return [flags] {
+    show_every_message();
     if (flags->suggest) return suggest(*flags);
     return run(*flags);
   };

@@ -23,7 +23,6 @@ Run setup_identify(CLI::App& command);
 Run setup_correct(CLI::App& command);
 Run setup_export(CLI::App& command);
 Run setup_join(CLI::App& command);
-Run setup_merge(CLI::App& command);
 Run setup_calibrate(CLI::App& command);
 Run setup_calibrate_sensor(CLI::App& command);
 Run setup_fit_law(CLI::App& command);

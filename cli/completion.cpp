@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/describe.h"
+#include "cli/help.h"
 #include "correction/catalogue.h"
 #include "effects/catalogue.h"
 
@@ -25,7 +26,7 @@ Takes takes(const CLI::Option& option) {
     const std::string name = option.get_name();
     if (name.find("EFFECT") != name.npos) return Takes::file_or_effect;
     if (name == "ID") return Takes::effect;
-    for (const std::string_view of_file : {"MODEL", "MODELS", "DATA", "FILES", "SLABS", "CSV"})
+    for (const std::string_view of_file : {"MODEL", "MODELS", "DATA", "FILES", "CSV"})
       if (name == of_file) return Takes::file;
     return Takes::value;
   }
@@ -56,7 +57,7 @@ std::string ids_over_time() {
 }
 
 std::string command_names(const CLI::App& app) {
-  return words_of(app.get_subcommands({}), [](const auto* command) { return command->get_name(); });
+  return words_of(listed_commands(app), [](const auto* command) { return command->get_name(); });
 }
 
 /// One line of a help, with the signs that a bracket of _arguments would end at.
@@ -96,7 +97,7 @@ std::string zsh_flag(const CLI::Option& option) {
 
 std::string bash_completion(const CLI::App& app) {
   std::string cases;
-  for (const CLI::App* command : app.get_subcommands({})) {
+  for (const CLI::App* command : listed_commands(app)) {
     std::string flags, of_file, of_value;
     for (const CLI::Option* option : command->get_options())
       for (const std::string& name : names_of(*option)) {
@@ -154,7 +155,7 @@ complete -o filenames -F _raceway raceway
 
 std::string zsh_completion(const CLI::App& app) {
   std::string list, cases;
-  for (const CLI::App* command : app.get_subcommands({})) {
+  for (const CLI::App* command : listed_commands(app)) {
     list += fmt::format("    '{}:{}'\n", command->get_name(), zsh_text(command->get_description()));
     cases += fmt::format("    {})\n      _arguments \\\n", command->get_name());
     for (const CLI::Option* option : command->get_options()) cases += zsh_flag(*option);

@@ -64,7 +64,7 @@ void print(const std::vector<results::Corrected>& list, const record::Record& re
   fmt::print("{}: {} rows over {:.4g} h\n\n{}", record.source, record.rows(),
              (record.values(record::time).back() - record.values(record::time).front()) / 3600.0,
              table.text(terminal_width()));
-  fmt::print("RMS and largest: what is left of the readings when one constant is taken off\n");
+  fmt::print("RMS and largest error of the readings when one constant is taken off\n");
   for (const results::Corrected& c : list) print_band(c, record);
   for (const results::Corrected& c : list) print_trust(*c.displacement, c.trust);
 }

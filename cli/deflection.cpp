@@ -143,7 +143,7 @@ Run setup_deflection(CLI::App& command) {
   add_number(command, "--force", flags->force_N, signed_load_range,
              "[N]; axial: positive towards the tool; default 0");
   add_number(command, "--axial-force", flags->axial_force_N, signed_load_range,
-             "[N] beside a radial force, positive towards the tool");
+             "[N] with a radial force, positive towards the tool");
   add_number(command, "--moment", flags->moment_Nm, session::moment_load_range,
              "[N m] at the same place; positive: as the force further in front, at the tool");
   add_number(command, "--at", flags->at_mm, session::at_range,

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "cli/commands.h"
+#include "cli/help.h"
 #include "cli/messages.h"
 #include "text/error.h"
 #include "text/names.h"
@@ -19,7 +20,7 @@ struct DescribeFlags {
 
 const CLI::App& find_command(const CLI::App& app, const std::string& name) {
   std::vector<std::string> names;
-  for (const CLI::App* known : app.get_subcommands({})) {
+  for (const CLI::App* known : listed_commands(app)) {
     if (known->get_name() == name) return *known;
     names.push_back(known->get_name());
   }
@@ -39,7 +40,7 @@ void write_tree(const CLI::App& app, const std::filesystem::path& folder) {
   write("bash-completion/completions/raceway", bash_completion(app));
   write("zsh/site-functions/_raceway", zsh_completion(app));
   write("man/man1/raceway.1", man_page(app));
-  for (const CLI::App* command : app.get_subcommands({}))
+  for (const CLI::App* command : listed_commands(app))
     write("man/man1/raceway-" + command->get_name() + ".1", man_page_of_command(*command));
 }
 

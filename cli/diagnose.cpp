@@ -22,7 +22,7 @@ struct DiagnoseFlags {
   std::string model;
   std::vector<std::string> data;
   session::LoopOptions loop;
-  bool json = false, no_pairs = false, force = false;
+  bool json = false, verbose = false, no_pairs = false, force = false;
   int tried_before = 0;
   double time_limit = 120.0;  // [s]
   ReportFlag report;
@@ -68,6 +68,7 @@ verdict::Diagnosis diagnosis_of(const DiagnoseFlags& flags, const session::LoopQ
 }
 
 int run(const DiagnoseFlags& flags) {
+  if (flags.verbose) show_every_message();
   flags.report.check(flags.force);
   const session::LoopQuestion asked =
       session::ask(messages(), flags.model, session::files(flags.data), flags.loop);
@@ -78,12 +79,12 @@ int run(const DiagnoseFlags& flags) {
     say(e.what());
     return not_converged;
   }
-  if (flags.json) {
-    put_document(session::json(asked, diagnosis));
-  } else {
-    print_diagnosis(diagnosis);
-  }
   tell(diagnosis.messages);
+  count_hidden_messages();  // above the verdict
+  if (flags.json)
+    put_document(session::json(asked, diagnosis));
+  else
+    print_diagnosis(diagnosis, flags.verbose);
   flags.report.write([&] { return session::page(asked, diagnosis); }, flags.force);
   return done;
 }
@@ -106,6 +107,9 @@ Run setup_diagnose(CLI::App& command) {
              "[s] after which it gives up; default 120");
   declare(command, flags->loop);
   declare(command, flags->loop.tolerance);
+  command.add_flag("--verbose", flags->verbose,
+                   "print all details: every effect, intervals, errors of the held-out blocks, "
+                   "points to measure, sizes that would have been found");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);
   command.add_flag("--force", flags->force, "replace the page if it exists");

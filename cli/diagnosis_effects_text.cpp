@@ -75,6 +75,33 @@ std::string channel_error(const std::vector<double>& errors, std::size_t k,
   return k < errors.size() ? error_text(errors[k], d.channels[k].channel(), error_digits) : "-";
 }
 
+std::string effects_text(const verdict::Diagnosis& d, std::size_t most) {
+  if (d.effects.empty() || most == 0) return {};
+  const bool one_error = d.channels.size() == 1;
+  std::vector<TextTable::Column> columns{{"effect", "", true}, {"", "", true}};
+  if (has_gains(d)) columns.push_back({"gain", ">= " + number(d.needed_gain, 3)});
+  columns.push_back({"held out", one_error               ? error_unit(d.channels[0].channel())
+                                 : d.tolerance_limited() ? "of tolerance"
+                                                         : "of noise"});
+  columns.push_back({"size", "", true});
+  TextTable table(columns);
+  const std::size_t shown = std::min(most, d.effects.size());
+  for (std::size_t k = 0; k < shown; ++k) {
+    const verdict::RankedEffect& e = d.effects[k];
+    std::vector<std::string> row{e.id, e.in_verdict ? "<-" : ""};
+    if (has_gains(d)) row.push_back(number(std::abs(e.gain) < 0.005 ? 0.0 : e.gain, 3));
+    row.push_back(one_error ? channel_error(e.rmse_held_out, 0, d)
+                            : number(worst_channel(e.rmse_held_out, d).share, 3));
+    row.push_back(e.parameters.empty()
+                      ? ""
+                      : size_text({e.parameters[std::min(e.size, e.parameters.size() - 1)]}));
+    table.add(std::move(row));
+  }
+  return table.text(terminal_width()) +
+         fmt::format("{} more effects, limits and intervals: --verbose\n",
+                     d.effects.size() - shown);
+}
+
 void print_effects(const verdict::Diagnosis& d) {
   TextTable table = effects_table(d);
   constexpr std::size_t bar_width = 16;

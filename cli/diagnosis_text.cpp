@@ -1,6 +1,7 @@
 #include "cli/diagnosis_text.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -92,16 +93,27 @@ void print_limits(const verdict::Diagnosis& d) {
 }
 
 /// Errors of one channel against the noise; against what is tolerated, which is judged on rows that
-/// no fit saw, where that decides.
-void print_ladder(const verdict::Diagnosis& d, const verdict::ChannelDiagnosis& c) {
+/// no fit saw, where that decides. `brief` has noise and tolerance in its heading.
+std::string ladder_text(const verdict::Diagnosis& d, const verdict::ChannelDiagnosis& c,
+                        bool brief) {
   constexpr std::size_t bar_width = 40;
   const record::Channel& of = c.channel();
   const double tolerance = d.tolerance_limited() ? c.tolerance : unset;
   const bool tolerated = !std::isnan(tolerance);
+  const auto shown = [&](double error) {
+    return brief ? " " + error_text(error, of, error_digits) : std::string();
+  };
+  const std::string title =
+      d.channels.size() > 1 ? fmt::format("RMS error of {}", of.words) : "RMS error";
+  const std::string marks = "| noise" + shown(c.noise.rms) +
+                            (tolerated ? ", : tolerance" + shown(tolerance) : std::string());
   TextTable ladder(
-      {{d.channels.size() > 1 ? fmt::format("RMS error of {}", of.words) : "RMS error", "", true},
-       {"", error_unit(of)},
-       {"", tolerated ? "| noise, : tolerance" : "| noise", true}});
+      brief ? std::vector<TextTable::Column>{{fmt::format("{} [{}]", title, error_unit(of)), "",
+                                              true},
+                                             {"", ""},
+                                             {marks, "", true}}
+            : std::vector<TextTable::Column>{
+                  {title, "", true}, {"", error_unit(of)}, {"", marks, true}});
   std::vector<std::pair<const char*, double>> rungs{{"before", c.rmse_before}};
   if (c.rmse_after < c.rmse_before) rungs.emplace_back("after", c.rmse_after);
   if (tolerated) {
@@ -114,43 +126,116 @@ void print_ladder(const verdict::Diagnosis& d, const verdict::ChannelDiagnosis& 
   for (const auto& [name, error] : rungs)
     ladder.add({name, error_text(error, of, error_digits),
                 bar(error, widest, bar_width, c.noise.rms, tolerance)});
-  ladder.add({"noise", error_text(c.noise.rms, of, error_digits), ""});
-  if (tolerated) ladder.add({"tolerance", error_text(tolerance, of, error_digits), ""});
-  fmt::print("{}", ladder.text(terminal_width()));
+  if (!brief) ladder.add({"noise", error_text(c.noise.rms, of, error_digits), ""});
+  if (tolerated && !brief) ladder.add({"tolerance", error_text(tolerance, of, error_digits), ""});
+  return ladder.text(terminal_width());
 }
 
-/// One line for each of many channels.
-void print_channels(const verdict::Diagnosis& d) {
+/// One line for each channel. `brief` has fewer columns and at most four channels: those that err
+/// most against their noise or their tolerance.
+std::string channels_text(const verdict::Diagnosis& d, bool brief) {
   const bool tolerated = d.tolerance_limited();
-  std::vector<TextTable::Column> columns{{"RMS error", "", true}, {"before", ""}, {"after", ""}};
-  if (tolerated) {
-    columns.push_back({"held out,", "before"});
-    columns.push_back({"held out,", "after"});
+  std::vector<const verdict::ChannelDiagnosis*> shown;
+  for (const verdict::ChannelDiagnosis& c : d.channels) shown.push_back(&c);
+  constexpr std::size_t most = 4;
+  if (brief && shown.size() > most) {
+    const auto share = [&](const verdict::ChannelDiagnosis* c) {
+      return c->rmse_before / (tolerated ? c->tolerance : c->noise.rms);
+    };
+    std::stable_sort(shown.begin(), shown.end(),
+                     [&](const auto* a, const auto* b) { return share(a) > share(b); });
+    shown.resize(most);
   }
-  columns.push_back({"noise", ""});
+  std::vector<TextTable::Column> columns{{"RMS error", "", true}, {"before", ""}, {"after", ""}};
+  if (tolerated && !brief) columns.push_back({"held out,", "before"});
+  if (tolerated)
+    columns.push_back(brief ? TextTable::Column{"held out", ""}
+                            : TextTable::Column{"held out,", "after"});
+  if (!brief || !tolerated) columns.push_back({"noise", ""});
   if (tolerated) columns.push_back({"tolerance", ""});
   columns.push_back({"unit", "", true});
   TextTable table(columns);
-  for (const verdict::ChannelDiagnosis& c : d.channels) {
+  for (const verdict::ChannelDiagnosis* const channel : shown) {
+    const verdict::ChannelDiagnosis& c = *channel;
     const record::Channel& of = c.channel();
     const auto text = [&](double error) { return error_text(error, of, error_digits); };
     std::vector<std::string> row{std::string(of.words), text(c.rmse_before), text(c.rmse_after)};
-    if (tolerated) {
-      row.push_back(text(c.rmse_held_out_before));
-      row.push_back(text(c.rmse_held_out_after));
-    }
-    row.push_back(text(c.noise.rms));
+    if (tolerated && !brief) row.push_back(text(c.rmse_held_out_before));
+    if (tolerated) row.push_back(text(c.rmse_held_out_after));
+    if (!brief || !tolerated) row.push_back(text(c.noise.rms));
     if (tolerated) row.push_back(text(c.tolerance));
     row.emplace_back(error_unit(of));
     table.add(std::move(row));
   }
-  fmt::print("{}", table.text(terminal_width()));
+  return table.text(terminal_width());
 }
 
-}  // namespace
+/// Text in lines that fit the terminal.
+std::string lines_of(std::string_view words) {
+  std::string text;
+  for (const std::string& line : filled(words, terminal_width())) text += line + '\n';
+  return text;
+}
 
-void print_diagnosis(const verdict::Diagnosis& d) {
-  fmt::print("{}\n{}\n\n", in_colour(d.headline, Colour::strong), d.sentence);
+std::size_t line_count(std::string_view text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+/// The sentence without its advice on what to measure and to record, cut at a full stop so that it
+/// takes at most `most` lines.
+std::string short_sentence(const verdict::Diagnosis& d, std::size_t most) {
+  std::string sentence = d.sentence;
+  for (const char* advice : {" Measure: ", " Record: "})
+    sentence.resize(std::min(sentence.find(advice), sentence.size()));
+  while (!sentence.empty() && line_count(lines_of(sentence)) > most) {
+    const std::size_t stop = sentence.rfind(". ", sentence.size() - 2);
+    sentence.resize(stop == sentence.npos ? 0 : stop + 1);
+  }
+  return sentence.empty() ? "" : lines_of(sentence);
+}
+
+/// The first point to measure and the first quantity to record.
+std::string advice(const verdict::Diagnosis& d) {
+  const auto more = [](std::size_t all) {
+    return all > 1 ? fmt::format(" ({} more: --verbose)", all - 1) : std::string();
+  };
+  std::string text;
+  if (!d.suggested_measurements.empty()) {
+    const verdict::SuggestedMeasurement& m = d.suggested_measurements.front();
+    text += lines_of(fmt::format("Measure next: {} ({} times){}.", m.words, m.repeats,
+                                 more(d.suggested_measurements.size())));
+  }
+  if (!d.records_needed.empty())
+    text += lines_of(
+        fmt::format("Record: {}{}.", d.records_needed.front(), more(d.records_needed.size())));
+  return text;
+}
+
+/// At most `most_lines` lines: errors, the best effects, the sentence and, last, the headline.
+void print_brief(const verdict::Diagnosis& d) {
+  constexpr std::size_t most_lines = 20, most_effects = 4;
+  std::string errors;
+  if (d.channels.size() >= many_channels)
+    errors = channels_text(d, true);
+  else
+    for (const verdict::ChannelDiagnosis& c : d.channels) errors += ladder_text(d, c, true);
+  const std::string next = advice(d), headline = lines_of(d.headline);
+  const std::size_t used = line_count(errors + next + headline) + 2;  // two blank lines
+  std::size_t room = most_lines - std::min(used, most_lines);
+  // The effects have a heading of two lines and a line behind them.
+  const std::size_t sentence_lines = line_count(short_sentence(d, room));
+  const std::size_t rows = room > sentence_lines + 3 ? room - sentence_lines - 3 : 0;
+  const std::string effects = effects_text(d, std::clamp<std::size_t>(rows, 2, most_effects));
+  room -= std::min(room, line_count(effects));
+  // A script that reads the last line gets the headline whole.
+  fmt::print(
+      "{}\n{}{}{}{}{}\n", errors, effects, effects.empty() ? "" : "\n", short_sentence(d, room),
+      next,
+      in_colour(isatty(STDOUT_FILENO) != 0 ? headline.substr(0, headline.size() - 1) : d.headline,
+                Colour::strong));
+}
+
+void print_details(const verdict::Diagnosis& d) {
   fmt::print("verdict: {}{}\n\n", verdict::name(d.verdict), p_of_misfit(d));
   if (d.given_other_base) {
     const verdict::Diagnosis& given = *d.given_other_base;
@@ -158,13 +243,24 @@ void print_diagnosis(const verdict::Diagnosis& d) {
                verdict::name(given.verdict), p_of_misfit(given), given.headline);
   }
   if (d.channels.size() >= many_channels)
-    print_channels(d);
+    fmt::print("{}", channels_text(d, false));
   else
-    for (const verdict::ChannelDiagnosis& c : d.channels) print_ladder(d, c);
+    for (const verdict::ChannelDiagnosis& c : d.channels)
+      fmt::print("{}", ladder_text(d, c, false));
   print_effects(d);
   fmt::print("\n");
   print_verdict_details(d);
   print_limits(d);
+  fmt::print("\n{}\n{}\n", d.sentence, in_colour(d.headline, Colour::strong));
+}
+
+}  // namespace
+
+void print_diagnosis(const verdict::Diagnosis& d, bool verbose) {
+  if (verbose)
+    print_details(d);
+  else
+    print_brief(d);
 }
 
 }  // namespace raceway::cli

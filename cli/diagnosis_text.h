@@ -4,7 +4,8 @@
 
 namespace raceway::cli {
 
-/// A verdict in a terminal: headline, errors against the noise, effects, what to measure next.
-void print_diagnosis(const verdict::Diagnosis& diagnosis);
+/// Prints a verdict with its headline in the last line. By default at most 20 lines of 80 columns:
+/// errors against the noise, the best effects and the sentence; `verbose` prints all details.
+void print_diagnosis(const verdict::Diagnosis& diagnosis, bool verbose);
 
 }  // namespace raceway::cli

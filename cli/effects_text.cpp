@@ -32,16 +32,6 @@ void paragraph(std::string heading, std::string_view words) {
   }
 }
 
-/// Names the measurements that an effect changes: torque of a rig, displacement of a shaft,
-/// temperatures and displacement of a spindle.
-std::string changes(std::string_view id) {
-  const auto moves = [&](Form form) { return effects::find(id, form)->moves(form); };
-  std::string text = moves(Form::rig) ? moves(Form::shaft) ? "both" : "torque" : "";
-  if (text.empty() && moves(Form::shaft)) text = "displacement";
-  if (moves(Form::spindle)) text += text.empty() ? "spindle" : ", spindle";
-  return text;
-}
-
 std::string_view step_explained(const Description& d) {
   if (d.entry) return "entry: what was entered or read, corrected before anything acts on it";
   if (d.condition)
@@ -64,21 +54,17 @@ std::string needs_of(const Description& d) {
   for (const effects::Need need : d.needs) add(effects::text(need));
   for (const record::Channel* channel : d.channels) add(effects::text(*channel));
   if (!text.empty() && d.for_rig && d.moves(Form::shaft))
-    return "on a rig: " + text + "; on a shaft: nothing beside the displacement";
+    return "on a rig: " + text + "; on a shaft: the displacement alone";
   if (!text.empty()) return text;
-  if (d.spindle) return "nothing beside temperatures or displacement";
-  return d.for_rig ? "nothing beside the torque" : "nothing beside the displacement";
+  if (d.spindle) return "temperatures or displacement alone";
+  return d.for_rig ? "the torque alone" : "the displacement alone";
 }
 
 }  // namespace
 
 void print_effect_list(std::span<const Description> list) {
-  TextTable table({{"effect", "", true},
-                   {"acts at", "", true},
-                   {"changes", "", true},
-                   {"what it is", "", true, true}});
-  for (const Description& d : list)
-    table.add({std::string(d.id), std::string(d.step()), changes(d.id), std::string(d.title)});
+  TextTable table({{"effect", "", true}, {"what it is", "", true, true}});
+  for (const Description& d : list) table.add({std::string(d.id), std::string(d.title)});
   fmt::print("{}", table.text(terminal_width()));
 }
 

@@ -21,6 +21,7 @@ using namespace raceway;
 
 /// The exit status, once the last of stdout has left.
 int finished(int status) {
+  cli::count_hidden_messages();
   const std::string problem = cli::stdout_problem();
   if (problem.empty()) return status;
   cli::complain("raceway: " + problem);

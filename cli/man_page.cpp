@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "cli/describe.h"
+#include "cli/help.h"
 
 namespace raceway::cli {
 namespace {
@@ -71,7 +72,7 @@ std::string footer(const CLI::App& app) {
 std::string man_page(const CLI::App& app) {
   std::string text = head("raceway", app.get_description());
   text += ".SH SYNOPSIS\n.B raceway\n.I COMMAND\n[\\fIARGUMENT\\fR ...]\n.SH COMMANDS\n";
-  for (const CLI::App* command : app.get_subcommands({}))
+  for (const CLI::App* command : listed_commands(app))
     text += fmt::format(".TP\n.BR raceway\\-{} (1)\n{}\n", roff(command->get_name()),
                         roff(command->get_description()));
   text += ".SH OPTIONS\n";

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <map>
 #include <utility>
 
 #include "cli/process.h"
@@ -13,9 +14,12 @@ namespace raceway::cli {
 namespace {
 
 struct State {
-  bool quiet = false;
+  bool quiet = false, every = false;
+  std::map<const record::NoteCode*, int> heard = {};  // of each code
   std::string document;
 };
+
+constexpr int most_of_a_code = 3;
 
 State& state() {
   static State of_this_run;
@@ -30,6 +34,7 @@ void put_line(const char* kind, const std::string& line) {
 class ToPeople : public session::Messages {
  public:
   void hear(const record::Note& note) override {
+    if (++state().heard[note.code] > most_of_a_code && !state().every) return;
     if (note.kind() == record::NoteKind::note)
       tell(std::vector<std::string>{note.text});
     else
@@ -41,6 +46,18 @@ class ToPeople : public session::Messages {
 }  // namespace
 
 void set_quiet(bool quiet) { state().quiet = quiet; }
+
+void show_every_message() { state().every = true; }
+
+void count_hidden_messages() {
+  if (!state().every)
+    for (const auto& [code, count] : state().heard)
+      if (count > most_of_a_code && !state().quiet)
+        put_line(code->kind == record::NoteKind::note ? "note: " : "warning: ",
+                 fmt::format("{} more of the kind {}; --json lists them all",
+                             count - most_of_a_code, code->name));
+  state().heard.clear();
+}
 
 bool shows_progress() { return !state().quiet && isatty(STDERR_FILENO) != 0; }
 
@@ -55,7 +72,9 @@ void tell(const std::vector<std::string>& notes) {
 
 void tell(const std::vector<record::Note>& notes) { messages().say(notes); }
 
-void warn(const std::string& warning) { put_line("warning: ", warning); }
+void warn(const std::string& warning) {
+  if (!state().quiet) put_line("warning: ", warning);
+}
 
 void warn(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) warn(warning);

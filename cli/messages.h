@@ -10,8 +10,14 @@
 /// document, to stdout.
 namespace raceway::cli {
 
-/// Silences say() and tell() from now on, for `--quiet`.
+/// Silences say(), tell() and warn() from now on, for `--quiet`. Errors stay.
 void set_quiet(bool quiet);
+
+/// Prints every note and warning from now on. Otherwise at most three of one code are printed.
+void show_every_message();
+
+/// Prints how many notes and warnings of each code were not printed.
+void count_hidden_messages();
 
 /// Returns true if progress bars are shown: stderr is a terminal and --quiet is not set.
 [[nodiscard]] bool shows_progress();
@@ -25,7 +31,7 @@ void tell(const std::vector<record::Note>& notes);
 /// Prints notes, each behind `note: `.
 void tell(const std::vector<std::string>& notes);
 
-/// Prints warnings, each behind `warning: `, also with --quiet.
+/// Prints warnings, each behind `warning: `.
 void warn(const std::string& warning);
 void warn(const std::vector<std::string>& warnings);
 

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <memory>
 #include <vector>
 
+#include "cli/help.h"
 #include "cli/messages.h"
 #include "cli/parse_problem.h"
 #include "cli/run_files.h"
@@ -14,55 +16,58 @@ namespace raceway::cli {
 namespace {
 
 struct Command {
+  const char* group;  ///< heading in the help; empty for a command that it does not list
   const char* name;
   const char* summary;
   Run (*setup)(CLI::App&);
 };
 
+constexpr const char *measure = "Measure and model", *bearing = "Bearing", *machine = "Machine",
+                     *sensors = "Sensors", *understand = "Understand", *look_up = "Look up",
+                     *spindles = "Shaft and spindle", *hidden = "";
+
+// In the order of the help: what most people need stands first.
 constexpr std::array commands{
-    Command{"solve", "Contact angles, loads, stiffness and friction at one operating point",
-            setup_solve},
-    Command{"table", "Stribeck table: friction torque over speed, loads and temperature",
-            setup_table},
-    Command{"merge", "Join the slabs of a Stribeck table", setup_merge},
-    Command{"displacement", "Shaft position, forces and friction of its bearings against speed",
-            setup_displacement},
-    Command{"spindle",
-            "Temperatures, preload and displacement of a spindle through a speed programme",
-            setup_spindle},
-    Command{"sensitivity", "Which datum of a model matters most for what it predicts",
-            setup_sensitivity},
-    Command{"fit-law", "Fit the kinematic displacement law u = A n^(1 - B exp(-C n)) to a curve",
-            setup_fit_law},
-    Command{"step-response", "How a spindle moves after a step of its speed: K, T and their laws",
-            setup_step_response},
-    Command{"deflection", "How a shaft gives way on its bearings under a force, bearing by bearing",
-            setup_deflection},
-    Command{"modes", "Natural frequencies of a shaft on its bearings against speed: Campbell",
-            setup_modes},
-    Command{"calibrate", "Fit the free parameters of a model to measurements", setup_calibrate},
-    Command{"calibrate-sensor", "Fit the curve of a torque sensor to readings with known torques",
-            setup_calibrate_sensor},
-    Command{"compare", "How wrong a model is against measurements, and where", setup_compare},
-    Command{"diagnose", "Which physical effect is missing, or what to measure to find out",
-            setup_diagnose},
-    Command{"add", "Switch an effect on, calibrated, if it helps on rows the fit did not see",
-            setup_add},
-    Command{"identify", "Find the lags of a correction from a record over time", setup_identify},
-    Command{"correct", "Run a correction over a record: displacement from what a machine knows",
-            setup_correct},
-    Command{"export", "A correction as something that runs in a control: Python, C, CSV, LinuxCNC",
-            setup_export},
-    Command{"join", "Make one correction of several that move the same axis", setup_join},
-    Command{"effects", "The catalogue of physical effects, or one of them explained",
-            setup_effects},
-    Command{"keys", "The keys of model files, with unit, default and range", setup_keys},
-    Command{"bearings", "The catalogue of bearings", setup_bearings},
-    Command{"new", "Write a commented model file of a bearing, a spindle or a correction",
+    Command{measure, "new", "Write a model file of a bearing, a spindle or a correction",
             setup_new},
-    Command{"check", "What was read from a model and its data, and what can be learnt from it",
-            setup_check},
-    Command{"describe", "Completions of bash and zsh and man pages, of the commands as they are",
+    Command{measure, "check", "Show what was read, and what the data can tell", setup_check},
+    Command{measure, "compare", "Show how wrong a model is against measurements, and where",
+            setup_compare},
+    Command{measure, "calibrate", "Fit the free parameters of a model to measurements",
+            setup_calibrate},
+    Command{measure, "diagnose", "Find the missing effect, or what to measure to find it",
+            setup_diagnose},
+    Command{measure, "add", "Add an effect to a model, if it lowers the held-out error", setup_add},
+    Command{bearing, "solve", "Contact angles, loads, stiffness, friction at one point",
+            setup_solve},
+    Command{bearing, "table", "Friction torque over speed, loads and temperature", setup_table},
+    Command{machine, "identify", "Find the thermal lags of a correction in a record over time",
+            setup_identify},
+    Command{machine, "correct", "Run a correction over a record and predict the displacement",
+            setup_correct},
+    Command{machine, "export", "Write a correction for a control: Python, C, CSV, LinuxCNC",
+            setup_export},
+    Command{machine, "step-response",
+            "Response of a spindle to a step of its speed: gains and lags", setup_step_response},
+    Command{machine, "fit-law", "Fit the kinematic displacement law to a curve", setup_fit_law},
+    Command{machine, "join", "Join corrections that move the same axis", setup_join},
+    Command{sensors, "calibrate-sensor", "Fit the curve of a torque sensor to known torques",
+            setup_calibrate_sensor},
+    Command{understand, "sensitivity", "Rank the data of a model by influence on its prediction",
+            setup_sensitivity},
+    Command{look_up, "bearings", "List the catalogue of bearings", setup_bearings},
+    Command{look_up, "effects", "List the physical effects, or explain one of them", setup_effects},
+    Command{look_up, "keys", "List the keys of model files, with unit, default and range",
+            setup_keys},
+    Command{spindles, "displacement",
+            "Shaft position, forces and friction of its bearings by speed", setup_displacement},
+    Command{spindles, "spindle", "Temperatures, preload, displacement of a spindle over time",
+            setup_spindle},
+    Command{spindles, "modes", "Natural frequencies of a shaft by speed (Campbell diagram)",
+            setup_modes},
+    Command{spindles, "deflection", "Deflection of a shaft on its bearings under a force",
+            setup_deflection},
+    Command{hidden, "describe", "Write shell completions and man pages of the commands",
             setup_describe},
 };
 
@@ -78,18 +83,20 @@ Program::Program() {
   app_.name("raceway");
   app_.set_version_flag("--version", "raceway " RACEWAY_VERSION);
   app_.require_subcommand(1);
+  app_.formatter(std::make_shared<HelpFormatter>());
   app_.footer(
-      "Numbers go to stdout, messages to stderr; --json gives one JSON document, of an error\n"
-      "too. A file named - is standard input. raceway help COMMAND has its flags.\n"
+      "raceway help COMMAND explains a command. Results go to stdout, messages to\n"
+      "stderr; --json prints one JSON document. A file named - is standard input.\n"
       "Exit status: 0 done, 1 wrong input, 2 not converged.\n\n"
       "Example:\n"
       "  raceway new \"S 6014 C\" -o my.toml\n"
       "  raceway table my.toml --speed 0:12000:1000 --axial-load 100,300,900");
   for (const Command& c : commands) {
     CLI::App* command = app_.add_subcommand(c.name, c.summary);
+    command->group(c.group);
     runs_[command] = c.setup(*command);
     command->add_flag_callback(
-        "--quiet", [] { set_quiet(true); }, "no notes on stderr; warnings and errors stay");
+        "--quiet", [] { set_quiet(true); }, "print no notes and no warnings; errors stay");
   }
 }
 
@@ -99,6 +106,8 @@ const CLI::App& Program::command(const std::string& name) const {
     if (known->get_name() == name) return *known;
     names.push_back(known->get_name());
   }
+  if (const std::string start = file_as_command(name); !start.empty())
+    throw Refusal{"raceway: " + start, {.key = name}};
   throw of_command_line("raceway", name + ": no such command" + text::suggestion(name, names),
                         name);
 }

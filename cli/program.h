@@ -29,7 +29,8 @@ class Program {
 
  private:
   CLI::App app_{
-      "Computes friction and kinematics of spindle bearings, and compares them with measurements."};
+      "Computes friction, kinematics and heat of spindle bearings, compares the model with "
+      "measurements, and finds the physical effect that the model lacks"};
   std::map<CLI::App*, Run> runs_;
 };
 

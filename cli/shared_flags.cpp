@@ -14,8 +14,8 @@ void refuse_two_on_stdout(const std::string& command, bool json, const std::stri
 void declare(CLI::App& command, session::Reading& reading) {
   command
       .add_option("--columns", reading.columns,
-                  "which of their columns is which of ours (TOML, table [columns]);\n"
-                  "default: that of the model; check --suggest-columns proposes one")
+                  "map of your columns to ours (TOML, table [columns]); default: [columns] of\n"
+                  "the model; check --suggest-columns proposes one")
       ->type_name("FILE");
   command.add_flag("--drop-nan", reading.drop_nan,
                    "leave out rows with an empty cell, nan or #N/A in a column that counts");

@@ -24,7 +24,7 @@ void declare(CLI::App& command, session::Period& period);
 /// `--channel COLUMN`, which was called `--displacement`.
 void declare_channel(CLI::App& command, std::string& channel);
 
-/// What every question of the loop may ask for: the flags above and `--per-record f0,z`.
+/// Flags of every command of the loop: the flags above and `--per-record f0,z`.
 void declare(CLI::App& command, session::LoopOptions& loop);
 
 /// `--tolerance 2um,0.5K`.

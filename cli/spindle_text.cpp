@@ -109,9 +109,8 @@ void print_steady(const session::SteadySpindle& found) {
 void print_run(const session::SpindleRun& found) {
   const model::Model& model = found.file.model;
   const spindle::Run& run = found.run;
-  fmt::print("{}: {} of {} rows, {} steps, {} of them taken back\n", model.spindle->name,
-             run.moments.size(), found.profile.size(), run.report.steps + run.report.rejected,
-             run.report.rejected);
+  fmt::print("{}: {} of {} rows, {} steps, {} rejected\n", model.spindle->name, run.moments.size(),
+             found.profile.size(), run.report.steps + run.report.rejected, run.report.rejected);
   if (run.moments.empty()) return;
   const spindle::Moment& m = run.moments.back();
   if (!model.spindle->network) {

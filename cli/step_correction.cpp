@@ -16,7 +16,8 @@ namespace raceway::cli {
 
 void StepCorrectionFlags::declare(CLI::App& command) {
   command
-      .add_option("--correction", file, "model of a correction to write, with its tables beside it")
+      .add_option("--correction", file,
+                  "model of a correction to write; its tables go into the same folder")
       ->type_name("FILE");
   command.add_option("--law", law, "of K and T in the correction: curve, power or line")
       ->check(CLI::IsMember({"curve", "power", "line"}))
@@ -38,9 +39,8 @@ void StepCorrectionFlags::check(bool has_model) const {
         "name --correction FILE",
         {.key = "--programme"});
   if (file == "-")
-    throw text::InputError(
-        "raceway step-response: --correction -: has tables beside it; name a file",
-        {.key = "--correction"});
+    throw text::InputError("raceway step-response: --correction -: writes tables too; name a file",
+                           {.key = "--correction"});
 }
 
 void StepCorrectionFlags::require_writable(text::IfExists if_exists) const {

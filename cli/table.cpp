@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <functional>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "cli/band_flag.h"
 #include "cli/commands.h"
 #include "cli/csv_style.h"
+#include "cli/merge.h"
 #include "cli/messages.h"
 #include "cli/progress.h"
 #include "cli/report_flag.h"
@@ -35,6 +37,7 @@ struct TableFlags {
   std::string model, output;
   AxisFlags axes;
   std::string data, slab, plot;
+  std::vector<std::string> merge;
   CsvStyle csv;
   bool json = false, force = false;
   ReportFlag report;
@@ -63,9 +66,14 @@ friction::TableSlab slab(const std::string& text) {
 }
 
 int run(const TableFlags& flags) {
+  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  if (!flags.merge.empty()) {
+    merge_slabs(flags.merge, flags.output, flags.csv, if_exists);
+    return done;
+  }
   const std::string& format = flags.csv.format;
   if (format != "csv" && flags.output.empty())
-    throw text::InputError("raceway table: --format is that of the file: --output is missing",
+    throw text::InputError("raceway table: --format needs a file: --output is missing",
                            {.key = "--format"});
   if (format != "csv" && !flags.slab.empty())
     throw text::InputError("raceway table: a slab is to be merged, which takes --format csv alone",
@@ -76,7 +84,6 @@ int run(const TableFlags& flags) {
     throw text::InputError(
         "raceway table: a slab is for a file to be merged: --slab needs --output",
         {.key = "--slab"});
-  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
   flags.csv.require_writable(flags.output, if_exists);
   if (!flags.plot.empty()) text::require_writable(flags.plot, if_exists);
   if (!flags.data.empty() && flags.report.path.empty())
@@ -157,14 +164,14 @@ int run(const TableFlags& flags) {
 
 Run setup_table(CLI::App& command) {
   auto flags = std::make_shared<TableFlags>();
-  command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
+  CLI::Option* const model =
+      command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
   flags->axes.declare(command,
                       "[rpm]; like all axes as 100,300,900 or as from:to:step, 0:12000:250");
   command.add_option("-o,--output", flags->output, "CSV file to write; - for stdout")
       ->type_name("FILE");
   command
-      .add_option("--slab", flags->slab,
-                  "i/N: only the i-th of N parts, to be joined by raceway merge")
+      .add_option("--slab", flags->slab, "only the i-th of N parts of the table, for table --merge")
       ->type_name("i/N");
   flags->csv.declare(command, {"plain", "modelica"},
                      "plain (one header line\nof identifiers, for pandas and MATLAB), modelica "
@@ -179,9 +186,21 @@ Run setup_table(CLI::App& command) {
       .add_option("--data", flags->data, "measurements (CSV) to draw into the curves of the report")
       ->type_name("FILE");
   declare(command, flags->reading);
+  const std::vector<CLI::Option*> declared = command.get_options();
+  CLI::Option* const merge =
+      command
+          .add_option("--merge", flags->merge,
+                      "instead of MODEL: join these files, which --slab wrote, in any order")
+          ->each([model](const std::string&) { model->required(false); })
+          ->type_name("FILE");
+  constexpr std::array<std::string_view, 6> of_a_file{"output",    "force",        "format",
+                                                      "separator", "decimal-mark", "help"};
+  for (CLI::Option* const option : declared)
+    if (std::find(of_a_file.begin(), of_a_file.end(), option->get_single_name()) == of_a_file.end())
+      merge->excludes(option);
   command.footer(
       "Example:\n  raceway table my.toml --speed 0:12000:250 --axial-load 100,300,900 "
-      "-o stribeck.csv");
+      "-o stribeck.csv\n  raceway table --merge slab-*.csv -o stribeck.csv");
   return [flags] { return run(*flags); };
 }
 

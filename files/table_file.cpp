@@ -116,7 +116,7 @@ std::size_t place_on(const std::vector<double>& axis, double value) {
 }  // namespace
 
 std::string merged_table_text(const std::vector<SlabText>& slabs) {
-  if (slabs.empty()) throw text::InputError("raceway merge: no slabs");
+  if (slabs.empty()) throw text::InputError("raceway table: --merge names no slabs");
   std::vector<SlabFile> files;
   for (const SlabText& slab : slabs) files.push_back(slab_file(slab));
   std::sort(files.begin(), files.end(),
@@ -158,8 +158,9 @@ TableFile parse_table(std::string text, const std::string& source) {
   file.source = source;
   for (const std::string& comment : csv.comments)
     if (comment.starts_with(slab_mark))
-      throw text::InputError(source + ": is one slab of a table; raceway merge joins all of them",
-                             {.file = source});
+      throw text::InputError(
+          source + ": is one slab of a table; raceway table --merge joins all of them",
+          {.file = source});
   file.model_text = model_text_of(csv);
 
   std::array<std::size_t, leading_columns.size()> at{};

@@ -102,7 +102,7 @@ def copy_pages():
     shutil.copytree(ROOT / "docs/site", SOURCE, ignore=shutil.ignore_patterns("__pycache__", "site.css"))
     (SOURCE / "_static").mkdir()
     shutil.copy(ROOT / "docs/site/site.css", SOURCE / "_static")
-    for page in [*OTHER_PAGES, *(f"docs/{p.name}" for p in sorted((ROOT / "docs").glob("*.md")))]:
+    for page in [*OTHER_PAGES, *(f"docs/{p.name}" for p in sorted((ROOT / "docs").glob("*.md")) if p.name != "README.md")]:
         write(page, with_links_of_the_site((ROOT / page).read_text(encoding="utf-8"), page))
     for picture in (ROOT / "docs").iterdir():
         if picture.suffix in (".svg", ".png"):
@@ -150,7 +150,8 @@ def options(lines):
 
 def command_pages():
     top = help_of(asked("--help"))
-    commands = options(top["Subcommands"])
+    groups = {title: options(lines) for title, lines in top.items() if title not in ("", "Usage", "Options", "Example")}
+    commands = [command for group in groups.values() for command in group]
     for name, meaning in commands:
         parts = help_of(asked(name, "--help"))
         text = f"# raceway {name}\n\n" + prose(" ".join(parts[""]).strip() or meaning) + ".\n\n"
@@ -167,10 +168,11 @@ def command_pages():
                 text += "## Example\n\n" + code("\n".join("$ " + l.strip() for l in parts[title] if l.strip()), "console")
         write(f"reference/commands/{name}.md", text)
         expect(name, f"reference/commands/{name}", "command")
-    text = "# Commands\n\n" + "What each takes, in the words of its `--help`.\n\n"
-    text += "| command | what it does |\n| --- | --- |\n"
-    text += "".join(f"| [`{n}`]({n}.md) | {for_table(m)} |\n" for n, m in commands)
-    said = [line for line in top["Subcommands"] if line and not line.startswith(" ")]
+    text = "# Commands\n\nThe arguments and flags of each command, as its `--help` prints them.\n\n"
+    for group, rows in groups.items():
+        text += f"## {group}\n\n| command | what it does |\n| --- | --- |\n"
+        text += "".join(f"| [`{n}`]({n}.md) | {for_table(m)} |\n" for n, m in rows) + "\n"
+    said = [line for line in top[list(groups)[-1]] if line and not line.startswith(" ")]
     text += "\n" + prose(" ".join(said)) + "\n\n"
     text += code("\n".join("$ " + l.strip() for l in top["Example"] if l.strip()), "console")
     text += "\n```{toctree}\n:hidden:\n\n" + "\n".join(n for n, _ in commands) + "\n```\n"

@@ -33,7 +33,7 @@ files::CorrectionFile open_corrections(Messages& messages, const Source& source,
   const std::size_t count = defaults == Defaults::count ? file.defaults.size() : 0;
   if (count > 0)
     messages.say(
-        record::note::defaults(fmt::format("{} default{}: raceway check {} lists {}", count,
+        record::note::defaults(fmt::format("{} assumption{}; raceway check {} lists {}", count,
                                            count == 1 ? "" : "s", path, count == 1 ? "it" : "them"),
                                {.file = path}));
   say_of(messages, file.source, file.notes);
@@ -140,7 +140,7 @@ std::vector<std::string> range_notes(const correction::Model& model,
     const auto most = std::max_element(share.begin(), share.end());
     notes.push_back(
         fmt::format("a regression goes on in straight lines there: {:.3g} um of what it predicts "
-                    "in {} come from where nobody measured",
+                    "in {} come from outside the measurements",
                     *most / um, when(record, static_cast<std::size_t>(most - share.begin()))));
   }
   for (const correction::DrivenChannel& c : model.channels)

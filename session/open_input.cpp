@@ -67,7 +67,7 @@ files::ModelFile open_model(Messages& messages, const Source& source, Accepts ac
   const std::size_t count = defaults == Defaults::count ? file.defaults.size() : 0;
   if (count > 0)
     messages.say(record::note::defaults(
-        fmt::format("{} default{}: raceway check {} lists {}", count, count == 1 ? "" : "s",
+        fmt::format("{} assumption{}; raceway check {} lists {}", count, count == 1 ? "" : "s",
                     path == "-" ? "MODEL" : path, count == 1 ? "it" : "them"),
         {.file = path}));
   say_of(messages, file.source, file.notes);

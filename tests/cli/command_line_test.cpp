@@ -13,9 +13,9 @@ using testing::Not;
 using testing::StartsWith;
 
 const char* const commands[] = {
-    "solve",  "table",         "displacement", "fit-law",     "calibrate", "compare", "diagnose",
-    "add",    "effects",       "bearings",     "new",         "check",     "merge",   "describe",
-    "export", "step-response", "keys",         "sensitivity", "join"};
+    "solve",    "table", "displacement", "fit-law",       "calibrate",  "compare",
+    "diagnose", "add",   "effects",      "bearings",      "new",        "check",
+    "export",   "keys",  "join",         "step-response", "sensitivity"};
 
 TEST(CommandLine, TellsItsVersion) {
   const Result r = run("--version");
@@ -30,6 +30,29 @@ TEST(CommandLine, ShowsItsHelpWhenNothingIsAsked) {
   for (const std::string command : commands) EXPECT_THAT(r.err, HasSubstr("\n  " + command + " "));
   EXPECT_EQ(run("--help").out, r.err);
   EXPECT_EQ(run("help").out, r.err);
+}
+
+TEST(CommandLine, HelpStartsWithWhatMostPeopleNeed) {
+  const std::string help = run("help").out;
+  std::size_t before = 0;
+  for (const char* group :
+       {"\nMeasure and model:\n  new ", "\nBearing:\n  solve ", "\nMachine:\n  identify ",
+        "\nSensors:\n", "\nUnderstand:\n", "\nLook up:\n", "\nShaft and spindle:\n"}) {
+    const std::size_t at = help.find(group);
+    ASSERT_NE(at, std::string::npos) << group;
+    EXPECT_GT(at, before) << group;
+    before = at;
+  }
+  EXPECT_THAT(help, Not(HasSubstr("describe")));
+}
+
+TEST(CommandLine, AFileAsCommandIsToldHowToStart) {
+  const ScratchFolder scratch;
+  expect_refused(run("data.csv"), "raceway: data.csv is a file; a command comes first.");
+  expect_refused(run("data.csv"), "  raceway diagnose my.toml data.csv\n");
+  expect_refused(run("my.toml --json"), "raceway check my.toml\n");
+  const std::string plain = scratch.write("record", "1 2\n");
+  expect_refused(run(plain), "is a file; a command comes first.");
 }
 
 TEST(CommandLine, HelpOfEveryCommandHasAnExample) {

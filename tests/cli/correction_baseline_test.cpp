@@ -50,7 +50,7 @@ TEST_F(CorrectionBaseline, ARegressionSaysHowMuchItExtrapolates) {
   EXPECT_EQ(told.status, 0);
   EXPECT_THAT(told.err, HasSubstr("beyond 20.000 to 42.496 C"));
   EXPECT_THAT(told.err, HasSubstr("a regression goes on in straight lines there"));
-  EXPECT_THAT(told.err, HasSubstr("come from where nobody measured"));
+  EXPECT_THAT(told.err, HasSubstr("come from outside the measurements"));
   EXPECT_THAT(run("correct " + regression + " " + colder).err,
               HasSubstr("a regression goes on in straight lines there"));
   // Sections do not run away as far, and are not told so.

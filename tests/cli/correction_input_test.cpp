@@ -224,7 +224,7 @@ TEST_F(BesideABearing, AnOptionThatMeansNothingIsRefused) {
                  "--channel displacement_z_um: " + bearing + " predicts friction_torque_Nmm");
   expect_refused(run("compare " + bearing + " " + rig_ + " --zero first"), "--zero");
   expect_refused(run("diagnose " + model_ + " " + day_ + " --per-record front.gain_1"),
-                 "--per-record: a correction is held against one record");
+                 "--per-record: a correction is compared with one record");
 }
 
 TEST_F(CorrectionInput, AModelWrittenElsewhereFindsItsTables) {

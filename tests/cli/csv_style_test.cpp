@@ -45,7 +45,7 @@ TEST(CsvStyle, MarksAreChosenByOption) {
 /// Every command that writes a table takes the same flags.
 TEST(CsvStyle, EveryCommandThatWritesATableHasIt) {
   for (const char* command : {"check", "table", "displacement", "deflection", "modes", "correct",
-                              "spindle", "step-response", "merge"})
+                              "spindle", "step-response"})
     EXPECT_THAT(run(std::string(command) + " --help").out, HasSubstr("--decimal-mark")) << command;
 }
 

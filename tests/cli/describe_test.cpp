@@ -17,12 +17,11 @@ std::vector<std::string> all_commands() {
   std::vector<std::string> names;
   bool listed = false;
   for (std::string line; std::getline(lines, line);) {
-    if (line == "Subcommands:") {
-      listed = true;
-    } else if (listed && line.starts_with("  ")) {
+    if (line.starts_with("Example:")) break;
+    if (line.ends_with(':')) {
+      listed = line != "Options:";
+    } else if (listed && line.starts_with("  ") && line[2] != ' ') {
       names.push_back(line.substr(2, line.find(' ', 2) - 2));
-    } else {
-      listed = false;
     }
   }
   return names;

@@ -73,7 +73,7 @@ TEST(Everyday, ScatterThatGrowsWithSpeedIsNoEffect) {
 
 TEST(Everyday, AnotherBaseLawIsOfferedAndTaken) {
   const ScratchFolder scratch;
-  const Result found = run("diagnose " + files_of("law-skf"));
+  const Result found = run("diagnose --verbose " + files_of("law-skf"));
   ASSERT_EQ(found.status, 0) << found.err;
   EXPECT_THAT(found.out, HasSubstr("law = skf explains these data"));
   EXPECT_THAT(found.out, HasSubstr("raceway add MODEL law:skf takes it"));
@@ -106,7 +106,7 @@ TEST(Everyday, AnotherBaseLawIsOfferedAndTaken) {
 TEST(Everyday, TheShapeOfTheSentenceIsWrittenAndTheLoopGoesOn) {
   const ScratchFolder scratch;
   const std::string model = everyday + "law-skf/model.toml", train = everyday + "law-skf/train.csv";
-  EXPECT_THAT(run("diagnose " + model + " " + train).out,
+  EXPECT_THAT(run("diagnose --verbose " + model + " " + train).out,
               HasSubstr("raceway add MODEL shape writes it"));
   const std::string better = scratch.file("shape.toml");
   const Result added = run("add " + model + " shape --data " + train + " -o " + better);

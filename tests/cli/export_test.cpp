@@ -133,9 +133,10 @@ TEST(Export, RefusesInOneMessage) {
       "[correction]\ndisplacement = \"displacement_z_um\"\nsampling_s = 1\n[[correction.channel]]\n"
       "name = \"published\"\ninput = \"front_temperature_C\"\nnumerator = [1, 0]\n"
       "denominator = [1, -1.2, 0.72]\n");
-  expect_refused(run("export " + swings + " --format python -o " + scratch.file("s.py")),
-                 "channel published: its polynomials cannot run beside sections: the poles 0.6 +- "
-                 "0.6i are not real: no lag swings");
+  expect_refused(
+      run("export " + swings + " --format python -o " + scratch.file("s.py")),
+      "channel published: its polynomials cannot run together with sections: the poles 0.6 +- "
+      "0.6i are not real: no lag swings");
   EXPECT_FALSE(std::filesystem::exists(scratch.file("s.py")));
   EXPECT_THAT(run("export " + scratch.write("b.toml", "[bearing]\n") + " --format c").err,
               HasSubstr("table [correction] is missing"));

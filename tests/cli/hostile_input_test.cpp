@@ -49,7 +49,7 @@ TEST_F(HostileInput, MemoryIsAskedForBeforeItIsTaken) {
 TEST_F(HostileInput, ASlabOfCountlessManyIsRefusedAtOnce) {
   const std::string slab = scratch_.write(
       "s.csv", "# slab 1/99999999999999: 1 of 1 points, grid 0123456789abcdef\na\n1\n");
-  expect_refused(run_shell("timeout 60 $raceway merge " + slab + " -o -"),
+  expect_refused(run_shell("timeout 60 $raceway table --merge " + slab + " -o -"),
                  "99999999999998 of 99999999999999 slabs are missing: the first is "
                  "2/99999999999999");
 }
@@ -171,7 +171,8 @@ TEST_F(HostileInput, InputWithoutEndIsGivenUp) {
   for (const std::string& line :
        {std::string("$raceway solve /dev/zero --speed 1"),
         "$raceway check " + model_ + " /dev/zero", std::string("$raceway fit-law /dev/zero"),
-        std::string("$raceway fit-law < /dev/zero"), std::string("$raceway merge /dev/zero -o -")})
+        std::string("$raceway fit-law < /dev/zero"),
+        std::string("$raceway table --merge /dev/zero -o -")})
     expect_refused(run_shell("timeout 60 " + line), "holds NUL bytes, so it is not a text file\n");
   const std::string large = scratch_.file("large.csv");
   expect_refused(run_shell("truncate -s 5G " + large + "; timeout 60 $raceway fit-law " + large),

@@ -26,7 +26,7 @@ struct Writer {
 constexpr Writer writers[] = {
     {"table", "table rig.toml --speed 0:12000:3 --axial-load 100,300 -o out"},
     {"displacement", "displacement shaft.toml --speed 0:10000:20 -o out"},
-    {"merge", "merge 1.csv 2.csv -o out"},
+    {"merge", "table --merge 1.csv 2.csv -o out"},
     {"fit_law", "fit-law curve.csv -o out"},
     {"calibrate", "calibrate rig.toml rig.csv -o out"},
     {"conformity", "calibrate \"S 6014 C\" -o out"},

@@ -48,6 +48,43 @@ TEST(Loop, NamesTheMissingEffectAndAddsIt) {
   EXPECT_LT(models[1]["rmse"].get<double>(), 0.25 * models[0]["rmse"].get<double>());
 }
 
+/// Lines of a diagnosis in a terminal of 80 columns, without blanks at its end.
+std::vector<std::string> on_screen(const std::string& files) {
+  const Result r = run_shell("script -qc \"stty cols 80; NO_COLOR=1 $raceway diagnose --quiet " +
+                             files + "\" /dev/null");
+  std::vector<std::string> lines;
+  std::istringstream in(r.out);
+  for (std::string line; std::getline(in, line);) {
+    if (line.ends_with('\r')) line.pop_back();
+    line.erase(0, line.rfind('\r') + 1);  // behind the progress bar
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+TEST(Loop, TheVerdictStandsAtTheEndOfOneScreen) {
+  const std::string root = tests::source_dir() + "/";
+  for (const std::string files :
+       {"tests/hidden_effect/rigs/dev-03", "tests/hidden_effect/rigs/real-03",
+        "tests/hidden_effect/rigs/real-04", "tests/cli/everyday/law-skf",
+        "data/corrections/ambient", "data/spindles/seats"}) {
+    SCOPED_TRACE(files);
+    const std::string model =
+        root + files + (files.starts_with("data/corr") ? "/correction.toml " : "/model.toml ");
+    const std::string both = model + root + files + "/train.csv";
+    const std::vector<std::string> lines = on_screen(both);
+    EXPECT_LE(lines.size(), 20U) << testing::PrintToString(lines);
+    EXPECT_GE(lines.size(), 6U) << testing::PrintToString(lines);
+    for (const std::string& line : lines) EXPECT_LE(line.size(), 80U) << line;
+    const std::string headline = json::parse(run("diagnose --json " + both).out)["headline"];
+    std::string all;
+    for (const std::string& line : lines) all += (all.empty() ? "" : " ") + line;
+    EXPECT_THAT(all, testing::EndsWith(headline));
+    EXPECT_THAT(run("diagnose " + both).out, testing::EndsWith("\n" + headline + "\n"));
+    EXPECT_THAT(run("diagnose --verbose " + both).out, testing::EndsWith("\n" + headline + "\n"));
+  }
+}
+
 TEST(Loop, StatesOneNoise) {
   const std::string files =
       rig_folder_of_loop + "model.toml " + rig_folder_of_loop + "train.csv --json";

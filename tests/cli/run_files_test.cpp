@@ -50,7 +50,7 @@ TEST_F(RunFiles, NoCommandWritesOverItsData) {
   expect_kept(data_, "fit-law -o " + data_ + " < " + data_);
   run(table_ + "--slab 1/2 -o " + scratch_.file("1.csv"));
   run(table_ + "--slab 2/2 -o " + scratch_.file("2.csv"));
-  expect_kept(scratch_.file("2.csv"), "merge " + scratch_.file("1.csv") + " " +
+  expect_kept(scratch_.file("2.csv"), "table --merge " + scratch_.file("1.csv") + " " +
                                           scratch_.file("2.csv") + " -o " + scratch_.file("2.csv"));
 }
 

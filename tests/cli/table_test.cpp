@@ -167,7 +167,7 @@ class Slabs : public Table {
     return file;
   }
   [[nodiscard]] std::string merge_refusal(const std::string& files) const {
-    const Result r = run("merge " + files + " -o " + scratch_.file("refused.csv"));
+    const Result r = run("table --merge " + files + " -o " + scratch_.file("refused.csv"));
     EXPECT_EQ(r.status, 1);
     EXPECT_FALSE(std::filesystem::exists(scratch_.file("refused.csv")));
     return r.err;
@@ -179,13 +179,13 @@ TEST_F(Slabs, MergeToTheTableMadeInOneGoToTheLastByte) {
   ASSERT_EQ(table(axes + " -o " + whole).status, 0);
   const std::string a = slab("1/3", "a.csv", axes), b = slab("2/3", "b.csv", axes),
                     c = slab("3/3", "c.csv", axes);
-  const Result r = run("merge " + c + " " + a + " " + b + " -o " + merged);
+  const Result r = run("table --merge " + c + " " + a + " " + b + " -o " + merged);
   EXPECT_EQ(r.status, 0);
   EXPECT_THAT(r.err, HasSubstr("merged.csv written from 3 slabs\n"));
   EXPECT_EQ(file_text(merged), file_text(whole));
   // A file that is there stays.
-  EXPECT_EQ(run("merge " + a + " " + b + " " + c + " -o " + merged).status, 1);
-  EXPECT_EQ(run("merge " + a + " " + b + " " + c + " --force -o " + merged).status, 0);
+  EXPECT_EQ(run("table --merge " + a + " " + b + " " + c + " -o " + merged).status, 1);
+  EXPECT_EQ(run("table --merge " + a + " " + b + " " + c + " --force -o " + merged).status, 0);
 }
 
 TEST_F(Slabs, AreMadeAndMergedByGnuParallel) {
@@ -195,7 +195,7 @@ TEST_F(Slabs, AreMadeAndMergedByGnuParallel) {
   const Result r = run_shell("cd " + scratch_.path().string() +
                              " && parallel --jobs 2 $raceway table my.toml " + axes +
                              " --slab {}/5 -o slab-{}.csv ::: 1 2 3 4 5"
-                             " && $raceway merge slab-*.csv -o merged.csv");
+                             " && $raceway table --merge slab-*.csv -o merged.csv");
   EXPECT_EQ(r.status, 0) << r.err;
   EXPECT_EQ(file_text(scratch_.file("merged.csv")), file_text(whole));
 }
@@ -219,6 +219,9 @@ TEST_F(Slabs, AreRefusedWhereOneIsMissingTwiceStrangeOrCut) {
   const std::string whole = scratch_.file("whole.csv");
   ASSERT_EQ(table(axes + " -o " + whole).status, 0);
   EXPECT_THAT(merge_refusal(whole), HasSubstr("is no slab of a table"));
+  EXPECT_THAT(merge_refusal(a + " --speed 100"), HasSubstr("--merge excludes --speed"));
+  EXPECT_THAT(merge_refusal(a + " --format modelica"), HasSubstr("--format csv or excel"));
+  EXPECT_THAT(run("table --merge " + a).err, HasSubstr("--output is missing"));
 }
 
 TEST_F(Slabs, NeedAPlaceAmongThemAndAFile) {

@@ -41,7 +41,8 @@ TEST(Tolerance, AboveTheErrorLeavesNothingThatMatters) {
   const std::string diagnose =
       "diagnose " + rig_folder + "model.toml " + train + " --tolerance 100Nmm";
   EXPECT_EQ(parsed(run(diagnose + " --json"))["verdict"], "nothing-missing");
-  const Result text = run(diagnose);
+  EXPECT_THAT(run(diagnose).out, testing::ContainsRegex("\\| noise [0-9.]+, : tolerance 100"));
+  const Result text = run(diagnose + " --verbose");
   EXPECT_EQ(text.status, 0) << text.err;
   EXPECT_THAT(text.out, HasSubstr("| noise, : tolerance\n"));
   EXPECT_THAT(text.out, HasSubstr("\ntolerance "));

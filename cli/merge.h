@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/csv_style.h"
+#include "text/output_file.h"
+
+namespace raceway::cli {
+
+/// Joins the files that `table --slab` wrote to the table made in one go, for `table --merge`.
+void merge_slabs(const std::vector<std::string>& slabs, const std::string& output,
+                 const CsvStyle& csv, text::IfExists if_exists);
+
+}  // namespace raceway::cli
