@@ -1,4 +1,4 @@
-# The README shows the example, what it prints, and the Stribeck table as the program prints it; docs/c.md
+# docs/cmake.md shows the example and what it prints, docs/tutorial.md the Stribeck table as the program prints it; docs/c.md
 # and docs/loop.md their programs.
 # Run as: cmake -DROOT=<source folder> -DEXAMPLE=<program> -DLOOP=<program> [-DRACEWAY=<program> -DWORK=<folder>] -P readme.cmake
 cmake_minimum_required(VERSION 3.22)
@@ -18,14 +18,14 @@ function(output_of)
 endfunction()
 
 file(READ ${ROOT}/tests/install/example.cpp example)
-expect_in(README.md "tests/install/example.cpp" "${example}")
+expect_in(docs/cmake.md "tests/install/example.cpp" "${example}")
 output_of(${EXAMPLE})
-expect_in(README.md "the output of the example" "${output}")
+expect_in(docs/cmake.md "the output of the example" "${output}")
 if(RACEWAY)
   file(MAKE_DIRECTORY ${WORK})
   output_of(${RACEWAY} new "S 6014 C" -o ${WORK}/my.toml --force)
   output_of(${RACEWAY} table ${WORK}/my.toml --speed 0:12000:2000 --axial-load 100,300,900)
-  expect_in(README.md "the Stribeck table" "${output}")
+  expect_in(docs/tutorial.md "the Stribeck table" "${output}")
 endif()
 file(READ ${ROOT}/tests/install/loop.cpp loop)
 expect_in(docs/loop.md "tests/install/loop.cpp" "${loop}")
