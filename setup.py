@@ -1,4 +1,4 @@
-"""Builds the engine of the Python package by CMake; all else stands in pyproject.toml."""
+"""Builds the engine of the Python package and the command `raceway` with CMake; the rest is in pyproject.toml."""
 
 import os
 import re
@@ -15,7 +15,7 @@ ROOT = Path(__file__).resolve().parent
 
 class Engine(build_ext):
     def build_extension(self, ext: Extension) -> None:
-        # A tree that is built already is gone on with: RACEWAY_BUILD=build/release pip install .
+        # RACEWAY_BUILD=build/release pip install . uses a tree that is built already.
         tree = Path(os.environ.get("RACEWAY_BUILD") or self.build_temp).resolve()
         if not (tree / "CMakeCache.txt").exists():
             report = shutil.which("npm") is not None  # else without the pages of reports
@@ -31,7 +31,7 @@ class Engine(build_ext):
                     "-DCMAKE_BUILD_TYPE=Release",
                     "-DCMAKE_UNITY_BUILD=ON",
                     "-DRACEWAY_PYTHON=ON",
-                    "-DRACEWAY_BUILD_CLI=OFF",
+                    "-DRACEWAY_BUILD_CLI=ON",
                     "-DRACEWAY_C=OFF",
                     "-DRACEWAY_BUILD_BENCH=OFF",
                     f"-DRACEWAY_REPORT={'ON' if report else 'OFF'}",
@@ -39,11 +39,13 @@ class Engine(build_ext):
                 ],
                 check=True,
             )
-        subprocess.run(["cmake", "--build", tree, "--target", "engine"], check=True)
+        subprocess.run(["cmake", "--build", tree, "--target", "engine", "raceway"], check=True)
         (built,) = (tree / "python/raceway").glob("_engine.*.so")
         place = Path(self.get_ext_fullpath(ext.name))
         place.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(built, place)
+        # bin/ of the environment: the command finds the data in share/raceway beside it.
+        self.distribution.data_files.append(("bin", [str(tree / "raceway")]))
 
 
 def data_files() -> list[tuple[str, list[str]]]:

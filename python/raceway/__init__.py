@@ -1,7 +1,7 @@
-"""Friction, kinematics and heat of spindle bearings, and what is missing in a model of them.
+"""Friction, kinematics and heat of spindle bearings, and the effect that a model lacks.
 
-A model is a TOML file as the command ``raceway`` has it; units stand in the names of arguments and
-results. What this module says is what the command says: same numbers, same words.
+A model is a TOML file of the command ``raceway``. Units stand in the names of arguments and results.
+Its numbers and messages equal the output of the command.
 
 >>> import raceway
 >>> model = raceway.Model.new("S 6014 C")
@@ -29,12 +29,16 @@ from ._spindle import Deflection, Modes, SpindleRun, SteadyStates, StepResponses
 
 
 def __getattr__(name: str) -> _Any:
-    # matplotlib takes longer to load than all else, and not everybody draws or sweeps.
+    # matplotlib takes longer to load than all else; many scripts neither draw nor sweep.
     if name in ("plot", "sweep"):
         import importlib
 
         return importlib.import_module(f".{name}", __name__)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted([*__all__, "plot", "sweep"])
 
 
 __all__ = [

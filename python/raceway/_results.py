@@ -52,7 +52,7 @@ class Solution(Mapping[str, numpy.ndarray]):
 
     @property
     def data(self) -> dict[str, Any] | None:
-        """Of a single state the document of ``raceway solve --json``, made when it is asked for; else None."""
+        """Document of ``raceway solve --json`` for a single state, made on demand; else None."""
         if self._data is None and self._document is not None:
             self._data = json.loads(self._document())
         return self._data
@@ -83,12 +83,12 @@ class Solution(Mapping[str, numpy.ndarray]):
 
     @property
     def converged(self) -> numpy.ndarray:
-        """Whether all values of a state are numbers."""
+        """True if all values of a state are numbers."""
         return self._status == STATUS.index("converged")
 
     @property
     def status(self) -> numpy.ndarray:
-        """How the search for each balance ended, in words."""
+        """Status of the search for each balance, in words."""
         return numpy.array(STATUS)[self._status]
 
     def to_frame(self) -> pandas.DataFrame:
@@ -104,6 +104,22 @@ class Solution(Mapping[str, numpy.ndarray]):
         from ._html import html_of
 
         return html_of(self)
+
+    def __str__(self) -> str:
+        """Inputs and results with their values; of many states the first and the last."""
+
+        def shown(values: numpy.ndarray) -> str:
+            if values.size == 1:
+                return f"{values.item():.5g}"
+            ends = values.ravel() if values.size <= 6 else [*values.ravel()[:3], None, *values.ravel()[-2:]]
+            return "  ".join("..." if v is None else f"{v:.5g}" for v in ends)
+
+        given = {name: numpy.broadcast_to(values, self._status.shape) for name, values in self._given.items()}
+        rows = given | {name: self._values[place] for name, place in self._places.items()}
+        width = max(len(name) for name in rows)
+        failed = self._status.size - int(self.converged.sum())
+        head = f"{self._status.size} state{'' if self._status.size == 1 else 's'}, {failed or 'all'} {'not ' if failed else ''}converged"
+        return "\n".join([head, *(f"{name:<{width}}  {shown(values)}" for name, values in rows.items())])
 
     def __repr__(self) -> str:
         states = f"{self._status.size} state{'' if self._status.size == 1 else 's'}"
@@ -196,12 +212,12 @@ class _Answered(_Document):
 
     @property
     def notes(self) -> list[Note]:
-        """What a user should know of the data and the result."""
+        """Notes on the data and the result."""
         return self._answer.notes
 
     @property
     def warnings(self) -> list[Note]:
-        """What makes the result doubtful, and what was not found."""
+        """Reasons to doubt the result, and what was not found."""
         return self._answer.warnings
 
     def report(self, path: str | os.PathLike[str] | None = None, *, overwrite: bool = False) -> Page:
@@ -219,7 +235,7 @@ class _Answered(_Document):
 
 
 class _Answer(_Answered):
-    """What the loop found."""
+    """Result of the loop."""
 
     _answer: _engine.Answer
 
@@ -244,7 +260,7 @@ class Page:
 
 
 class Comparison(_Answer):
-    """How far models are from a record."""
+    """Errors of models against a record."""
 
     @property
     def rmse(self) -> float:
@@ -253,7 +269,7 @@ class Comparison(_Answer):
 
     @property
     def unit(self) -> str:
-        """Of errors."""
+        """Table of errors."""
         return _first(self.data)["unit"]
 
     def to_frame(self, measured: str | None = None) -> pandas.DataFrame:
@@ -281,7 +297,7 @@ class Comparison(_Answer):
 
 
 class Check(_Answer):
-    """What a record can tell of a model."""
+    """Check of a record against a model."""
 
     def _repr_html_(self) -> str:
         from ._html_correction import check_html
@@ -290,7 +306,7 @@ class Check(_Answer):
 
 
 class _Report(_Answer):
-    """What a fit found."""
+    """Result of a fit."""
 
     def fit_report(self) -> str:
         """Return the fit as text: parameters with errors and correlations, chi-square, AIC and BIC."""
@@ -367,7 +383,7 @@ class Calibration(_Fitted):
 
 
 class Diagnosis(_Report):
-    """Whether an effect is missing, which, or what to measure to find out."""
+    """Verdict on missing effects, or what to measure to find out."""
 
     @property
     def verdict(self) -> str:

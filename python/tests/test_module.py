@@ -26,6 +26,21 @@ def model():
     return raceway.Model.new("S 6014 C")
 
 
+def test_dir_lists_what_a_user_needs_and_nothing_else():
+    assert {"Record", "Model", "Correction", "plot", "sweep", "fit_law"} <= set(dir(raceway))
+    assert not [name for name in dir(raceway) if name.startswith("_") and name != "__version__"]
+
+
+def test_a_printed_solution_shows_its_values(model):
+    one = str(model.solve(8000, 300))
+    assert one.splitlines()[0] == "1 state, all converged"
+    torque = model.solve(8000, 300).friction_torque_Nmm
+    assert f"friction_torque_Nmm          {torque.item():.5g}" in one
+    many = model.solve(numpy.arange(0.0, 9000.0, 1000.0), 300)
+    assert "speed_rpm                    0  1000  2000  ...  7000  8000" in str(many)
+    assert max(len(line) for line in str(many).splitlines()) <= 90
+
+
 def test_inputs_are_read_where_they_stand():
     speeds = numpy.linspace(0.0, 12000.0, 11)[::2]
     loads = numpy.full((3, 1), 300.0)
