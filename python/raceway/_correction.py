@@ -20,7 +20,7 @@ FORMATS = ("python", "c", "csv", "linuxcnc")
 
 
 class Correction(LoopModel):
-    """What is believed of the displacement of a machine: lags of temperatures, power, speed and feeds.
+    """Model of the displacement of a machine: lags of temperatures, power, speed and feeds.
 
     One file may have several displacements, each with its model. A correction never changes; what a
     fit finds is another one. `read` and `from_text` make one.
@@ -77,7 +77,7 @@ class Correction(LoopModel):
 
     @property
     def notes(self) -> list[Note]:
-        """What else is to be known of it, and of the record that `new` made it for."""
+        """Notes on the correction, and on the record that `new` made it for."""
         return [*self._said, *self._engine.notes]
 
     @property
@@ -94,7 +94,7 @@ class Correction(LoopModel):
     def parameters(self) -> dict[str, dict[str, Any]]:
         """Numbers that a fit may change: value, unit, lower and upper bound.
 
-        Of several displacements their names stand before: ``"displacement_ch1_um.offset"``.
+        With several displacements their names stand in front: ``"displacement_ch1_um.offset"``.
         """
         several = len(self.displacements) > 1
         hidden = ("name", "displacement")
@@ -105,7 +105,7 @@ class Correction(LoopModel):
 
     @property
     def trust(self) -> dict[str, str]:
-        """How far each displacement may be trusted, by what is known of readings that no fit saw.
+        """Trust in each displacement, judged by readings that no fit saw.
 
         ``"good"``, ``"inside its range only: ..."``, ``"do not use, because ..."`` or, of a file
         that does not say it, ``"not known: ..."``.
@@ -188,7 +188,7 @@ class Correction(LoopModel):
         from_s: float | None = None,
         until_s: float | None = None,
     ) -> CorrectionRun:
-        """Run it over a record: predictions with their band, and what is left of what was read.
+        """Run it over a record: predictions with their band, and the residuals.
 
         Parameters
         ----------
@@ -219,8 +219,7 @@ class Correction(LoopModel):
     def join(self, *others: Correction) -> Correction:
         """Return the sum of this correction and `others`, all of one displacement.
 
-        Channels, laws and effects stand in it as they are written; offsets are added. What the files
-        fit stays free, but for delay elements and laws of step responses.
+        Channels, laws and effects stand in it as they are written; offsets are added. Parameters that the files fit stay free, but for delay elements and laws of step responses.
 
         Raises
         ------

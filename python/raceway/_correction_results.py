@@ -24,7 +24,7 @@ class Identification(_Answer):
 
     @property
     def correction(self) -> Correction:
-        """What was found.
+        """The identified correction.
 
         Raises
         ------
@@ -63,7 +63,7 @@ class Identification(_Answer):
 
 
 class CorrectionRun(_Answer):
-    """A correction over a record: what it predicts, and what is left of what was read."""
+    """A correction over a record: predictions and residuals."""
 
     def __init__(self, answer: _engine.Answer, learnt: Correction | None) -> None:
         super().__init__(answer)
@@ -130,7 +130,7 @@ class Program:
         self.hal_shutdown = hal_shutdown
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Write it; of LinuxCNC the files of HAL beside it, too."""
+        """Write the program; for LinuxCNC also the HAL files."""
         stem = os.path.splitext(os.fspath(path))[0]
         files = [(os.fspath(path), self.text)]
         if self.hal:

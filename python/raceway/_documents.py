@@ -160,7 +160,7 @@ def number(value: float | None, digits: int = 3) -> str:
 
 
 def name_of_file(path: str) -> str:
-    """Last part of a path, which is what fits beside a bar."""
+    """Last part of a path, short enough for the label of a bar."""
     return os.path.basename(path.replace("\\", "/")) or path
 
 
@@ -226,7 +226,7 @@ def _of_fit(part: dict[str, Any], noise: dict[str, Any] | None, after: str) -> L
 
 
 def ladders_of(result: object, caller: str = "ladder()") -> list[Ladder]:
-    """Of every model and measured channel of a Comparison, Calibration, Diagnosis or Addition."""
+    """Errors of every model and measured channel of a Comparison, Calibration, Diagnosis or Addition."""
     data = document_of(result, ("Comparison", "Calibration", "Diagnosis", "Addition"), caller)
     kind = kind_of(result)
     if kind == "Calibration" and "rmse" not in data:

@@ -50,7 +50,7 @@ def axes_for(ax: Axes | None, caller: str) -> tuple[Axes, bool]:
 
 
 def has_room(ax: Axes, own: bool) -> bool:
-    """Whether a layout makes room beside the axes: in a figure of ours, or one that asks for it."""
+    """True if a layout makes room next to the axes: in a figure of ours, or one that asks for it."""
     engine = getattr(ax.figure, "get_layout_engine", lambda: None)()
     return own or engine is not None
 
@@ -74,14 +74,14 @@ def place_legend(ax: Axes, own: bool, title: str | None = None, handles: Any = N
 
 
 def speed_axis(ax: Axes, own: bool) -> None:
-    """Label of the abscissa, and few enough numbers of five digits beside a legend."""
+    """Label of the abscissa, and few enough numbers of five digits next to a legend."""
     ax.set_xlabel(label_of("speed_rpm"))
     if own:
         ax.locator_params(axis="x", nbins=6)
 
 
 def frame_of(source: object, caller: str, wanted: str) -> pd.DataFrame:
-    """Rows of a result or of a record, or those of a DataFrame.
+    """Rows of a result, a record or a DataFrame.
 
     Raises
     ------

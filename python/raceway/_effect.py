@@ -32,11 +32,11 @@ class Number:
 
 
 class State:
-    """What a torque may depend on, one array per column of the record, row by row.
+    """Inputs of a torque: one array per column of the record, row by row.
 
     ``speed_rpm``, ``axial_load_N``, ``radial_load_N``, ``temperature_C``, ``time_s`` and whatever
     else was recorded beside, with its unit; of the bearing, single numbers: ``pitch_diameter_mm``,
-    ``ball_diameter_mm``, ``ball_count``, ``contact_angle_deg``. What was measured is not among them.
+    ``ball_diameter_mm``, ``ball_count``, ``contact_angle_deg``. Measured columns are not among them.
     """
 
     def __init__(self, columns: Mapping[str, Any]) -> None:
@@ -53,7 +53,7 @@ class State:
 
 
 class Effect:
-    """A friction torque of your own, to be tried and added like those of the catalogue.
+    """A friction torque of your own, to be tried and added like an effect of the catalogue.
 
     Parameters
     ----------
@@ -61,7 +61,7 @@ class Effect:
         Its name: no blanks, dots or commas.
     torque : callable
         ``torque(state, **numbers)`` gives the torque that it adds for every row [N mm], as an array or
-        one number. `State` has the columns. What it gives for a row must depend on that row alone,
+        one number. `State` has the columns. Its value for a row must depend on that row alone,
         and be 0 where the first number is 0. It may be called from several threads.
     numbers : mapping of str to Number, dict or float
         What a fit may find; the first is the size of the effect.

@@ -8,7 +8,7 @@ from ._note import Note
 
 
 class InputError(ValueError):
-    """Something that was entered is wrong; the message is that of the command, complete.
+    """An input is wrong; the message is the complete message of the command.
 
     Attributes
     ----------
@@ -30,7 +30,7 @@ class NotConverged(RuntimeError):
 
 
 class Doubt(UserWarning):
-    """What makes a result doubtful; the command says it behind ``warning:``.
+    """Reason to doubt a result; the command prints it behind ``warning:``.
 
     Attributes
     ----------

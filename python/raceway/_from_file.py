@@ -34,7 +34,7 @@ class FromFile:
 
     @classmethod
     def from_text(cls, text: str, name: str | None = None) -> Self:
-        """Take the text of a file; `name` stands in messages, and files that it names are beside it."""
+        """Take the text of a file; `name` stands in messages, and files that it names are in the same folder."""
         return cls(cls._called if name is None else name, text)
 
     @property
@@ -54,7 +54,7 @@ class FromFile:
 
     @property
     def notes(self) -> list[Note]:
-        """What else is to be known of it."""
+        """Notes on the file."""
         return self._engine.notes
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:

@@ -37,7 +37,7 @@ def heading(words: str) -> str:
 
 
 def table(head: list[str], rows: list[list[str]], left: int = 1, units: int | None = None) -> str:
-    """Rows of cells that are escaped already; the first `left` columns hold words, as does that of units."""
+    """Rows of cells that are escaped already; the first `left` columns hold words, as does the column of units."""
 
     def cells(tag: str, row: list[str]) -> str:
         return "".join(f"<{tag} {_LEFT if i < left or i == units else _RIGHT}>{cell}</{tag}>" for i, cell in enumerate(row))
@@ -222,7 +222,7 @@ def _comparison(result: Any) -> str:
 
 
 def _ends(p: dict[str, Any]) -> list[str]:
-    """Of the interval by profile likelihood, where there is one."""
+    """Cells of the interval by profile likelihood, where there is one."""
     if "profile" not in p:
         return []
     return [number(p["profile"][end], 5) + (" (open)" if p["profile"][f"open_{end}"] else "") for end in ("from", "to")]
@@ -265,7 +265,7 @@ def parameters_html(calibration: dict[str, Any]) -> str:
 
 
 def _conformity(data: dict[str, Any]) -> str:
-    """Of catalogue rigidities instead of readings: one number and the classes it is from."""
+    """Fit to catalogue rigidities instead of readings: one number and the classes it is from."""
     rows = [
         [text(c.get("class")), number(c.get("preload_N")), number(c.get("printed_N_um")), number(c.get("computed_N_um"))]
         for c in data.get("classes", [])

@@ -15,7 +15,7 @@ def _page(inner: str) -> str:
 
 
 def _axes(data: dict[str, Any]) -> list[dict[str, Any]]:
-    """Of each displacement."""
+    """Table of each displacement."""
     return data.get("axes", [data])
 
 
@@ -82,7 +82,7 @@ def identification_html(found: Any) -> str:
 
 
 def run_html(run: Any) -> str:
-    """What is left of each displacement, and of a run that learnt what that bought."""
+    """Residuals of each displacement, and what learning gained."""
     data, rows = run.data, []
     learnt = "between_readings" in data
     for axis in _axes(data):
@@ -108,11 +108,7 @@ def run_html(run: Any) -> str:
         if learnt
         else ["displacement", "predicted, µm", "readings", "RMS, µm", "largest, µm"]
     )
-    words = (
-        "RMS of the readings that nothing was learnt from"
-        if learnt
-        else "RMS and largest: what is left of the readings when one constant is taken off"
-    )
+    words = "RMS of the readings that nothing was learnt from" if learnt else "RMS and largest error of the readings when one constant is taken off"
     return _page(table(head, rows) + paragraph(words, _FAINT) + _of(data) + _said(data))
 
 

@@ -36,7 +36,7 @@ def _bearings(row: Row) -> list[str]:
 
 
 def _hottest_ring(row: Row) -> float | None:
-    """Of all rings [C]."""
+    """Temperatures of all rings [C]."""
     rings = [v for key, v in row.items() if key.endswith("_ring_temperature_C") and v is not None]
     return max(rings, default=None)
 
@@ -97,7 +97,7 @@ def _signed(value: float) -> str:
 
 
 def _rounded(value: float | None, size: float, digits: int = 3) -> str:
-    """Zero where rounding left a trace of it beside numbers of that size."""
+    """Zero if the value is rounding next to numbers of that size."""
     return number(0.0 if value is not None and abs(value) < 1e-9 * size else value, digits)
 
 

@@ -25,7 +25,7 @@ def asked(
     from_s: float | None = None,
     until_s: float | None = None,
 ) -> tuple[list[_engine.Data], dict[str, Any]]:
-    """What the engine takes of records and options."""
+    """Records and options as the engine takes them."""
     records = list(record) if isinstance(record, (list, tuple)) else [record]
     for one in records:
         if not isinstance(one, Record):
@@ -212,7 +212,7 @@ class LoopModel(FromFile):
     ) -> Addition:
         """Switch effects on, calibrated, and judge them on rows that the fit did not see.
 
-        The other parameters are those of `compare`.
+        The other parameters are as in `compare`.
 
         Returns
         -------
@@ -228,7 +228,7 @@ class LoopModel(FromFile):
         return Addition(answer, self._fitted(answer, "".join(f" + {name}" for name in ids)))
 
     def check(self, record: Record, *, channel: str | None = None) -> Check:
-        """Say what a record can tell of the model: levels, noise, what can be fitted, which effects."""
+        """Check what a record can show: levels, noise, fittable parameters, testable effects."""
         data, options = asked(record, channel=channel)
         if len(data) > 1:
             raise TypeError("check: one record is looked at at a time")

@@ -27,7 +27,7 @@ from ._spindle_questions import SpindleQuestions
 
 
 class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
-    """What is believed of a bearing on a rig, of the sets on a shaft or of a spindle.
+    """Model of a bearing on a rig, of the sets on a shaft or of a spindle.
 
     It never changes; what a fit finds is another model. `read`, `from_text` and `new` make one.
 
@@ -66,7 +66,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         Parameters
         ----------
         bearing : str
-            Of the catalogue, such as ``"S 6014 C"``. Of one whose size the designation says, as
+            Of the catalogue, such as ``"S 6014 C"``. For a bearing whose size the designation says, as
             ``"7014 C"``, or that the next four describe, the inner geometry is estimated; `notes` says so.
             ``"N1012 KTN/SP"`` is a cylindrical roller bearing, whose rollers are estimated.
         law : {"contact", "palmgren", "skf"}, optional
@@ -105,7 +105,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
 
     @property
     def name(self) -> str:
-        """Of the bearing."""
+        """Name of the bearing."""
         return self._engine.name
 
     @property
@@ -115,7 +115,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
 
     @property
     def notes(self) -> list[Note]:
-        """What else is to be known of the model."""
+        """Notes on the model."""
         return [*self._said, *self._engine.notes]
 
     @property
@@ -182,8 +182,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         ----------
         speed_rpm, axial_load_N, radial_load_N, temperature_C, moment_y_Nmm, moment_z_Nmm
             Numbers or arrays, which are used together by the rules of numpy (broadcasting). Arrays of
-            float64 are read where they stand, whatever their strides. What is left out is that of
-            the model. On a shaft `axial_load_N` is the external load, positive towards the tool.
+            float64 are read where they stand, whatever their strides. Arguments that are left out come from the model. On a shaft `axial_load_N` is the external load, positive towards the tool.
         columns : sequence of str
             Results that are wanted, of `Model.columns`; all where empty.
         band : bool
@@ -288,7 +287,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
     def predict(self, record: Records, *, band: bool = False) -> Any:
         """Return what the model says of every row of a record, as a pandas.DataFrame.
 
-        Columns are those of the record as they were understood, in the units of their names, and
+        Columns of the record as they were understood, in the units of their names, and
         ``predicted_...`` behind them; NaN where there is no prediction. With `band` half the width of
         its 95 % band, from the fitted parameters alone: ``predicted_friction_torque_band_Nmm``.
         """

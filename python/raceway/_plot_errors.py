@@ -23,8 +23,7 @@ def ladder(*results: Any, labels: Sequence[str] | None = None, ax: Axes | None =
     ----------
     *results : Comparison, Diagnosis, Addition or Calibration
         In the order in which they stand, top first. A Diagnosis has bars before and after what it
-        names, an Addition also those on rows held out. Of several measured channels the first
-        counts.
+        names, an Addition also those on rows held out. The first of several measured channels counts.
     labels : sequence of str, optional
         Of all bars but the noise; default the model's file, or before and after.
     ax : matplotlib.axes.Axes, optional

@@ -19,8 +19,7 @@ def record(source: Any, columns: Sequence[str] | None = None, *, ax: Axes | Sequ
     Parameters
     ----------
     source : record, CorrectionRun or DataFrame
-        Columns as in a CSV, with the unit at the end of the name. Of a run of a correction what was
-        measured and predicted, and below what that leaves (``residual_...``). ``time_s`` [s] is drawn in s,
+        Columns as in a CSV, with the unit at the end of the name. For a run of a correction: measured and predicted, and below the residual (``residual_...``). ``time_s`` [s] is drawn in s,
         beyond 10 min in min, beyond 3 h in h. Runs (``run_id``) are not joined by a line.
     columns : sequence of str, optional
         What to draw; default every column of numbers but standard deviations.

@@ -99,7 +99,7 @@ def spindle_run(run: Any, *, ax: Sequence[Axes] | None = None) -> list[Axes]:
 
 
 def _name(ax: Axes, at: float, force_N: float) -> None:
-    """Says beside the mark of the highest force what it is, within the axes."""
+    """Labels the mark of the highest force, within the axes."""
     ax.margins(y=0.25)  # room above it
     low, high = ax.get_xlim()
     share = (at - low) / (high - low)

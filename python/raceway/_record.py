@@ -21,9 +21,8 @@ if TYPE_CHECKING:
 class Record:
     """Measurements: settings and readings, row by row, as a CSV file or a DataFrame has them.
 
-    What a column means is found by its name and unit (``speed_rpm``, ``friction_torque_Nm``), or said by
-    ``columns``, which `Model.suggest_columns` proposes for such as ``Drehzahl [1/min]``. A record is read
-    when a model is held against it, because the model says what is measured and what the record may leave
+    The name and unit of a column tell its meaning (``speed_rpm``, ``friction_torque_Nm``), or said by
+    ``columns``, which `Model.suggest_columns` proposes for such as ``Drehzahl [1/min]``. A record is read when a model is compared with it, because the model says what is measured and what the record may leave
     out.
 
     Parameters
@@ -79,8 +78,8 @@ class Record:
     def beside(self, *others: Record) -> Record:
         """Return the record over time with more of it: files of the same machine and time with clocks of their own.
 
-        What a control sets holds, temperatures go in a straight line from one reading to the next; `notes`
-        of an answer say so. The map of columns of this record is that of all.
+        Settings of a control hold, temperatures go in a straight line from one reading to the next; `notes`
+        of an answer say so. All use the map of columns of this record.
 
         Examples
         --------
@@ -102,7 +101,7 @@ class Record:
         Raises
         ------
         InputError
-            For a file that cannot be read. What stands in it is looked at with a model.
+            For a file that cannot be read. Its contents are checked with a model.
         """
         return cls(os.fspath(path), _engine.read_text(os.fspath(path)), columns=columns, drop_nan=drop_nan)
 
@@ -236,7 +235,7 @@ def _texts(values: Sequence[Any]) -> list[str]:
 
 
 def _refuse_decimal_commas(frame: pandas.DataFrame, name: str) -> None:
-    """Numbers that pandas has read as text, since it was not told of the comma."""
+    """Numbers that pandas has read as text because of the decimal comma."""
     from pandas.api.types import is_string_dtype
 
     for column in frame.columns:

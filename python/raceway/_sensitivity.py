@@ -150,12 +150,12 @@ class SensitivityQuestion:
         time_limit_s: float | None = None,
         progress: Callable[[float, str], None] | None = None,
     ) -> Sensitivity:
-        """Say which datum of the model matters most for what it predicts (docs/sensitivity.md).
+        """Rank the data of the model by their influence on its prediction (docs/sensitivity.md).
 
         Parameters
         ----------
         speed_rpm, axial_load_N, radial_load_N, temperature_C : float or sequence of float
-            States: all combinations. What is not given is that of the model.
+            States: all combinations. Arguments that are left out come from the model.
         of : str or iterable of str
             ``"torque"``, ``"heat"``, ``"displacement"``, ``"contact-angle"``, ``"stiffness"``,
             ``"pressure"``, ``"life"``, of shafts and spindles ``"preload"``, ``"temperature"``, or names

@@ -14,7 +14,7 @@ def one_record(record: Any) -> Record:
     if not isinstance(record, Record):
         raise TypeError(
             f"a raceway.Record is wanted, not {type(record).__name__}: "
-            "Record.read(path) or Record.from_pandas(frame); a correction is held against one record"
+            "Record.read(path) or Record.from_pandas(frame); a correction is compared with one record"
         )
     return record
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class _OfSpindle(_Answered):
-    """What the engine found of a spindle."""
+    """Result of the engine for a spindle."""
 
     _answer: _engine.SpindleAnswer
 
@@ -25,7 +25,7 @@ class _OfSpindle(_Answered):
 
     @property
     def converged(self) -> bool:
-        """Whether all that was asked for was found."""
+        """True if the whole answer was found."""
         return self._answer.converged
 
     def to_frame(self) -> pandas.DataFrame:
@@ -63,14 +63,11 @@ class _WithField(_OfSpindle):
 
 
 class SteadyStates(_WithField):
-    """Where a spindle comes to rest, for one speed or several.
-
-    Of a speed without steady state the numbers are NaN.
-    """
+    """Steady state of a spindle, for one speed or several. For a speed without steady state the numbers are NaN."""
 
     @property
     def status(self) -> list[str]:
-        """How the search ended at each speed: ``"converged"``, ``"thermal_runaway"``, ..."""
+        """Status of the search at each speed: ``"converged"``, ``"thermal_runaway"``, ..."""
         return [row["report"]["status"] for row in self.data["steady"]]
 
     def __repr__(self) -> str:
@@ -101,7 +98,7 @@ class Modes(_OfSpindle):
 
     @property
     def status(self) -> list[str]:
-        """How the search ended at each speed."""
+        """Status of the search at each speed."""
         return [row["report"]["status"] for row in self.data["rows"]]
 
     def shapes(self) -> pandas.DataFrame:
@@ -125,7 +122,7 @@ class Deflection(_OfSpindle):
 
     @property
     def displacement_um(self) -> float | None:
-        """Where the force acts, in its direction."""
+        """Displacement at the force, in its direction."""
         return self.data["displacement_um"]
 
     @property
@@ -140,17 +137,17 @@ class Deflection(_OfSpindle):
 
 
 class StepResponses(_OfSpindle):
-    """What a spindle does from rest, at one speed each: gain K and time constant T over the power P."""
+    """Step responses of a spindle from rest: gain K and time constant T over the power P."""
 
     _answer: _engine.StepAnswer
 
     @property
     def status(self) -> list[str]:
-        """How each step ended."""
+        """Status of each step."""
         return [row["status"] for row in self.data["rows"]]
 
     def save_correction(self, path: str | os.PathLike[str], *, law: str = "curve", lags: str = "auto", overwrite: bool = False) -> list[Note]:
-        """Write the correction that these steps make, with its tables beside it.
+        """Write the correction of these steps, with its tables in the same folder.
 
         Parameters
         ----------

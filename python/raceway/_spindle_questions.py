@@ -17,7 +17,7 @@ _NAN = float("nan")
 
 
 class SpindleQuestions:
-    """Questions to a model with [shaft] and [housing] beside its [arrangement] (docs/spindle.md)."""
+    """Questions to a model with [shaft] and [housing] in addition to [arrangement] (docs/spindle.md)."""
 
     _engine: _engine.Model
 
@@ -33,7 +33,7 @@ class SpindleQuestions:
         belt_force_N: float | None = None,
         time_limit_s: float | None = None,
     ) -> SteadyStates:
-        """Find where a spindle comes to rest: temperatures, preload, displacement, heat at each speed.
+        """Find the steady state: temperatures, preload, displacement, heat at each speed.
 
         Parameters
         ----------
@@ -42,13 +42,13 @@ class SpindleQuestions:
         coolant : bool
             Whether it flows.
         ambient_temperature_C : float, optional
-            Of the room; default that of the model.
+            Of the room; default: the model.
         axial_load_N : float, optional
-            At the nose, positive towards the tool; default that of the model.
+            At the nose, positive towards the tool; default: the model.
         radial_load_N, moment_Nm : float
             At the nose; the moment is positive as the radial load further in front.
         belt_force_N : float, optional
-            Pull of the belt; default that of the model.
+            Pull of the belt; default: the model.
         time_limit_s : float, optional
             After which it gives up with TimeoutError.
 
@@ -279,7 +279,7 @@ class SpindleQuestions:
             ``axial_displacement_um``, ``power_W`` or ``speed_rpm``, and ``load_case`` where several
             have one size. The model may then be any shaft.
         temperature_C : float, optional
-            Of the lubricant, for the power of load cases with a speed alone; default that of the model.
+            Of the lubricant, for the power of load cases with a speed alone; default: the model.
         time_limit_s : float, optional
             After which it gives up with TimeoutError.
 

@@ -36,7 +36,7 @@ _LONGEST_HEADER = 65536
 
 @dataclasses.dataclass(frozen=True)
 class Outcome:
-    """What came of one item: its value, packed, or what it raised; and what made it doubtful."""
+    """Outcome of one item: its value, packed, or its exception; and its doubts."""
 
     value: bytes | None  #: a pickle, for the processes of one sweep alone; slabs on disk hold data
     error: tuple[str, str, str] | None  #: kind, message, traceback
@@ -236,7 +236,7 @@ def _storable(outcome: Outcome) -> Outcome:
 
 
 def write_slab(folder: str | os.PathLike[str], slab: Slab, made_from: str, names: Sequence[str], outcomes: Sequence[Outcome], items: int) -> None:
-    """All of the file at once or nothing: it is written beside its place and then moved there."""
+    """All of the file at once or nothing: it is written under another name and then renamed."""
     parts = [(None if o.value is None else pickle.loads(o.value), o.error, o.doubts) for o in outcomes]
     content = encode((list(names), parts))
     header = {
@@ -343,7 +343,7 @@ def refuse_other_cut(path: pathlib.Path, header: Mapping[str, Any], of: int) -> 
 
 
 def slabs_there(folder: str | os.PathLike[str], made_from: str, items: int) -> dict[int, SlabFile]:
-    """Slabs of this input by their numbers; those of another are refused, those cut off are made again."""
+    """Slabs of this input by their numbers; slabs of another input are refused, cut ones are made again."""
     there = {}
     for path in slab_files(folder):
         try:

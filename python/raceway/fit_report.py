@@ -26,7 +26,7 @@ def _unit(unit: str | None) -> str:
 
 
 def _error(value: float | None, unit: str | None) -> str:
-    """An error of readings, those of temperatures in K."""
+    """An error of readings; errors of temperatures are in K."""
     return f"{number(value, 4)} {'K' if unit == 'C' else _unit(unit)}".rstrip()
 
 
@@ -240,7 +240,7 @@ def _ranking(data: dict[str, Any]) -> list[str]:
 
 
 def _held_out(data: dict[str, Any]) -> list[str]:
-    """Of models of records over time, which have no likelihood: errors alone."""
+    """Errors of models of records over time, which have no likelihood."""
     lines = [
         "[[Explanations by their errors]]",
         f"    {'':<50}{'RMS':>12}{'held out':>12}",
@@ -323,7 +323,7 @@ def conf_interval(result: Any) -> pandas.DataFrame:
 
 
 def fit_report(result: Any) -> str:
-    """Report of a fit, as those of lmfit and statsmodels read.
+    """Report of a fit, in the form of lmfit and statsmodels.
 
     Parameters
     ----------

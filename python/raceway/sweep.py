@@ -54,7 +54,7 @@ SLABS_PER_WORKER = 8
 
 @dataclass(frozen=True)
 class Failure:
-    """What an item raised.
+    """Exception of an item.
 
     Attributes
     ----------
@@ -88,7 +88,7 @@ class ItemDoubt:
 
 
 class Sweep(Mapping[str, Any]):
-    """What came of every item, by its name and in the order of the items.
+    """Outcome of every item, by its name and in the order of the items.
 
     ``sweep[name]`` raises for an item that failed; `values` has None there.
 
@@ -189,8 +189,7 @@ def run(
         (``"tcp://10.0.0.1:8786"``); this process without. Each worker process works on one item at a time: one process per core is best.
     folder : path, optional
         Where every slab is kept as soon as it is done, as data: values are numbers, arrays, text, or
-        lists and dicts of them. The same sweep asked again begins with what is
-        there, also after KeyboardInterrupt or a power cut.
+        lists and dicts of them. A repeated sweep begins with the finished parts, also after KeyboardInterrupt or a power cut.
     slabs : int, optional
         Parts that go to a worker and to a file as a whole. Without: as many as `folder` has already, else
         32, for more than four workers 8 each, and no more than there are items.
@@ -448,7 +447,7 @@ def _number_of_slabs(slabs: int, items: int) -> int:
 
 
 def _said(found: Sweep) -> Sweep:
-    """What a sweep of many items says once for all of them."""
+    """Notes that a sweep of many items gives once for all of them."""
     lists: list[tuple[str, str, Sequence[Failure | ItemDoubt]]] = [("failed", "failures", found.failures), ("made warnings", "doubts", found.doubts)]
     for kind, where, which in lists:
         if which:

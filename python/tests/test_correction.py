@@ -350,7 +350,7 @@ def test_wrong_records_and_models():
         with pytest.raises(TypeError, match="Record is wanted"):
             ask([record])
     for ask in (correction.compare, correction.diagnose):
-        with pytest.raises(raceway.InputError, match="held against one record"):
+        with pytest.raises(raceway.InputError, match="compared with one record"):
             ask([record, record])
     with pytest.raises(TypeError, match="Correction is wanted, not Model"):
         correction.compare(record, bearing)
@@ -487,7 +487,7 @@ def test_a_model_saved_elsewhere_finds_its_files(moved, tmp_path):
 
 def test_options_that_mean_nothing_are_refused():
     correction, record = read(EXACT)
-    with pytest.raises(raceway.InputError, match="per_record: a correction is held against one record"):
+    with pytest.raises(raceway.InputError, match="per_record: a correction is compared with one record"):
         correction.calibrate(record, per_record=["front.gain_1"])
     with pytest.raises(raceway.InputError, match="channel displacement_y_um"):
         correction.compare(record, channel="displacement_y_um")
