@@ -25,7 +25,8 @@ enum class Side { front, rear };
 /// One bearing of a set.
 struct MountedBearing {
   std::shared_ptr<const Bearing> bearing;
-  /// Additional compression of this bearing beyond that of its set, from its ground faces [m].
+  /// Additional compression of this bearing beyond the compression of its set, from its ground
+  /// faces [m].
   double offset = 0.0;
   [[nodiscard]] bool operator==(const MountedBearing&) const = default;
 };

@@ -243,7 +243,7 @@ class Planner {
           c.name, form.lags.size(), form.lags.size() == 1 ? "" : "s", c.printed->sampling));
     } catch (const std::invalid_argument& e) {
       throw text::InputError(
-          fmt::format("{}: channel {}: its polynomials cannot run beside sections: {}",
+          fmt::format("{}: channel {}: its polynomials cannot run together with sections: {}",
                       plan_.source, c.name, e.what()),
           {.file = plan_.source, .key = "denominator"});
     }

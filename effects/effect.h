@@ -33,7 +33,7 @@ inline constexpr std::array all_the_forms{Form::rig, Form::shaft, Form::spindle}
 /// A number of an effect, in the unit of the files; the effect converts.
 using Parameter = record::NumberCard;
 
-/// What a model and its data must offer before an effect can be tested or fitted.
+/// Data that a model and its record must offer before an effect can be tested or fitted.
 enum class Need {
   speed_levels,        ///< more than one speed
   load_levels,         ///< more than one load
@@ -47,19 +47,19 @@ enum class Need {
   ball_load_law,       ///< another effect that uses ball loads: base laws see the entered load only
   palmgren_law,        ///< the SKF law contains this already
   opposed_sets,        ///< bearings at both ends of the shaft
-  torque_standard,     ///< something beside the torque itself that fixes its scale
+  torque_standard,     ///< something other than the torque that fixes its scale
   cold_friction        ///< a spindle whose friction goes by the forces of its cold sets
 };
 
-/// What the data lack: "time_s of every row".
+/// Missing data in words: "time_s of every row".
 [[nodiscard]] std::string_view text(Need need);
-/// The same of a channel that must have a number in every row: "preload_N of every row".
+/// As above, for a channel that must have a number in every row: "preload_N of every row".
 [[nodiscard]] std::string text(const record::Channel& channel);
 
 /// Any of these supplies: "an oil jet or an oil bath".
 [[nodiscard]] std::string text(std::span<const friction::Supply> supplies);
 
-/// What was recorded with a row beside its operating point; NaN where it was not.
+/// Values recorded with a row in addition to its operating point; NaN if not recorded.
 struct Record {
   double time = unset;                    ///< by the clock of the file [s]
   double inner_ring_temperature = unset;  ///< [K]
@@ -67,7 +67,7 @@ struct Record {
   int run = -1;
   double since_start = unset;  ///< time since the day or the passage through the loads began [s]
   double direction = unset;    ///< 1 where the speed was reached from below, -1 from above
-  const record::Record* rows = nullptr;  ///< all that was recorded; null where nobody has it
+  const record::Record* rows = nullptr;  ///< all that was recorded; null if it is not known
   std::size_t row = 0;                   ///< which of them this is
 
   /// [SI]: time and ring temperatures as above, all else of `rows`; NaN where it was not recorded.
@@ -82,22 +82,22 @@ struct BaseLaw {
       const friction::BearingState<double>& state) const {
     return friction::base_moments<double>(law, state, values);
   }
-  /// What warms the film [N m]: of the contacts all that they lose, of a formula for the bearing as
-  /// a whole its viscous moment.
+  /// Torque that warms the film [N m]: of the contacts all that they lose, of a formula for the
+  /// bearing as a whole its viscous moment.
   [[nodiscard]] double film_moment(const friction::BearingState<double>& state) const {
     const friction::BaseMoments<double> base = moments(state);
     return law == friction::FrictionLaw::contact ? base.load + base.viscous : base.viscous;
   }
 };
 
-/// What was entered or read, as it is corrected before anything acts on it [SI].
+/// Entered or measured values, corrected before anything acts on it [SI].
 struct Entry {
   double viscosity_40C, viscosity_100C;  ///< of the oil
   double temperature;                    ///< of the row
   double room;  ///< at which a sensor reads what there is: that of the rig, or the coldest row
 };
 
-/// What an effect on the condition of the bearing may look at.
+/// Inputs of an effect on the condition of the bearing.
 struct ConditionInputs {
   const bearing::Bearing& bearing;       ///< as entered
   const bearing::OperatingPoint& point;  ///< as entered
@@ -105,7 +105,7 @@ struct ConditionInputs {
   double power;  ///< of the base law at the entered load [W]; see Requirements::uses_power
 };
 
-/// What the bearing really sees, as a change of what was entered. Changes of several effects add.
+/// True condition of the bearing, as a change of the entered one. Changes of several effects add.
 struct Condition {
   double extra_axial_load = 0.0;  ///< in the direction of the entered one [N]
   double radial_growth = 0.0;     ///< of the inner raceway against the outer one [m]
@@ -120,7 +120,7 @@ struct Condition {
   [[nodiscard]] bool changes_bearing() const { return radial_growth != 0.0 || other_balls != 0.0; }
 };
 
-/// What an effect on the lubricant may look at.
+/// Inputs of an effect on the lubricant.
 struct LubricantInputs {
   const friction::Lubricant& lubricant;
   const friction::BearingState<double>& state;  ///< at the viscosity of the row's temperature
@@ -131,17 +131,17 @@ struct LubricantInputs {
 struct Film {
   double kinematic_viscosity = unset;  ///< [m²/s]
   double temperature = unset;          ///< [K]
-  double viscous_share = 1.0;          ///< what is left of the viscous moment [1]
+  double viscous_share = 1.0;          ///< remaining share of the viscous moment [1]
 };
 
-/// What an added moment may look at.
+/// Inputs of an added moment.
 struct MomentInputs {
   const friction::BearingState<double>& state;  ///< loads as they are, viscosity of the film
   friction::BaseMoments<double> base;           ///< of the base law there [N m]
   const Record& record;
 };
 
-/// What an effect on the reading of a measured channel may look at.
+/// Inputs of an effect on the reading of a measured channel.
 struct ReadingInputs {
   double value;                          ///< of that channel, as predicted [SI]
   const bearing::OperatingPoint& point;  ///< of a shaft: axial load is the external one
@@ -175,18 +175,18 @@ struct Requirements {
   std::span<const friction::Supply> supplies = {};
   bool needs_equilibrium = false;  ///< looks at ball loads or contact angles
   bool uses_power = false;         ///< looks at ConditionInputs::power
-  /// Where the contact law has this itself: what stands for it there, in words. Empty where it may
+  /// Replacement in the contact law, if the law contains the effect, in words. Empty where it may
   /// be added to that law too.
   std::string_view within_contacts = {};
-  /// What it takes in of the bearing beside these, as friction::bearing_data() names it.
+  /// Further bearing data that it uses, as friction::bearing_data() names it.
   std::span<const std::string_view> bearing_data = {};
   bool for_rig = true;      ///< may stand in a model of a bearing on a rig
   bool for_shaft = true;    ///< may stand in a model of a shaft
   bool for_spindle = true;  ///< may stand in a model of a spindle
 
-  /// Whether it can be at work with that supply, or with one that the model does not name.
+  /// True if it can be at work with that supply, or with one that the model does not name.
   [[nodiscard]] bool works_with(std::optional<friction::Supply> supply) const;
-  /// Whether it has that form, and may stand in a model of it.
+  /// True if it has that form, and may stand in a model of it.
   [[nodiscard]] constexpr bool belongs_to(Form form) const {
     return form == Form::rig ? for_rig : form == Form::shaft ? for_shaft : for_spindle;
   }
@@ -237,7 +237,7 @@ struct Actions {
   void (*spindle)(std::span<const double> values, SpindleCondition&) = nullptr;
 
   [[nodiscard]] bool has_moment() const { return moment || unit_moment || user_made; }
-  /// Whether it acts at the reading of that channel.
+  /// True if it acts at the reading of that channel.
   [[nodiscard]] constexpr bool reads(const record::Channel& measured) const {
     return reading && *channel == measured;
   }
@@ -255,7 +255,7 @@ struct Actions {
 struct Description : Card, Requirements, Nature, Actions {
   std::span<const Parameter> parameters = {};
 
-  /// Whether it changes what is measured there. Friction of the bearings on a shaft is predicted,
+  /// True if it changes what is measured there. Friction of the bearings on a shaft is predicted,
   /// with all its effects, but moves nothing; in a spindle its heat moves all.
   [[nodiscard]] bool moves(Form form) const {
     return belongs_to(form) && (form != Form::shaft || reads(record::axial_displacement) ||
@@ -273,12 +273,12 @@ struct Effect {
   [[nodiscard]] double moment(const MomentInputs& inputs) const;
 };
 
-/// What these effects change of a spindle, those that do together; the others change nothing here.
+/// Changes of these effects in a spindle, those that do together; the others change nothing here.
 [[nodiscard]] SpindleCondition spindle_condition(std::span<const Effect> effects);
 
 /// Initial values of all parameters.
 [[nodiscard]] std::vector<double> initial_values(const Description& description);
-/// The same with every parameter that has one at its neutral value.
+/// As above, with every parameter that has one at its neutral value.
 [[nodiscard]] std::vector<double> neutral_values(const Description& description);
 
 }  // namespace raceway::effects

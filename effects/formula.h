@@ -67,7 +67,7 @@ struct UserMadeEffect {
   std::vector<Number> parameters;
 };
 
-/// Makes an effect like those of the catalogue. Throws FormulaError.
+/// Makes an effect like an effect of the catalogue. Throws FormulaError.
 [[nodiscard]] Effect make_effect(const UserMadeEffect& given);
 /// Makes an effect from a moment that is not a formula; `torque_Nmm` describes it in words. The
 /// effect is off where the first parameter that may be zero is zero.

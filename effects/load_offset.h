@@ -8,7 +8,7 @@
 
 namespace raceway::effects {
 
-/// Axial load beside the entered one [N].
+/// Axial load in addition to the entered one [N].
 ///
 ///   F_a -> F_a + c
 ///

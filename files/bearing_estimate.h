@@ -10,7 +10,7 @@
 
 namespace raceway::files {
 
-/// What a user knows of a bearing whose inner geometry nobody prints.
+/// Known data of a bearing whose inner geometry is not published.
 struct BearingOutline {
   std::string designation{};
   double bore = unset;            ///< [m]

@@ -21,7 +21,7 @@ constexpr Key keys_of_bearing[]{
      "designation of a bearing, estimated where it is in no catalogue; every other key of this "
      "table may then be left "
      "out, and overrides its row where it is given"},
-    {"name", a_text, "that of the catalogue, else of the file", "for results"},
+    {"name", a_text, "catalogue, else the file", "for results"},
     {"ball_count", whole(3, 200), "of the catalogue", "no more than fit on the pitch circle"},
     {"ball_diameter_mm", between(0.1, 300, "mm"), "of the catalogue", "diameter of a ball"},
     {"pitch_diameter_mm", between(1, 5000, "mm"), "of the catalogue",

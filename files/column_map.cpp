@@ -38,7 +38,7 @@ constexpr Key rule_keys[]{
     {"column", a_text, is_required,
      "COLUMN is one of this program, this the header that it has in the file; a text alone is "
      "short for it, a number holds for all rows"},
-    {"unit", a_text, "that of the header", "of theirs; \"excel\" for days as Excel has dates"},
+    {"unit", a_text, "from the header", "of theirs; \"excel\" for days as Excel has dates"},
     {"factor", between(-1e9, 1e9), 1.0, "by which theirs is multiplied first; not 0"},
 };
 

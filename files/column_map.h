@@ -15,9 +15,9 @@
 
 namespace raceway::files {
 
-/// How the number of a cell becomes SI.
+/// Conversion of a cell to SI.
 struct CellUnit {
-  const text::Unit* unit = nullptr;  ///< null: that of the channel
+  const text::Unit* unit = nullptr;  ///< null: the channel's own
   double factor = 1.0;               ///< of the user's own, before all else: -1 turns a sign
 
   [[nodiscard]] double to_SI(const record::Channel& channel, double cell) const {
@@ -32,7 +32,7 @@ struct CellUnit {
 struct NamedChannel {
   const record::Channel* channel;
   const text::Unit* unit =
-      nullptr;  ///< null where it is that of the channel, or the channel has none
+      nullptr;  ///< null where it is the channel's own, or the channel has none
 };
 
 /// The unit of a channel in the table of units; null for one without (a run, a count).
@@ -43,18 +43,18 @@ struct NamedChannel {
 [[nodiscard]] std::optional<NamedChannel> named_channel(
     std::string_view name, std::span<const record::Channel* const> channels);
 
-/// The same of a quantity of records over time: "front_bearing_temperature_K", "displacement_z
+/// As above, for a quantity of records over time: "front_bearing_temperature_K", "displacement_z
 /// [mm]".
 [[nodiscard]] std::optional<NamedChannel> named_series_channel(std::string_view name);
 
-/// The same of a record of a spindle, whose temperatures are measured but for those around it.
+/// As above, for a record of a spindle, whose temperatures are measured but for those around it.
 [[nodiscard]] std::optional<NamedChannel> named_spindle_channel(std::string_view name);
 
-/// One line of [columns]: what one of our columns is in somebody else's file.
+/// One line of [columns]: the source of one of our columns.
 struct ColumnRule {
   std::string key;                   ///< as it stands there: "friction_torque_Nmm"
   const record::Channel* channel;    ///< that it names
-  const text::Unit* key_unit;        ///< that the key ends in, null where it is that of the channel
+  const text::Unit* key_unit;        ///< that the key ends in, null where it is the channel's own
   std::string header{};              ///< of their column; empty for a constant
   std::optional<double> constant{};  ///< for all rows, in the unit of the key
   const text::Unit* unit = nullptr;  ///< of their column, where the rule says it
@@ -74,13 +74,13 @@ struct ColumnMap {
   [[nodiscard]] const ColumnRule* find(std::string_view header) const;
 };
 
-/// How a file of measurements is read.
+/// Options for reading a file of measurements.
 struct ReadOptions {
   ColumnMap columns{};
   /// By which a column torque_signal_V becomes friction torque.
   std::optional<rig::TorqueSensor> sensor{};
   bool drop_nan = false;    ///< rows with a cell that has no number are left out and told
-  bool over_time = false;   ///< columns are those of records over time
+  bool over_time = false;   ///< columns of records over time
   bool of_spindle = false;  ///< and, among these, those of a spindle's
   bool of_several = false;  ///< columns of the map may stand in another file of the same record
 };

@@ -30,7 +30,7 @@ constexpr double most = 1e9;  // of any number of a file
 
 constexpr Key correction_keys[]{
     {"displacement", a_text, is_required, "the column that is modelled, displacement_NAME_um"},
-    {"name", a_text, "that of the column", "for results"},
+    {"name", a_text, "as the column", "for results"},
     {"tolerance_um", between(0, 1e6, "um"), unset,
      "RMS error on parts held out with which the user is content, above 0; diagnose needs it, "
      "here, "
@@ -53,18 +53,19 @@ constexpr Key correction_keys[]{
 };
 
 constexpr Key correction_channel_keys[]{
-    {"name", a_text, "that of the input", "for results"},
+    {"name", a_text, "as the input", "for results"},
     {"input", a_text, is_required,
      "a column, a list of which the mean drives, or \"power_W\": torque of a friction table times "
      "the speed"},
     {"exponent", between(0.5, 3.0), 1.0,
      "of an input that is a speed, which counts as n (n/1000 rpm)^(exponent - 1)"},
-    {"reference", a_text, unset, "a temperature whose rise is taken off that of the input"},
+    {"reference", a_text, unset,
+     "a temperature whose rise is subtracted from the rise of the input"},
     {"sections", a_list, unset, "lags, with gain and time constant"},
     {"scale", between(-1e6, 1e6), 1.0, "of all of the channel: the gain of a sister spindle"},
     {"friction_table", a_text, unset,
      "of \"power_W\": a CSV with speed_rpm, axial_load_N, temperature_C, friction_torque_Nmm, "
-     "beside the model"},
+     "in the folder of the model"},
     {"axial_load_N", between(-1e8, 1e8, "N"), 0.0,
      "of \"power_W\": the load at which the table is read"},
     {"temperature_C", between(-273, 500, "C"), unset,
@@ -93,14 +94,15 @@ constexpr Key element_gain_keys[]{
     {"offset_um", between(-most, most, "um"), unset, "of that line without power"},
     {"factor", between(-most, most, "um"), unset, "of factor P^exponent, P in W"},
     {"exponent", between(-10, 10), unset, "of factor P^exponent"},
-    {"table", a_text, unset, "a CSV with power_W and gain_um, beside the model"},
+    {"table", a_text, unset, "a CSV with power_W and gain_um, in the folder of the model"},
 };
 constexpr Key element_time_keys[]{
     {"slope_min_W", between(-most, most, "min/W"), unset, "of a straight line over the power"},
     {"offset_min", between(-most, most, "min"), unset, "of that line without power"},
     {"factor", between(-most, most, "min"), unset, "of factor P^exponent, P in W"},
     {"exponent", between(-10, 10), unset, "of factor P^exponent"},
-    {"table", a_text, unset, "a CSV with power_W and time_constant_min, beside the model"},
+    {"table", a_text, unset,
+     "a CSV with power_W and time_constant_min, in the folder of the model"},
 };
 
 constexpr Key kinematic_keys[]{
@@ -111,7 +113,7 @@ constexpr Key kinematic_keys[]{
 
 constexpr Key correction_effect_keys[]{
     {"id", a_text, is_required,
-     "an effect on records over time (raceway effects), whose numbers stand beside it, or a new "
+     "an effect on records over time (raceway effects), whose numbers follow it, or a new "
      "one with a formula"},
     {"input", a_text, unset, "column, or list of columns, that drives it"},
     {"channel", a_text, unset, "name of the channel that it changes"},

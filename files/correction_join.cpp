@@ -88,8 +88,8 @@ void narrow(std::vector<correction::SeenRange>& ranges, const correction::SeenRa
   known->upper = std::min(known->upper, other.upper);
   if (known->lower > known->upper)
     refuse(file,
-           fmt::format("{}: its range has nothing in common with that of a file before it: "
-                       "nowhere do both hold",
+           fmt::format("{}: its range has nothing in common with the range of an earlier file: "
+                       "no operating point is inside both",
                        other.name),
            other.name);
 }

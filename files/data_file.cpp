@@ -312,8 +312,7 @@ class Reader {
       Record result = of(assumed);
       result.notes.push_back(record::note::assumed(
           fmt::format(
-              "inertia_kgm2 = \"unknown\": {:.4g} kg m2 taken, with which the mean torque is that "
-              "of "
+              "inertia_kgm2 = \"unknown\": {:.4g} kg m2 taken, which gives the mean torque of "
               "the model as it stands; torques, f0, z and all sizes in N mm are known up to this "
               "factor, and what the record tells is the shape",
               assumed.inertia),

@@ -13,7 +13,7 @@ namespace {
 
 constexpr Key effect_id_keys[]{
     {"id", a_text, is_required,
-     "an effect of the catalogue (raceway effects), whose numbers stand beside it, or a new one "
+     "an effect of the catalogue (raceway effects), whose numbers follow it, or a new one "
      "with a formula"}};
 constexpr Key own_effect_keys[]{
     {"torque_Nmm", a_text, unset,

@@ -20,7 +20,7 @@ const std::string words_of_supply =
                               friction::Supply::jet, friction::Supply::bath});
 const Key lubricant_keys[]{
     {"viscosity_40C_mm2_s", between(1, 1e5, "mm2/s"), is_required,
-     "kinematic viscosity of the oil, of a grease that of its base oil; between and beyond by ASTM "
+     "kinematic viscosity of the oil, for a grease of its base oil; other temperatures by ASTM "
      "D341"},
     {"viscosity_100C_mm2_s", between(0.5, 1e5, "mm2/s"), is_required,
      "kinematic viscosity, below that at 40 C"},

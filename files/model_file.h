@@ -24,15 +24,15 @@ struct ModelFile {
   std::string text;    ///< of the file, to be edited with with_values() or with_model()
   /// Full name of the row that [bearing] catalogue picked; empty where it picks none.
   std::string catalogue = {};
-  /// What the user says of bearings and solver beside defaults and catalogue: keys of [bearing], of
+  /// Entries on bearings and solver other than defaults and catalogue: keys of [bearing], of
   /// the bearings of an [arrangement] and of [solver].
   std::vector<std::string> written = {};
   /// Every default that was used.
   std::vector<UsedDefault> defaults;
-  /// What else the user should know, one line each, without the file's name.
+  /// Further notes, one line each, without the file's name.
   std::vector<record::Note> notes = {};
   ColumnMap columns = {};  ///< how its measurements are written
-  /// Of the sensor that measures its torque, where it says.
+  /// Sensor that measures its torque, if the file names one.
   std::optional<rig::TorqueSensor> sensor = {};
   std::vector<NamedFile> files = {};  ///< that it names, as they were when it was read
 };
@@ -44,8 +44,8 @@ struct ModelFile {
 /// that are none.
 [[nodiscard]] ModelFile read_model(const std::string& path);
 
-/// The same from text; `source` stands in messages, and names of files are relative to it. Files of
-/// `held` are not read again.
+/// As above, from text; `source` stands in messages, and names of files are relative to it. Files
+/// of `held` are not read again.
 [[nodiscard]] ModelFile parse_model(std::string text, const std::string& source,
                                     std::vector<NamedFile> held = {});
 
@@ -82,7 +82,7 @@ struct KeyValue {
 [[nodiscard]] std::string new_model_text(
     const CatalogueBearing& row, friction::FrictionLaw law = friction::FrictionLaw::palmgren);
 
-/// What a new model says of its keys.
+/// Comments of a new model on its keys.
 struct ModelRemarks {
   std::string title{};  ///< of a rig; empty: that every default is written out
   std::string ball_material = "steel";
@@ -90,7 +90,7 @@ struct ModelRemarks {
   friction::FrictionLaw law = friction::FrictionLaw::palmgren;
   bool of_spindle = false;  ///< in place of the rig a spindle with three of it
 };
-/// The same of a bearing that may be in no catalogue (then it has no maker).
+/// As above, for a bearing that may be in no catalogue (then it has no maker).
 [[nodiscard]] std::string model_text(const CatalogueBearing& row, const ModelRemarks& remarks);
 
 }  // namespace raceway::files

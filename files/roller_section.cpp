@@ -30,7 +30,7 @@ constexpr Key type_keys[]{
 
 // Wherever the libraries check as well, these are their ranges.
 constexpr Key keys_of_rollers[]{
-    {"name", a_text, "that of the file", "for results"},
+    {"name", a_text, "as the file", "for results"},
     {"roller_count", whole(4, 200), is_required, "no more than fit on 98 % of the pitch circle"},
     {"roller_diameter_mm", between(0.5, 300, "mm"), is_required, "diameter of a roller"},
     {"roller_length_mm", between(0.5, 3000, "mm"), is_required,
@@ -43,7 +43,7 @@ constexpr Key keys_of_rollers[]{
      "of the outer ring, above its raceway, at most twice that; needed by the law skf"},
     {"width_mm", between(0.5, 5000, "mm"), unset, "width of the rings, at least the roller length"},
     {"radial_clearance_um", between(-100, 1000, "um"), 0.0,
-     "diametral; below zero a preload. On a rig that of operation"},
+     "diametral; negative for a preload. On a rig the clearance in operation"},
     {"radial_clearance_of", one_of("mounted|free"), "mounted",
      "state in which the clearance is given: on its seats, cold and at standstill, or before "
      "mounting; a rig has no seats and takes it as it is"},
@@ -72,7 +72,7 @@ constexpr Key keys_on_shaft[]{
     {"outer_clearance_um", between(-500, 500, "um"), "that of [seat]",
      "diametral, of its outer ring in the housing"},
     {"lubricant_conductance_W_K", between(0, 1000, "W/K"), "that of [bearing]",
-     "heat from ring to ring by oil film, oil and rolling, beside the contacts"},
+     "heat from ring to ring by oil film, oil and rolling, in addition to the contacts"},
 };
 
 bool has(std::span<const Key> keys, std::string_view name) {
@@ -157,7 +157,7 @@ std::string name_on_shaft(const Section& s, const std::vector<model::RollerOnSha
   if (!names_a_column(name))
     fail("must be letters, digits and _, since it gives the column NAME_clearance_um");
   for (const char* set : {"front_", "rear_"})
-    if (name.starts_with(set)) fail("is that of a bearing of the sets; take another name");
+    if (name.starts_with(set)) fail("names a bearing of the sets; take another name");
   for (const model::RollerOnShaft& other : before)
     if (other.name == name) fail("another roller bearing has this name");
   return name;

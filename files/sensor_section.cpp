@@ -43,10 +43,9 @@ Eigen::VectorXd read_coefficients(const Section& s) {
   const toml::node& node = required_node(s, "coefficients");
   const std::size_t count = node.is_array() ? node.as_array()->size() : 0;
   if (count < 2 || count > std::size_t{rig::highest_sensor_degree + 1})
-    s.fail(
-        "coefficients",
-        fmt::format("coefficients = {}: must be a list of 2 to {} numbers: those of 1, M, M2 ...",
-                    text::shown(node), rig::highest_sensor_degree + 1));
+    s.fail("coefficients", fmt::format("coefficients = {}: must be a list of 2 to {} numbers: the "
+                                       "coefficients of 1, M, M2 ...",
+                                       text::shown(node), rig::highest_sensor_degree + 1));
   const std::vector<double> list = numbers(s, "coefficients", node, count);
   const toml::node& units = required_node(s, "units");
   if (!units.is_array() || units.as_array()->size() != count) fail_count(s, "units", units, count);

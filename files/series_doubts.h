@@ -22,7 +22,7 @@ namespace raceway::files {
 [[nodiscard]] std::vector<Doubt> series_doubts(const record::Record& data,
                                                const std::vector<correction::Model>& models);
 
-/// The same of a record of a spindle. Where it lasts for less than 4 hours, or more than 10 days,
+/// As above, for a record of a spindle. Where it lasts for less than 4 hours, or more than 10 days,
 /// its time looks like min, h or ms where the simulation explains the readings in that unit alone.
 [[nodiscard]] std::vector<Doubt> series_doubts(const record::Record& data,
                                                const model::ModelSubject& spindle);

@@ -17,7 +17,7 @@ struct Source {
   std::shared_ptr<const text::CsvTable> table;  ///< of measurements; null: as text or file have it
   /// Files that a model names, as they were when it was read; others are read where they stand.
   std::vector<NamedFile> files{};
-  /// Of a record over time: more of it, each with rows and a clock of its own.
+  /// Further parts of a record over time, each with rows and a clock of its own.
   std::vector<Source> beside{};
 
   Source(std::string path) : name(std::move(path)) {}  // NOLINT: a path is a source

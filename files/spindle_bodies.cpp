@@ -54,15 +54,16 @@ constexpr Key shaft_keys[]{
     {"segment", a_list, is_required, "the pieces of the shaft, from the nose to the rear"},
     {"disk", a_list, unset, "masses on the shaft, [[shaft.disk]]"},
     {"roller_bearing", a_list, unset,
-     "cylindrical roller bearings beside the sets, free along the axis, [[shaft.roller_bearing]]"},
+     "cylindrical roller bearings in addition to the sets, free along the axis, "
+     "[[shaft.roller_bearing]]"},
     {"support", a_list, unset,
      "springs for bearings of which only a stiffness is known, [[shaft.support]]"},
 };
 constexpr Key shaft_segment_keys[]{
     {"length_mm", a_length, is_required, "along the shaft"},
     {"diameter_mm", between(0.1, 5000, "mm"), is_required, "outer diameter"},
-    {"bore_mm", between(0, 5000, "mm"), "that of the shaft", "of this segment"},
-    {"material", a_text, "that of the shaft",
+    {"bore_mm", between(0, 5000, "mm"), "as the shaft", "of this segment"},
+    {"material", a_text, "as the shaft",
      "\"steel\", \"cast-iron\" or a [material.NAME] with conductivity and heat capacity"},
 };
 constexpr Key shaft_disk_keys[]{
@@ -96,7 +97,7 @@ constexpr Key housing_segment_keys[]{
     {"outer_diameter_mm", between(1, 10000, "mm"), unset, "outer diameter, required"},
     {"diameter_mm", between(1, 10000, "mm"), unset, "another name of outer_diameter_mm"},
     {"bore_mm", between(0, 5000, "mm"), "the outer diameter of the bearings", "of this segment"},
-    {"material", a_text, "that of the housing",
+    {"material", a_text, "as the housing",
      "\"steel\", \"cast-iron\" or a [material.NAME] with conductivity and heat capacity"},
 };
 

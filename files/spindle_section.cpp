@@ -14,9 +14,9 @@ namespace {
 
 const model::Spindle usual_spindle;
 constexpr Key own_spindle_keys[]{
-    {"name", a_text, "that of the bearing", "for results"},
+    {"name", a_text, "as the bearing", "for results"},
     {"preload_feedback", a_flag, "true",
-     "true: friction by the forces of the warm sets, false: by those of the cold ones at that "
+     "true: friction by the forces of the warm sets, false: of the cold sets at that "
      "speed"},
 };
 // In tables that other models have too.
@@ -24,11 +24,11 @@ const Key spindle_bearing_keys[]{
     {"width_mm", between(0.5, 1000, "mm"), "of the catalogue, else half of outer diameter - bore",
      "width of the rings"},
     {"inner_ring_shoulder_mm", between(1, 5000, "mm"), "pitch diameter - 0.7 ball diameters",
-     "diameter of the inner ring beside the groove"},
+     "shoulder diameter of the inner ring"},
     {"outer_ring_shoulder_mm", between(1, 10000, "mm"), "pitch diameter + 0.7 ball diameters",
-     "diameter of the outer ring beside the groove"},
+     "shoulder diameter of the outer ring"},
     {"lubricant_conductance_W_K", between(0, 1000, "W/K"), usual_spindle.lubricant_conductance,
-     "heat from ring to ring by oil film, oil and rolling balls, beside the contacts"},
+     "heat from ring to ring by oil film, oil and rolling balls, in addition to the contacts"},
 };
 constexpr Key spindle_friction_keys[]{{"inner_heat_share", between(0, 1),
                                        "by the sliding at each ring",

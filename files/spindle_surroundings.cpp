@@ -15,7 +15,7 @@ namespace {
 constexpr model::Ambient usual_air;
 constexpr Key ambient_keys[]{
     {"temperature_C", between(-100, 200, "C"), celsius(usual_air.temperature), "of the air"},
-    {"machine_temperature_C", between(-100, 200, "C"), "that of the ambient",
+    {"machine_temperature_C", between(-100, 200, "C"), "as the ambient",
      "of the machine behind the flange"},
     {"emissivity", between(0, 1), usual_air.emissivity, "of the surfaces, for radiation"},
     {"convection_factor", between(0, 20), usual_air.convection_factor,
@@ -27,7 +27,7 @@ constexpr Key ambient_keys[]{
 constexpr Key coolant_keys[]{
     {"fluid", one_of("water|oil"), "water", "what flows"},
     {"flow_l_min", between(0, 1e4, "l/min"), is_required, "volume in a minute"},
-    {"inlet_temperature_C", between(-50, 150, "C"), "that of the ambient", "where it enters"},
+    {"inlet_temperature_C", between(-50, 150, "C"), "as the ambient", "where it enters"},
     {"diameter_mm", between(1, 10000, "mm"), is_required, "of the helix of the channel"},
     {"channel_width_mm", between(0.1, 1000, "mm"), is_required, "along the spindle"},
     {"channel_depth_mm", between(0.1, 1000, "mm"), is_required, "radial"},
@@ -239,9 +239,9 @@ std::optional<model::Belt> read_belt(const ModelTables& tables) {
   const auto force = s.number("belt_force_N");
   if (!force) {
     if (s.find("belt_angle_deg"))
-      s.fail(
-          "belt_angle_deg",
-          "belt_angle_deg: is that of belt_force_N, which is missing; 0 leaves it to programmes");
+      s.fail("belt_angle_deg",
+             "belt_angle_deg: belongs to belt_force_N, which is missing; belt_force_N = 0 leaves "
+             "the force to programmes");
     return std::nullopt;
   }
   return model::Belt{.force = *force,

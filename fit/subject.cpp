@@ -72,7 +72,7 @@ std::vector<Parameter> find_parameters(const Subject& subject,
           return std::find(narrow.begin(), narrow.end(), p.name) != narrow.end();
         }))
       throw std::invalid_argument(
-          fmt::format("free parameter \"{0}\" is that of both: leave out {1}, or {0}", wide.name,
+          fmt::format("free parameter \"{0}\" belongs to both: leave out {1}, or {0}", wide.name,
                       fmt::join(narrow, " and ")));
   }
   return list;

@@ -75,7 +75,7 @@ void require_data(FrictionLaw law, const bearing::Bearing& bearing) {
           "static_load_rating is missing: the palmgren law needs it, above 0 N");
   } else if (law == FrictionLaw::skf && g.contact_angle <= 0.0) {
     throw std::invalid_argument(
-        "contact_angle = 0 deg: must be above 0 deg for the skf law, whose constants are those of "
+        "contact_angle = 0 deg: must be above 0 deg for the skf law, whose constants are for "
         "angular contact ball bearings");
   }
 }

@@ -46,7 +46,7 @@ std::string lacking_datum(const ModelBearing& bearing, FrictionLaw law) {
   if (law == FrictionLaw::palmgren && std::isnan(g.static_load_rating))
     return "static_load_rating_N under [bearing]";
   if (law == FrictionLaw::skf && !(g.contact_angle > 0.0))
-    return "a contact angle above 0: the constants of the skf law are those of angular contact "
+    return "a contact angle above 0: the constants of the skf law are for angular contact "
            "ball bearings";
   return {};
 }

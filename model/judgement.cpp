@@ -234,11 +234,12 @@ void Judge::add_speeds(Findings& findings) const {
   if (speed_factor_.points > 0)
     findings.push_back(finding_of(
         limits::speed_factor, speed_factor_, 1.0,
-        fmt::format("{}the speed factor n d_m of {:.3g} mm/min is above {:.3g} mm/min, that of the "
-                    "fastest bearings of the catalogue with {}: the friction law is far from "
-                    "where it was measured",
-                    before(speed_factor_), speed_factor_.value, speed_factor_.limit,
-                    lubrication(*model_))));
+        fmt::format(
+            "{}the speed factor n d_m of {:.3g} mm/min is above {:.3g} mm/min, the limit of the "
+            "fastest bearings of the catalogue with {}: the friction law is far from "
+            "where it was measured",
+            before(speed_factor_), speed_factor_.value, speed_factor_.limit,
+            lubrication(*model_))));
 }
 
 void Judge::add_heat(Findings& findings) const {

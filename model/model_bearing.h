@@ -41,7 +41,7 @@ class ModelBearing {
   [[nodiscard]] double pitch_diameter() const {
     return rollers() ? rollers()->geometry().pitch_diameter : geometry().pitch_diameter;
   }
-  /// C0 [N]; NaN where that of balls is not given.
+  /// C0 [N]; NaN if it is not given for balls.
   [[nodiscard]] double static_load_rating() const {
     return rollers() ? life::static_load_rating(rollers()->geometry())
                      : geometry().static_load_rating;

@@ -122,10 +122,10 @@ std::string refused_by_rollers(const effects::Description& effect) {
           "the axes of cylindrical rollers are parallel to the shaft, without gyroscopic moment"},
       std::pair{"differential-slip",
                 "a line contact has one rolling radius, without sliding zones"},
-      std::pair{"elastic-hysteresis", "its formula is that of point contacts"},
-      std::pair{"mixed-lubrication", "its constants are those of ball bearings"},
-      std::pair{"replenishment-starvation", "its constants are those of ball bearings"},
-      std::pair{"inlet-shear-heating", "its constants are those of ball bearings"},
+      std::pair{"elastic-hysteresis", "its formula is for point contacts"},
+      std::pair{"mixed-lubrication", "its constants are for ball bearings"},
+      std::pair{"replenishment-starvation", "its constants are for ball bearings"},
+      std::pair{"inlet-shear-heating", "its constants are for ball bearings"},
       std::pair{"load-exponent", "the load moment of rollers is in proportion to the load"},
       std::pair{"load-offset", "it is an axial force, which the bearing does not carry"},
       std::pair{"load-calibration", "it is about an axial load, which the bearing does not carry"},
@@ -136,7 +136,7 @@ std::string refused_by_rollers(const effects::Description& effect) {
   if (effect.condition)
     return "a ball bearing: it moves rings against balls in grooves; of cylindrical rollers "
            "radial_clearance_um says the clearance in operation";
-  return effect.needs_equilibrium ? "a ball bearing: its formula is that of balls" : "";
+  return effect.needs_equilibrium ? "a ball bearing: its formula is for balls" : "";
 }
 
 }  // namespace
@@ -160,7 +160,7 @@ std::string missing_need(const effects::Description& effect, const Model& model,
     if (effect.of_spindles_alone())
       return "a model of a spindle, with [shaft] and [housing], in which alone it acts";
     if (model.form() == effects::Form::spindle && effect.condition && effect.follows_heat)
-      return "a model without temperatures of its own: those of a spindle do this already";
+      return "a model without temperatures of its own: a spindle model has this effect already";
     return model.form() == effects::Form::rig
                ? "axial displacement of a shaft, on which alone it acts"
                : "friction torque, on which alone it acts";

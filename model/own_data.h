@@ -21,10 +21,10 @@ namespace raceway::model {
 /// The number as something that may be wrong; nothing where the model has no such number.
 [[nodiscard]] std::optional<fit::Candidate> own_datum(const Model& model, std::string_view id);
 
-/// The parameter of the model behind it, named as that of the candidate.
+/// The parameter of the model behind it, with the name of the candidate.
 [[nodiscard]] fit::Parameter own_datum_parameter(const Model& model, std::string_view id);
 
-/// What it is, in a sentence, for any model; empty for another id.
+/// Explanation in one sentence, for any model; empty for another id.
 [[nodiscard]] std::string own_datum_explained(std::string_view id);
 
 /// "contact angle 24.1 deg where 25 is entered"; empty for another id.

@@ -44,7 +44,7 @@ namespace raceway::model {
 [[nodiscard]] std::pair<double, double> bounds_of(const effects::Parameter& number,
                                                   const Model& model);
 
-/// Where a parameter stands in a model, its addresses resolved once: a fit sets numbers thousands
+/// Place of a parameter in a model, its addresses resolved once: a fit sets numbers thousands
 /// of times.
 class ParameterPlace {
  public:
@@ -81,8 +81,8 @@ void set(Model& model, const record::Parameter& parameter, double value);
 /// contact: rolling_factor
 [[nodiscard]] std::vector<std::string> default_free(friction::FrictionLaw law);
 
-/// Of a spindle f0, or what stands for it in the law. The preload of an arrangement that is given
-/// as a force, which assembly makes uncertain; otherwise what the law has.
+/// Default for a spindle: f0, or its counterpart in the law. The preload of an arrangement that is
+/// given as a force, which assembly makes uncertain; otherwise what the law has.
 [[nodiscard]] std::vector<std::string> default_free(const Model& model);
 
 }  // namespace raceway::model

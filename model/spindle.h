@@ -14,7 +14,7 @@
 
 namespace raceway::model {
 
-/// What a part is made of.
+/// Material of a part.
 struct SolidMaterial {
   double conductivity = unset;       ///< [W/(m K)]
   double density = unset;            ///< [kg/m³]
@@ -89,16 +89,16 @@ struct Seat {
   double slope = 0.15;                   ///< mean, of the surfaces [1]
   double hardness = 3e9;                 ///< of the softer one [Pa]
   double shoulder_conductance = 8000.0;  ///< ring against shoulder or next ring [W/(m² K)]
-  /// Of a face of an outer ring that a collar of the shaft runs against [W/(m² K)]. As a shoulder,
-  /// an assumption: over an open gap of 0.1 mm air conducts 270.
+  /// Conductance of a face of an outer ring that a collar of the shaft runs against [W/(m² K)]. As
+  /// a shoulder, an assumption: over an open gap of 0.1 mm air conducts 270.
   double collar_conductance = 8000.0;
   double outer_conductance = unset;  ///< of the outer seats, whatever the rest says [W/(m² K)]
 };
 
 enum class Fluid { water, oil };
 
-/// A cylindrical roller bearing on the shaft beside the sets, free along the axis. Its law of
-/// friction is that of Palmgren.
+/// A cylindrical roller bearing on the shaft in addition to the sets, free along the axis. Its law
+/// of friction is that of Palmgren.
 struct RollerOnShaft {
   std::string name;         ///< gives the columns NAME_clearance_um and so on
   double position = unset;  ///< behind the nose face [m]
@@ -106,7 +106,7 @@ struct RollerOnShaft {
   bearing::RollerBearing bearing;
   double f0 = unset, f1 = unset;  ///< [1]
   friction::F1Load counted = friction::F1Load::rollers;
-  /// Of its own seats, diametral [m]; NaN: as Seat has them.
+  /// Fits of its own seats, diametral [m]; NaN: as Seat has them.
   double inner_interference = unset, outer_clearance = unset;
   /// Beside the contacts [W/K]; NaN: as of the ball bearings.
   double lubricant_conductance = unset;
@@ -153,7 +153,7 @@ struct HeatSource {
   double rotor_share = 1.0;       ///< into the shaft; the rest into the housing [1]
 };
 
-/// What a formula of heat may use, in units of the files.
+/// Variables of a formula of heat, in units of the files.
 inline const std::vector<std::string> heat_variables{"speed_rpm", "axial_load_N", "radial_load_N"};
 
 /// Air between shaft and housing.
@@ -162,7 +162,7 @@ struct Gap {
   double start = unset, end = unset;                      ///< behind the nose face [m]
 };
 
-/// Where a temperature is measured.
+/// Place of a thermometer.
 struct ThermometerPlace {
   enum class Part { shaft, ring, housing, coolant };
   std::string name;  ///< gives the column NAME_temperature_C
@@ -194,7 +194,7 @@ enum class Cells { coarse, medium, fine };
 /// behind the nose face, displacements of the nose against the flange, positive towards the tool.
 struct Spindle {
   std::string name = {};
-  /// Friction by the forces of the warm set, or else by those of the cold set at that speed.
+  /// Friction by the forces of the warm set, or else of the cold set at that speed.
   bool preload_feedback = true;
   std::vector<double> front_positions = {}, rear_positions = {};  ///< of the bearings' centres [m]
   double bearing_width = unset;                                   ///< [m]

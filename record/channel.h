@@ -11,16 +11,16 @@
 
 namespace raceway::record {
 
-/// What a column is for.
+/// Role of a column.
 enum class Role {
-  setting,    ///< set by whoever measures; may explain a reading
-  recorded,   ///< recorded beside; may explain a reading
+  setting,    ///< set by the operator; may explain a reading
+  recorded,   ///< recorded as well; may explain a reading
   measured,   ///< what a model predicts
   deviation,  ///< standard deviation of a measured one
   time,
   run,   ///< index of the run that a row belongs to
   part,  ///< index of the record that a row comes from, where several were joined
-  kept   ///< recorded beside, of a name of its own; explains nothing yet
+  kept   ///< recorded as well, with a name of its own; explains nothing yet
 };
 
 /// A quantity that can stand in a column. All that reads, shows or sorts by columns looks here, so
@@ -49,7 +49,7 @@ struct Channel {
   [[nodiscard]] constexpr std::string_view key_unit() const {
     return name.size() > variable.size() ? name.substr(variable.size() + 1) : std::string_view();
   }
-  /// Whether it may explain a reading.
+  /// True if it may explain a reading.
   [[nodiscard]] constexpr bool is_input() const {
     return role == Role::setting || role == Role::recorded;
   }

@@ -48,12 +48,12 @@ Record joined(std::vector<Record> records) {
     if (r.up_to_a_factor)
       throw std::invalid_argument(
           r.source +
-          ": its readings have a common factor that nobody knows (inertia_kgm2 = \"unknown\"), so "
-          "they cannot be held against those of another record");
+          ": its readings have an unknown common factor (inertia_kgm2 = \"unknown\"), so "
+          "they cannot be compared with another record");
   for (const Record& r : records)
     if (r.settings_hold != records.front().settings_hold)
       throw std::invalid_argument(r.source +
-                                  ": its settings hold between other rows than those of " +
+                                  ": its settings hold between other rows than the settings of " +
                                   records.front().source);
   std::sort(records.begin(), records.end(),
             [](const Record& a, const Record& b) { return a.source < b.source; });

@@ -36,7 +36,7 @@ struct NoteCode {
   [[nodiscard]] Note operator()(std::string text, Place place = {}) const;
 };
 
-/// Something that is said beside an answer. Its words are for people and may change.
+/// A message that accompanies an answer. Its words are for people and may change.
 struct Note {
   const NoteCode* code = nullptr;
   std::string text;

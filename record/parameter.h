@@ -18,7 +18,7 @@ struct NumberCard {
   double plausible_lower = lower, plausible_upper = upper;  ///< range met in practice
   /// With this value an effect changes nothing; NaN for a number that only gives it its shape.
   double neutral = 0.0;
-  /// A temperature that occurred: a fit keeps it within those of the record.
+  /// A temperature that occurred: a fit keeps it within the temperatures of the record.
   bool of_the_record = false;
 };
 

@@ -61,7 +61,7 @@ struct Record {
   /// Index of the part of a row; 0 where nothing was joined.
   [[nodiscard]] std::size_t part_of(std::size_t row) const;
 
-  /// Adds a column, or replaces the one of that channel. Throws std::invalid_argument where its
+  /// Adds a column, or replaces the column of its channel. Throws std::invalid_argument where its
   /// length is another than that of the others.
   Column& set(const Channel& channel, std::vector<double> values);
 

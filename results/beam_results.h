@@ -49,7 +49,7 @@ struct ModesAtSpeed {
 struct DeflectionResult {
   double speed = 0.0, force = unset, at = 0.0;  ///< [rad/s], [N], [m]
   bool axial = false;
-  double axial_force = 0.0;  ///< beside a radial one, towards the tool [N]
+  double axial_force = 0.0;  ///< with a radial one, towards the tool [N]
   /// In the plane of a radial force, at its place, in the sense of the same force further in front
   /// [N m].
   double moment = 0.0;
@@ -64,7 +64,7 @@ struct DeflectionResult {
   double tangent = unset;  ///< displacement where the force acts, by the unloaded stiffness [m]
   [[nodiscard]] bool converged() const { return sets.converged() && shaft.report.converged(); }
   [[nodiscard]] std::string status() const;
-  /// Of one force alone; NaN of several loads together [N/m].
+  /// For one force alone; NaN for several loads together [N/m].
   [[nodiscard]] double stiffness() const {
     return axial_force == 0.0 && moment == 0.0 ? force / displacement : unset;
   }

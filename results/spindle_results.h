@@ -9,15 +9,16 @@
 #include "model/model.h"
 #include "spindle/spindle.h"
 
-/// What a simulation of a spindle answers, as CSV and JSON; keys and columns carry their units.
+/// Results of a spindle simulation as CSV and JSON; keys and columns carry their units.
 namespace raceway::results {
 
-/// How far the answer of the cells that were taken is from that of other ones.
+/// Difference between the results of the chosen cells and of other ones.
 struct MeshEstimate {
   std::size_t cells = 0, other_cells = 0;
-  double speed = unset;                                  ///< of the steady state compared [rad/s]
-  double displacement = unset, inner_ring_rise = unset;  ///< less that of the other cells [m], [K]
-  double front_force = unset;                            ///< [N]
+  double speed = unset;  ///< of the steady state compared [rad/s]
+  double displacement = unset,
+         inner_ring_rise = unset;  ///< minus the value of the other cells [m], [K]
+  double front_force = unset;      ///< [N]
   [[nodiscard]] bool known() const { return other_cells > 0; }
 };
 
@@ -27,7 +28,7 @@ struct SteadyState {
   spindle::Moment moment;
   spindle::Report report;
   double axial_stiffness = unset;  ///< of the warm sets [N/m]
-  /// Of each bearing, front set first; empty where there is none.
+  /// Values of each bearing, front set first; empty where there is none.
   std::vector<bearing::BearingInSet> bearings = {};
 };
 
@@ -37,7 +38,7 @@ struct RunColumn {
   double value;
 };
 
-/// What files and pages say of one moment; all names, whatever the moment has.
+/// Data of one moment in files and pages; all names, whatever the moment has.
 [[nodiscard]] std::vector<RunColumn> run_columns(const model::Model& model,
                                                  const spindle::Inputs& inputs,
                                                  const spindle::Moment& moment);
@@ -51,7 +52,7 @@ struct RunColumn {
                                            std::span<const spindle::ProfileRow> profile,
                                            const spindle::Run& run, const MeshEstimate& mesh,
                                            const model::Findings& findings = {});
-/// Of speeds behind each other, the same columns.
+/// Rows of several speeds, with the same columns.
 [[nodiscard]] std::string spindle_steady_text(const model::Model& model,
                                               std::span<const SteadyState> states,
                                               std::string_view model_text);
@@ -68,7 +69,7 @@ struct RunColumn {
                                              const spindle::State& state);
 /// Throws InputError: no JSON, no state of a spindle, or one that is not all numbers.
 [[nodiscard]] spindle::State read_spindle_state(const std::string& path);
-/// The same from text; `source` stands in messages.
+/// As above, from text; `source` stands in messages.
 [[nodiscard]] spindle::State parse_spindle_state(const std::string& text,
                                                  const std::string& source);
 

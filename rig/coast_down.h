@@ -19,7 +19,7 @@ struct CoastDownOptions {
 /// Result for one run of a coast-down.
 struct CoastDownRun {
   std::string run;             ///< run_id, empty where the file has none
-  int samples = 0;             ///< used, those of one time as one
+  int samples = 0;             ///< used; samples of one time count as one
   int before_release = 0;      ///< left out: run-up, plateau
   int outliers = 0;            ///< left out
   int rows = 0;                ///< torques gained

@@ -74,8 +74,7 @@ std::vector<double> levels(std::span<const double> values, int count) {
 
 RigSubject::RigSubject(const model::Model& model) : ModelSubject(model) {
   if (model.shaft)
-    throw std::invalid_argument(
-        "the model has an [arrangement]: it is that of a shaft, not of a rig");
+    throw std::invalid_argument("the model has an [arrangement]: it describes a shaft, not a rig");
 }
 
 RigSubject::RigSubject(const model::Model& model, std::vector<std::string> waiting)

@@ -36,13 +36,13 @@ struct BeamOfModel {
     const BeamOfModel& b, const spindle::SetsAtSpeed& sets,
     const std::optional<spindle::LoadedShaft>& bent);
 
-/// Whether anything but a further load bends the shaft, or rollers hold it.
+/// True if anything but a further load bends the shaft, or rollers hold it.
 [[nodiscard]] bool bends(const model::Spindle& spindle);
 
 /// Why a coolant that is switched off changes nothing, a note; empty where it does.
 [[nodiscard]] std::string unused_coolant_off(const model::Model& model, bool coolant_on, bool warm);
 
-/// What the sets run under: the external load of the model and, warm, its ambient.
+/// Conditions of the sets: the external load of the model and, warm, its ambient.
 [[nodiscard]] spindle::Inputs inputs_at(const model::Model& model, double speed, bool coolant_on);
 
 }  // namespace raceway::session

@@ -297,15 +297,17 @@ class BearingInLoop final : public LoopModel {
         !same(rig.radial_load, of_first.radial_load) ||
         !same(rig.temperature, of_first.temperature) ||
         !same(rig.minimum_speed, of_first.minimum_speed))
-      warn(
-          fmt::format("[rig] differs from that of {}, which is used for all models", first.source));
+      warn(fmt::format("[rig] differs from [rig] of {}, which is used for all models",
+                       first.source));
     const auto& shaft = file_.model.shaft;
     if (shaft && first.model.shaft && shaft->external_load != first.model.shaft->external_load)
-      warn(fmt::format("external_load_N differs from that of {}, which is used for all models",
-                       first.source));
+      warn(fmt::format(
+          "external_load_N differs from external_load_N of {}, which is used for all models",
+          first.source));
     if (file_.sensor && !(first.sensor && rig::same_torques(*file_.sensor, *first.sensor)))
-      warn(fmt::format("[torque_sensor] is not that of {}, by which the data are read",
-                       first.source));
+      warn(fmt::format(
+          "[torque_sensor] differs from [torque_sensor] of {}, by which the data are read",
+          first.source));
   }
 
   files::ModelFile file_;

@@ -44,7 +44,7 @@ class CorrectionInLoop final : public LoopModel {
                       const LoopModels& compared_with) const override {
     if (data.size() != 1)
       throw text::InputError(
-          "a correction is held against one record; runs of one machine are rows of one file with "
+          "a correction is compared with one record; runs of one machine are rows of one file with "
           "their run_id, and files of one run with clocks of their own are named by --beside",
           {.key = "DATA"});
     std::vector<correction::Model> models{model()};
@@ -146,7 +146,7 @@ class CorrectionInLoop final : public LoopModel {
 
   static void refuse(const Names& per_record) {
     if (!per_record.empty())
-      throw text::InputError("--per-record: a correction is held against one record",
+      throw text::InputError("--per-record: a correction is compared with one record",
                              {.key = "--per-record"});
   }
 

@@ -12,7 +12,7 @@ using shaft::KinematicLawVerdict;
 
 std::string law_statement(const shaft::KinematicLawFit& f, const std::string& table) {
   const std::string tolerance =
-      fmt::format("{:.4g} um, that of the published fit", shaft::kinematic_law_tolerance / um);
+      fmt::format("{:.4g} um, the error of the published fit", shaft::kinematic_law_tolerance / um);
   const std::string share =
       fmt::format("{:.4g} % of the largest displacement", 100.0 * shaft::kinematic_law_share);
   if (f.verdict == KinematicLawVerdict::follows)
@@ -21,11 +21,11 @@ std::string law_statement(const shaft::KinematicLawFit& f, const std::string& ta
   const std::string& limit = f.mae > shaft::kinematic_law_tolerance ? tolerance : share;
   if (f.verdict == KinematicLawVerdict::scatter)
     return fmt::format(
-        "The mean absolute error is above {}, and what is left jumps from row to row: the rows "
+        "The mean absolute error is above {}, and the residual jumps from row to row: the rows "
         "scatter by {} um, and the law is as good as they are.",
         limit, number(f.scatter / um, 2));
   return fmt::format(
-      "The law does not follow the curve: its mean absolute error is above {}, and what is left is "
+      "The law does not follow the curve: its mean absolute error is above {}, and the residual is "
       "smooth, a shape that three parameters cannot take. Use the monotone table instead ({}).",
       limit, table);
 }

@@ -9,7 +9,7 @@
 
 namespace raceway::session {
 
-/// A bearing that somebody wants a model of.
+/// A bearing to write a model of.
 struct NewModel {
   std::string bearing{};  ///< its designation
   files::BearingOutline

@@ -17,8 +17,9 @@ files::ReadOptions Reading::options(const files::ModelFile& model) const {
   if (period.is_given())
     throw text::InputError(
         model.model.spindle
-            ? "--from, --until: a spindle is simulated from the first row on, and held against all "
-              "of them; cut the file"
+            ? "--from, --until: a spindle is simulated from the first row on, and compared with "
+              "all "
+              "rows; cut the file"
             : "--from, --until: belong to records over time, of a model with [correction]",
         {.key = period.from.empty() ? "--until" : "--from"});
   files::ReadOptions result = options(model.columns);

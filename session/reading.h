@@ -19,14 +19,14 @@ struct Reading {
   bool one_by_one =
       false;  ///< readings come one after the other: none is judged by those behind it
 
-  /// The files of a question with those beside. Throws text::InputError where these are several
-  /// records.
+  /// Files of a question, with the files of --beside. Throws text::InputError where these are
+  /// several records.
   [[nodiscard]] std::vector<Source> sources(std::vector<Source> data) const;
-  /// How measurements are read: by the map of the flag, else by [columns] of the model. Throws
-  /// text::InputError for a period: rows of a friction rig are no course in time.
+  /// Options for reading measurements: by the map of the flag, else by [columns] of the model.
+  /// Throws text::InputError for a period: rows of a friction rig are no course in time.
   [[nodiscard]] files::ReadOptions options(const files::ModelFile& model) const;
   [[nodiscard]] files::ReadOptions options(const files::ColumnMap& of_model) const;
-  /// The same without a model.
+  /// As above, without a model.
   [[nodiscard]] files::ReadOptions options() const;
 };
 

@@ -7,7 +7,7 @@
 
 namespace raceway::session {
 
-/// What a user should know of a cylindrical roller bearing at a point where it is in balance: a
+/// Notes on a cylindrical roller bearing at a point where it is in balance: a
 /// tilt that overloads the ends of the rollers, too little load against skidding, no contact at the
 /// inner ring, pressures that leave dents.
 [[nodiscard]] std::vector<std::string> notes_on_rollers(

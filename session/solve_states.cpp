@@ -213,7 +213,7 @@ std::string beyond_a_state(const effects::Description& effect) {
 void require_rig(const files::ModelFile& file) {
   if (file.model.shaft)
     throw text::InputError(
-        file.source + ": has an [arrangement]: a reading is that of a bearing on a rig",
+        file.source + ": has an [arrangement]: a reading belongs to a bearing on a rig",
         {.file = file.source, .key = "arrangement"});
   for (const effects::Effect& effect : file.model.effects)
     if (const std::string more = beyond_a_state(*effect.description); !more.empty())

@@ -106,8 +106,8 @@ void require_carried(const model::Model& model, const SteadyQuestion& q) {
 void require_spindle(const files::ModelFile& file) {
   if (file.model.spindle) return;
   throw text::InputError(file.source +
-                             ": is no spindle: with [shaft] and [housing] beside its [arrangement] "
-                             "a model is one",
+                             ": is no spindle: a spindle has [shaft] and [housing] in addition to "
+                             "its [arrangement]",
                          {.file = file.source, .key = "shaft"});
 }
 

@@ -121,7 +121,7 @@ StepParts step_parts(const spindle::StepResponses& responses, const model::Model
     add_kinematic_law(at_once, parts);
   else
     parts.notes.push_back(
-        "nothing moves at once in the correction: no MODEL tells of the sets, and no load case "
+        "nothing moves at once in the correction: no MODEL describes the sets, and no load case "
         "has a displacement at 0 s");
   return parts;
 }

@@ -213,10 +213,11 @@ void add_notes(KinematicLawFit& fit) {
           fmt::format("{} is not determined by these rows", p.name), {.key = std::string(p.name)}));
   }
   if (std::abs(fit.standstill) > standstill_share * fit.largest)
-    fit.notes.push_back(record::note::check_data(fmt::format(
-        "the displacement at standstill is {:.4g} um, that of the law 0: take it off all rows, or "
-        "the law has to bend to it",
-        fit.standstill / um)));
+    fit.notes.push_back(
+        record::note::check_data(fmt::format("the displacement at standstill is {:.4g} um, the law "
+                                             "says 0: subtract it from all rows, or "
+                                             "the law has to bend to it",
+                                             fit.standstill / um)));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 
 namespace raceway::text {
 
-/// Where the header stands in a file that has more than a header and rows.
+/// Position of the header in a file that has more than a header and rows.
 struct CsvForm {
   int header_line = 0;    ///< counted from 1; what stands above is skipped. 0: the first line
   int unit_line = 0;      ///< a row of units below the header; 0: none
@@ -72,7 +72,7 @@ class CsvTable {
     const Cell& c = cells_[row * header.size() + column];
     return std::string_view(text_).substr(c.begin, c.size);
   }
-  /// Whether a column came as numbers, not as text.
+  /// True if a column came as numbers, not as text.
   [[nodiscard]] bool is_numeric(std::size_t column) const {
     return !columns_.empty() && columns_[column].texts.empty();
   }
@@ -83,7 +83,7 @@ class CsvTable {
   /// two ways, as 1.200 beside 600.
   [[nodiscard]] ParsedNumber parsed(std::size_t row, std::size_t column) const;
   [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const;
-  /// Where the header is wrong, in that column.
+  /// Error in the header, in that column.
   [[nodiscard]] Place header_place(std::string_view name = {}) const {
     return {.file = source, .line = header_line, .key = std::string(name)};
   }
@@ -124,7 +124,7 @@ class CsvTable {
 /// another separator in a row than in the header.
 [[nodiscard]] CsvTable read_csv(const std::string& path, const FormFinder& find_form = {});
 
-/// The same from text; `source` stands in messages.
+/// As above, from text; `source` stands in messages.
 [[nodiscard]] CsvTable parse_csv(std::string text, const std::string& source,
                                  bool byte_order_mark = false, const FormFinder& find_form = {});
 

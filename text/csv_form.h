@@ -22,7 +22,7 @@ namespace raceway::text {
 /// The text of a comment behind its `#`.
 [[nodiscard]] std::string_view behind_hash(std::string_view comment);
 
-/// Whether a cell is a number with a point or a comma, also with its unit ("12.3 °C"), or a time
+/// True if a cell is a number with a point or a comma, also with its unit ("12.3 °C"), or a time
 /// (text/timestamp.h).
 [[nodiscard]] bool is_reading(std::string_view cell);
 

@@ -23,7 +23,7 @@ inline constexpr std::array date_orders{DateOrder::day_first, DateOrder::month_f
 [[nodiscard]] std::optional<double> parse_timestamp(std::string_view cell,
                                                     DateOrder order = DateOrder::day_first);
 
-/// Whether a date states its zone, as "2024-03-12T08:15:00Z" and "...+01:00" do.
+/// True if a date states its zone, as "2024-03-12T08:15:00Z" and "...+01:00" do.
 [[nodiscard]] bool has_zone(std::string_view cell);
 
 /// A date without a time, in the forms of parse_timestamp(), as seconds since 1970.
@@ -37,11 +37,11 @@ inline constexpr std::array date_orders{DateOrder::day_first, DateOrder::month_f
 /// "2 01:30:05", "2 days 01:30:05", "2.01:30:05". Nothing for all else.
 [[nodiscard]] std::optional<double> parse_elapsed(std::string_view cell);
 
-/// Whether a cell is a date with a time, in either order, an elapsed time, or a time of day with AM
+/// True if a cell is a date with a time, in either order, an elapsed time, or a time of day with AM
 /// or PM.
 [[nodiscard]] bool is_time(std::string_view cell);
 
-/// Whether clocks may have been changed between two local times: on the last Sunday of March and of
+/// True if clocks may have been changed between two local times: on the last Sunday of March and of
 /// October (Europe), the second of March and the first of November (North America), the last of
 /// September or the first of October and the first of April (New Zealand, Australia), in the night.
 /// `forward`: to summer time.

@@ -199,7 +199,7 @@ class Addition {
     }
     if (const std::string material = immaterial(result); !material.empty()) return material;
     if (const std::string idle = idle_member(needed_each); !idle.empty())
-      return idle + " adds nothing beside the others";
+      return idle + " adds nothing to the others";
     if (const auto rival = better_rival())
       return fmt::format(
           "{} leaves structure (p = {:.1g}), and {} explains these data to the noise (p = {:.2g})",

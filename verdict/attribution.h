@@ -16,7 +16,7 @@ struct Explanation {
   std::vector<std::size_t> members{};  ///< indices into Problem::candidates, rising
   fit::Response response{};            ///< empty where the law is bent
   fit::ResponseFit fit{};
-  std::vector<record::Parameter> parameters{};  ///< base, then those of the members
+  std::vector<record::Parameter> parameters{};  ///< base, then the parameters of the members
   double gain = unset;  ///< fall of -2 ln L against the base, less ln N for each shape that is free
   bool ran_away = false;  ///< not converged, as its size left all bounds of belief
   Gate recheck{};         ///< of the residuals, against the rest of the catalogue

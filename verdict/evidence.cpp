@@ -293,7 +293,7 @@ void require_scatter(const Evidence& evidence) {
       continue;
     const record::Channel& channel = *observed.channels[c].channel;
     throw std::invalid_argument(
-        fmt::format("{}: the readings have no scatter at all, so nothing can be held against it; "
+        fmt::format("{}: the readings have no scatter at all, so no misfit can be judged; "
                     "give std_{} where they are exact",
                     evidence.problem.record->source, channel.key_unit()));
   }

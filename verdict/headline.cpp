@@ -163,9 +163,8 @@ std::string by_verdict(const Diagnosis& d) {
       break;
     case Verdict::effect_like:
       if (!near.empty())
-        return fmt::format(
-            "Something is missing that acts like {}, and it is not sure that it is: {}",
-            in_words(near), error_and_noise(d));
+        return fmt::format("The misfit looks like {}, but the data do not confirm it: {}",
+                           in_words(near), error_and_noise(d));
       break;
     default:
       break;

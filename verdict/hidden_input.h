@@ -22,7 +22,7 @@ struct HiddenInput {
 /// Compares rows whose settings agree within 2 %, temperatures within 1 K: few laws change by more
 /// than 5 % over that. Found is what scatters by more than Measured::most_scatter by the pooled
 /// standard deviation and by a robust one as well, so that single wrong readings do not count.
-/// Whether it goes with the runs is asked by an analysis of variance of the logarithms.
+/// True if it goes with the runs is asked by an analysis of variance of the logarithms.
 /// Nothing where it cannot be asked: fewer than 8 degrees of freedom, rows with a time (what runs
 /// in reads differently at equal points), or a reading that is not positive.
 [[nodiscard]] std::optional<HiddenInput> find_hidden_input(const record::Record& record,

@@ -164,7 +164,7 @@ std::optional<Finding> Search::two_candidates() {
   if (!limits_.pairs || singles_.size() < 2) return std::nullopt;
   limits_.step(0.5, "refitting with pairs of effects");
   pairs_ = attribution_.pairs(singles_, limits_.cancelled);
-  limits_.step(0.8, "checking what is left");
+  limits_.step(0.8, "checking the residual");
   drop_implausible(pairs_);
   std::vector<const Explanation*> two =
       within_reach_of_best(pairs_, gain_beyond(singles_, limits_.tried - 1));

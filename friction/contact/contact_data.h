@@ -14,7 +14,7 @@ namespace raceway::friction::contact {
 struct ContactData {
   OilData oil;
   double eyring_stress = default_eyring_stress;  ///< τ0 [Pa]
-  /// Γ of the film as entered with the oil, beside whatever law; NaN: by the type of oil [1].
+  /// Γ of the film as entered with the oil, for any law; NaN: by the type of oil [1].
   double limiting_traction = unset;
   Inlet supply = Inlet::limited;
   double inlet_over_b = unset;          ///< m of starvation_factors() [1]; unset: flooded film

@@ -14,7 +14,7 @@
 
 namespace raceway::friction::contact {
 
-/// Numbers of the law beside bearing and oil. The limits are those that model files take.
+/// Numbers of the law in addition to bearing and oil. The limits are as in model files.
 struct ContactLaw {
   Inlet supply = Inlet::limited;
   double replenishment = 0.0;              ///< K_rs of replenishment_factor() [1], 0 is off

@@ -68,7 +68,7 @@ TEST_F(Compare, TellsWhereModelsDifferInTheirRig) {
   const std::string other = scratch_.write("other.toml", model_text + "[rig]\nradial_load_N = 9\n");
   const Result r =
       run("compare " + model_ + " " + other + " " + scratch_.write("d.csv", data_text));
-  EXPECT_THAT(r.err, HasSubstr(other + ": its [rig] differs from that of " + model_));
+  EXPECT_THAT(r.err, HasSubstr(other + ": its [rig] differs from [rig] of " + model_));
 }
 
 TEST_F(Compare, LeavesOutRowsWithoutBalanceAndSaysSo) {

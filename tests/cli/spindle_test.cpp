@@ -135,7 +135,7 @@ TEST_F(SpindleCommand, RowsBeforeTheEndAreWritten) {
 TEST_F(SpindleCommand, ModelWithoutShaftIsRefused) {
   const Result r = spindle("--speed 1000 --steady", model_text);
   EXPECT_EQ(r.status, 1);
-  EXPECT_THAT(r.err, HasSubstr("is no spindle: with [shaft] and [housing]"));
+  EXPECT_THAT(r.err, HasSubstr("is no spindle: a spindle has [shaft] and [housing]"));
 }
 
 TEST_F(SpindleCommand, SpeedAloneIsRefused) {

@@ -174,7 +174,8 @@ TEST_P(Control, TurnsPolynomialsIntoSections) {
     (void)Case(model, record);
     FAIL() << "a double pole is no sum of sections";
   } catch (const text::InputError& e) {
-    EXPECT_THAT(e.what(), HasSubstr("channel two: its polynomials cannot run beside sections: "));
+    EXPECT_THAT(e.what(),
+                HasSubstr("channel two: its polynomials cannot run together with sections: "));
   }
 }
 

@@ -253,8 +253,7 @@ TEST(DataFile, MisspeltColumnsAreErrorsAndForeignOnesAreNoted) {
             "d.csv:1: column friction_torque_Nnm is unknown; did you mean friction_torque_Nmm?");
   EXPECT_THAT(data_error("speed,friction_torque_Nmm\n1,1\n"), HasSubstr("did you mean speed_rpm?"));
   const Record data = record_of("speed_rpm,friction_torque_Nmm,samples_in_median\n1,1,50\n");
-  EXPECT_THAT(texts(data.notes),
-              Contains("columns kept beside, part of no model: samples_in_median"));
+  EXPECT_THAT(texts(data.notes), Contains("columns kept, but used by no model: samples_in_median"));
 }
 
 TEST(DataFile, ColumnsThatNoModelAsksForAreKeptWithTheirUnit) {
@@ -267,11 +266,10 @@ TEST(DataFile, ColumnsThatNoModelAsksForAreKeptWithTheirUnit) {
   EXPECT_TRUE(std::isnan(data.values(power)[1]));
   EXPECT_EQ(data.values(record::kept_channel("Position [mm]", "mm"))[1], 21.0);
   EXPECT_EQ(data.values(record::kept_channel("valve", ""))[1], 4.0);
-  EXPECT_THAT(
-      texts(data.notes),
-      IsSupersetOf({"columns kept beside, part of no model: motor_power_kW, Position [mm] and "
-                    "valve",
-                    "column who is unknown and ignored"}));
+  EXPECT_THAT(texts(data.notes),
+              IsSupersetOf({"columns kept, but used by no model: motor_power_kW, Position [mm] and "
+                            "valve",
+                            "column who is unknown and ignored"}));
 }
 
 /// Numbers of loggers, and of a thermocouple that is broken.

@@ -82,8 +82,8 @@ TEST(Headline, SaysWhereItIsNotSure) {
   d.effects = {effect("churning", "torque_at_10000_rpm_Nmm", 20.0, "N mm")};
   EXPECT_EQ(
       verdict::headline(d),
-      "Something is missing that acts like churning, and it is not sure that it is: error 44.9 "
-      "N mm, noise 10.2 N mm");
+      "The misfit looks like churning, but the data do not confirm it: error 44.9 N mm, noise 10.2 "
+      "N mm");
   EXPECT_EQ(verdict::headline(found(verdict::Verdict::not_in_catalogue, {})),
             "Something is missing that no effect of the catalogue explains: error 44.9 N mm, noise "
             "10.2 N mm");
