@@ -154,7 +154,7 @@ def command_pages():
     commands = [command for group in groups.values() for command in group]
     for name, meaning in commands:
         parts = help_of(asked(name, "--help"))
-        text = f"# raceway {name}\n\n" + prose(" ".join(parts[""]).strip() or meaning) + ".\n\n"
+        text = f"# raceway {name}\n\n" + prose(" ".join(parts[""]).strip().rstrip(".") or meaning) + ".\n\n"
         text += code(parts["Usage"][0], "text") + "\n"
         for title, lines in parts.items():
             if title in ("", "Usage", "Example", "Examples"):
@@ -172,7 +172,7 @@ def command_pages():
     for group, rows in groups.items():
         text += f"## {group}\n\n| command | what it does |\n| --- | --- |\n"
         text += "".join(f"| [`{n}`]({n}.md) | {for_table(m)} |\n" for n, m in rows) + "\n"
-    said = [line for line in top[list(groups)[-1]] if line and not line.startswith(" ")]
+    said = [line for line in top["Options"] if line and not line.startswith(" ")]
     text += "\n" + prose(" ".join(said)) + "\n\n"
     text += code("\n".join("$ " + l.strip() for l in top["Example"] if l.strip()), "console")
     text += "\n```{toctree}\n:hidden:\n\n" + "\n".join(n for n, _ in commands) + "\n```\n"
