@@ -21,7 +21,9 @@ constexpr double same_optimum = 1e-6;      // of the misfit
 constexpr double bound_tolerance = 1e-7;   // of the scale of a parameter
 constexpr double least_fall = 1e-10;       // of the misfit: a step that promises less is not taken
 constexpr double least_reading = 1e-10;    // of the readings: less is rounding
-constexpr double first_damping = 1e-4;     // of the square of a column
+constexpr double coarse_fall = 0.05;    // in -2 ln L: a step that promises less ends a coarse fit
+constexpr double coarse_share = 1e-4;   // of the misfit: likewise
+constexpr double first_damping = 1e-4;  // of the square of a column
 constexpr double most_damping = 1e12;
 constexpr double kept_promise = 1e-3;  // share of the promised fall that accepts a step
 constexpr double no_influence = 1e-9;  // of a parameter against another
@@ -97,10 +99,11 @@ bool same_misfit(double found, double known) {
 /// One minimum from one start by the method of Levenberg and Marquardt, the bounds kept inside each
 /// step: the linearised problem is solved under them, so that a parameter at a bound slows nothing
 /// down. Nothing where no step goes down although the linearised problem promises one. A search
-/// that comes to the misfit of `known` ends there: it has no more to tell than that.
+/// that comes to the misfit of `known` ends there: it has no more to tell than that. With `coarse`
+/// it ends where a step promises little, and takes one-sided derivatives.
 std::optional<Minimum> minimum_from(const Response& response, const Whitening& whitening,
                                     const Eigen::VectorXd& measured, const Eigen::VectorXd& start,
-                                    double known, int& iterations) {
+                                    double known, int& iterations, bool coarse = false) {
   const Eigen::VectorXd scale = scales(response);
   const Eigen::Index count = scale.size();
   Eigen::VectorXd lower(count), upper(count);
@@ -119,11 +122,13 @@ std::optional<Minimum> minimum_from(const Response& response, const Whitening& w
   double damping = first_damping, harder = 4.0;
   for (int iteration = 0; iteration < most_iterations; ++iteration, ++iterations) {
     if (same_misfit(at.misfit, known)) return at;
-    at.slope = response.jacobian(at.values);
+    at.slope =
+        coarse ? response.slope_beside(at.values, at.prediction) : response.jacobian(at.values);
     at.jacobian = whitening(Eigen::MatrixXd(at.slope * scale.asDiagonal()));
     if (!at.jacobian.allFinite()) return std::nullopt;
     const LeastSquares linearised(at.jacobian, residual);
-    const double least = std::max(least_fall * at.misfit, rounding);
+    const double least = coarse ? std::max(coarse_fall, coarse_share * at.misfit)
+                                : std::max(least_fall * at.misfit, rounding);
     Eigen::VectorXd step;
     std::vector<int> side;
     if (!linearised.solve(lower - x, upper - x, 0.0, step, side)) return std::nullopt;
@@ -226,6 +231,19 @@ Eigen::MatrixXd Response::jacobian(const Eigen::VectorXd& x) const {
     const Eigen::VectorXd slope = (above - below) / (high[k] - low[k]);
     if (result.size() == 0) result.resize(slope.size(), x.size());
     result.col(k) = slope;
+  }
+  return result;
+}
+
+Eigen::MatrixXd Response::slope_beside(const Eigen::VectorXd& x,
+                                       const Eigen::VectorXd& at_x) const {
+  Eigen::MatrixXd result(at_x.size(), x.size());
+  for (Eigen::Index k = 0; k < x.size(); ++k) {
+    const Parameter& p = parameters[static_cast<std::size_t>(k)];
+    const double step = difference_step * p.scale;
+    Eigen::VectorXd beside = x;
+    beside[k] = x[k] + step <= p.upper ? x[k] + step : x[k] - step;
+    result.col(k) = (readings(beside) - at_x) / (beside[k] - x[k]);
   }
   return result;
 }
@@ -354,6 +372,19 @@ ResponseFit fit_response(const Response& response, const Whitening& whitening,
   fit.values = best.values;
   fit.slope = std::move(best.slope);
   if (fit.converged) complete(response, whitening, measured, best.prediction, best.jacobian, fit);
+  return fit;
+}
+
+ResponseFit coarse_fit(const Response& response, const Whitening& whitening,
+                       const Eigen::VectorXd& measured, const Eigen::VectorXd& start) {
+  ResponseFit fit;
+  std::optional<Minimum> found =
+      minimum_from(response, whitening, measured, start, unset, fit.iterations, true);
+  if (!found) return fit;
+  fit.converged = true;
+  fit.values = found->values;
+  fit.slope = std::move(found->slope);
+  complete(response, whitening, measured, found->prediction, found->jacobian, fit);
   return fit;
 }
 

@@ -36,6 +36,9 @@ struct Response {
   [[nodiscard]] Eigen::VectorXd at(const Eigen::VectorXd& x) const;
   /// Derivatives of the readings (observations x parameters), by differences within the bounds.
   [[nodiscard]] Eigen::MatrixXd jacobian(const Eigen::VectorXd& x) const;
+  /// The same by one-sided differences from the readings at `x`, for the way to an optimum.
+  [[nodiscard]] Eigen::MatrixXd slope_beside(const Eigen::VectorXd& x,
+                                             const Eigen::VectorXd& at_x) const;
   /// Finds out whether the response is affine, and keeps that form if so.
   void find_affine_form();
 };
@@ -72,5 +75,11 @@ struct ResponseFit {
 [[nodiscard]] ResponseFit fit_response(const Response& response, const Whitening& whitening,
                                        const Eigen::VectorXd& measured,
                                        const std::vector<Eigen::VectorXd>& starts);
+
+/// One search from one start, for fits that are ranked before a few of them are made in full: it
+/// ends where a step promises less than 0.05 of the misfit, or 1e-4 of it where that is more.
+/// Converged where it came so far. The response must not be affine.
+[[nodiscard]] ResponseFit coarse_fit(const Response& response, const Whitening& whitening,
+                                     const Eigen::VectorXd& measured, const Eigen::VectorXd& start);
 
 }  // namespace raceway::fit

@@ -27,6 +27,8 @@ constexpr double worse = 1e-3;                // than the base, in -2 ln L: a fi
 constexpr double worth_a_second_look = 0.05;  // p of the gate under the noise found
 constexpr double surely = 2.326;              // standard deviations that 99 of 100 exceed
 constexpr double same_gain = 1e-8;            // of the misfit without effects: less is rounding
+constexpr double coarse_error = 2.0;          // of a coarse fit, in -2 ln L
+constexpr double coarse_error_share = 5e-3;   // of its misfit, where that is more
 
 Eigen::Index total(const std::vector<fit::Screened>& candidates) {
   Eigen::Index count = 0;
@@ -211,18 +213,23 @@ Explanation Attribution::refit(const std::vector<std::size_t>& members,
     result.fit = fit::fit_response(response, whitening_, problem_.measured(), {without, little});
   }
   result.response = std::move(response);
-  if (result.fit.converged && ran_away(on, result.fit, problem_.base.size())) {
-    result.fit.converged = false;
-    result.ran_away = true;
+  judge(result);
+  return result;
+}
+
+void Attribution::judge(Explanation& e) const {
+  const std::vector<const fit::Screened*> on = screened(e.members);
+  if (e.fit.converged && ran_away(on, e.fit, problem_.base.size())) {
+    e.fit.converged = false;
+    e.ran_away = true;
   }
-  if (!result.fit.converged) return result;
-  result.gain = base_.misfit - result.fit.misfit;
+  if (!e.fit.converged) return;
+  e.gain = base_.misfit - e.fit.misfit;
   std::size_t at = problem_.base.size();
   for (const fit::Screened* s : on)
     for (std::size_t k = 0; k < s->candidate.parameters.size(); ++k, ++at)
-      if (k != s->candidate.size && !result.fit.at_bound[at])
-        result.gain -= std::log(static_cast<double>(problem_.measured().size()));
-  return result;
+      if (k != s->candidate.size && !e.fit.at_bound[at])
+        e.gain -= std::log(static_cast<double>(problem_.measured().size()));
 }
 
 std::vector<Explanation> Attribution::singles() const {
@@ -321,7 +328,57 @@ Explanation Attribution::refit_together(const Explanation& first, const Explanat
     size = 0.5 * (size + s.size().neutral);
     append(halved, own);
   }
-  return refit(members, {start, halved});
+  const std::vector<Eigen::VectorXd> starts{start, halved};
+  // What is affine needs no search, and what has a part that is not is not affine.
+  if (first.response.affine && single.response.affine) return refit(members, starts);
+  Explanation result{.members = members};
+  result.response = fit::response_with(problem_, screened(members));
+  result.parameters = result.response.parameters;
+  result.fit = fit::coarse_fit(result.response, whitening_, problem_.measured(), start);
+  judge(result);
+  // Worse than a part of it: the search went astray.
+  const double part = std::min(first.fit.misfit, single.fit.misfit);
+  if (!result.fit.converged || result.fit.misfit > part + coarse_error)
+    return refit(members, starts);
+  result.starts = starts;
+  return result;
+}
+
+bool Attribution::is_datum(std::size_t member) const {
+  return !problem_.candidates[member].candidate.datum.empty();
+}
+
+bool Attribution::has_datum(const Explanation& e) const {
+  return std::any_of(e.members.begin(), e.members.end(),
+                     [this](std::size_t k) { return is_datum(k); });
+}
+
+void Attribution::refine(std::vector<Explanation>& list, double reach) const {
+  for (;;) {
+    std::vector<std::size_t> coarse;
+    std::size_t parents = 0;
+    double least = 0.0;
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      if (k == 0)
+        least = list[k].gain - reach -
+                std::max(coarse_error, coarse_error_share * (base_.misfit - list[k].gain));
+      const bool parent =
+          list[k].members.size() == 2 && !has_datum(list[k]) && parents++ < most_parents;
+      if (!list[k].starts.empty() && (parent || list[k].gain >= least)) coarse.push_back(k);
+    }
+    if (coarse.empty()) return;
+    std::vector<Explanation> whole = side_by_side(coarse.size(), [&](std::size_t k) {
+      return refit(list[coarse[k]].members, list[coarse[k]].starts);
+    });
+    for (std::size_t k = 0; k < coarse.size(); ++k) {
+      Explanation& e = list[coarse[k]];
+      whole[k].least_loss = e.least_loss + whole[k].gain - e.gain;
+      e = std::move(whole[k]);
+    }
+    std::erase_if(list, [](const Explanation& e) { return !e.fit.converged; });
+    std::stable_sort(list.begin(), list.end(),
+                     [](const Explanation& a, const Explanation& b) { return a.gain > b.gain; });
+  }
 }
 
 std::vector<Explanation> Attribution::pairs(const std::vector<Explanation>& singles,
@@ -366,18 +423,15 @@ std::vector<Explanation> Attribution::triples(const std::vector<Explanation>& pa
   };
   std::vector<Choice> order;
   // Data that may be wrong fit what two effects leave of anything: not beside two.
-  const auto is_data = [this](std::size_t k) {
-    return !problem_.candidates[k].candidate.datum.empty();
-  };
   std::size_t parents = 0;
   for (const Explanation& pair : pairs) {
-    if (std::any_of(pair.members.begin(), pair.members.end(), is_data)) continue;
+    if (has_datum(pair)) continue;
     if (++parents > most_parents) break;
     const Eigen::VectorXd rest = fit::project_off(pair.fit.tangent, pair.fit.residual);
     const Eigen::MatrixXd columns = fit::project_off(pair.fit.tangent, d.columns);
     for (const Explanation& single : singles) {
       const std::size_t k = single.members.front();
-      if (!single.fit.converged || is_data(k) ||
+      if (!single.fit.converged || is_datum(k) ||
           std::find(pair.members.begin(), pair.members.end(), k) != pair.members.end())
         continue;
       double most = 0.0;

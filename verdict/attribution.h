@@ -19,7 +19,9 @@ struct Explanation {
   std::vector<record::Parameter> parameters{};  ///< base, then the parameters of the members
   double gain = unset;  ///< fall of -2 ln L against the base, less ln N for each shape that is free
   bool ran_away = false;  ///< not converged, as its size left all bounds of belief
-  Gate recheck{};         ///< of the residuals, against the rest of the catalogue
+  /// Starts of the whole fit where this one is coarse; empty where it is whole.
+  std::vector<Eigen::VectorXd> starts{};
+  Gate recheck{};  ///< of the residuals, against the rest of the catalogue
   bool rechecked = false;
   double least_loss = unset;  ///< rise of -2 ln L when the least of several members is dropped
   bool elastic = false;       ///< with exponents that bend the law
@@ -46,20 +48,23 @@ class Attribution {
   /// Largest visibility of its scores.
   [[nodiscard]] double visibility(std::size_t candidate) const;
 
-  /// Refits one candidate from two or more starts.
+  /// Refits one candidate or more from two or more starts.
   [[nodiscard]] Explanation refit(const std::vector<std::size_t>& members,
                                   const std::vector<Eigen::VectorXd>& extra_starts = {}) const;
   /// Every testable, visible candidate alone; best first.
   [[nodiscard]] std::vector<Explanation> singles() const;
   /// Pairs that may beat the best single, refitted; best first. All are weighed linearised, those
-  /// within reach of the best are refitted.
+  /// within reach of the best are refitted, most of them coarsely: see refine().
   [[nodiscard]] std::vector<Explanation> pairs(const std::vector<Explanation>& singles,
                                                const std::function<bool()>& cancelled) const;
-  /// Triples that may beat the best pair, from the best pairs and one candidate more, refitted;
-  /// best first.
+  /// Triples that may beat the best pair, from the best pairs and one candidate more, refitted as
+  /// pairs are; best first.
   [[nodiscard]] std::vector<Explanation> triples(const std::vector<Explanation>& pairs,
                                                  const std::vector<Explanation>& singles,
                                                  const std::function<bool()>& cancelled) const;
+  /// Makes the coarse fits whole that may come within `reach` of the gain of the best, and those
+  /// of pairs that triples() goes on from; best first.
+  void refine(std::vector<Explanation>& list, double reach) const;
   /// The law of one candidate bent by powers of the subject's factors within +-0.2.
   [[nodiscard]] Explanation elastic(const Explanation& single) const;
   /// The gate again on an extended model.
@@ -77,11 +82,17 @@ class Attribution {
   /// Linearised gains of pairs, negative, the best first.
   [[nodiscard]] std::vector<std::pair<double, Members>> weigh_pairs(
       const std::vector<Explanation>& singles) const;
-  /// One more candidate, the sizes of all started whole and halved.
+  /// One more candidate, the sizes of all started whole and halved; a coarse fit unless that is
+  /// worse than either of them.
   [[nodiscard]] Explanation refit_together(const Explanation& first,
                                            const Explanation& single) const;
+  /// True for a datum that may be wrong.
+  [[nodiscard]] bool is_datum(std::size_t member) const;
+  [[nodiscard]] bool has_datum(const Explanation& e) const;
   /// Values of the parameters of a member.
   [[nodiscard]] Eigen::VectorXd values_of(const Explanation& e, std::size_t member) const;
+  /// What a fit gains, or why it is none.
+  void judge(Explanation& e) const;
   [[nodiscard]] std::vector<Eigen::VectorXd> starts(std::span<const fit::Screened* const> on,
                                                     const fit::Response& response) const;
   [[nodiscard]] std::vector<const fit::Screened*> screened(

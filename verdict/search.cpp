@@ -166,6 +166,7 @@ std::optional<Finding> Search::two_candidates() {
   pairs_ = attribution_.pairs(singles_, limits_.cancelled);
   limits_.step(0.8, "checking the residual");
   drop_implausible(pairs_);
+  attribution_.refine(pairs_, within_reach);
   std::vector<const Explanation*> two =
       within_reach_of_best(pairs_, gain_beyond(singles_, limits_.tried - 1));
   if (!any_passes(pairs_, two)) return std::nullopt;
@@ -195,7 +196,8 @@ double Search::least_loss_of(const Explanation& triple) {
     std::erase(others, left_out);
     const auto known = std::find_if(pairs_.begin(), pairs_.end(),
                                     [&](const Explanation& e) { return e.members == others; });
-    const Explanation pair = known == pairs_.end() ? attribution_.refit(others) : *known;
+    const bool whole = known != pairs_.end() && known->starts.empty();
+    const Explanation pair = whole ? *known : attribution_.refit(others);
     if (pair.fit.converged) most = std::max(most, pair.gain);
   }
   return triple.gain - most;
@@ -207,6 +209,7 @@ std::optional<Finding> Search::three_candidates() {
     return std::nullopt;
   limits_.step(0.8, "refitting with three effects");
   triples_ = attribution_.triples(pairs_, singles_, limits_.cancelled);
+  attribution_.refine(triples_, within_reach);
   const std::vector<const Explanation*> three =
       triples_.empty() ? std::vector<const Explanation*>()
                        : within_reach_of_best(triples_, gain_beyond(pairs_, limits_.tried - 2));
@@ -324,6 +327,7 @@ Finding Search::explain_within_tolerance() {
   if (limits_.pairs && !evidence_.few_rows && singles_.size() >= 2) {
     limits_.step(0.5, "refitting with pairs of effects");
     pairs_ = attribution_.pairs(singles_, limits_.cancelled);
+    attribution_.refine(pairs_, std::numeric_limits<double>::infinity());
     if (auto set = good_enough(pairs_, best / as_near); !set.empty())
       return {Finding::Kind::several, std::move(set)};
   }
