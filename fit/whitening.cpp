@@ -75,23 +75,34 @@ Whitening Whitening::scaled(double factor) const {
   return result;
 }
 
+/// So many columns together: one alone waits for the result of each row before the next.
+template <std::size_t count>
+void Whitening::follow(double* first, Eigen::Index stride) const {
+  double ar[count] = {}, run[count] = {}, state[count] = {};
+  for (const Step& step : steps_) {
+    double* value = first++;
+    for (std::size_t c = 0; c < count; ++c, value += stride) {
+      ar[c] *= step.decay;
+      if (step.new_run) run[c] = 0.0;
+      if (step.new_state) state[c] = 0.0;
+      const double innovation =
+          *value - step.common * ar[c] - step.common * run[c] - step.common * state[c];
+      ar[c] += step.gain_ar * innovation;
+      run[c] += step.gain_run * innovation;
+      state[c] += step.gain_state * innovation;
+      *value = innovation * step.inverse_std;
+    }
+  }
+}
+
 Eigen::MatrixXd Whitening::operator()(const Eigen::MatrixXd& columns) const {
   Eigen::MatrixXd result = std_.cwiseInverse().asDiagonal() * columns;
   if (steps_.empty()) return result;
-  for (Eigen::Index c = 0; c < result.cols(); ++c) {
-    double ar = 0.0, run = 0.0, state = 0.0;
-    double* value = result.col(c).data();
-    for (const Step& step : steps_) {
-      ar *= step.decay;
-      if (step.new_run) run = 0.0;
-      if (step.new_state) state = 0.0;
-      const double innovation = *value - step.common * ar - step.common * run - step.common * state;
-      ar += step.gain_ar * innovation;
-      run += step.gain_run * innovation;
-      state += step.gain_state * innovation;
-      *value++ = innovation * step.inverse_std;
-    }
-  }
+  constexpr int together = 4;
+  Eigen::Index c = 0;
+  for (; c + together <= result.cols(); c += together)
+    follow<together>(result.col(c).data(), result.outerStride());
+  for (; c < result.cols(); ++c) follow<1>(result.col(c).data(), result.outerStride());
   return result;
 }
 

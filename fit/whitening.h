@@ -59,6 +59,9 @@ class Whitening {
     double gain_state = 0.0, common = 1.0;
     double inverse_std = 1.0;  // of the innovation
   };
+  template <std::size_t count>
+  void follow(double* first, Eigen::Index stride) const;
+
   Eigen::VectorXd std_;
   std::vector<Step> steps_;  // empty where rows are independent
   double log_determinant_ = 0.0;
