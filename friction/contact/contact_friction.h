@@ -55,12 +55,17 @@ struct RaceFriction {
   /// Friction of one contact of load Q > 0. A film is made by the speed of `motion` times
   /// `film_speed`, 0 at standstill, so that power over shaft speed has its limit there: φ = 1, no
   /// rolling resistance. A ball that has climbed its race by more than a right angle rolls on it
-  /// the other way round, which resists no less.
-  [[nodiscard]] ContactFriction contact(double load, const ContactMotion& motion,
-                                        double film_speed = 1.0) const {
+  /// the other way round, which resists no less. `centre` as film_traction() takes it.
+  [[nodiscard]] ContactFriction contact(double load, const ContactMotion& motion, double film_speed,
+                                        double& centre) const {
     const ContactFriction c = film(load, motion, film_speed);
     return contact(c, load, motion, film_speed,
-                   film_traction(ellipse(c, load, motion), shear(c, motion)));
+                   film_traction(ellipse(c, load, motion), shear(c, motion), centre));
+  }
+  [[nodiscard]] ContactFriction contact(double load, const ContactMotion& motion,
+                                        double film_speed = 1.0) const {
+    double centre = usual_centre;
+    return contact(load, motion, film_speed, centre);
   }
 
   /// Friction of a contact with known sliding, on its film().
@@ -255,11 +260,13 @@ template <typename Look>
   const RaceFriction inner = race_friction(bearing, bearing::Race::inner, oil, law, speed);
   const RaceFriction outer = race_friction(bearing, bearing::Race::outer, oil, law, speed);
   const double turning = speed > 0.0 ? speed : 1.0, film_speed = speed > 0.0 ? 1.0 : 0.0;
+  double inner_centre = usual_centre, outer_centre = usual_centre;  // from ball to ball
   const auto contacts = [&](std::size_t, const bearing::BallEquilibrium& ball) {
     const BallMotion motion = ball_motion(bearing.geometry(), ball, control, turning);
     ContactsOfBall c;
-    if (ball.inner_load > 0.0) c.inner = inner.contact(ball.inner_load, motion.inner, film_speed);
-    c.outer = outer.contact(ball.outer_load, motion.outer, film_speed);
+    if (ball.inner_load > 0.0)
+      c.inner = inner.contact(ball.inner_load, motion.inner, film_speed, inner_centre);
+    c.outer = outer.contact(ball.outer_load, motion.outer, film_speed, outer_centre);
     return c;
   };
   return sum_over_contacts(equilibrium, turning, contacts, look);

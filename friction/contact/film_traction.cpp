@@ -1,18 +1,28 @@
 #include "friction/contact/film_traction.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 
+#include "bearing/solve_many.h"
 #include "friction/contact/detail/traction_pass.h"
 
 namespace raceway::friction::contact {
 namespace {
 
 const TractionKernel& traction_kernel() {
-  static const TractionKernel kernel =
-      __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? traction_kernel_avx2()
-                                                                      : traction_kernel_sse2();
+  static const TractionKernel kernel = [] {
+    switch (bearing::best_instruction_set()) {
+      case bearing::InstructionSet::avx512:
+        return traction_kernel_avx512();
+      case bearing::InstructionSet::avx2:
+        return traction_kernel_avx2();
+      case bearing::InstructionSet::sse2:
+        break;
+    }
+    return traction_kernel_sse2();
+  }();
   return kernel;
 }
 
@@ -98,7 +108,7 @@ class SlidingContact {
     searchable_ = wide_.steepness[0] < 1e18;
   }
 
-  [[nodiscard]] Traction rolling() const {
+  [[nodiscard]] Traction rolling(double& centre) const {
     Traction t;
     t.converged = true;
     PassSums last;
@@ -112,11 +122,12 @@ class SlidingContact {
       balance(0.0);
     } else {
       const double low = std::fmin(-range, 0.0), high = std::fmax(-range, 0.0);
-      double v = -0.2 * range;
+      double v = -centre * range;
       if (searchable_ && steps_at(low, high, v))
         balance(v);
       else
         t.converged = find_zero(balance, low, high, v, 1e-6);
+      centre = std::clamp(-v / range, 0.001, 0.999);
     }
     const double a = ellipse_.semi_major_axis;
     const double area = points_.copies * a * ellipse_.semi_minor_axis;
@@ -162,9 +173,14 @@ class SlidingContact {
 
 }  // namespace
 
-Traction film_traction(const SlidingEllipse& ellipse, const FilmShear& shear) {
+Traction film_traction(const SlidingEllipse& ellipse, const FilmShear& shear, double& centre) {
   const bool spins = spins_beside(ellipse.spin, ellipse.differential, ellipse.semi_major_axis);
-  return SlidingContact(ellipse, shear, spins).rolling();
+  return SlidingContact(ellipse, shear, spins).rolling(centre);
+}
+
+Traction film_traction(const SlidingEllipse& ellipse, const FilmShear& shear) {
+  double centre = usual_centre;
+  return film_traction(ellipse, shear, centre);
 }
 
 }  // namespace raceway::friction::contact

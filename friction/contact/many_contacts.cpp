@@ -122,6 +122,18 @@ struct KernelMemory {
   std::vector<OilState> oils;
 };
 
+ContactKernel kernel_of(bearing::InstructionSet set) {
+  switch (set) {
+    case bearing::InstructionSet::avx512:
+      return contact_kernel_avx512;
+    case bearing::InstructionSet::avx2:
+      return contact_kernel_avx2;
+    case bearing::InstructionSet::sse2:
+      break;
+  }
+  return contact_kernel_sse2;
+}
+
 class ManyContacts {
  public:
   ManyContacts(std::span<const BearingState<double>> states, std::span<const double> values,
@@ -317,12 +329,10 @@ void contact_results(std::span<const BearingState<double>> states, std::span<con
                                 std::string(bearing::name(set)));
   if (states.empty()) return;
   thread_local KernelMemory memory;
-  const ContactKernel kernel =
-      set == bearing::InstructionSet::sse2 ? contact_kernel_sse2 : contact_kernel_avx2;
   for (std::size_t first = 0; first < states.size(); first += points_of_chunk) {
     const std::size_t count = std::min(points_of_chunk, states.size() - first);
-    ManyContacts(states.subspan(first, count), values, results.subspan(first, count), kernel,
-                 memory)
+    ManyContacts(states.subspan(first, count), values, results.subspan(first, count),
+                 kernel_of(set), memory)
         .run();
   }
 }

@@ -69,7 +69,8 @@ TEST(ManyContacts, AreThoseOfOneStateAtATime) {
   for (std::uint64_t index = 0; index < bearings; ++index) {
     const ManyStates m(index);
     for (const bearing::InstructionSet set :
-         {bearing::InstructionSet::sse2, bearing::InstructionSet::avx2}) {
+         {bearing::InstructionSet::sse2, bearing::InstructionSet::avx2,
+          bearing::InstructionSet::avx512}) {
       if (!bearing::available(set)) continue;
       std::vector<ContactResult> many(states_each);
       contact_results(m.states, m.values, many, set);

@@ -7,7 +7,7 @@ namespace raceway::friction::contact {
 // What many_contacts.cpp asks of contact_kernel_*.cpp: the laws of contact_friction.h for contacts
 // side by side. One source, compiled for each instruction set.
 
-inline constexpr std::size_t contacts_of_block = 8;
+inline constexpr std::size_t contacts_of_block = 16;
 inline constexpr std::size_t most_kernel_rings = 16, most_kernel_angles = 16;
 
 /// Data common to all contacts of a call: race, law, spin or not. Names as in contact_friction.h;
@@ -51,5 +51,7 @@ void contact_kernel_sse2(const KernelRace& race, bool spins, ContactBlock* block
                          std::size_t count);
 void contact_kernel_avx2(const KernelRace& race, bool spins, ContactBlock* blocks,
                          std::size_t count);
+void contact_kernel_avx512(const KernelRace& race, bool spins, ContactBlock* blocks,
+                           std::size_t count);
 
 }  // namespace raceway::friction::contact

@@ -53,5 +53,6 @@ struct TractionKernel {
 };
 TractionKernel traction_kernel_sse2();
 TractionKernel traction_kernel_avx2();
+TractionKernel traction_kernel_avx512();
 
 }  // namespace raceway::friction::contact

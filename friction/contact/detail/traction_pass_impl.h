@@ -45,7 +45,7 @@ template <class V, Rubbing rubbing>
     V length, per_length;
     if constexpr (is_double<V>) {
       length = xsimd::sqrt(square);  // beyond the range of inverse_root()
-      per_length = xsimd::rsqrt(square);
+      per_length = estimated_inverse_root(square);
     } else {
       per_length = inverse_root(square);
       length = square * per_length;
