@@ -57,6 +57,14 @@ BearingLife life_of_rollers(const LifeData& data, const bearing::RollerBearing& 
   return r;
 }
 
+double reference_of_balls(const LifeData& data, const bearing::BearingGeometry& g,
+                          double load_rating, const bearing::BearingEquilibrium& equilibrium,
+                          double speed) {
+  return seconds(life::reliability_factor(data.reliability) *
+                     life::reference_life(life::race_ratings(g, load_rating), equilibrium.balls),
+                 speed);
+}
+
 BearingLife life_of_balls(const LifeData& data, const bearing::Bearing& bearing,
                           const bearing::OperatingPoint& point,
                           const bearing::BearingEquilibrium& equilibrium, double viscosity) {
@@ -76,9 +84,7 @@ BearingLife life_of_balls(const LifeData& data, const bearing::Bearing& bearing,
   if (!equilibrium.report.converged()) return r;
   const bearing::ContactPressure pressure = largest_pressure(bearing, equilibrium);
   r.static_safety = life::static_safety(std::fmax(pressure.inner, pressure.outer));
-  r.reference =
-      seconds(a1 * life::reference_life(life::race_ratings(g, r.load_rating), equilibrium.balls),
-              point.speed);
+  r.reference = reference_of_balls(data, g, r.load_rating, equilibrium, point.speed);
   return r;
 }
 
@@ -90,6 +96,22 @@ BearingLife bearing_life(const Model& model, const bearing::OperatingPoint& poin
   if (p.rollers)
     return life_of_rollers(model.life, *model.bearing.rollers(), point, *p.rollers, viscosity);
   return life_of_balls(model.life, bearing_of(model, p), point, *p.equilibrium, viscosity);
+}
+
+ReferenceLife reference_life(const Model& model, const bearing::OperatingPoint& point,
+                             const FrictionPrediction& p) {
+  if (p.rollers) {
+    const BearingLife life = bearing_life(model, point, p);
+    return {life.viscosity_ratio, life.reference};
+  }
+  const bearing::BearingGeometry& g = bearing_of(model, p).geometry();
+  ReferenceLife life{.viscosity_ratio = life::viscosity_ratio(p.film.kinematic_viscosity,
+                                                              point.speed, g.pitch_diameter)};
+  if (p.equilibrium->report.converged())
+    life.reference = reference_of_balls(
+        model.life, g, given_or(model.life.dynamic_load_rating, life::dynamic_load_rating(g)),
+        *p.equilibrium, point.speed);
+  return life;
 }
 
 }  // namespace raceway::model

@@ -30,4 +30,12 @@ struct BearingLife {
 [[nodiscard]] BearingLife bearing_life(const Model& model, const bearing::OperatingPoint& point,
                                        const FrictionPrediction& prediction);
 
+/// κ and `reference` of bearing_life() alone, which no integral over a contact is needed for.
+struct ReferenceLife {
+  double viscosity_ratio = unset;  ///< [1]
+  double reference = unset;        ///< [s]
+};
+[[nodiscard]] ReferenceLife reference_life(const Model& model, const bearing::OperatingPoint& point,
+                                           const FrictionPrediction& prediction);
+
 }  // namespace raceway::model

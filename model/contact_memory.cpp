@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "friction/lubricant.h"
 
@@ -55,16 +56,16 @@ ContactMemory::Known& ContactMemory::remember(const Balance& balls, const Bearin
                                               std::span<const double> values,
                                               const ContactResult& result) {
   if (known_.size() == most_known) known_.pop_back();
-  known_.push_front(
-      {.balls = balls,
-       .viscosity_40C = s.lubricant->viscosity_40C(),
-       .viscosity_100C = s.lubricant->viscosity_100C(),
-       .temperature = s.temperature,
-       .viscosity = s.kinematic_viscosity,
-       .values = {values.begin(), values.end()},
-       .result = result,
-       .along_oil = s.kinematic_viscosity == s.lubricant->kinematic_viscosity(s.temperature)});
-  return known_.front();
+  Known newest{
+      .balls = balls,
+      .viscosity_40C = s.lubricant->viscosity_40C(),
+      .viscosity_100C = s.lubricant->viscosity_100C(),
+      .temperature = s.temperature,
+      .viscosity = s.kinematic_viscosity,
+      .values = {values.begin(), values.end()},
+      .result = result,
+      .along_oil = s.kinematic_viscosity == s.lubricant->kinematic_viscosity(s.temperature)};
+  return *known_.insert(known_.begin(), std::move(newest));
 }
 
 ContactResult ContactMemory::at(const Balance& balls, const BearingState<double>& s,

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <deque>
 #include <memory>
 #include <span>
 #include <vector>
@@ -63,7 +62,7 @@ class ContactMemory {
                   std::span<const double> values, const friction::contact::ContactResult& result);
   void find_slope(Known& known, friction::BearingState<double> s);
 
-  std::deque<Known> known_;  // the newest first
+  std::vector<Known> known_;  // the newest first; a vector, as many rows never remember
   double last_temperature_ = unset;
 };
 

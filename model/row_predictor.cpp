@@ -186,7 +186,8 @@ bool RowPredictor::recall(const Model& model, const Condition& condition) {
 
 void RowPredictor::remember() {
   if (known_balances_.size() == most_balances) known_balances_.pop_back();
-  known_balances_.push_front({condition_, turning_, bearing_, equilibrium_, report_, held_});
+  known_balances_.insert(known_balances_.begin(),
+                         {condition_, turning_, bearing_, equilibrium_, report_, held_});
 }
 
 std::optional<bearing::BearingCase> RowPredictor::ask(const Model& model, const Steps& steps) {

@@ -97,8 +97,8 @@ class RowPredictor {
     bearing::SolveReport report;
     HoldingMoments held;
   };
-  std::deque<KnownBalance> known_balances_;  // the newest first
-  Balance entered_;                          // balls at the load as entered, where a step asked
+  std::vector<KnownBalance> known_balances_;  // the newest first
+  Balance entered_;                           // balls at the load as entered, where a step asked
   BallTurning entered_turning_;
 
   effects::Condition condition_;

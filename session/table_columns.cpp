@@ -117,7 +117,7 @@ std::array<double, contact_columns.size()> contact_values(const model::Model& mo
                                                           const bearing::OperatingPoint& point,
                                                           const model::FrictionPrediction& p) {
   const bearing::Bearing& bearing = bearing_of(model, p);
-  const model::BearingLife life = bearing_life(model, point, p);
+  const model::ReferenceLife life = reference_life(model, point, p);
   const bearing::ContactPressure pressure = largest_pressure(bearing, *p.equilibrium);
   const friction::HeatSplit heat = heat_split(model, point, p);
   return {p.contacts->friction.smallest_film,

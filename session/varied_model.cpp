@@ -33,7 +33,7 @@ bearing::OperatingPoint point_of_state(const State& state, const model::Model& m
 double life_of(const model::Model& model, const bearing::OperatingPoint& point) {
   const model::FrictionPrediction p = model::predict_friction(model, point, true);
   constexpr double hour = 3600.0;
-  return p.report.converged() ? bearing_life(model, point, p).reference / hour : unset;
+  return p.report.converged() ? reference_life(model, point, p).reference / hour : unset;
 }
 
 double stiffness_of(const model::Model& model, const bearing::OperatingPoint& point) {
