@@ -69,6 +69,22 @@ void run(benchmark::State& state, const OperatingPoint& point, const Equilibrium
   state.counters["load_error"] = report.recovered_load_error;
 }
 
+/// A load too light for its speed under inner control: all ways are searched and none leads to a
+/// balance.
+void without_balance(benchmark::State& state) {
+  const EquilibriumOptions options{.race_control = RaceControl::inner, .tilt = Tilt::free};
+  const OperatingPoint point{.speed = 20000 * rpm, .axial_load = 200, .radial_load = 150};
+  SolveReport report;
+  for (auto _ : state) {
+    report = solve_bearing_equilibrium(spindle_bearing(), point, options).report;
+    benchmark::DoNotOptimize(report);
+  }
+  if (report.status != SolveStatus::no_equilibrium) state.SkipWithError("a balance was found");
+  state.SetItemsProcessed(state.iterations());
+  state.counters["iterations"] = report.iterations;
+}
+BENCHMARK(without_balance)->Name("solve/inner_without_balance")->Unit(benchmark::kMillisecond);
+
 constexpr OperatingPoint thrust{.speed = 10000 * rpm, .axial_load = 1000};
 constexpr OperatingPoint combined{.speed = 10000 * rpm, .axial_load = 1000, .radial_load = 300};
 constexpr OperatingPoint oblique{

@@ -1,5 +1,6 @@
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 
 #include <array>
 #include <atomic>
@@ -11,6 +12,7 @@
 #include "friction/contact/contact_friction.h"
 #include "friction/contact/many_contacts.h"
 #include "friction/stribeck_table.h"
+#include "model/base_laws.h"
 #include "model/prediction.h"
 
 namespace {
@@ -125,6 +127,31 @@ BENCHMARK_CAPTURE(table_of_a_million, two, 2)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
+/// The same points with the contact law, without the file.
+void contact_table_of_a_million(benchmark::State& state) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 2);
+  const model::Model model = model::with_law(spindle_model(false), friction::FrictionLaw::contact);
+  for (auto _ : state)
+    tbb::parallel_for(0, 1000000 / 256, [&](int piece) {
+      std::vector<bearing::OperatingPoint> given(256);
+      std::vector<model::FrictionPrediction> p(256);
+      for (int i = 0; i < 256; ++i) {
+        const int k = 256 * piece + i;
+        given[static_cast<std::size_t>(i)] = {.speed = 120.0 * (1 + k % 100) * rpm,
+                                              .axial_load = 30.0 * (1 + k / 100 % 50),
+                                              .radial_load = 5.0 * (k / 5000 % 4),
+                                              .temperature = kelvin(20.0 + k / 20000)};
+      }
+      model::predict_sweep(model, given, p, true);
+      benchmark::DoNotOptimize(p.data());
+    });
+  state.SetItemsProcessed(state.iterations() * 1000000);
+}
+BENCHMARK(contact_table_of_a_million)
+    ->Name("table/1e6_contact")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
 void laws_only(benchmark::State& state) {
   const model::Model model = spindle_model(false);
   const bearing::OperatingPoint point{.speed = 10000 * rpm, .axial_load = 600};
@@ -234,10 +261,14 @@ void contacts_in_batch(benchmark::State& state, double radial_load, bearing::Ins
       benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   state.counters["off"] = off;
 }
-BENCHMARK_CAPTURE(contacts_in_batch, thrust_avx2, 0.0, bearing::InstructionSet::avx2)
+BENCHMARK_CAPTURE(contacts_in_batch, thrust, 0.0, bearing::best_instruction_set())
     ->Name("contact/thrust_batch");
-BENCHMARK_CAPTURE(contacts_in_batch, combined_avx2, 300.0, bearing::InstructionSet::avx2)
+BENCHMARK_CAPTURE(contacts_in_batch, combined, 300.0, bearing::best_instruction_set())
     ->Name("contact/combined_batch");
+BENCHMARK_CAPTURE(contacts_in_batch, thrust_avx2, 0.0, bearing::InstructionSet::avx2)
+    ->Name("contact/thrust_batch_avx2");
+BENCHMARK_CAPTURE(contacts_in_batch, combined_avx2, 300.0, bearing::InstructionSet::avx2)
+    ->Name("contact/combined_batch_avx2");
 BENCHMARK_CAPTURE(contacts_in_batch, thrust_sse2, 0.0, bearing::InstructionSet::sse2)
     ->Name("contact/thrust_batch_sse2");
 BENCHMARK_CAPTURE(contacts_in_batch, combined_sse2, 300.0, bearing::InstructionSet::sse2)
