@@ -122,7 +122,13 @@ class Inquiry {
   }
 
  private:
-  [[nodiscard]] const fit::Measured& channel() const { return channels_.front(); }
+  /// "axial displacement, housing temperature": the channels that the record has.
+  [[nodiscard]] std::string words_of_read() const {
+    std::string words;
+    for (const fit::Measured& m : channels_)
+      if (record_.has(*m.channel)) words.append(words.empty() ? "" : ", ").append(m.channel->words);
+    return words;
+  }
   /// Errors of a channel are in its tolerances.
   [[nodiscard]] double in_SI(double error, std::size_t of) const {
     return error * channels_[of].tolerance;
@@ -149,13 +155,13 @@ class Inquiry {
     if (count < least)
       throw std::invalid_argument(
           fmt::format("{} readings of {} at {} different minutes: a verdict needs {} or more",
-                      count, channel().channel->words, count, least));
+                      count, words_of_read(), count, least));
     few_readings_ = count < enough;
     if (few_readings_)
       result_.messages.push_back(record::note::limits(fmt::format(
           "only {} readings of {}: the verdict is a hint, and pairs of effects are not tried; take "
           "{} readings or more",
-          count, channel().channel->words, enough)));
+          count, words_of_read(), enough)));
     bool all_go_one_way = true;
     for (std::size_t c = 0; c < channels_.size(); ++c)
       all_go_one_way = all_go_one_way && goes_one_way(recorded_.means, c);

@@ -10,12 +10,11 @@
 #include "spindle/spindle.h"
 #include "spindle/spindle_subject.h"
 #include "tests/spindle/base_spindle.h"
+#include "tests/spindle/recorded_hours.h"
 
 // Numbers of a spindle that were entered wrong.
 namespace raceway::spindle {
 namespace {
-
-constexpr double room_temperature = kelvin(20);
 
 model::Model measured_spindle() {
   model::Model m = base_spindle();
@@ -30,36 +29,6 @@ model::Model measured_spindle() {
   add("end", Part::shaft, 365, 29);
   m.spindle->cells = model::Cells::coarse;
   return m;
-}
-
-/// Four hours at speeds that change, a row every two minutes, as the spindle would read them.
-record::Record recorded(const model::Model& model) {
-  std::vector<ProfileRow> rows;
-  for (int k = 1; k <= 120; ++k)
-    rows.push_back({.time = 120.0 * k,
-                    .inputs = {.speed = (k < 40   ? 8000.0
-                                         : k < 70 ? 3000.0
-                                                  : 6000.0) *
-                                        rpm,
-                               .ambient_temperature = room_temperature}});
-  const Run run = Simulator(model).simulate(rows);
-  std::vector<double> time, speeds, ambient, moved;
-  std::vector<std::vector<double>> read(model.spindle->sensors.size());
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    time.push_back(rows[k].time);
-    speeds.push_back(rows[k].inputs.speed);
-    ambient.push_back(room_temperature);
-    moved.push_back(run.moments[k].displacement);
-    for (std::size_t s = 0; s < read.size(); ++s) read[s].push_back(run.moments[k].sensors[s]);
-  }
-  record::Record record;
-  record.set(record::time, time);
-  record.set(record::speed, speeds);
-  record.set(*record::spindle_channel("ambient_temperature_C"), ambient);
-  record.set(record::axial_displacement, moved);
-  for (std::size_t s = 0; s < read.size(); ++s)
-    record.set(record::sensor_channel(model.spindle->sensors[s].name), read[s]);
-  return record;
 }
 
 bool has(const std::vector<fit::Candidate>& all, const std::string& id) {
@@ -112,6 +81,25 @@ TEST(SpindleWrongData, AMovedThermometerReadsAsOneThatWasEnteredThere) {
     const std::vector<double> there = fit::predict(SpindleSubject(m), record);
     for (std::size_t k = 0; k < read.size(); ++k) EXPECT_NEAR(read[k], there[k], 1e-9) << place;
   }
+}
+
+TEST(SpindleWrongData, FewReadingsAreThoseOfTheChannelsInTheRecord) {
+  const model::Model m = measured_spindle();
+  const record::Record all = recorded(m);
+  std::vector<std::size_t> rows;
+  for (std::size_t k = 0; k < all.rows(); k += 15) rows.push_back(k);
+  record::Record few = all.picked(rows);
+  std::erase_if(few.columns,
+                [](const record::Column& c) { return *c.channel == record::axial_displacement; });
+  const verdict::Diagnosis d = loop::diagnose(SpindleSubject(m), few, {});
+  const auto said = std::find_if(d.messages.begin(), d.messages.end(), [](const auto& note) {
+    return note.text.starts_with("only 32 readings of ");
+  });
+  ASSERT_NE(said, d.messages.end());
+  EXPECT_NE(said->text.find("readings of front temperature, rear temperature, ring temperature"),
+            std::string::npos)
+      << said->text;
+  EXPECT_EQ(said->text.find("displacement"), std::string::npos);
 }
 
 TEST(SpindleWrongData, AThermometerAwayFromItsPlaceIsFoundAndPutThere) {
