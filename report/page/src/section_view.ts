@@ -62,19 +62,25 @@ function box(api: Api, from: [number, number], to: [number, number], style: Opti
   return { type: 'rect', shape: { x: Math.min(x1, x2), y: Math.min(y1, y2), width: Math.abs(x2 - x1), height: Math.abs(y2 - y1) }, style };
 }
 
-/// Rings, ball, and the line along which it presses.
+/// Rings, and a ball with the line along which it presses or a roller.
 function bearing(b: Section['bearings'][number], api: Api, scale: number, l: Look): Shape[] {
   const thin = { fill: 'none', stroke: l.ink, lineWidth: 1.3 };
   const [from, to] = [b.position_mm - b.width_mm / 2, b.position_mm + b.width_mm / 2];
   const centre: [number, number] = [b.position_mm, b.pitch_diameter_mm / 2];
   const [cx, cy] = api.coord(centre);
-  const angle = (b.contact_angle_deg * Math.PI) / 180;
-  const reach = 0.85 * b.ball_diameter_mm;
+  const rings = [box(api, [from, b.bore_mm / 2], [to, b.inner_ring_shoulder_mm / 2], thin), box(api, [from, b.outer_ring_shoulder_mm / 2], [to, b.outer_diameter_mm / 2], thin)];
+  const rolling = { fill: l.surface, stroke: l.ink, lineWidth: 1.3 };
+  if (b.roller_diameter_mm !== undefined && b.roller_length_mm !== undefined) {
+    const [half, radius] = [b.roller_length_mm / 2, b.roller_diameter_mm / 2];
+    return [...rings, box(api, [centre[0] - half, centre[1] - radius], [centre[0] + half, centre[1] + radius], rolling)];
+  }
+  const ball = b.ball_diameter_mm ?? 0;
+  const angle = ((b.contact_angle_deg ?? 0) * Math.PI) / 180;
+  const reach = 0.85 * ball;
   const along = (sign: number): [number, number] => api.coord([centre[0] + sign * (b.pressed_rearwards ? 1 : -1) * reach * Math.sin(angle), centre[1] + sign * reach * Math.cos(angle)]);
   return [
-    box(api, [from, b.bore_mm / 2], [to, b.inner_ring_shoulder_mm / 2], thin),
-    box(api, [from, b.outer_ring_shoulder_mm / 2], [to, b.outer_diameter_mm / 2], thin),
-    { type: 'circle', shape: { cx, cy, r: (b.ball_diameter_mm / 2) * scale }, style: { fill: l.surface, stroke: l.ink, lineWidth: 1.3 } },
+    ...rings,
+    { type: 'circle', shape: { cx, cy, r: (ball / 2) * scale }, style: rolling },
     segment(along(-1), along(1), { stroke: l.ink, lineWidth: 1, lineDash: [4, 3] }),
   ];
 }
@@ -177,7 +183,8 @@ export function sectionFigure(section: Section, what: string, labels: string[], 
       const { x, top, height, scale } = frame(section, width);
       const faces = outline(section);
       const [from, to] = [mesh.start_mm.reduce((m, v) => Math.min(m, v), Infinity), mesh.end_mm.reduce((m, v) => Math.max(m, v), -Infinity)];
-      const apart = Math.min(...section.bearings.slice(1).map((b, k) => b.position_mm - (section.bearings[k]?.position_mm ?? 0)), Infinity) * scale;
+      const places = section.bearings.map((b) => b.position_mm).sort((a, b) => a - b);
+      const apart = Math.min(...places.slice(1).map((at, k) => at - (places[k] ?? 0)), Infinity) * scale;
       const name = (label: string) => (apart > longLabel ? label.replace('_', ' ') : `${label.slice(0, 1).toUpperCase()}${label.replace(/.*_/, '')}`);
       const nothing = { show: false };
       return {
