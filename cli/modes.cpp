@@ -1,6 +1,8 @@
 #include <fmt/core.h>
 
+#include <cmath>
 #include <memory>
+#include <optional>
 
 #include "cli/axis_flag.h"
 #include "cli/commands.h"
@@ -20,6 +22,7 @@ namespace {
 struct ModesFlags {
   std::string model, speed, output, shapes, coolant = "on";
   int count = 6;
+  double damping = unset, unbalance_gmm = unset, unbalance_at_mm = 0.0;
   bool warm = false, json = false, force = false;
   CsvStyle csv;
   ReportFlag report;
@@ -30,6 +33,26 @@ std::vector<double> campbell_speeds(const ModesFlags& f) {
   require_all(speeds, speed_range, "--speed");
   for (double& speed : speeds) speed *= rpm;
   return speeds;
+}
+
+std::optional<spindle::Unbalance> unbalance_of(const ModesFlags& f) {
+  if (std::isnan(f.unbalance_gmm)) return std::nullopt;
+  return spindle::Unbalance{.size = f.unbalance_gmm * 1e-3 * mm,
+                            .position = f.unbalance_at_mm * mm,
+                            .damping_ratio = f.damping};
+}
+
+/// Where an excitation meets a mode, a line each.
+void print_crossings(const std::vector<results::ModesAtSpeed>& speeds) {
+  TextTable table(
+      {{"excitation", "", true}, {"mode", "", true}, {"speed", "rpm"}, {"frequency", "Hz"}});
+  const std::vector<results::Crossing> found = results::crossings(speeds);
+  for (const results::Crossing& c : found)
+    table.add({c.excitation, fmt::format("{} {}", c.mode, spindle::name(c.whirl)),
+               fmt::format("{:.0f}", c.speed / rpm),
+               fmt::format("{:.1f}", c.frequency / (2.0 * pi))});
+  if (!found.empty())
+    fmt::print("\nwhere an excitation meets a mode\n\n{}", table.text(terminal_width()));
 }
 
 void print(const ModesFlags& f, const session::SpindleModes& found) {
@@ -44,6 +67,7 @@ void print(const ModesFlags& f, const session::SpindleModes& found) {
   for (const std::string& name : found.beam.roller_names)
     columns.push_back({fmt::format("K {}", name), "N/um"});
   for (int k = 1; k <= f.count; ++k) columns.push_back({fmt::format("f{}", k), "Hz"});
+  if (!std::isnan(f.unbalance_gmm)) columns.push_back({"nose", "um"});
   TextTable table(columns);
   for (const results::ModesAtSpeed& r : found.speeds) {
     const bool known = r.sets.converged();
@@ -66,10 +90,15 @@ void print(const ModesFlags& f, const session::SpindleModes& found) {
                                 : mode.whirl == spindle::Whirl::forward ? "f"
                                                                         : " "));
     }
+    if (r.nose) row.push_back(number(r.nose->amplitude / um));
     table.add(std::move(row));
   }
   fmt::print("{}", table.text(terminal_width()));
   fmt::print("\nfront, rear: preload at that speed; K: radial stiffness of each bearing there\n");
+  if (!std::isnan(f.unbalance_gmm))
+    fmt::print("nose: its path under {:.6g} g mm at {:.6g} mm with a damping ratio of {:.6g}\n",
+               f.unbalance_gmm, f.unbalance_at_mm, f.damping);
+  print_crossings(found.speeds);
 }
 
 int run(const ModesFlags& f) {
@@ -83,7 +112,9 @@ int run(const ModesFlags& f) {
   const session::SpindleModes found = session::spindle_modes(file, {.speeds = campbell_speeds(f),
                                                                     .warm = f.warm,
                                                                     .coolant_on = f.coolant == "on",
-                                                                    .count = f.count});
+                                                                    .count = f.count,
+                                                                    .damping_ratio = f.damping,
+                                                                    .unbalance = unbalance_of(f)});
   const std::string what = fmt::format(", {} speeds", found.speeds.size());
   if (!f.output.empty()) f.csv.put(f.output, found.csv(), if_exists, what);
   if (!f.shapes.empty()) f.csv.put(f.shapes, found.shapes_csv(), if_exists, what);
@@ -115,6 +146,12 @@ Run setup_modes(CLI::App& command) {
   command.add_option("--modes", flags->count, "how many; default 6")
       ->check(CLI::Range(1, 40))
       ->type_name("N");
+  add_number(command, "--damping", flags->damping, {0.0, 1.0, ""},
+             "damping ratio of every mode, as you state it, 0.02; for --unbalance");
+  add_number(command, "--unbalance", flags->unbalance_gmm, {0.0, 1e9, "g mm"},
+             "[g mm] that turns with the shaft: the path of the nose at each speed");
+  add_number(command, "--unbalance-at", flags->unbalance_at_mm, {0.0, 1e5, "mm"},
+             "[mm] behind the nose face; default 0");
   command.add_option("-o,--output", flags->output, "Campbell diagram as CSV; - for stdout")
       ->type_name("FILE");
   command.add_option("--shapes", flags->shapes, "shapes of the modes as CSV; - for stdout")

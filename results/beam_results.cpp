@@ -20,6 +20,7 @@ using bearing::Arrangement;
 using bearing::Side;
 
 constexpr double microradian = 1e-6;
+constexpr double of_turn = 2.0 * pi;
 
 /// A number of the sets at a speed by the name of its column, in the unit of that.
 struct SetNumber {
@@ -77,6 +78,16 @@ std::vector<SetNumber> set_numbers(const Arrangement& a, const ModesAtSpeed& m) 
     numbers.push_back({name + "_radial_N_um", e.stiffness(0, 0) / N_per_um});
     numbers.push_back({name + "_tilt_Nm_rad", e.stiffness(3, 3)});
   }
+  for (const auto& [name, per_turn] : m.rolling) {
+    const double turns = m.speed / of_turn;
+    numbers.push_back({name + "_cage_Hz", per_turn.cage * turns});
+    numbers.push_back({name + "_outer_race_Hz", per_turn.outer_race * turns});
+    numbers.push_back({name + "_inner_race_Hz", per_turn.inner_race * turns});
+  }
+  if (m.nose) {
+    numbers.push_back({"nose_amplitude_um", m.nose->amplitude / um});
+    numbers.push_back({"nose_lag_deg", m.nose->lag / degree});
+  }
   return numbers;
 }
 
@@ -91,8 +102,6 @@ void cell(fmt::memory_buffer& out, double value) {
   text::append_value(out, value);
   out.push_back(',');
 }
-
-constexpr double of_turn = 2.0 * pi;
 
 text::json bearing_json(const Arrangement& a, const spindle::LoadedShaft& shaft, std::size_t i) {
   const bearing::BearingEquilibrium& b = shaft.bearings[i];
@@ -159,6 +168,17 @@ text::json roller_json(const std::string& name, const bearing::RollerEquilibrium
           {"rollers", std::move(rollers)}};
 }
 
+text::json crossings_json(const std::vector<ModesAtSpeed>& speeds) {
+  text::json list = text::json::array();
+  for (const Crossing& c : crossings(speeds))
+    list.push_back({{"excitation", c.excitation},
+                    {"mode", c.mode},
+                    {"whirl", spindle::name(c.whirl)},
+                    {"speed_rpm", c.speed / rpm},
+                    {"frequency_Hz", c.frequency / of_turn}});
+  return list;
+}
+
 }  // namespace
 
 std::string ModesAtSpeed::status() const {
@@ -179,6 +199,56 @@ std::string ModesAtSpeed::status() const {
 std::string DeflectionResult::status() const {
   return std::string(sets.converged() ? bearing::name(shaft.report.status)
                                       : spindle::name(sets.status));
+}
+
+std::vector<Crossing> crossings(const std::vector<ModesAtSpeed>& speeds) {
+  using spindle::Whirl;
+  const auto in_sense = [](const ModesAtSpeed& m, Whirl sense) {
+    std::vector<double> list;
+    bool backward = true;  // the next one that stands
+    for (const spindle::Mode& mode : m.modes.modes) {
+      Whirl whirl = mode.whirl;
+      if (whirl == Whirl::standing) {
+        whirl = backward ? Whirl::backward : Whirl::forward;
+        backward = !backward;
+      }
+      if (whirl == sense) list.push_back(mode.frequency);
+    }
+    return list;
+  };
+  // Frequencies per turn; of a bearing they follow its contact angles from speed to speed.
+  const auto excitations = [](const ModesAtSpeed& m) {
+    std::vector<std::pair<std::string, double>> list{{"1x", 1.0}, {"2x", 2.0}};
+    for (const auto& [name, per_turn] : m.rolling) {
+      list.emplace_back(name + " cage", per_turn.cage);
+      list.emplace_back(name + " outer race", per_turn.outer_race);
+      list.emplace_back(name + " inner race", per_turn.inner_race);
+    }
+    return list;
+  };
+  std::vector<Crossing> found;
+  for (std::size_t k = 1; k < speeds.size(); ++k) {
+    const ModesAtSpeed &from = speeds[k - 1], &to = speeds[k];
+    const auto before = excitations(from), after = excitations(to);
+    for (const Whirl sense : {Whirl::backward, Whirl::forward}) {
+      const std::vector<double> low = in_sense(from, sense), high = in_sense(to, sense);
+      for (std::size_t mode = 0; mode < std::min(low.size(), high.size()); ++mode)
+        for (std::size_t e = 0; e < std::min(before.size(), after.size()); ++e) {
+          const double a = low[mode] - before[e].second * from.speed;
+          const double b = high[mode] - after[e].second * to.speed;
+          if (!(a > 0.0 && b <= 0.0) && !(a < 0.0 && b >= 0.0)) continue;
+          const double share = a / (a - b);
+          found.push_back({.excitation = before[e].first,
+                           .mode = mode + 1,
+                           .whirl = sense,
+                           .speed = std::lerp(from.speed, to.speed, share),
+                           .frequency = std::lerp(low[mode], high[mode], share)});
+        }
+    }
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Crossing& a, const Crossing& b) { return a.speed < b.speed; });
+  return found;
 }
 
 std::string campbell_text(const Arrangement& a, const std::vector<ModesAtSpeed>& speeds,
@@ -210,7 +280,8 @@ std::string campbell_text(const Arrangement& a, const std::vector<ModesAtSpeed>&
         const spindle::Mode& mode = m.modes.modes[k];
         fmt::format_to(put, "{},", k + 1);
         cell(out, mode.frequency / of_turn);
-        fmt::format_to(put, "{},,", spindle::name(mode.whirl));
+        fmt::format_to(put, "{},", spindle::name(mode.whirl));
+        cell(out, m.damping_ratio);
       } else {
         fmt::format_to(put, ",,,,");
       }
@@ -255,7 +326,7 @@ std::string campbell_json(const Arrangement& a, const std::vector<ModesAtSpeed>&
       modes.push_back({{"mode", k + 1},
                        {"frequency_Hz", m.modes.modes[k].frequency / of_turn},
                        {"whirl", spindle::name(m.modes.modes[k].whirl)},
-                       {"damping_ratio", nullptr}});
+                       {"damping_ratio", m.damping_ratio}});
     row["modes"] = std::move(modes);
     row["report"] = {{"status", m.status()}};
     if (!m.sets.message.empty()) row["report"]["message"] = m.sets.message;
@@ -264,6 +335,7 @@ std::string campbell_json(const Arrangement& a, const std::vector<ModesAtSpeed>&
   return text::text({{"model", text::printable(source)},
                      {"preload_N", a.preload()},
                      {"rows", std::move(rows)},
+                     {"crossings", crossings_json(speeds)},
                      {"judgement", judgement_json(findings)}});
 }
 

@@ -3,13 +3,16 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "bearing/frequencies.h"
 #include "model/judgement.h"
 #include "model/model.h"
 #include "spindle/loaded_shaft.h"
 #include "spindle/modes.h"
 #include "spindle/sets_at_speed.h"
+#include "spindle/unbalance.h"
 
 /// Results of the shaft as a beam on its bearings, as CSV and as JSON, keys with their units
 /// (docs/files.md). What has no balance is empty or null.
@@ -23,14 +26,33 @@ struct ModesAtSpeed {
   std::optional<spindle::LoadedShaft> shaft = {};  ///< as DeflectionResult::unloaded
   std::vector<std::string> roller_names = {};
   spindle::Modes modes;
+  /// Of all bearings, by name, per turn of the shaft.
+  std::vector<std::pair<std::string, bearing::BearingFrequencies>> rolling = {};
+  double damping_ratio = unset;             ///< as it was stated [1]
+  std::optional<spindle::Orbit> nose = {};  ///< under the unbalance that was asked about
   [[nodiscard]] bool converged() const { return sets.converged() && modes.converged(); }
   /// "converged", or how sets or modes ended.
   [[nodiscard]] std::string status() const;
 };
 
-/// A Campbell diagram: speed_rpm, mode, frequency_Hz, whirl, damping_ratio (empty: damping is not
-/// modelled), front_force_N, rear_force_N and, of each side as sums and of each bearing, stiffness;
-/// status. A row for each mode, one without mode where there is none.
+/// Where something that goes with the speed meets a mode.
+struct Crossing {
+  std::string
+      excitation;        ///< "1x", "2x", "front_1 cage", "front_1 outer race", "rear_1 inner race"
+  std::size_t mode = 0;  ///< of its sense, the lowest is 1
+  spindle::Whirl whirl = spindle::Whirl::forward;
+  double speed = unset, frequency = unset;  ///< [rad/s]
+};
+
+/// Crossings of once and twice per turn, and of the cage, the outer and the inner race of every
+/// bearing, with every mode, straight between the speeds; rising in speed. Of modes that
+/// stand every other one counts as backward, the rest as forward.
+[[nodiscard]] std::vector<Crossing> crossings(const std::vector<ModesAtSpeed>& speeds);
+
+/// A Campbell diagram: speed_rpm, mode, frequency_Hz, whirl, damping_ratio (as stated, else empty),
+/// front_force_N, rear_force_N and, of each side as sums and of each bearing, stiffness; the
+/// frequencies of each bearing; with an unbalance the path of the nose; status. A row for each
+/// mode, one without mode where there is none.
 [[nodiscard]] std::string campbell_text(const bearing::Arrangement& arrangement,
                                         const std::vector<ModesAtSpeed>& speeds,
                                         std::string_view source, std::string_view model_text);

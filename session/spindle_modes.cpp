@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 
 #include "fit/problem.h"
 #include "record/units.h"
 #include "report/beam_report.h"
+#include "results/shaft_results.h"
 #include "session/judged.h"
 #include "session/open_input.h"
 #include "text/error.h"
@@ -23,6 +25,41 @@ model::Model in_plane_of_belt(model::Model model) {
   return model;
 }
 
+/// Frequencies of all bearings, NaN where the sets have no balance.
+void add_rolling(const model::Model& model, const BeamOfModel& b, results::ModesAtSpeed& r) {
+  const bearing::Arrangement& a = b.sets.arrangement();
+  for (std::size_t i = 0; i < a.bearings().size(); ++i)
+    r.rolling.emplace_back(results::bearing_place(a, i),
+                           r.sets.converged() ? bearing::running_frequencies(
+                                                    *a.bearings()[i].bearing, r.sets.bearings[i],
+                                                    model.solver.race_control)
+                                              : bearing::BearingFrequencies{});
+  for (const model::RollerOnShaft& roller : model.spindle->rollers)
+    r.rolling.emplace_back(roller.name, bearing::rolling_frequencies(roller.bearing.geometry()));
+}
+
+void require_unbalance(const ModesQuestion& q, const spindle::Beam& beam) {
+  const bool damped = q.damping_ratio > 0.0 && q.damping_ratio <= 1.0;
+  if (!std::isnan(q.damping_ratio) && !damped)
+    throw text::InputError(
+        fmt::format("damping = {:.6g}: must be above 0 and at most 1", q.damping_ratio),
+        {.key = "damping"});
+  if (!q.unbalance) return;
+  if (!damped)
+    throw text::InputError(
+        "unbalance: a damping ratio is needed beside it; without one the nose has no bounds where "
+        "a mode is met",
+        {.key = "damping"});
+  if (!(q.unbalance->size > 0.0) || !(q.unbalance->position >= 0.0) ||
+      q.unbalance->position > beam.length())
+    throw text::InputError(
+        fmt::format("unbalance of {:.6g} g mm at {:.6g} mm: must be above 0, on the shaft from 0 "
+                    "to {:.6g} mm",
+                    q.unbalance->size / (1e-3 * mm), q.unbalance->position / mm,
+                    beam.length() / mm),
+        {.key = "unbalance"});
+}
+
 std::vector<results::ModesAtSpeed> find_all(const model::Model& model, BeamOfModel& b,
                                             const ModesQuestion& q) {
   std::vector<results::ModesAtSpeed> results(q.speeds.size());
@@ -33,6 +70,9 @@ std::vector<results::ModesAtSpeed> find_all(const model::Model& model, BeamOfMod
     r.speed = q.speeds[i];
     const spindle::Inputs inputs = inputs_at(model, r.speed, q.coolant_on);
     r.sets = b.sets.at(inputs, q.warm);
+    r.damping_ratio = q.damping_ratio;
+    add_rolling(model, b, r);
+    if (q.unbalance) r.nose.emplace();
     if (!r.sets.converged()) continue;
     r.roller_names = b.roller_names;
     if (bends(*model.spindle)) {
@@ -45,6 +85,7 @@ std::vector<results::ModesAtSpeed> find_all(const model::Model& model, BeamOfMod
       r.sets.bearings = r.shaft->bearings;
     }
     r.springs = springs_of(b, r.sets, r.shaft);
+    if (q.unbalance) r.nose = spindle::unbalance_orbit(b.beam, r.springs, r.speed, *q.unbalance);
     held_at.push_back(r.speed);
     springs.push_back(r.springs);
   }
@@ -75,7 +116,9 @@ SpindleModes spindle_modes(const files::ModelFile& file, const ModesQuestion& qu
   SpindleModes answer{.file = file,
                       .beam = beam_of(file, 0.0),
                       .warm = question.warm,
-                      .coolant_on = question.coolant_on};
+                      .coolant_on = question.coolant_on,
+                      .damping_ratio = question.damping_ratio};
+  require_unbalance(question, answer.beam.beam);
   answer.beam.sets.stop_on(question.cancelled);
   answer.speeds = find_all(file.model, answer.beam, question);
   answer.beam.sets.stop_on(nullptr);
@@ -89,7 +132,10 @@ bool SpindleModes::converged() const {
 
 std::vector<std::string> SpindleModes::notes() const {
   std::vector<std::string> lines{
-      "damping, and what gives way in the housing, are not modelled: damping_ratio is empty"};
+      std::isnan(damping_ratio)
+          ? "damping, and what gives way in the housing, are not modelled: damping_ratio is empty"
+          : "damping_ratio is the one that was stated; what gives way in the housing is not "
+            "modelled"};
   if (std::string unused = unused_coolant_off(file.model, coolant_on, warm); !unused.empty())
     lines.push_back(std::move(unused));
   return lines;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,9 @@ struct ModesQuestion {
   bool warm = false;             ///< with the bearings of the steady, warm spindle
   bool coolant_on = true;        ///< of the warm spindle
   int count = 6;
-  const std::atomic<bool>* cancelled = nullptr;  ///< as Simulator::stop_on()
+  double damping_ratio = unset;                   ///< of every mode, as stated [1]
+  std::optional<spindle::Unbalance> unbalance{};  ///< of which the path of the nose is wanted
+  const std::atomic<bool>* cancelled = nullptr;   ///< as Simulator::stop_on()
 };
 
 /// Modes of a shaft on its bearings against speed.
@@ -25,6 +28,7 @@ struct SpindleModes {
   BeamOfModel beam;
   std::vector<results::ModesAtSpeed> speeds{};
   bool warm = false, coolant_on = true;
+  double damping_ratio = unset;
   model::Findings findings{};
 
   [[nodiscard]] bool converged() const;

@@ -1,6 +1,7 @@
 // raceway deflection and modes.
 
 #include <cmath>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -123,6 +124,51 @@ TEST_F(BeamCommands, CampbellHasARowForEachModeAndThePreloadBesideIt) {
   EXPECT_THAT(lines[7], HasSubstr(",backward,,"));
   EXPECT_THAT(lines[8], HasSubstr(",forward,,"));
   EXPECT_THAT(file_text(shapes), HasSubstr("position_mm,y_amplitude,z_amplitude\n0,1,"));
+}
+
+TEST_F(BeamCommands, BearingsPassTheirFrequenciesAndMeetModes) {
+  const json d = parsed(raceway("modes", "--speed 0:40000:2000 --json"));
+  const json& row = d["rows"][5];
+  const double turns = row["speed_rpm"].get<double>() / 60.0;
+  const double cage = row["front_1_cage_Hz"], outer = row["front_1_outer_race_Hz"],
+               inner = row["front_1_inner_race_Hz"];
+  // Z balls pass both races: BPFO + BPFI = Z n, BPFO = Z FTF.
+  EXPECT_NEAR((outer + inner) / turns, std::round((outer + inner) / turns), 1e-9);
+  EXPECT_NEAR(outer / cage, std::round(outer / cage), 1e-9);
+  EXPECT_GT(cage, 0.3 * turns);
+  EXPECT_LT(cage, 0.5 * turns);
+  std::set<std::string> excitations;
+  double before = 0.0;
+  for (const json& c : d["crossings"]) {
+    excitations.insert(c["excitation"].get<std::string>());
+    EXPECT_GE(c["speed_rpm"].get<double>(), before);
+    before = c["speed_rpm"];
+    if (c["excitation"] == "1x") {
+      EXPECT_NEAR(c["frequency_Hz"].get<double>(), before / 60.0, 1e-6 * before);
+    }
+  }
+  EXPECT_TRUE(excitations.contains("front_1 outer race"));
+  EXPECT_TRUE(excitations.contains("2x"));
+  const Result text = raceway("modes", "--speed 0:40000:2000");
+  EXPECT_THAT(text.out, HasSubstr("where an excitation meets a mode"));
+}
+
+TEST_F(BeamCommands, AnUnbalanceMovesTheNoseByTheStatedDamping) {
+  const json d = parsed(
+      raceway("modes", "--speed 2000,4000 --unbalance 10 --unbalance-at 20 --damping 0.03 --json"));
+  const double slow = d["rows"][0]["nose_amplitude_um"], fast = d["rows"][1]["nose_amplitude_um"];
+  EXPECT_GT(slow, 0.0);
+  // Far below the first mode it grows with the square of the speed, and a little more.
+  EXPECT_GT(fast / slow, 3.9);
+  EXPECT_LT(fast / slow, 5.0);
+  EXPECT_EQ(d["rows"][0]["modes"][0]["damping_ratio"], 0.03);
+  const Result undamped = raceway("modes", "--speed 2000 --unbalance 10");
+  EXPECT_EQ(undamped.status, 1);
+  EXPECT_THAT(undamped.err, HasSubstr("a damping ratio is needed"));
+  const Result outside =
+      raceway("modes", "--speed 2000 --unbalance 10 --unbalance-at 900 --damping 0.03");
+  EXPECT_EQ(outside.status, 1);
+  EXPECT_THAT(outside.err, HasSubstr("on the shaft from 0 to"));
 }
 
 TEST_F(BeamCommands, TheWarmSpindleHasAnotherPreloadThanTheColdOne) {

@@ -1,7 +1,7 @@
 // The page of the modes of a shaft on its bearings: Campbell diagram, shapes, stiffness.
 import { legend, valueAxis } from './chart';
 import type { Option } from './chart';
-import type { CampbellRow, Mode, ModesReport } from './document';
+import type { CampbellRow, Crossing, Mode, ModesReport } from './document';
 import { columnsOf, Rows } from './document';
 import type { Cell } from './figure';
 import { choice, Figure, tooltip } from './figure';
@@ -37,33 +37,20 @@ function tracks(rows: CampbellRow[]): Track[] {
 /// Once and twice per turn: unbalance, and what shakes twice in a turn.
 const orders = [1, 2];
 
-interface Crossing {
-  order: number;
-  track: Track;
-  speed: number;
-  frequency: number;
-}
+const ordinal = (mode: number) => ['1st', '2nd', '3rd'][mode - 1] ?? `${mode}th`;
+const nameOf = (t: Track) => `${ordinal(t.pair + 1)} ${t.sense}`;
 
-function crossings(list: Track[]): Crossing[] {
-  return orders.flatMap((order) =>
-    list.flatMap((track) =>
-      track.points.slice(1).flatMap((to, k): Crossing[] => {
-        const from = track.points[k] as Track['points'][number];
-        if (!from.mode || !to.mode) return [];
-        const [a, b] = [from, to].map((p) => (p.mode?.frequency_Hz ?? NaN) - (order * p.speed) / 60) as [number, number];
-        if (!(a > 0 && b <= 0) && !(a < 0 && b >= 0)) return [];
-        const share = a / (a - b);
-        const speed = from.speed + share * (to.speed - from.speed);
-        return [{ order, track, speed, frequency: (order * speed) / 60 }];
-      }),
-    ),
-  );
-}
-
-const nameOf = (t: Track) => `${['1st', '2nd', '3rd'][t.pair] ?? `${t.pair + 1}th`} ${t.sense}`;
+/// Frequencies of each bearing that go with the speed, by the end of their columns.
+const rolling: [string, string][] = [
+  ['cage_Hz', 'cage'],
+  ['outer_race_Hz', 'outer race'],
+  ['inner_race_Hz', 'inner race'],
+];
 
 function campbell(report: ModesReport, list: Track[], crossed: Crossing[]): Figure {
   const { rows } = report.results;
+  const places = Object.keys(rows[0] ?? {}).flatMap((name) => (name.endsWith('_cage_Hz') ? [name.slice(0, -'_cage_Hz'.length)] : []));
+  const passing = places.flatMap((place, bearing) => rolling.map(([column, what], k) => ({ name: `${words(place)} ${what}`, column: `${place}_${column}`, bearing, k })));
   const fastest = Math.max(...rows.map((r) => r.speed_rpm));
   const highest = Math.max(...list.flatMap((t) => t.points.map((p) => p.mode?.frequency_Hz ?? 0)));
   const top = 1.06 * highest;
@@ -99,15 +86,22 @@ function campbell(report: ModesReport, list: Track[], crossed: Crossing[]): Figu
       showAllSymbol: true,
     };
   };
+  const ofBearing = ({ name, column, bearing, k }: (typeof passing)[number], l: Look): Option => {
+    const points = rows.map((r): [number, number | null] => {
+      const f = r[column];
+      return [r.speed_rpm, typeof f === 'number' && f <= top ? f : null];
+    });
+    return { type: 'line', name, symbol: 'none', z: 2, color: l.kinds[(2 + bearing) % l.kinds.length], lineStyle: { width: 1, opacity: 0.75, type: dashes[k + 1] }, data: points };
+  };
   return new Figure({
     id: 'campbell',
     title: 'Campbell diagram',
-    note: 'Triangle up, solid: the axis runs around with the rotation; triangle down, dashed: against it; circle: neither. Grey: once and twice per turn; a ring where a mode is met.',
+    note: 'Triangle up, solid: the axis runs around with the rotation; triangle down, dashed: against it; circle: neither. Grey: once and twice per turn; thin: cage, outer and inner race of each bearing; a ring where a mode is met.',
     wide: true,
     height: (width) => (width < 480 ? 420 : 460),
     onPaper: 0.8,
     option: (l, width) => {
-      const names = [...list.map(nameOf), ...orders.map((o) => `${o}×`)];
+      const names = [...list.map(nameOf), ...orders.map((o) => `${o}×`), ...passing.map((p) => p.name)];
       const head = legend(names, width, l, list.map(symbolOf));
       return {
         legend: head.option,
@@ -121,7 +115,8 @@ function campbell(report: ModesReport, list: Track[], crossed: Crossing[]): Figu
         series: [
           ...list.map((t) => line(t, l)),
           ...(fastest > 0 ? orders.map((o) => excitation(o, l)) : []),
-          { type: 'scatter', name: 'met', z: 6, symbol: 'circle', symbolSize: 14, itemStyle: { color: 'transparent', borderColor: l.ink, borderWidth: 1.8 }, data: crossed.map((c) => [c.speed, c.frequency]) },
+          ...(fastest > 0 ? passing.map((p) => ofBearing(p, l)) : []),
+          { type: 'scatter', name: 'met', z: 6, symbol: 'circle', symbolSize: 14, itemStyle: { color: 'transparent', borderColor: l.ink, borderWidth: 1.8 }, data: crossed.map((c) => [c.speed_rpm, c.frequency_Hz]) },
         ],
       };
     },
@@ -259,6 +254,18 @@ function overSpeed(report: ModesReport, rows: Rows): Figure[] {
   return figures;
 }
 
+/// The path of the nose under an unbalance, where one was asked about.
+function unbalanced(report: ModesReport, rows: Rows): HTMLElement | undefined {
+  if (!rows.has('nose_amplitude_um')) return undefined;
+  return section(
+    'Under an unbalance',
+    grid(
+      lineFigure(rows, { id: 'unbalance', title: 'Path of the nose', note: 'Its largest distance from where it stands without unbalance, for the stated unbalance and damping.', axis: 'amplitude_um', fromZero: true, lines: [{ name: 'nose', column: 'nose_amplitude_um', kind: 0 }] }),
+      lineFigure(rows, { id: 'unbalance-lag', title: 'Lag behind the unbalance', note: 'A quarter of a turn where a mode is met.', axis: 'lag_deg', lines: [{ name: 'nose', column: 'nose_lag_deg', kind: 0 }] }),
+    ),
+  );
+}
+
 export function modes(report: ModesReport): (Node | undefined)[] {
   const found = report.results.rows.filter((r) => r.modes.length > 0);
   const failed = report.results.rows.filter((r) => r.report.status !== 'converged').map((r) => `${plain(r.speed_rpm)} rpm: ${words(r.report.status)}${r.report.message ? `, ${r.report.message}` : ''}`);
@@ -269,16 +276,17 @@ export function modes(report: ModesReport): (Node | undefined)[] {
   const first = (r: CampbellRow | undefined) => r?.modes[0]?.frequency_Hz ?? NaN;
   if (found.length === 0) return [header({ ...head, sentence: `Shaft on ${report.bearing}: no modes at these speeds.` }, []), said];
   const list = tracks(report.results.rows);
-  const crossed = crossings(list);
+  const crossed = report.results.crossings;
+  const byTurn = crossed.filter((c) => /^[12]x$/.test(c.excitation));
   const lowest = found.reduce((best, r) => (first(r) < first(best) ? r : best));
   const last = found[found.length - 1];
   const at = (r: CampbellRow | undefined) => `${number(first(r), 4)} Hz at ${plain(r?.speed_rpm)} rpm`;
   const speeds = report.results.rows.map((r) => r.speed_rpm);
   const [slowest, fastest] = [Math.min(...speeds), Math.max(...speeds)];
   const met =
-    crossed.length === 0
+    byTurn.length === 0
       ? `Neither once nor twice per turn meets a mode between ${plain(slowest)} and ${plain(fastest)} rpm.`
-      : `${crossed.length === 1 ? 'One crossing' : `${crossed.length} crossings`} with once or twice per turn, the first at ${number(Math.min(...crossed.map((c) => c.speed)), 4)} rpm.`;
+      : `${byTurn.length === 1 ? 'One crossing' : `${byTurn.length} crossings`} with once or twice per turn, the first at ${number(Math.min(...byTurn.map((c) => c.speed_rpm)), 4)} rpm.`;
   const rows = new Rows(columnsOf(report.results.rows));
   return [
     header(
@@ -303,12 +311,13 @@ export function modes(report: ModesReport): (Node | undefined)[] {
         ? valueList(
             'Where a mode is met',
             ['excitation', 'mode', 'speed [rpm]', 'frequency [Hz]'],
-            crossed.map((c) => [`${c.order}×`, nameOf(c.track), number(c.speed, 4), number(c.frequency, 4)]),
+            crossed.map((c) => [words(c.excitation).replace(/^([12])x$/, '$1×'), `${ordinal(c.mode)} ${c.whirl}`, number(c.speed_rpm, 4), number(c.frequency_Hz, 4)]),
           )
         : undefined,
     ),
+    unbalanced(report, rows),
     section('Shapes', grid(shapes(report))),
     found.length > 1 ? section('The bearings against speed', grid(...overSpeed(report, rows))) : undefined,
-    notes(['Damping, and what gives way in the housing, are not modelled.', 'Unbalance excites modes that run around with the rotation; those against it answer where the bearings are not alike in all directions.']),
+    notes([report.results.rows[0]?.modes[0]?.damping_ratio ? 'The damping ratio of each mode is the one that was stated; what gives way in the housing is not modelled.' : 'Damping, and what gives way in the housing, are not modelled.', 'Unbalance excites modes that run around with the rotation; those against it answer where the bearings are not alike in all directions.']),
   ];
 }

@@ -1,0 +1,111 @@
+#include "spindle/unbalance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <vector>
+
+#include "record/units.h"
+#include "spindle/modes.h"
+
+namespace raceway::spindle {
+namespace {
+
+constexpr double rotor_mass = 10.0, stiffness = 1e8;  // [kg], [N/m] of both springs
+
+/// A disk in the middle of a shaft that neither weighs nor bends, on a spring at each end: the
+/// rotor of Jeffcott.
+struct Jeffcott {
+  model::ShaftBody body;
+  std::vector<double> ends{0.0, 0.4};
+  explicit Jeffcott(double elastic_modulus = 1e16) {
+    model::SolidMaterial m;
+    m.elastic_modulus = elastic_modulus;
+    m.poissons_ratio = 0.3;
+    m.density = 1e-3;
+    body.segments = {{.length = 0.4, .diameter = 0.08, .bore = 0.0, .material = m}};
+    body.disks = {
+        {.position = 0.2, .mass = rotor_mass, .diametral_inertia = 0.05, .polar_inertia = 0.08}};
+  }
+  [[nodiscard]] Beam beam() const { return Beam(body, ends, {.element_length = 0.1}); }
+};
+
+std::vector<Spring> springs(double y = stiffness, double z = stiffness) {
+  std::vector<Spring> list;
+  for (const double place : {0.0, 0.4}) {
+    Spring s = isotropic_spring(place, 0.5 * y);
+    s.z.radial = 0.5 * z;
+    list.push_back(s);
+  }
+  return list;
+}
+
+TEST(Unbalance, OfARigidRotorIsThatOfJeffcott) {
+  const Beam beam = Jeffcott().beam();
+  const double zeta = 0.03, size = 5e-5, own = std::sqrt(stiffness / rotor_mass);
+  for (const double ratio : {0.2, 0.9, 1.0, 1.1, 3.0}) {
+    const double speed = ratio * own;
+    const std::complex<double> wanted =
+        size * speed * speed /
+        (rotor_mass * (own * own * std::complex<double>(1.0, 2.0 * zeta) - speed * speed));
+    const Orbit orbit = unbalance_orbit(
+        beam, springs(), speed, {.size = size, .position = 0.2, .damping_ratio = zeta}, 0.2);
+    EXPECT_NEAR(orbit.amplitude, std::abs(wanted), 1e-6 * std::abs(wanted)) << ratio;
+    EXPECT_NEAR(orbit.lag, -std::arg(wanted), 1e-6) << ratio;
+  }
+  // Where the mode is met, u/m is raised 1/(2 ζ) times, a quarter of a turn behind.
+  const Orbit met = unbalance_orbit(beam, springs(), own,
+                                    {.size = size, .position = 0.2, .damping_ratio = zeta}, 0.2);
+  EXPECT_NEAR(met.amplitude, size / rotor_mass / (2.0 * zeta), 1e-5 * met.amplitude);
+  EXPECT_NEAR(met.lag, 0.5 * pi, 1e-5);
+}
+
+TEST(Unbalance, OfUnequalPlanesIsThatOfEachPlane) {
+  const Beam beam = Jeffcott().beam();
+  const double zeta = 0.02, size = 5e-5, ky = stiffness, kz = 2.0 * stiffness;
+  const double speed = std::sqrt(1.4 * stiffness / rotor_mass);
+  const auto plane = [&](double k) {
+    return size * speed * speed /
+           (k * std::complex<double>(1.0, 2.0 * zeta) - rotor_mass * speed * speed);
+  };
+  const std::complex<double> i(0.0, 1.0), v = plane(ky), w = -i * plane(kz);
+  const double wanted = 0.5 * (std::abs(v + i * w) + std::abs(std::conj(v) + i * std::conj(w)));
+  const Orbit orbit = unbalance_orbit(beam, springs(ky, kz), speed,
+                                      {.size = size, .position = 0.2, .damping_ratio = zeta}, 0.2);
+  EXPECT_NEAR(orbit.amplitude, wanted, 1e-6 * wanted);
+}
+
+TEST(Unbalance, IsLargestWhereOncePerTurnMeetsAForwardMode) {
+  // A shaft that bends, its disk off the middle: the gyroscopic moment moves the mode.
+  Jeffcott rotor(210e9);
+  rotor.body.disks[0].position = 0.3;
+  rotor.body.disks[0].polar_inertia = 0.09;
+  const Beam beam(rotor.body, rotor.ends, {.element_length = 0.1});
+  // The forward mode at its own speed, by iteration.
+  double critical = 2000.0;
+  for (int k = 0; k < 40; ++k)
+    for (const Mode& m : find_modes(beam, springs(), critical).modes)
+      if (m.whirl == Whirl::forward) {
+        critical = m.frequency;
+        break;
+      }
+  const Unbalance unbalance{.size = 1e-5, .position = 0.1, .damping_ratio = 0.002};
+  const auto nose = [&](double speed) {
+    return unbalance_orbit(beam, springs(), speed, unbalance).amplitude;
+  };
+  double best = 0.0, at = 0.0;
+  for (double share = 0.97; share < 1.03; share += 2e-4)
+    if (nose(share * critical) > best) best = nose(share * critical), at = share;
+  EXPECT_NEAR(at, 1.0, 4e-4);
+  EXPECT_GT(best, 10.0 * nose(0.9 * critical));
+}
+
+TEST(Unbalance, OfNothingThatHoldsTheShaftIsUnknown) {
+  EXPECT_TRUE(std::isnan(unbalance_orbit(Jeffcott().beam(), {}, 0.0,
+                                         {.size = 1e-5, .position = 0.2, .damping_ratio = 0.02})
+                             .amplitude));
+}
+
+}  // namespace
+}  // namespace raceway::spindle
