@@ -10,6 +10,7 @@ namespace raceway::cli {
 using text::load_range;
 using text::moment_range;
 using text::NumberRange;
+using text::power_range;
 using text::require_range;
 using text::signed_load_range;
 using text::speed_range;

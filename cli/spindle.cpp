@@ -24,13 +24,18 @@ namespace {
 struct SpindleFlags {
   std::string model, profile, speed, output, start, end_state, field;
   std::string coolant = "on";
-  bool steady = false, json = false, force = false;
+  bool steady = false, json = false, force = false, assumptions = false;
   double ambient = unset;
   double axial_load_N = unset, radial_load_N = 0.0, moment_Nm = 0.0, belt_force_N = unset;
+  double motor_power_W = unset;
   session::Reading reading;
   CsvStyle csv;
   ReportFlag report;
 
+  /// Whether the assumptions that matter most are wanted; they take some fifty steady states.
+  [[nodiscard]] bool tells_assumptions() const {
+    return assumptions || (!json && output != "-") || !report.path.empty();
+  }
   [[nodiscard]] text::IfExists if_exists() const {
     return force ? text::IfExists::replace : text::IfExists::refuse;
   }
@@ -48,11 +53,11 @@ void check_flags(const SpindleFlags& f) {
   if (f.steady && !f.profile.empty())
     fail("--steady knows no course in time; take --speed in place of --speed-profile", "--steady");
   const bool loads = !std::isnan(f.axial_load_N) || f.radial_load_N != 0.0 || f.moment_Nm != 0.0 ||
-                     !std::isnan(f.belt_force_N);
+                     !std::isnan(f.belt_force_N) || !std::isnan(f.motor_power_W);
   if (!f.steady && loads)
     fail(
-        "--axial-load, --radial-load, --moment and --belt-force are of a state that is steady; a "
-        "--speed-profile has columns for them",
+        "--axial-load, --radial-load, --moment, --belt-force and --motor-power are of a state that "
+        "is steady; a --speed-profile has columns for them",
         "--radial-load");
   if (f.steady && !f.start.empty())
     fail("--start: a steady state does not know where it came from", "--start");
@@ -90,7 +95,9 @@ int run_steady(const SpindleFlags& f, const files::ModelFile& file) {
                                    .axial_load = f.axial_load_N,
                                    .radial_load = f.radial_load_N,
                                    .moment = f.moment_Nm,
-                                   .belt_force = f.belt_force_N};
+                                   .belt_force = f.belt_force_N,
+                                   .motor_power = f.motor_power_W,
+                                   .assumptions = f.tells_assumptions()};
   require_all(question.speeds, speed_range, "--speed");
   for (double& speed : question.speeds) speed *= rpm;
   if ((!f.field.empty() || !f.end_state.empty()) && question.speeds.size() > 1)
@@ -117,7 +124,8 @@ int run_profile(const SpindleFlags& f, const files::ModelFile& file) {
                                 .reading = f.reading,
                                 .ambient_temperature = ambient_of(f),
                                 .coolant_on = f.coolant == "on",
-                                .mesh = f.json || f.output != "-" || !f.report.path.empty()};
+                                .mesh = f.json || f.output != "-" || !f.report.path.empty(),
+                                .assumptions = f.tells_assumptions()};
   if (!f.start.empty()) question.start = f.start;
   const session::SpindleRun found = session::simulate_spindle(messages(), file, question);
   if (!f.output.empty())
@@ -150,11 +158,12 @@ Run setup_spindle(CLI::App& command) {
       ->required()
       ->type_name("");
   command
-      .add_option("--speed-profile", flags->profile,
-                  "CSV with time_s, speed_rpm and, where they are known, coolant_on,\n"
-                  "ambient_temperature_C, machine_temperature_C, coolant_inlet_temperature_C,\n"
-                  "axial_load_N, radial_load_N, moment_Nm, belt_force_N, motor_heat_W; [columns]\n"
-                  "settings_hold of MODEL says between which rows they hold")
+      .add_option(
+          "--speed-profile", flags->profile,
+          "CSV with time_s, speed_rpm and, where they are known, coolant_on,\n"
+          "ambient_temperature_C, machine_temperature_C, coolant_inlet_temperature_C,\n"
+          "axial_load_N, radial_load_N, moment_Nm, belt_force_N, motor_heat_W,\n"
+          "motor_power_W; [columns] settings_hold of MODEL says between which rows they hold")
       ->type_name("FILE");
   command.add_option("--speed", flags->speed, "[rpm], as 6000 or as from:to:step; with --steady")
       ->type_name("VALUES");
@@ -172,6 +181,8 @@ Run setup_spindle(CLI::App& command) {
              "[N m] at the nose, positive: as the radial load further in front; with --steady");
   add_number(command, "--belt-force", flags->belt_force_N, load_range,
              "[N]; with --steady; default: [drive] of the model");
+  add_number(command, "--motor-power", flags->motor_power_W, power_range,
+             "[W] that the motor takes, for formulas of heat; with --steady");
   command
       .add_option("-o,--output", flags->output,
                   "CSV file to write, - for stdout: displacement, forces, heat and temperatures")
@@ -189,6 +200,8 @@ Run setup_spindle(CLI::App& command) {
   flags->csv.declare(command);
   command.add_flag("--force", flags->force, "replace files that exist");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
+  command.add_flag("--assumptions", flags->assumptions,
+                   "in --json, too: the five assumed numbers that move the nose most");
   flags->report.declare(command);
   command.footer(
       "Examples:\n  raceway spindle my.toml --speed 6000 --steady\n"

@@ -71,6 +71,24 @@ void print_one(const model::Model& model, const results::SteadyState& s) {
              number(m.displacement / um), number(m.kinematic_displacement / um));
 }
 
+/// The assumed numbers that matter most, a line each.
+void print_assumptions(const results::Assumptions& assumptions) {
+  if (!assumptions.known()) return;
+  TextTable table({{"assumed", "", true}, {"value", ""}, {"+-", ""}, {"nose", "um"}, {"", "um"}});
+  for (const results::Assumption& a : assumptions.most) {
+    const auto moved = [&](double to) {
+      return std::isfinite(to) ? fmt::format("{:+.3g}", (to - assumptions.displacement) / um)
+                               : std::string("no state");
+    };
+    table.add({a.name, fmt::format("{:.6g}", a.value), fmt::format("{:.3g}", a.spread),
+               moved(a.low), moved(a.high)});
+  }
+  fmt::print(
+      "\nof {} assumed numbers these move the nose most where all is steady at {:.6g} rpm, less "
+      "and more by their usual spread\n\n{}",
+      assumptions.assumed, assumptions.speed / rpm, table.text(terminal_width()));
+}
+
 void print_list(const model::Model& model, const std::vector<results::SteadyState>& states) {
   TextTable table({{"speed", "rpm"},
                    {"friction", "W"},
@@ -104,13 +122,17 @@ void print_steady(const session::SteadySpindle& found) {
   else
     print_list(model, states);
   fmt::print("{}{}\n", states.size() == 1 ? "" : "\n", session::words(found.mesh));
+  print_assumptions(found.assumptions);
 }
 
 void print_run(const session::SpindleRun& found) {
   const model::Model& model = found.file.model;
   const spindle::Run& run = found.run;
-  fmt::print("{}: {} of {} rows, {} steps, {} rejected\n", model.spindle->name, run.moments.size(),
-             found.profile.size(), run.report.steps + run.report.rejected, run.report.rejected);
+  fmt::print("{}: {} of {} rows, {} steps, {} rejected\n", model.spindle->name,
+             found.rows_reached(), found.rows_asked(), run.report.steps + run.report.rejected,
+             run.report.rejected);
+  if (!found.converged())
+    fmt::print("ended early after {:.6g} s: {}\n", run.end.time, run.report.message);
   if (run.moments.empty()) return;
   const spindle::Moment& m = run.moments.back();
   if (!model.spindle->network) {
@@ -129,6 +151,7 @@ void print_run(const session::SpindleRun& found) {
   fmt::print("friction {} W at the end; energy kept within {:.1g} of the turnover\n",
              number(m.heat.friction), run.report.energy_error);
   fmt::print("{}\n", session::words(found.mesh));
+  print_assumptions(found.assumptions);
 }
 
 }  // namespace raceway::cli

@@ -65,6 +65,7 @@ using Catalogue = std::tuple<
     SensorTemperatureDrift<displacement_temperature_drift>, SleeveCoolant,
     SpindleFactor<seat_conductance>, SpindleHeat<motor_heat>, SpindleHeat<drive_heat>,
     SpindleFactor<convection_factor>, SpindleFactor<bearing_conductance>, PreloadGrowth,
-    StructureTemperature, SpindleFactor<flange_conductance>, SpindleHeat<seal_heat>>;
+    StructureTemperature, SpindleFactor<flange_conductance>, SpindleHeat<seal_heat>,
+    SpindleHeat<front_bearing_heat>, SpindleHeat<rear_bearing_heat>>;
 
 }  // namespace raceway::effects

@@ -93,4 +93,40 @@ inline constexpr SpindleHeatCard<4> seal_heat{
              .plausible_lower = 5.0,
              .plausible_upper = 200.0}};
 
+inline constexpr SpindleHeatCard<4> front_bearing_heat{
+    .heat = &SpindleCondition::front_bearing_heat,
+    .id = "front-bearing-heat",
+    .title = "heat at the front bearings that their law of friction lacks",
+    .mechanism =
+        "Seals, grease or a load that the model does not know warm both rings of the front set: "
+        "its "
+        "rings are hot first, those of the rear bearing are as predicted.",
+    .source = "constant moment",
+    .confused_with = {"seal-heat", "f0", "lubricant-drag", "preload_N"},
+    .size = {.name = "heat_at_10000_rpm_W",
+             .unit = "W",
+             .initial = 50.0,
+             .lower = 0.0,
+             .upper = 5000.0,
+             .plausible_lower = 10.0,
+             .plausible_upper = 1000.0}};
+
+/// Of a roller bearing that stands behind the rear set, else of that set.
+inline constexpr SpindleHeatCard<4> rear_bearing_heat{
+    .heat = &SpindleCondition::rear_bearing_heat,
+    .id = "rear-bearing-heat",
+    .title = "heat at the rear bearing that its law of friction lacks",
+    .mechanism =
+        "A belt that tilts the rear bearing, its seal, or too much grease warm both of its rings: "
+        "they are hot first, the end of the shaft behind them later.",
+    .source = "constant moment",
+    .confused_with = {"drive-heat", "f0", "lubricant-drag", "bearing-conductance"},
+    .size = {.name = "heat_at_10000_rpm_W",
+             .unit = "W",
+             .initial = 50.0,
+             .lower = 0.0,
+             .upper = 5000.0,
+             .plausible_lower = 10.0,
+             .plausible_upper = 1000.0}};
+
 }  // namespace raceway::effects

@@ -207,6 +207,7 @@ std::optional<NamedChannel> named_spindle_channel(std::string_view name) {
                                     &record::nose_moment,
                                     &record::belt_force,
                                     &record::motor_heat,
+                                    &record::motor_power,
                                     &record::axial_displacement,
                                     &record::displacement_deviation};
   if (auto named = named_channel(name, fixed)) return named;

@@ -143,6 +143,7 @@ class SeriesReader {
                "moment_Nm",
                "belt_force_N",
                "motor_heat_W",
+               "motor_power_W",
                "machine_temperature_C",
                "coolant_inlet_temperature_C"};
     for (const Channel* c : wanted_) known.emplace_back(c->name);

@@ -253,6 +253,10 @@ std::vector<Section> sensor_sections(const ModelTables& tables, const Keys& keys
   return tables_in(Section(tables.source(), "", &tables.root()), "sensor", keys);
 }
 
+std::vector<Section> heat_sections(const ModelTables& tables, const Keys& keys) {
+  return tables_in(Section(tables.source(), "", &tables.root()), "heat", keys);
+}
+
 model::ShaftBody read_shaft_body(ModelTables& tables) {
   const Section s = tables.section("shaft", {shaft_keys, shaft_solid_keys});
   const SolidMaterial material = read_solid(tables, s);

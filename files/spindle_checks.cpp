@@ -240,6 +240,23 @@ class SpindleCheck {
           fmt::format("{} long, it is not all on the shaft: {}", in_mm(2.0 * half), shaft_reach()));
   }
 
+  void check_heated(const Section& s, const model::HeatSource& source) const {
+    if (std::isnan(source.position)) return;
+    const bool on_housing = source.place == model::HeatSource::Place::housing;
+    const Stack& body = on_housing ? housing_ : shaft_;
+    if (!body.holds(source.position - 0.5 * source.length, source.position + 0.5 * source.length))
+      s.fail("position_mm",
+             fmt::format("position_mm = {}: with length_mm = {} it is not all on the {}: {}",
+                         in_mm(source.position), in_mm(source.length),
+                         on_housing ? "housing" : "shaft",
+                         on_housing ? housing_reach() : shaft_reach()));
+    if (std::isnan(source.radius)) return;
+    const Segment& at = *body.at(source.position);
+    const double from = on_housing ? bore_at(source.position) : at.bore;
+    require_radius(s, source.radius, 0.5 * from, 0.5 * at.diameter,
+                   on_housing ? "the housing" : "the shaft");
+  }
+
   void check_what_the_shaft_carries() const {
     const Section s = tables_.section("shaft");
     const auto require = [&](std::string_view list, std::size_t k, double at) {
@@ -254,6 +271,8 @@ class SpindleCheck {
     check_source("motor", spindle_.motor);
     check_rotor();
     check_source("drive", spindle_.drive);
+    const auto heated = heat_sections(tables_);
+    for (std::size_t k = 0; k < heated.size(); ++k) check_heated(heated[k], spindle_.heat[k]);
   }
 
   void check_gap() const {

@@ -40,6 +40,24 @@ void refuse_loads(const record::Record& record, const model::Spindle& spindle) {
       refuse(*load, "a [network] has no shaft that carries a load");
 }
 
+/// Refuses a record without a column that a formula of heat goes by. Loads are 0 without one.
+void require_power(const record::Record& record, const model::Spindle& spindle) {
+  if (record.has(record::motor_power)) return;
+  const auto look = [&](const model::HeatSource& source, std::string_view table) {
+    if (!source.formula) return;
+    for (const std::size_t k : source.formula->used())
+      if (model::heat_variables[k] == record::motor_power.name &&
+          !(table == "motor" && record.has(record::motor_heat)))
+        throw text::InputError(
+            fmt::format("{}: column {} is missing: the heat of {} is \"{}\"", record.source,
+                        record::motor_power.name, source.name, source.formula->text()),
+            {.file = record.source, .key = std::string(record::motor_power.name)});
+  };
+  if (spindle.motor) look(*spindle.motor, "motor");
+  if (spindle.drive) look(*spindle.drive, "drive");
+  for (const model::HeatSource& source : spindle.heat) look(source, "heat");
+}
+
 }  // namespace
 
 ReadOptions of_spindle(ReadOptions options) {
@@ -57,6 +75,7 @@ record::Record read_spindle_record(const Source& source, const model::Spindle& s
         "row\" in [columns] confirms that, \"from row\" is for a programme of events",
         {.key = "settings_hold"}));
   refuse_loads(record, spindle);
+  require_power(record, spindle);
   return record;
 }
 

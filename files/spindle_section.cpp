@@ -140,11 +140,22 @@ void read_positions(const ModelTables& tables, const model::Shaft& shaft, Spindl
   spindle.rear_positions = read("rear_position_mm", rear);
 }
 
+/// Names of the bearings in the order of model::rings_of().
+Names names_of_bearings(const model::Spindle& spindle) {
+  Names names;
+  for (std::size_t k = 0; k < spindle.front_positions.size(); ++k)
+    names.push_back(fmt::format("front_{}", k + 1));
+  for (std::size_t k = 0; k < spindle.rear_positions.size(); ++k)
+    names.push_back(fmt::format("rear_{}", k + 1));
+  for (const model::RollerOnShaft& roller : spindle.rollers) names.push_back(roller.name);
+  return names;
+}
+
 }  // namespace
 
 const Names& tables_of_spindle() {
-  static const Names names{"spindle", "shaft", "housing", "seat",    "coolant", "ambient",
-                           "motor",   "drive", "gap",     "network", "sensor"};
+  static const Names names{"spindle", "shaft", "housing", "seat", "coolant", "ambient",
+                           "motor",   "drive", "heat",    "gap",  "network", "sensor"};
   return names;
 }
 
@@ -159,7 +170,8 @@ bool is_spindle(const ModelTables& tables) {
          .key = std::string(table)});
   };
   if (has("network"))
-    for (const char* other : {"shaft", "housing", "gap", "motor", "drive", "coolant", "seat"})
+    for (const char* other :
+         {"shaft", "housing", "gap", "motor", "drive", "heat", "coolant", "seat"})
       if (has(other)) fail(other, "a [network] stands in place of a geometry; take one of the two");
   if (!has("network") && has("shaft") != has("housing"))
     fail(has("shaft") ? "shaft" : "housing",
@@ -216,6 +228,7 @@ model::Spindle read_spindle(ModelTables& tables, const NamedBearing& bearing,
   spindle.coolant = read_coolant(tables, spindle.ambient);
   spindle.motor = read_heat_source(tables, "motor");
   spindle.drive = read_heat_source(tables, "drive");
+  spindle.heat = read_heat_sources(tables, names_of_bearings(spindle));
   spindle.belt = read_belt(tables);
   spindle.gap = read_gap(tables);
   check_spindle(tables, spindle, *shaft, notes);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -40,9 +41,13 @@ constexpr Key coolant_keys[]{
 
 const double usual_share = model::HeatSource{}.rotor_share;
 constexpr const char* heat_meaning =
-    "a number, or a formula of speed_rpm, axial_load_N and radial_load_N";
+    "a number, or a formula of speed_rpm, axial_load_N, radial_load_N, moment_Nm, belt_force_N and "
+    "motor_power_W";
+const Key factor_key{"heat_factor", between(0, 100), model::HeatSource{}.factor,
+                     "on heat_W where it is a formula, free in a fit"};
 const Key motor_keys[]{
     {"heat_W", between(0, 1e6, "W"), 0.0, heat_meaning},
+    factor_key,
     {"position_mm", on_the_shaft, is_required, "of its middle, behind the nose face"},
     {"length_mm", between(0.1, longest_mm, "mm"), is_required, "of the rotor"},
     {"rotor_diameter_mm", between(0.1, 5000, "mm"), unset, "of the rotor"},
@@ -50,6 +55,7 @@ const Key motor_keys[]{
 };
 const Key drive_keys[]{
     {"heat_W", between(0, 1e6, "W"), "0 with belt_force_N, else required", heat_meaning},
+    factor_key,
     {"belt_force_N", between(0, 1e8, "N"), unset,
      "pull of the belt on the shaft; a programme may have it by rows"},
     {"belt_angle_deg", between(-360, 360, "deg"), 0.0,
@@ -60,6 +66,21 @@ const Key drive_keys[]{
     {"length_mm", between(0.1, longest_mm, "mm"), unset, "of the part that is heated"},
     {"rotor_diameter_mm", between(0.1, 5000, "mm"), unset, "of the part that is heated"},
     {"rotor_share", between(0, 1), usual_share, "of its heat, to the shaft"},
+};
+const Key heat_keys[]{
+    {"name", a_text, is_required, "letters, digits and _; gives the column NAME_heat_W"},
+    {"heat_W", between(0, 1e6, "W"), is_required, heat_meaning},
+    factor_key,
+    {"at", a_text, is_required,
+     "shaft, housing, motor (both between the sets), pulley (shaft behind the last bearing), seal "
+     "(shaft before the first bearing), or the name of a bearing: front_1, rear_1 ..."},
+    {"position_mm", anywhere, "by the place",
+     "of the middle of the heated part, behind the nose face; required on shaft and housing"},
+    {"length_mm", between(0.1, longest_mm, "mm"), "by the place", "of the heated part"},
+    {"radius_mm", between(0, 5000, "mm"), "all from bore to surface",
+     "of the heated cells of shaft or housing"},
+    {"shaft_share", between(0, 1), 0.5,
+     "of the heat of a motor, to the shaft; at a bearing to the inner ring"},
 };
 
 constexpr Key sensor_keys[]{
@@ -103,27 +124,79 @@ void require_heat(const Section& s, const record::Expression& heat) {
   }
 }
 
-std::shared_ptr<const record::Expression> read_heat(ModelTables& tables, const Section& s) {
+/// Heat of a source, a number or a formula.
+void read_heat(ModelTables& tables, const Section& s, model::HeatSource& source) {
   const toml::node* const node = s.find("heat_W");
-  std::string formula;
+  const bool number = !node || node->is_number();
   if (!node) {
     // A record may bring that of the motor; a drive without heat and belt says nothing.
     if (s.name() != "motor" && !s.find("belt_force_N"))
       s.fail_missing("heat_W", ", a number or a formula as \"0.015*speed_rpm\"");
     tables.note_default(s.name(), "heat_W", "0");
-    formula = "0";
-  } else if (node->is_number()) {
-    formula = fmt::format("{:.17g}", *s.number("heat_W"));
-  } else {
-    formula = *s.text("heat_W");
+    source.watts = 0.0;
+  } else if (number) {
+    source.watts = *s.number("heat_W");
   }
+  if (number) {
+    if (s.find("heat_factor"))
+      s.fail("heat_factor", "heat_factor: is that of a formula, and heat_W is a number");
+    return;
+  }
+  const std::string formula = *s.text("heat_W");
   try {
-    auto heat = std::make_shared<const record::Expression>(formula, model::heat_variables);
-    require_heat(s, *heat);
-    return heat;
+    source.formula = std::make_shared<const record::Expression>(formula, model::heat_variables);
+    require_heat(s, *source.formula);
   } catch (const record::FormulaError& error) {
     fail_heat(s, formula, error);
   }
+  source.factor = s.value("heat_factor");
+}
+
+/// Reads the place of a source by its word, or by the bearing of that name.
+void read_heated_place(const Section& s, const Names& bearings, model::HeatSource& source) {
+  using Place = model::HeatSource::Place;
+  static constexpr std::array<std::pair<const char*, Place>, 5> places{{{"shaft", Place::shaft},
+                                                                        {"housing", Place::housing},
+                                                                        {"motor", Place::motor},
+                                                                        {"pulley", Place::pulley},
+                                                                        {"seal", Place::seal}}};
+  const auto at = s.text("at");
+  Names known;
+  for (const auto& [word, place] : places) known.emplace_back(word);
+  known.insert(known.end(), bearings.begin(), bearings.end());
+  if (!at) s.fail("at", "[heat] at is missing: must be " + text::listed(known, "or"));
+  const auto bearing = std::find(bearings.begin(), bearings.end(), *at);
+  const auto place =
+      std::find_if(places.begin(), places.end(), [&](const auto& one) { return one.first == *at; });
+  if (bearing != bearings.end()) {
+    source.place = Place::bearing;
+    source.bearing = static_cast<std::size_t>(bearing - bearings.begin());
+  } else if (place != places.end()) {
+    source.place = place->second;
+  } else {
+    s.fail("at", fmt::format("at = \"{}\": must be {}", *at, text::listed(known, "or")));
+  }
+  const bool solid = source.place == Place::shaft || source.place == Place::housing;
+  const auto refuse = [&](const char* key, const char* why) {
+    if (s.find(key)) s.fail(key, fmt::format("{}: at = \"{}\" {}", key, *at, why));
+  };
+  if (!solid) refuse("radius_mm", "has no radius; \"shaft\" and \"housing\" have one");
+  if (source.place == Place::bearing) {
+    refuse("position_mm", "says where it is");
+    refuse("length_mm", "says how long it is");
+  }
+  if (solid || source.place == Place::pulley || source.place == Place::seal)
+    refuse("shaft_share", "has one part; a motor and a bearing have two");
+  const bool spanned = s.find("position_mm") || s.find("length_mm");
+  for (const char* key : {"position_mm", "length_mm"})
+    if ((solid || spanned) && !s.find(key)) s.fail_missing(key);
+  const auto take = [&](double& value, std::string_view key) {
+    if (const auto given = s.number(key)) value = *given * mm;
+  };
+  take(source.position, "position_mm");
+  take(source.length, "length_mm");
+  take(source.radius, "radius_mm");
+  source.rotor_share = s.value("shaft_share");
 }
 
 ThermometerPlace::Part part_of(const Section& s) {
@@ -161,11 +234,8 @@ bool names_a_column(std::string_view name) {
 }
 
 std::vector<KeyTable> surroundings_tables() {
-  return {{"ambient", ambient_keys},
-          {"coolant", coolant_keys},
-          {"motor", motor_keys},
-          {"drive", drive_keys},
-          {"sensor", sensor_keys}};
+  return {{"ambient", ambient_keys}, {"coolant", coolant_keys}, {"motor", motor_keys},
+          {"drive", drive_keys},     {"heat", heat_keys},       {"sensor", sensor_keys}};
 }
 
 model::Ambient read_ambient(ModelTables& tables) {
@@ -223,7 +293,10 @@ std::optional<model::HeatSource> read_heat_source(ModelTables& tables, std::stri
   const Section s = tables.section(
       table, {motor ? std::span<const Key>(motor_keys) : std::span<const Key>(drive_keys)});
   if (!s.given()) return std::nullopt;
-  model::HeatSource source{.heat = read_heat(tables, s)};
+  model::HeatSource source{
+      .name = std::string(table),
+      .place = motor ? model::HeatSource::Place::motor : model::HeatSource::Place::pulley};
+  read_heat(tables, s, source);
   const auto take = [&](double& value, std::string_view key) {
     if (const auto given = s.number(key)) value = *given * mm;
   };
@@ -232,6 +305,28 @@ std::optional<model::HeatSource> read_heat_source(ModelTables& tables, std::stri
   take(source.rotor_diameter, "rotor_diameter_mm");
   source.rotor_share = motor ? tables.number(s, "rotor_share") : s.value("rotor_share");
   return source;
+}
+
+std::vector<model::HeatSource> read_heat_sources(ModelTables& tables, const Names& bearings) {
+  std::vector<model::HeatSource> list;
+  for (const Section& s : heat_sections(tables, {heat_keys})) {
+    model::HeatSource source;
+    const auto name = s.text("name");
+    if (!name) s.fail("name", "[heat] name is missing: it gives the column NAME_heat_W");
+    const auto fail = [&](const char* why) {
+      s.fail("name", fmt::format("name = \"{}\": {}", *name, why));
+    };
+    if (!names_a_column(*name)) fail("must be letters, digits and _");
+    for (const char* taken : {"motor", "drive"})
+      if (*name == taken) fail("is that of a table of its own; take another name");
+    for (const model::HeatSource& other : list)
+      if (other.name == *name) fail("another source of heat has this name");
+    source.name = *name;
+    read_heat(tables, s, source);
+    read_heated_place(s, bearings, source);
+    list.push_back(std::move(source));
+  }
+  return list;
 }
 
 std::optional<model::Belt> read_belt(const ModelTables& tables) {

@@ -53,6 +53,23 @@ constexpr std::array spindle_numbers{
     SpindleNumber{"housing", "flange_conductance_W_K", "W/K", 0.0, 1e4,
                   [](Spindle& s) -> double& { return s.housing.flange_conductance; }}};
 
+/// The sources of heat of a spindle: [motor], [drive], then [[heat]] in its order. Their numbers
+/// are "motor.heat_W", "drive.heat_factor", "NAME.heat_W".
+template <typename OfSpindle>
+auto heat_sources(OfSpindle& spindle) {
+  std::vector<std::pair<decltype(&*spindle.motor), std::string>> list;
+  if (spindle.motor) list.emplace_back(&*spindle.motor, "motor");
+  if (spindle.drive) list.emplace_back(&*spindle.drive, "drive");
+  for (std::size_t k = 0; k < spindle.heat.size(); ++k)
+    list.emplace_back(&spindle.heat[k], "heat." + std::to_string(k));
+  return list;
+}
+constexpr std::string_view heat_number = "heat_W", heat_factor = "heat_factor";
+
+/// The one number of a source that may be fitted.
+double& number_of(HeatSource& source) { return source.formula ? source.factor : source.watts; }
+double number_of(const HeatSource& source) { return source.formula ? source.factor : source.watts; }
+
 constexpr double coldest_oil_C = -50.0, hottest_oil_C = 150.0;  // that a file may say
 
 double value_in(const Spindle& spindle, const SpindleNumber& number) {
@@ -163,6 +180,13 @@ void add_spindle(std::vector<Parameter>& list, const Model& model) {
                            water ? celsius(water_freezes) : coldest_oil_C,
                            water ? celsius(water_boils) : hottest_oil_C));
   }
+  for (const auto& [source, table] : heat_sources(*model.spindle)) {
+    const std::string key(source->formula ? heat_factor : heat_number);
+    Parameter p = parameter_at(model, {table + "." + key}, source->name + "." + key,
+                               source->formula ? "1" : "W", 0.0, source->formula ? 100.0 : 1e6);
+    p.initial = source->formula ? 1.0 : 50.0;
+    add(list, std::move(p));
+  }
   for (std::size_t k = 0; k < model.spindle->sensors.size(); ++k) {
     const ThermometerPlace& sensor = model.spindle->sensors[k];
     const auto [from, to] = reach_of(model, sensor);
@@ -254,6 +278,17 @@ void ParameterPlace::resolve(const Model& model, const std::string& address) {
     kind_ = Kind::inlet;
     return;
   }
+  if (model.spindle) {
+    const auto sources = heat_sources(*model.spindle);
+    for (std::size_t k = 0; k < sources.size(); ++k) {
+      const auto& [source, place] = sources[k];
+      if (address != place + "." + std::string(source->formula ? heat_factor : heat_number))
+        continue;
+      kind_ = Kind::heat;
+      index_ = k;
+      return;
+    }
+  }
   const auto of_spindle = std::find_if(
       spindle_numbers.begin(), spindle_numbers.end(),
       [&](const SpindleNumber& n) { return model.spindle && n.table == table && n.name == name; });
@@ -299,6 +334,8 @@ double ParameterPlace::get(const Model& model) const {
       return value_in(*model.spindle, spindle_numbers[index_]);
     case Kind::inlet:
       return celsius(model.spindle->coolant->inlet_temperature);
+    case Kind::heat:
+      return number_of(*heat_sources(*model.spindle)[index_].first);
     case Kind::sensor:
       return model.spindle->sensors.at(index_).position / mm;
   }
@@ -331,6 +368,9 @@ void ParameterPlace::set(Model& model, double value) const {
       return;
     case Kind::inlet:
       model.spindle->coolant->inlet_temperature = kelvin(value);
+      return;
+    case Kind::heat:
+      number_of(*heat_sources(*model.spindle)[index_].first) = value;
       return;
     case Kind::sensor:
       model.spindle->sensors.at(index_).position = value * mm;

@@ -25,6 +25,9 @@ namespace raceway::model {
 ///   outer_conductance_W_m2K    where the model gives it
 ///                                                 seat.outer_conductance_W_m2K
 ///   flange_conductance_W_K                        housing.flange_conductance_W_K
+///   motor.heat_W, drive.heat_W, NAME.heat_W       motor.heat_W, heat.2.heat_W of the third
+///   [[heat]] motor.heat_factor ...      where heat_W is a formula
+///                                                 motor.heat_factor
 ///   mixed-lubrication.K_rs     "id.name" of an effect
 ///                                                 effect.2.K_rs of the third effect
 ///
@@ -63,7 +66,7 @@ class ParameterPlace {
   }
 
  private:
-  enum class Kind { law, effect, preload, bearing, spindle, inlet, sensor };
+  enum class Kind { law, effect, preload, bearing, spindle, inlet, heat, sensor };
   void resolve(const Model& model, const std::string& address);
 
   Kind kind_ = Kind::law;

@@ -142,19 +142,30 @@ struct Ambient {
   RotatingConvection rotating_convection = RotatingConvection::becker;
 };
 
-/// Heat that is none of the bearings' own: a built-in motor, or a belt at the rear shaft end.
+/// Heat that is none of the bearings' own, and where it arises.
 struct HeatSource {
-  /// [W], of the names in heat_variables(), in that order.
-  std::shared_ptr<const record::Expression> heat = {};
-  double position = unset;        ///< middle, behind the nose face [m]; NaN: the shaft behind the
-                                  ///< last bearing
-  double length = unset;          ///< [m]
+  /// shaft, housing: a span of it. motor: shaft and housing between the sets. pulley: the shaft
+  /// behind the last bearing. seal: the shaft between the housing's front face and the first
+  /// bearing. bearing: the raceways of one. Of motor, pulley and seal a span may say otherwise.
+  enum class Place { shaft, housing, motor, pulley, seal, bearing };
+  std::string name;                                        ///< "motor", "drive" or its own
+  double watts = unset;                                    ///< [W]; NaN: by the formula
+  std::shared_ptr<const record::Expression> formula = {};  ///< [W], of heat_variables
+  double factor = 1.0;                                     ///< on the formula [1]
+  Place place = Place::shaft;
+  std::size_t bearing = 0;        ///< in the order of rings_of()
+  double position = unset;        ///< middle of the span, behind the nose face [m]
+  double length = unset;          ///< of the span [m]
+  double radius = unset;          ///< of cells of shaft or housing; NaN: from bore to surface [m]
   double rotor_diameter = unset;  ///< [m]
-  double rotor_share = 1.0;       ///< into the shaft; the rest into the housing [1]
+  /// Of a motor into the shaft, the rest into the housing; of a bearing into the inner ring, the
+  /// rest into the outer one [1].
+  double rotor_share = 1.0;
 };
 
 /// Variables of a formula of heat, in units of the files.
-inline const std::vector<std::string> heat_variables{"speed_rpm", "axial_load_N", "radial_load_N"};
+inline const std::vector<std::string> heat_variables{"speed_rpm", "axial_load_N", "radial_load_N",
+                                                     "moment_Nm", "belt_force_N", "motor_power_W"};
 
 /// Air between shaft and housing.
 struct Gap {
@@ -211,6 +222,7 @@ struct Spindle {
   Ambient ambient = {};
   std::optional<HeatSource> motor = {};
   std::optional<HeatSource> drive = {};
+  std::vector<HeatSource> heat = {};  ///< beside these two
   std::optional<Belt> belt = {};
   std::optional<Gap> gap = {};
   std::vector<ThermometerPlace> sensors = {};

@@ -31,7 +31,7 @@ bool is_sensor_name(std::string_view text) {
 const Channel* spindle_channel(std::string_view name) {
   for (const Channel* fixed :
        {&time, &run, &speed, &axial_load, &radial_load, &nose_moment, &belt_force, &motor_heat,
-        &axial_displacement, &displacement_deviation})
+        &motor_power, &axial_displacement, &displacement_deviation})
     if (fixed->name == name) return fixed;
   for (const std::string_view input : {"coolant_on", "ambient_temperature_C",
                                        "machine_temperature_C", "coolant_inlet_temperature_C"})

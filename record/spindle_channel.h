@@ -17,6 +17,17 @@ inline constexpr Channel motor_heat{.name = "motor_heat_W",
                                     .ratio = true,
                                     .place = "W of the motor"};
 
+/// Power that the motor takes, which a record brings [W].
+inline constexpr Channel motor_power{.name = "motor_power_W",
+                                     .variable = "motor_power",
+                                     .words = "motor power",
+                                     .unit = "W",
+                                     .lower = 0,
+                                     .upper = 1e7,
+                                     .step = 5e-3,
+                                     .ratio = true,
+                                     .place = "W taken by the motor"};
+
 /// Moment at the nose that a record brings, in the sense of a radial load further in front [N m].
 inline constexpr Channel nose_moment{.name = "moment_Nm",
                                      .variable = "moment",
@@ -42,7 +53,7 @@ inline constexpr Channel belt_force{.name = "belt_force_N",
 
 /// The quantity of a column of a spindle's record or speed programme, null for a name that is none:
 /// time_s, run_id, speed_rpm, axial_load_N, radial_load_N, moment_Nm, belt_force_N, coolant_on,
-/// motor_heat_W,
+/// motor_heat_W, motor_power_W,
 /// ambient_temperature_C, machine_temperature_C, coolant_inlet_temperature_C; measured are
 /// axial_displacement_um (with std_um) and every other NAME_temperature_C, of a sensor. As
 /// series_channel(), which knows temperatures as inputs.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/rings.h"
 #include "record/digits.h"
 #include "record/units.h"
 #include "report/detail/model_facts.h"
@@ -48,22 +49,30 @@ text::json cells_json(const std::vector<spindle::FieldCell>& cells) {
 text::json drawn_bearings(const model::Model& model) {
   const model::Spindle& s = *model.spindle;
   const bearing::Arrangement& a = model.shaft->arrangement;
-  const std::vector<double> places = spindle::bearing_places(s);
+  const std::vector<model::Rings> rings = model::rings_of(s, a);
   text::json list = text::json::array();
-  for (std::size_t i = 0; i < places.size() && i < a.bearings().size(); ++i) {
-    const bearing::BearingGeometry& g = a.bearings()[i].bearing->geometry();
-    list.push_back(
-        {{"label", results::bearing_label(model, i)},
-         {"position_mm", drawn_mm(places[i])},
-         {"width_mm", drawn_mm(s.bearing_width)},
-         {"bore_mm", drawn_mm(g.bore)},
-         {"outer_diameter_mm", drawn_mm(g.outer_diameter)},
-         {"inner_ring_shoulder_mm", drawn_mm(s.inner_ring_shoulder)},
-         {"outer_ring_shoulder_mm", drawn_mm(s.outer_ring_shoulder)},
-         {"ball_diameter_mm", drawn_mm(g.ball_diameter)},
-         {"pitch_diameter_mm", drawn_mm(g.pitch_diameter)},
-         {"contact_angle_deg", record::with_digits(g.contact_angle / degree, place_digits)},
-         {"pressed_rearwards", spindle::presses_rearwards(a, i)}});
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    const model::Rings& r = rings[i];
+    text::json one{{"label", results::bearing_label(model, i)},
+                   {"position_mm", drawn_mm(r.position)},
+                   {"width_mm", drawn_mm(r.width)},
+                   {"bore_mm", drawn_mm(r.bore)},
+                   {"outer_diameter_mm", drawn_mm(r.outer_diameter)},
+                   {"inner_ring_shoulder_mm", drawn_mm(r.inner_shoulder)},
+                   {"outer_ring_shoulder_mm", drawn_mm(r.outer_shoulder)}};
+    if (i < a.bearings().size()) {
+      const bearing::BearingGeometry& g = a.bearings()[i].bearing->geometry();
+      one["ball_diameter_mm"] = drawn_mm(g.ball_diameter);
+      one["pitch_diameter_mm"] = drawn_mm(g.pitch_diameter);
+      one["contact_angle_deg"] = record::with_digits(g.contact_angle / degree, place_digits);
+      one["pressed_rearwards"] = spindle::presses_rearwards(a, i);
+    } else {
+      const bearing::RollerGeometry& g = s.rollers[i - a.bearings().size()].bearing.geometry();
+      one["roller_diameter_mm"] = drawn_mm(g.roller_diameter);
+      one["roller_length_mm"] = drawn_mm(g.roller_length);
+      one["pitch_diameter_mm"] = drawn_mm(g.pitch_diameter);
+    }
+    list.push_back(std::move(one));
   }
   return list;
 }
@@ -175,6 +184,7 @@ void add_inputs(Document& document, ReportColumns& columns, const spindle::Drawn
   add("machine_temperature_C", [](const Inputs& i) { return celsius(i.machine_temperature); });
   add("coolant_inlet_temperature_C", [](const Inputs& i) { return celsius(i.coolant_inlet); });
   add("motor_heat_W", [](const Inputs& i) { return i.motor_heat; });
+  add("motor_power_W", [](const Inputs& i) { return i.motor_power; });
   add("axial_load_N", [](const Inputs& i) { return i.axial_load; });
   add("radial_load_N", [](const Inputs& i) { return i.radial_load; });
   add("moment_Nm", [](const Inputs& i) { return i.moment; });
@@ -220,7 +230,8 @@ std::string spindle_run_report(const ModelOfPage& of, const std::string& program
                                std::size_t rows_asked, const spindle::Run& run,
                                const spindle::DrawnRun& drawn, std::span<const DrawnField> fields,
                                const results::MeshEstimate& mesh, const std::string& mesh_text,
-                               const model::Findings& findings) {
+                               const model::Findings& findings,
+                               const results::Assumptions& assumptions) {
   Document document("spindle_run");
   document.add("judged", model::warnings_of(findings));
   add_parts(document, of, fields, mesh_text);
@@ -228,9 +239,10 @@ std::string spindle_run_report(const ModelOfPage& of, const std::string& program
   const spindle::Run head{.report = run.report,
                           .highest_front_force = run.highest_front_force,
                           .time_of_highest_force = run.time_of_highest_force};
-  document.add_text("results", results::spindle_run_json(of.model, {}, head, mesh, findings));
+  document.add_text("results",
+                    results::spindle_run_json(of.model, {}, head, mesh, findings, assumptions));
   document.add("rows_asked", rows_asked);
-  document.add("rows_reached", run.moments.size());
+  document.add("rows_reached", run.moments.size() - (run.has_end ? 1 : 0));
   document.add("ended_at_s", run.end.time);
   MomentColumns moments(drawn.moments.size());
   std::vector<double> time, hours;
@@ -251,11 +263,13 @@ std::string spindle_steady_report(const ModelOfPage& of,
                                   std::span<const results::SteadyState> states,
                                   std::span<const DrawnField> fields,
                                   const results::MeshEstimate& mesh, const std::string& mesh_text,
-                                  const model::Findings& findings) {
+                                  const model::Findings& findings,
+                                  const results::Assumptions& assumptions) {
   Document document("spindle_steady");
   document.add("judged", model::warnings_of(findings));
   add_parts(document, of, fields, mesh_text);
-  document.add_text("results", results::spindle_steady_json(of.model, {}, mesh, findings));
+  document.add_text("results",
+                    results::spindle_steady_json(of.model, {}, mesh, findings, assumptions));
   if (of.model.shaft) document.add("preload_N", shaft::mounted_arrangement(of.model).preload());
   document.add("coolant_on", states.front().inputs.coolant_on);
   text::json reports = text::json::array();

@@ -21,19 +21,18 @@ struct DrawnField {
 
 /// `results`: the output of `--json` without its rows, which `drawn` has. `mesh_text`: the text of
 /// the command on the cells.
-[[nodiscard]] std::string spindle_run_report(const ModelOfPage& model, const std::string& programme,
-                                             std::size_t rows_asked, const spindle::Run& run,
-                                             const spindle::DrawnRun& drawn,
-                                             std::span<const DrawnField> fields,
-                                             const results::MeshEstimate& mesh,
-                                             const std::string& mesh_text,
-                                             const model::Findings& findings = {});
+[[nodiscard]] std::string spindle_run_report(
+    const ModelOfPage& model, const std::string& programme, std::size_t rows_asked,
+    const spindle::Run& run, const spindle::DrawnRun& drawn, std::span<const DrawnField> fields,
+    const results::MeshEstimate& mesh, const std::string& mesh_text,
+    const model::Findings& findings = {}, const results::Assumptions& assumptions = {});
 
 [[nodiscard]] std::string spindle_steady_report(const ModelOfPage& model,
                                                 std::span<const results::SteadyState> states,
                                                 std::span<const DrawnField> fields,
                                                 const results::MeshEstimate& mesh,
                                                 const std::string& mesh_text,
-                                                const model::Findings& findings = {});
+                                                const model::Findings& findings = {},
+                                                const results::Assumptions& assumptions = {});
 
 }  // namespace raceway::report

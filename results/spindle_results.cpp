@@ -57,6 +57,20 @@ void put_header(fmt::memory_buffer& out, const std::vector<RunColumn>& columns) 
   }
 }
 
+text::json json_of(const Assumptions& assumptions) {
+  text::json most = text::json::array();
+  for (const Assumption& a : assumptions.most)
+    most.push_back({{"name", a.name},
+                    {"value", a.value},
+                    {"spread", a.spread},
+                    {"displacement_at_less_um", a.low / um},
+                    {"displacement_at_more_um", a.high / um}});
+  return {{"speed_rpm", assumptions.speed / rpm},
+          {"axial_displacement_um", assumptions.displacement / um},
+          {"assumed", assumptions.assumed},
+          {"most", std::move(most)}};
+}
+
 void put_row(fmt::memory_buffer& out, const std::vector<RunColumn>& columns) {
   for (const RunColumn& c : columns) {
     if (&c != columns.data()) out.push_back(',');
@@ -101,6 +115,9 @@ std::vector<RunColumn> run_columns(const model::Model& model, const Inputs& inpu
   }
   const bool measured = std::any_of(sensors.begin(), sensors.end(),
                                     [](const auto& s) { return s.name == "coolant_outlet"; });
+  for (std::size_t k = 0; k < model.spindle->heat.size(); ++k)
+    list.push_back(
+        {model.spindle->heat[k].name + "_heat_W", k < m.sources.size() ? m.sources[k] : unset});
   if (model.spindle->coolant && !measured)
     list.push_back({"coolant_outlet_temperature_C", celsius(m.coolant_outlet)});
   return list;
@@ -135,21 +152,25 @@ std::string spindle_run_text(const model::Model& model,
 
 std::string spindle_run_json(const model::Model& model,
                              std::span<const spindle::ProfileRow> profile, const spindle::Run& run,
-                             const MeshEstimate& mesh, const model::Findings& findings) {
+                             const MeshEstimate& mesh, const model::Findings& findings,
+                             const Assumptions& assumptions) {
   text::json rows = text::json::array();
   for (std::size_t k = 0; k < run.moments.size(); ++k) {
     text::json row{{"time_s", run.moments[k].time}};
     row.update(row_json(run_columns(model, profile[k].inputs, run.moments[k])));
     rows.push_back(std::move(row));
   }
-  return text::text(
+  text::json document(
       {{"spindle", model.spindle->name},
        {"report", report_of(run.report, mesh)},
        {"highest_front_force",
         {{"force_N", run.highest_front_force}, {"time_s", run.time_of_highest_force}}},
-       {"rows_asked", profile.size()},
+       {"rows_asked", profile.size() - (run.has_end ? 1 : 0)},
+       {"rows_reached", run.moments.size() - (run.has_end ? 1 : 0)},
        {"judgement", judgement_json(findings)},
        {"rows", std::move(rows)}});
+  if (assumptions.known()) document["assumptions"] = json_of(assumptions);
+  return text::text(document);
 }
 
 std::string spindle_steady_text(const model::Model& model, std::span<const SteadyState> states,
@@ -168,7 +189,8 @@ std::string spindle_steady_text(const model::Model& model, std::span<const Stead
 }
 
 std::string spindle_steady_json(const model::Model& model, std::span<const SteadyState> states,
-                                const MeshEstimate& mesh, const model::Findings& findings) {
+                                const MeshEstimate& mesh, const model::Findings& findings,
+                                const Assumptions& assumptions) {
   text::json rows = text::json::array();
   for (const SteadyState& s : states) {
     text::json row = row_json(run_columns(model, s.inputs, s.moment));
@@ -177,9 +199,11 @@ std::string spindle_steady_json(const model::Model& model, std::span<const Stead
         s.report, mesh.speed == s.inputs.speed ? mesh : MeshEstimate{.cells = mesh.cells});
     rows.push_back(std::move(row));
   }
-  return text::text({{"spindle", model.spindle->name},
-                     {"judgement", judgement_json(findings)},
-                     {"steady", std::move(rows)}});
+  text::json document({{"spindle", model.spindle->name},
+                       {"judgement", judgement_json(findings)},
+                       {"steady", std::move(rows)}});
+  if (assumptions.known()) document["assumptions"] = json_of(assumptions);
+  return text::text(document);
 }
 
 std::string spindle_field_text(std::span<const spindle::FieldCell> cells, std::string_view name) {

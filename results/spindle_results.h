@@ -22,6 +22,23 @@ struct MeshEstimate {
   [[nodiscard]] bool known() const { return other_cells > 0; }
 };
 
+/// A number that a model file leaves to its default, and what its usual spread does to the nose.
+struct Assumption {
+  std::string name;                  ///< "bearing.lubricant_conductance_W_K"
+  double value = unset;              ///< in the unit of its name
+  double spread = unset;             ///< either way
+  double low = unset, high = unset;  ///< displacement at value - spread and + spread [m]; NaN: none
+};
+
+/// The assumed numbers that matter most for a steady state of a spindle.
+struct Assumptions {
+  double speed = unset;            ///< [rad/s]
+  double displacement = unset;     ///< of the nose there [m]
+  std::size_t assumed = 0;         ///< numbers that were varied
+  std::vector<Assumption> most{};  ///< at most five, the largest change first
+  [[nodiscard]] bool known() const { return !most.empty(); }
+};
+
 /// A steady state, or why there is none.
 struct SteadyState {
   spindle::Inputs inputs;
@@ -43,15 +60,16 @@ struct RunColumn {
                                                  const spindle::Inputs& inputs,
                                                  const spindle::Moment& moment);
 
-/// `run.csv`: a row for each row of the programme that was reached. `model_text` is that of the
-/// file.
+/// `run.csv`: a row for each row of the programme that was reached, and one where the run ended
+/// early. `model_text` is that of the file.
 [[nodiscard]] std::string spindle_run_text(const model::Model& model,
                                            std::span<const spindle::ProfileRow> profile,
                                            const spindle::Run& run, std::string_view model_text);
 [[nodiscard]] std::string spindle_run_json(const model::Model& model,
                                            std::span<const spindle::ProfileRow> profile,
                                            const spindle::Run& run, const MeshEstimate& mesh,
-                                           const model::Findings& findings = {});
+                                           const model::Findings& findings = {},
+                                           const Assumptions& assumptions = {});
 /// Rows of several speeds, with the same columns.
 [[nodiscard]] std::string spindle_steady_text(const model::Model& model,
                                               std::span<const SteadyState> states,
@@ -59,7 +77,8 @@ struct RunColumn {
 [[nodiscard]] std::string spindle_steady_json(const model::Model& model,
                                               std::span<const SteadyState> states,
                                               const MeshEstimate& mesh,
-                                              const model::Findings& findings = {});
+                                              const model::Findings& findings = {},
+                                              const Assumptions& assumptions = {});
 /// `field.csv`: middle of each cell, its part and temperature.
 [[nodiscard]] std::string spindle_field_text(std::span<const spindle::FieldCell> cells,
                                              std::string_view name);

@@ -3,12 +3,14 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "results/sensitivity_results.h"
 #include "session/messages.h"
 #include "session/wording.h"
+#include "spindle/spindle.h"
 
 /// Sensitivity of predictions to the data of a model.
 namespace raceway::session {
@@ -21,6 +23,9 @@ struct SensitivityQuestion {
   std::vector<double> speeds_rpm{}, axial_loads_N{}, radial_loads_N{}, temperatures_C{};
   bool steady = false;  ///< of a whole spindle, where its speed leads
   bool coolant_on = true;
+  /// Of a steady state: loads, room and coolant; nothing: those of the model. Its speed does not
+  /// count.
+  std::optional<spindle::Inputs> inputs{};
   std::vector<files::SpreadText> spreads{};
   /// Names of the data that are varied, or of tables with all that is in them; empty: all.
   std::vector<std::string> data{};

@@ -10,6 +10,7 @@
 #include "files/spindle_record.h"
 #include "record/units.h"
 #include "report/spindle_report.h"
+#include "session/assumptions.h"
 #include "session/beam_of_model.h"
 #include "session/judged.h"
 #include "session/open_input.h"
@@ -97,23 +98,25 @@ SpindleRun simulate_spindle(Messages& messages, const files::ModelFile& file,
     messages.say(record::note::unused(unused, {.key = "coolant_on"}));
   SpindleRun answer{.file = file, .programme = name};
   answer.profile = read_profile(messages, question, file);
-  const std::vector<spindle::ProfileRow>& profile = answer.profile;
-  answer.start = read_start(messages, question, profile.front().time);
+  answer.start = read_start(messages, question, answer.profile.front().time);
   spindle::Simulator simulator = simulator_of(file);
   simulator.stop_on(question.cancelled);
   try {
-    answer.run = simulator.simulate(profile, answer.start ? &*answer.start : nullptr);
+    answer.run = simulator.simulate(answer.profile, answer.start ? &*answer.start : nullptr);
   } catch (const std::invalid_argument& e) {
     throw text::InputError(fmt::format("{} with {}: {}", name, file.source, e.what()),
                            {.file = question.start ? question.start->name : name});
   }
   answer.field = simulator.field(answer.run.end);
+  spindle::add_end(simulator, answer.profile, answer.start ? &*answer.start : nullptr, answer.run);
   answer.findings = judge(file.model, answer.profile, answer.run);
   const auto fastest = std::max_element(
-      profile.begin(), profile.end(),
+      answer.profile.begin(), answer.profile.end(),
       [](const auto& a, const auto& b) { return a.inputs.speed < b.inputs.speed; });
   answer.mesh = question.mesh ? mesh_estimate(file.model, fastest->inputs, question.cancelled)
                               : results::MeshEstimate{.cells = simulator.cells()};
+  if (question.assumptions)
+    answer.assumptions = influential_assumptions(file, fastest->inputs, question.cancelled);
   return answer;
 }
 
@@ -122,13 +125,13 @@ std::vector<record::Note> SpindleRun::warnings() const {
   if (!converged())
     notes.push_back(record::note::not_converged(
         fmt::format("{}: {} at {:.6g} s; {} of {} rows are there", spindle::name(run.report.status),
-                    run.report.message, run.end.time, run.moments.size(), profile.size())));
+                    run.report.message, run.end.time, rows_reached(), rows_asked())));
   append(notes, notes_of(record::note::over_limit, model::warnings_of(findings)));
   return notes;
 }
 
 std::string SpindleRun::json() const {
-  return results::spindle_run_json(file.model, profile, run, mesh, findings);
+  return results::spindle_run_json(file.model, profile, run, mesh, findings, assumptions);
 }
 
 std::string SpindleRun::csv() const {
@@ -147,8 +150,8 @@ std::string SpindleRun::page() const {
                       .speed = row == drawn.rows.end() ? unset : row->inputs.speed,
                       .cells = simulator.field(state)});
   }
-  return report::spindle_run_report(of_page(file, file.model), programme, profile.size(), run,
-                                    drawn, fields, mesh, words(mesh), findings);
+  return report::spindle_run_report(of_page(file, file.model), programme, rows_asked(), run, drawn,
+                                    fields, mesh, words(mesh), findings, assumptions);
 }
 
 std::string SpindleRun::end_state() const {

@@ -22,20 +22,28 @@ struct RunQuestion {
   double ambient_temperature = unset;  ///< in every row [K]; NaN: its column, else the model
   bool coolant_on = true;              ///< false: off in every row
   bool mesh = true;                    ///< whether the estimate of the cells is wanted
+  bool assumptions = false;            ///< whether those that matter most are wanted
   const std::atomic<bool>* cancelled = nullptr;  ///< as Simulator::stop_on()
 };
 
 struct SpindleRun {
   files::ModelFile file;
   std::string programme{};  ///< its name
+  /// The programme; of a run that ended early with a row there, see spindle::add_end().
   std::vector<spindle::ProfileRow> profile{};
   std::optional<spindle::State> start{};
   spindle::Run run{};
   results::MeshEstimate mesh{};
+  results::Assumptions assumptions{};       ///< at the steady state of the highest speed
   std::vector<spindle::FieldCell> field{};  ///< at the end
   model::Findings findings{};
 
   [[nodiscard]] bool converged() const { return run.report.converged(); }
+  /// Rows of the programme, without an early end that stands behind them.
+  [[nodiscard]] std::size_t rows_asked() const { return profile.size() - (run.has_end ? 1 : 0); }
+  [[nodiscard]] std::size_t rows_reached() const {
+    return run.moments.size() - (run.has_end ? 1 : 0);
+  }
   [[nodiscard]] std::vector<std::string> notes() const { return model::notes_of(findings); }
   /// Place and reason of an early end, and limits that it passes.
   [[nodiscard]] std::vector<record::Note> warnings() const;

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "bearing/contact_pressure.h"
 #include "life/roller_life.h"
 #include "record/units.h"
 #include "report/spindle_report.h"
+#include "session/assumptions.h"
 #include "session/beam_of_model.h"
 #include "session/judged.h"
 #include "session/open_input.h"
@@ -158,15 +160,21 @@ SteadySpindle steady_spindle(const files::ModelFile& file, const SteadyQuestion&
   spindle::Simulator simulator = simulator_of(file);
   simulator.stop_on(question.cancelled);
   for (const double speed : question.speeds) {
-    answer.states.push_back(steady_state(
-        simulator, {.speed = speed,
-                    .ambient_temperature = question.ambient_temperature,
-                    .axial_load = std::isnan(question.axial_load) ? file.model.shaft->external_load
-                                                                  : question.axial_load,
-                    .radial_load = question.radial_load,
-                    .moment = question.moment,
-                    .belt_force = question.belt_force,
-                    .coolant_on = question.coolant_on}));
+    const spindle::Inputs inputs{.speed = speed,
+                                 .ambient_temperature = question.ambient_temperature,
+                                 .motor_power = question.motor_power,
+                                 .axial_load = std::isnan(question.axial_load)
+                                                   ? file.model.shaft->external_load
+                                                   : question.axial_load,
+                                 .radial_load = question.radial_load,
+                                 .moment = question.moment,
+                                 .belt_force = question.belt_force,
+                                 .coolant_on = question.coolant_on};
+    try {
+      answer.states.push_back(steady_state(simulator, inputs));
+    } catch (const std::invalid_argument& e) {
+      throw text::InputError(fmt::format("{}: {}", file.source, e.what()), {.file = file.source});
+    }
     note_rollers(file.model, simulator, answer);
   }
   answer.findings = judge(file.model, answer.states);
@@ -175,6 +183,8 @@ SteadySpindle steady_spindle(const files::ModelFile& file, const SteadyQuestion&
   answer.mesh = last == answer.states.rend()
                     ? results::MeshEstimate{.cells = simulator.cells()}
                     : mesh_estimate(file.model, last->inputs, question.cancelled);
+  if (question.assumptions && last != answer.states.rend())
+    answer.assumptions = influential_assumptions(file, last->inputs, question.cancelled);
   if (last != answer.states.rbegin()) return answer;
   answer.end = simulator.state();
   answer.field = simulator.field(answer.end);
@@ -207,7 +217,7 @@ std::vector<record::Note> SteadySpindle::warnings() const {
 }
 
 std::string SteadySpindle::json() const {
-  return results::spindle_steady_json(file.model, states, mesh, findings);
+  return results::spindle_steady_json(file.model, states, mesh, findings, assumptions);
 }
 
 std::string SteadySpindle::csv() const {
@@ -217,7 +227,8 @@ std::string SteadySpindle::csv() const {
 std::string SteadySpindle::page() const {
   spindle::Simulator simulator = simulator_of(file);
   return report::spindle_steady_report(of_page(file, file.model), states,
-                                       fields_of(simulator, states), mesh, words(mesh), findings);
+                                       fields_of(simulator, states), mesh, words(mesh), findings,
+                                       assumptions);
 }
 
 std::string SteadySpindle::end_state() const {

@@ -29,10 +29,12 @@ struct SteadyQuestion {
   std::vector<double> speeds{};        ///< [rad/s]
   double ambient_temperature = unset;  ///< [K]; NaN: of the model
   bool coolant_on = true;
-  double axial_load = unset;  ///< at the nose, towards the tool [N]; NaN: of the model
-  double radial_load = 0.0;   ///< at the nose, in the direction of y [N]
-  double moment = 0.0;        ///< there, in the sense of a force further in front [N m]
-  double belt_force = unset;  ///< [N]; NaN: of the model
+  double axial_load = unset;   ///< at the nose, towards the tool [N]; NaN: of the model
+  double radial_load = 0.0;    ///< at the nose, in the direction of y [N]
+  double moment = 0.0;         ///< there, in the sense of a force further in front [N m]
+  double belt_force = unset;   ///< [N]; NaN: of the model
+  double motor_power = unset;  ///< that the motor takes [W], for formulas of heat
+  bool assumptions = false;    ///< whether those that matter most are wanted
   const std::atomic<bool>* cancelled = nullptr;  ///< as Simulator::stop_on()
 };
 
@@ -42,6 +44,7 @@ struct SteadySpindle {
   std::vector<results::SteadyState> states{};
   std::vector<std::string> roller_notes{};  ///< what to know of roller bearings
   results::MeshEstimate mesh{};
+  results::Assumptions assumptions{};  ///< at the last speed that has a state
   model::Findings findings{};
   spindle::State end{};                     ///< of the last speed; nothing where it has none
   std::vector<spindle::FieldCell> field{};  ///< the same, cell by cell

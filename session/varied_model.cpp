@@ -135,9 +135,9 @@ std::vector<double> Predictor::steady(const files::ModelFile& file,
   simulator.stop_on(question_.cancelled);
   std::vector<double> values;
   for (const State& s : states) {
-    const spindle::Inputs inputs{.speed = s[0] * rpm,
-                                 .axial_load = file.model.shaft->external_load,
-                                 .coolant_on = question_.coolant_on};
+    spindle::Inputs inputs = question_.inputs.value_or(spindle::Inputs{
+        .axial_load = file.model.shaft->external_load, .coolant_on = question_.coolant_on});
+    inputs.speed = s[0] * rpm;
     spindle::Report report;
     const spindle::Moment m = simulator.steady(inputs, report);
     std::vector<results::RunColumn> known = results::run_columns(file.model, inputs, m);

@@ -71,4 +71,20 @@ DrawnRun drawn_run(Simulator& simulator, std::span<const ProfileRow> profile, co
   return drawn;
 }
 
+void add_end(Simulator& simulator, std::vector<ProfileRow>& profile, const State* start, Run& run) {
+  const std::size_t reached = run.moments.size();
+  if (run.report.converged() || run.step_ends.empty() || reached >= profile.size() ||
+      !(run.step_ends.back() < profile[reached].time) ||
+      (reached > 0 && !(run.step_ends.back() > profile[reached - 1].time)))
+    return;
+  const auto next = profile.begin() + static_cast<std::ptrdiff_t>(reached);
+  std::vector<ProfileRow> rows(profile.begin(), next);
+  rows.push_back({.time = run.step_ends.back(), .inputs = next->inputs});
+  Run again = simulator.simulate(rows, start, run.step_ends);
+  if (again.moments.size() != rows.size()) return;
+  profile.insert(next, rows.back());
+  run.moments.push_back(std::move(again.moments.back()));
+  run.has_end = true;
+}
+
 }  // namespace raceway::spindle

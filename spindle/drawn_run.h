@@ -20,4 +20,8 @@ struct DrawnRun {
 [[nodiscard]] DrawnRun drawn_run(Simulator& simulator, std::span<const ProfileRow> profile,
                                  const State* start, const Run& run, std::size_t states = 12);
 
+/// Adds the early end of a run as its last moment, and as a row of its own to the programme, where
+/// it lies behind the last row that was reached. A run that did not end early stays as it is.
+void add_end(Simulator& simulator, std::vector<ProfileRow>& profile, const State* start, Run& run);
+
 }  // namespace raceway::spindle

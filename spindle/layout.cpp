@@ -301,9 +301,15 @@ Shares mean_over(const Mesh& mesh, const std::vector<int>& cells) {
   return shares;
 }
 
-Shares Layout::source(Body body, double from, double to) const {
+Shares Layout::source(Body body, double from, double to, double radius) const {
   std::vector<int> cells = cells_between(mesh, body, from, to);
-  if (cells.empty()) cells.push_back(mesh.nearest(body, 0.5 * (from + to), 0.0));
+  if (!std::isnan(radius))
+    std::erase_if(cells, [&](int k) {
+      const Cell& c = mesh.cells[static_cast<std::size_t>(k)];
+      return radius < c.inner_radius || radius >= c.outer_radius;
+    });
+  if (cells.empty())
+    cells.push_back(mesh.nearest(body, 0.5 * (from + to), std::isnan(radius) ? 0.0 : radius));
   return mean_over(mesh, cells);
 }
 

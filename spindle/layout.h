@@ -57,8 +57,9 @@ struct Layout {
   [[nodiscard]] const model::SolidMaterial& material(const Shares& seat) const {
     return mesh.cells[static_cast<std::size_t>(seat.front().cell)].material;
   }
-  /// Shares of a source between two planes, by volume. The nearest cell where none lies there.
-  [[nodiscard]] Shares source(Body body, double from, double to) const;
+  /// Shares of a source between two planes, by volume; with a radius of the cells there alone. The
+  /// nearest cell where none lies there.
+  [[nodiscard]] Shares source(Body body, double from, double to, double radius = unset) const;
 };
 
 /// Throws std::invalid_argument for parts that cannot be mounted: name, value with unit, range.

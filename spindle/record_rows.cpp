@@ -40,9 +40,9 @@ std::vector<ProfileRow> profile_of(const record::Record& record) {
   const auto speed = required_input(record, record::speed);
   const auto ambient = series("ambient_temperature_C"), machine = series("machine_temperature_C"),
              inlet = series("coolant_inlet_temperature_C"), coolant = series("coolant_on"),
-             motor = series("motor_heat_W"), axial = series("axial_load_N"),
-             radial = series("radial_load_N"), moment = series("moment_Nm"),
-             belt = series("belt_force_N");
+             motor = series("motor_heat_W"), power = series("motor_power_W"),
+             axial = series("axial_load_N"), radial = series("radial_load_N"),
+             moment = series("moment_Nm"), belt = series("belt_force_N");
   const auto at = [](std::span<const double> values, std::size_t row, double otherwise) {
     return values.empty() ? otherwise : values[row];
   };
@@ -62,6 +62,7 @@ std::vector<ProfileRow> profile_of(const record::Record& record) {
                                .machine_temperature = at(machine, row, unset),
                                .coolant_inlet = at(inlet, row, unset),
                                .motor_heat = at(motor, set, unset),
+                               .motor_power = at(power, set, unset),
                                .axial_load = at(axial, set, 0.0),
                                .radial_load = at(radial, set, 0.0),
                                .moment = at(moment, set, 0.0),

@@ -138,6 +138,7 @@ struct Simulator::Parts {
     if (cooled()) follow_coolant(inputs, seen[last_sensor], m);
     m.heat.air = out[0], m.heat.machine = out[1], m.heat.coolant = out[2];
     m.heat.drive = flow.driven_heat();
+    if (flow.system()) m.sources = flow.system()->source_heat();
     m.heat.friction = 0.0;
     if (BearingCoupling* const coupling = flow.coupling()) {
       const Vector s = seen.head(felt) + felt_offset();

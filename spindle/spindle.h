@@ -31,6 +31,7 @@ struct Inputs {
   double machine_temperature = unset;  ///< [K]
   double coolant_inlet = unset;        ///< [K]
   double motor_heat = unset;           ///< [W]
+  double motor_power = unset;          ///< that the motor takes [W]
   double axial_load = 0.0;             ///< at the nose, positive towards the tool [N]
   double radial_load = 0.0;            ///< at the nose, in the direction of y [N]
   /// At the nose in the plane of y, in the sense of a force further in front [N m].
@@ -72,6 +73,7 @@ struct Moment {
   double elongation = unset;              ///< of the shaft beyond the housing between the sets [m]
   double front_force = unset, rear_force = unset;  ///< [N]
   HeatBalance heat = {};
+  std::vector<double> sources = {};         ///< heat of those of model::Spindle::heat [W]
   std::vector<BearingState> bearings = {};  ///< front set first, roller bearings last
   std::vector<double> sensors = {};         ///< [K], in the order of the model
   /// What leaves the channel, T_in + 2 (T_mean - T_in), or what stands in it; NaN without one [K].
@@ -99,6 +101,7 @@ struct Report {
 /// A run through a speed programme. Where it ended early, `moments` are those before.
 struct Run {
   std::vector<Moment> moments = {};    ///< one for each row of the programme
+  bool has_end = false;                ///< the last moment is the early end, see add_end()
   std::vector<double> step_ends = {};  ///< of the time steps [s]
   State end = {};
   std::vector<State> kept = {};  ///< those that were asked for and reached

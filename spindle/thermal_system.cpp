@@ -1,8 +1,11 @@
 #include "spindle/thermal_system.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include "spindle/contact.h"
 #include "spindle/film.h"
@@ -28,6 +31,34 @@ double surface(const Joints& joints, const Vector& temperatures) {
     area += j.area;
   }
   return area > 0.0 ? sum / area : unset;
+}
+
+Shares by_area(const Joints& joints) {
+  const double area = area_of(joints);
+  Shares shares;
+  for (const Joint& j : joints) shares.push_back({j.first, j.area / area});
+  return shares;
+}
+
+/// Heat of a source under these inputs [W]. Throws std::invalid_argument where its formula has no
+/// number there.
+double heat_of(const model::HeatSource& source, const model::Spindle& spindle,
+               const Inputs& inputs) {
+  if (!std::isnan(source.watts)) return source.watts;
+  double belt = inputs.belt_force;
+  if (std::isnan(belt)) belt = spindle.belt ? spindle.belt->force : 0.0;
+  const std::array<double, 6> values{
+      inputs.speed / rpm, inputs.axial_load, inputs.radial_load, inputs.moment, belt,
+      inputs.motor_power};
+  std::vector<double> used;
+  for (const std::size_t k : source.formula->used()) {
+    if (std::isnan(values[k]))
+      throw std::invalid_argument(fmt::format("heat of {}: \"{}\" goes by {}, which is not given",
+                                              source.name, source.formula->text(),
+                                              model::heat_variables[k]));
+    used.push_back(values[k]);
+  }
+  return source.factor * (*source.formula)(used);
 }
 
 double in_series(double half, double film, double area) {
@@ -89,6 +120,40 @@ ThermalSystem::ThermalSystem(const model::Model& model, const effects::SpindleCo
   };
   nose_diameter_ = diameter(layout_.nose);
   rear_diameter_ = diameter(layout_.rear);
+  place_heat();
+}
+
+/// Finds the cells of all sources, those of the model and those that effects may add.
+void ThermalSystem::place_heat() {
+  using Place = model::HeatSource::Place;
+  const auto cells_at = [&](const std::optional<model::HeatSource>& given, Place place,
+                            double share) {
+    return cells_of(given ? *given
+                          : model::HeatSource{.name = {}, .place = place, .rotor_share = share});
+  };
+  motor_ = cells_at(spindle_.motor, Place::motor, 0.5);
+  drive_ = cells_at(spindle_.drive, Place::pulley, 1.0);
+  seal_ = cells_at({}, Place::seal, 1.0);
+  const std::size_t front = spindle_.front_positions.size();
+  const std::size_t sets = front + spindle_.rear_positions.size();
+  const double last_of_sets = layout_.bearings[sets - 1].position;
+  Joints inner[2], outer[2];
+  const bool rollers_behind = std::any_of(
+      layout_.bearings.begin() + static_cast<std::ptrdiff_t>(sets), layout_.bearings.end(),
+      [&](const BearingPlace& b) { return b.position > last_of_sets; });
+  for (std::size_t k = 0; k < layout_.bearings.size(); ++k) {
+    const BearingPlace& b = layout_.bearings[k];
+    const bool at_the_rear =
+        rollers_behind ? k >= sets && b.position > last_of_sets : k >= front && k < sets;
+    if (k >= front && !at_the_rear) continue;
+    Joints &in = inner[at_the_rear ? 1 : 0], &out = outer[at_the_rear ? 1 : 0];
+    in.insert(in.end(), b.inner_raceway.begin(), b.inner_raceway.end());
+    out.insert(out.end(), b.outer_raceway.begin(), b.outer_raceway.end());
+  }
+  front_bearings_ = {by_area(inner[0]), by_area(outer[0]), 0.5};
+  rear_bearings_ = {by_area(inner[1]), by_area(outer[1]), 0.5};
+  for (const model::HeatSource& source : spindle_.heat) sources_.push_back(cells_of(source));
+  source_heat_.assign(sources_.size(), 0.0);
 }
 
 ThermalSystem::Group ThermalSystem::add_links(const Joints& joints) {
@@ -278,48 +343,73 @@ void ThermalSystem::set_inputs(const Inputs& inputs, double machine_rise) {
 
   paths_.source.setZero();
   driven_heat_ = 0.0;
-  const Layout& l = layout_;
-  const std::array<double, 3> names{inputs.speed / rpm, inputs.axial_load, inputs.radial_load};
-  const auto heat_of = [&](const model::HeatSource& source) {
-    std::vector<double> used;
-    for (const std::size_t k : source.heat->used()) used.push_back(names[k]);
-    return (*source.heat)(used);
-  };
-  const auto place = [&](const std::optional<model::HeatSource>& source, double from, double to) {
-    if (!source || std::isnan(source->position) || std::isnan(source->length))
-      return std::pair(from, to);
-    return std::pair(source->position - 0.5 * source->length,
-                     source->position + 0.5 * source->length);
-  };
   const double ratio = inputs.speed / (10000.0 * rpm);
-  constexpr double rear_end = 1e3;  // beyond every shaft [m]
   double motor = std::isnan(inputs.motor_heat) ? 0.0 : inputs.motor_heat;
-  if (std::isnan(inputs.motor_heat) && spindle_.motor) motor = heat_of(*spindle_.motor);
-  motor += condition_.motor_heat * std::pow(ratio, condition_.motor_heat_exponent);
-  if (motor != 0.0) {
-    const BearingPlace& front = l.bearings[spindle_.front_positions.size() - 1];
-    const bool two = !spindle_.rear_positions.empty();
-    const double from = front.position + 0.5 * front.width;
-    const double to = two ? spindle_.rear_positions.front() - 0.5 * front.width : l.housing_end;
-    const auto [low, high] = place(spindle_.motor, from, to);
-    const double share = spindle_.motor ? spindle_.motor->rotor_share : 0.5;
-    add_source(l.source(Body::shaft, low, high), share * motor);
-    add_source(l.source(Body::housing, low, high), (1.0 - share) * motor);
+  if (std::isnan(inputs.motor_heat) && spindle_.motor)
+    motor = heat_of(*spindle_.motor, spindle_, inputs);
+  add_source(motor_,
+             motor + condition_.motor_heat * std::pow(ratio, condition_.motor_heat_exponent));
+  const double drive = spindle_.drive ? heat_of(*spindle_.drive, spindle_, inputs) : 0.0;
+  add_source(drive_,
+             drive + condition_.drive_heat * std::pow(ratio, condition_.drive_heat_exponent));
+  add_source(seal_, condition_.seal_heat * ratio);
+  add_source(front_bearings_, condition_.front_bearing_heat * ratio);
+  add_source(rear_bearings_, condition_.rear_bearing_heat * ratio);
+  for (std::size_t k = 0; k < sources_.size(); ++k) {
+    source_heat_[k] = heat_of(spindle_.heat[k], spindle_, inputs);
+    add_source(sources_[k], source_heat_[k]);
   }
-  double drive = spindle_.drive ? heat_of(*spindle_.drive) : 0.0;
-  drive += condition_.drive_heat * std::pow(ratio, condition_.drive_heat_exponent);
-  if (drive != 0.0) {
-    const auto [low, high] = place(spindle_.drive, l.last_bearing_rear, rear_end);
-    add_source(l.source(Body::shaft, low, high), drive);
-  }
-  if (condition_.seal_heat != 0.0)
-    add_source(l.source(Body::shaft, l.housing_start, l.first_bearing_front),
-               condition_.seal_heat * ratio);
 }
 
-void ThermalSystem::add_source(const Shares& shares, double heat) {
-  for (const Share& s : shares) paths_.source[s.cell] += s.share * heat;
-  driven_heat_ += heat;
+ThermalSystem::HeatedCells ThermalSystem::cells_of(const model::HeatSource& source) const {
+  using Place = model::HeatSource::Place;
+  const Layout& l = layout_;
+  const bool spanned = !std::isnan(source.position) && !std::isnan(source.length);
+  const auto span = [&](double from, double to) {
+    return spanned ? std::pair(source.position - 0.5 * source.length,
+                               source.position + 0.5 * source.length)
+                   : std::pair(from, to);
+  };
+  switch (source.place) {
+    case Place::motor: {
+      const BearingPlace& front = l.bearings[spindle_.front_positions.size() - 1];
+      const bool two = !spindle_.rear_positions.empty();
+      const double end = two ? spindle_.rear_positions.front() - 0.5 * front.width : l.housing_end;
+      const auto [low, high] = span(front.position + 0.5 * front.width, end);
+      return {l.source(Body::shaft, low, high), l.source(Body::housing, low, high),
+              source.rotor_share};
+    }
+    case Place::pulley: {
+      constexpr double rear_end = 1e3;  // beyond every shaft [m]
+      const auto [low, high] = span(l.last_bearing_rear, rear_end);
+      return {l.source(Body::shaft, low, high), {}};
+    }
+    case Place::seal: {
+      const auto [low, high] = span(l.housing_start, l.first_bearing_front);
+      return {l.source(Body::shaft, low, high), {}};
+    }
+    case Place::bearing: {
+      const BearingPlace& b = l.bearings.at(source.bearing);
+      return {by_area(b.inner_raceway), by_area(b.outer_raceway), source.rotor_share};
+    }
+    case Place::shaft:
+    case Place::housing:
+      break;
+  }
+  const auto [low, high] = span(unset, unset);
+  return {l.source(source.place == Place::shaft ? Body::shaft : Body::housing, low, high,
+                   source.radius),
+          {}};
+}
+
+void ThermalSystem::add_source(const HeatedCells& cells, double heat) {
+  if (heat == 0.0) return;
+  const auto add = [&](const Shares& shares, double part) {
+    for (const Share& s : shares) paths_.source[s.cell] += s.share * part;
+    driven_heat_ += part;
+  };
+  add(cells.first, cells.share * heat);
+  if (!cells.second.empty()) add(cells.second, (1.0 - cells.share) * heat);
 }
 
 }  // namespace raceway::spindle

@@ -32,8 +32,10 @@ class ThermalSystem {
   /// Sets reservoirs and sources by these inputs; `machine_rise`: drift of the machine temperature
   /// [K].
   void set_inputs(const Inputs& inputs, double machine_rise);
-  /// Heat of motor, drive and seals [W].
+  /// Heat of motor, drive, seals and all other sources [W].
   [[nodiscard]] double driven_heat() const { return driven_heat_; }
+  /// Heat of each of model::Spindle::heat [W].
+  [[nodiscard]] const std::vector<double>& source_heat() const { return source_heat_; }
   [[nodiscard]] double ambient(const Inputs& inputs) const;
 
  private:
@@ -52,7 +54,14 @@ class ThermalSystem {
   void update_seats(const Vector& temperatures, double speed);
   void update_room(const Vector& temperatures, double speed);
   void update_coolant(const Vector& temperatures, const Inputs& inputs);
-  void add_source(const Shares& shares, double heat);
+  /// Cells that a source heats: `share` of it in the first ones.
+  struct HeatedCells {
+    Shares first, second;
+    double share = 1.0;
+  };
+  [[nodiscard]] HeatedCells cells_of(const model::HeatSource& source) const;
+  void place_heat();
+  void add_source(const HeatedCells& cells, double heat);
 
   model::Spindle spindle_;
   effects::SpindleCondition condition_;
@@ -63,7 +72,10 @@ class ThermalSystem {
   Group housing_, ends_, nose_, rear_, gap_, coolant_walls_;
   std::size_t coolant_flow_ = 0;  ///< its outlet
   double nose_diameter_ = unset, rear_diameter_ = unset;
+  HeatedCells motor_, drive_, seal_, front_bearings_, rear_bearings_;
+  std::vector<HeatedCells> sources_;  ///< of model::Spindle::heat
   double driven_heat_ = 0.0;
+  std::vector<double> source_heat_;
 };
 
 /// Mean temperature of some cells [K].

@@ -13,6 +13,7 @@ struct NumberRange {
 
 inline constexpr NumberRange speed_range{0.0, 1e6, "rpm"};
 inline constexpr NumberRange load_range{0.0, 1e8, "N"};
+inline constexpr NumberRange power_range{0.0, 1e7, "W"};
 /// Loads on a shaft, which have a direction.
 inline constexpr NumberRange signed_load_range{-1e8, 1e8, "N"};
 inline constexpr NumberRange temperature_range{-100.0, 400.0, "C"};

@@ -24,6 +24,8 @@ inline constexpr Form anywhere = between(-longest_mm, longest_mm, "mm"),
 /// [[sensor]]
 [[nodiscard]] std::vector<Section> sensor_sections(const ModelTables& tables,
                                                    const Keys& keys = {});
+/// [[heat]]
+[[nodiscard]] std::vector<Section> heat_sections(const ModelTables& tables, const Keys& keys = {});
 
 /// A name that can stand in front of the unit of a column: letters, digits and _.
 [[nodiscard]] bool names_a_column(std::string_view name);
@@ -48,6 +50,9 @@ inline constexpr Form anywhere = between(-longest_mm, longest_mm, "mm"),
 /// [motor] or [drive].
 [[nodiscard]] std::optional<model::HeatSource> read_heat_source(ModelTables& tables,
                                                                 std::string_view table);
+/// [[heat]]; `bearings`: names of all on the shaft, in the order of model::rings_of().
+[[nodiscard]] std::vector<model::HeatSource> read_heat_sources(ModelTables& tables,
+                                                               const Names& bearings);
 /// Of [drive]; none where it has no force.
 [[nodiscard]] std::optional<model::Belt> read_belt(const ModelTables& tables);
 [[nodiscard]] std::vector<model::ThermometerPlace> read_sensors(const ModelTables& tables);

@@ -86,13 +86,16 @@ double ambient_of(Heard& heard, double ambient_temperature_C) {
 
 SpindleAnswer steady(const EngineModel& model, const std::vector<double>& speed_rpm, bool coolant,
                      double ambient_temperature_C, double axial_load_N, double radial_load_N,
-                     double moment_Nm, double belt_force_N, double time_limit_s) {
+                     double moment_Nm, double belt_force_N, double motor_power_W, bool assumptions,
+                     double time_limit_s) {
   if (!std::isnan(axial_load_N))
     text::require_range(axial_load_N, text::signed_load_range, "axial_load_N");
   text::require_range(radial_load_N, text::signed_load_range, "radial_load_N");
   text::require_range(moment_Nm, session::moment_load_range, "moment_Nm");
   if (!std::isnan(belt_force_N))
     text::require_range(belt_force_N, text::load_range, "belt_force_N");
+  if (!std::isnan(motor_power_W))
+    text::require_range(motor_power_W, text::power_range, "motor_power_W");
   Heard heard;
   session::SteadyQuestion question{.speeds = speeds_of(speed_rpm),
                                    .ambient_temperature = ambient_of(heard, ambient_temperature_C),
@@ -100,7 +103,9 @@ SpindleAnswer steady(const EngineModel& model, const std::vector<double>& speed_
                                    .axial_load = axial_load_N,
                                    .radial_load = radial_load_N,
                                    .moment = moment_Nm,
-                                   .belt_force = belt_force_N};
+                                   .belt_force = belt_force_N,
+                                   .motor_power = motor_power_W,
+                                   .assumptions = assumptions};
   const auto found = asked(heard, time_limit_s, [&](Heard&, const std::atomic<bool>& cancelled) {
     question.cancelled = &cancelled;
     return std::make_shared<const session::SteadySpindle>(
@@ -117,11 +122,12 @@ SpindleAnswer steady(const EngineModel& model, const std::vector<double>& speed_
 SpindleAnswer simulate(const EngineModel& model, const Data& programme,
                        const std::optional<std::string>& columns, bool drop_nan,
                        const std::optional<NamedText>& start, bool coolant,
-                       double ambient_temperature_C, double time_limit_s) {
+                       double ambient_temperature_C, bool assumptions, double time_limit_s) {
   Heard heard;
   session::RunQuestion question{.programme = *programme,
                                 .ambient_temperature = ambient_of(heard, ambient_temperature_C),
-                                .coolant_on = coolant};
+                                .coolant_on = coolant,
+                                .assumptions = assumptions};
   question.reading.columns_text = columns.value_or("");
   question.reading.drop_nan = drop_nan;
   if (start) question.start = session::Source(start->first, start->second);
@@ -138,12 +144,20 @@ SpindleAnswer simulate(const EngineModel& model, const Data& programme,
 }
 
 SpindleAnswer modes(const EngineModel& model, const std::vector<double>& speed_rpm, bool warm,
-                    bool coolant, int count) {
+                    bool coolant, int count, double damping_ratio, double unbalance_gmm,
+                    double unbalance_at_mm) {
   constexpr text::NumberRange count_range{1, 40, "modes"};
   text::require_range(count, count_range, "count");
   Heard heard;
-  session::ModesQuestion question{
-      .speeds = speeds_of(speed_rpm), .warm = warm, .coolant_on = coolant, .count = count};
+  session::ModesQuestion question{.speeds = speeds_of(speed_rpm),
+                                  .warm = warm,
+                                  .coolant_on = coolant,
+                                  .count = count,
+                                  .damping_ratio = damping_ratio};
+  if (!std::isnan(unbalance_gmm))
+    question.unbalance = spindle::Unbalance{.size = unbalance_gmm * 1e-3 * mm,
+                                            .position = unbalance_at_mm * mm,
+                                            .damping_ratio = damping_ratio};
   const auto found = asked(heard, no_limit, [&](Heard& h, const std::atomic<bool>& cancelled) {
     question.cancelled = &cancelled;
     auto answer = std::make_shared<const session::SpindleModes>(

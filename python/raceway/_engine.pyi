@@ -152,6 +152,8 @@ def steady(
     radial_load_N: float,
     moment_Nm: float,
     belt_force_N: float,
+    motor_power_W: float,
+    assumptions: bool,
     time_limit_s: float,
 ) -> SpindleAnswer: ...
 def simulate(
@@ -162,9 +164,19 @@ def simulate(
     start: tuple[str, str] | None,
     coolant: bool,
     ambient_temperature_C: float,
+    assumptions: bool,
     time_limit_s: float,
 ) -> SpindleAnswer: ...
-def modes(model: Model, speed_rpm: Sequence[float], warm: bool, coolant: bool, count: int) -> SpindleAnswer: ...
+def modes(
+    model: Model,
+    speed_rpm: Sequence[float],
+    warm: bool,
+    coolant: bool,
+    count: int,
+    damping_ratio: float,
+    unbalance_gmm: float,
+    unbalance_at_mm: float,
+) -> SpindleAnswer: ...
 def deflection(
     model: Model, force_N: float, axial: bool, axial_force_N: float, moment_Nm: float, at_mm: float, speed_rpm: float, warm: bool, coolant: bool
 ) -> SpindleAnswer: ...

@@ -146,7 +146,7 @@ def _steady(result: Any) -> str:
 def _run(result: Any) -> str:
     data = result.data
     rows, report = data["rows"], data["report"]
-    out = _title(data["spindle"], f"{len(rows)} of {data['rows_asked']} rows: {report['status']}")
+    out = _title(data["spindle"], f"{data['rows_reached']} of {data['rows_asked']} rows: {report['status']}")
     if not rows:
         return out + _messages(result)
     nose = [r for r in rows if r.get("axial_displacement_um") is not None]

@@ -89,7 +89,7 @@ class SpindleRun(_WithField):
         return self.data["report"]["status"]
 
     def __repr__(self) -> str:
-        rows = f"{len(self.data['rows'])} of {self.data['rows_asked']} rows"
+        rows = f"{self.data['rows_reached']} of {self.data['rows_asked']} rows"
         return f"<raceway.SpindleRun of {self.data['spindle']}: {rows}, {self.status}>"
 
 

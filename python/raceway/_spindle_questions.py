@@ -31,6 +31,8 @@ class SpindleQuestions:
         radial_load_N: float = 0.0,
         moment_Nm: float = 0.0,
         belt_force_N: float | None = None,
+        motor_power_W: float | None = None,
+        assumptions: bool = False,
         time_limit_s: float | None = None,
     ) -> SteadyStates:
         """Find the steady state: temperatures, preload, displacement, heat at each speed.
@@ -49,6 +51,11 @@ class SpindleQuestions:
             At the nose; the moment is positive as the radial load further in front.
         belt_force_N : float, optional
             Pull of the belt; default: the model.
+        motor_power_W : float, optional
+            That the motor takes, for formulas of heat that use it.
+        assumptions : bool
+            Whether ``data["assumptions"]`` names the five assumed numbers that move the nose most, at the
+            last speed. It takes some fifty further states.
         time_limit_s : float, optional
             After which it gives up with TimeoutError.
 
@@ -82,6 +89,8 @@ class SpindleQuestions:
             _number("radial_load_N", radial_load_N),
             _number("moment_Nm", moment_Nm),
             _number("belt_force_N", belt_force_N),
+            _number("motor_power_W", motor_power_W),
+            _yes_or_no("assumptions", assumptions),
             _limit(time_limit_s),
         )
         warn(answer.warnings)
@@ -94,6 +103,7 @@ class SpindleQuestions:
         start: str | os.PathLike[str] | SteadyStates | SpindleRun | None = None,
         coolant: bool = True,
         ambient_temperature_C: float | None = None,
+        assumptions: bool = False,
         time_limit_s: float | None = None,
     ) -> SpindleRun:
         """Simulate a spindle through a speed programme.
@@ -105,8 +115,8 @@ class SpindleQuestions:
         profile : Record
             Columns ``time_s`` and ``speed_rpm``, and where they are known ``coolant_on``,
             ``ambient_temperature_C``, ``machine_temperature_C``, ``coolant_inlet_temperature_C``,
-            ``axial_load_N``, ``radial_load_N``, ``moment_Nm``, ``belt_force_N``, ``motor_heat_W``. A
-            row's inputs hold from the row before it to its time.
+            ``axial_load_N``, ``radial_load_N``, ``moment_Nm``, ``belt_force_N``, ``motor_heat_W``,
+            ``motor_power_W``. A row's inputs hold from the row before it to its time.
         start : SteadyStates, SpindleRun, str or path, optional
             What to begin with: the end of another result, its `end_state`, or the path of one.
             Default: all as warm as the room.
@@ -114,6 +124,9 @@ class SpindleQuestions:
             False: off in every row.
         ambient_temperature_C : float, optional
             In every row; default its column, else the model.
+        assumptions : bool
+            Whether ``data["assumptions"]`` names the five assumed numbers that move the nose most where
+            all is steady at the highest speed.
         time_limit_s : float, optional
             After which it gives up with TimeoutError.
 
@@ -150,12 +163,23 @@ class SpindleQuestions:
             start_of(start),
             _yes_or_no("coolant", coolant),
             _number("ambient_temperature_C", ambient_temperature_C),
+            _yes_or_no("assumptions", assumptions),
             _limit(time_limit_s),
         )
         warn(answer.warnings)
         return SpindleRun(answer)
 
-    def modes(self, speed_rpm: ArrayLike, *, warm: bool = False, coolant: bool = True, count: int = 6) -> Modes:
+    def modes(
+        self,
+        speed_rpm: ArrayLike,
+        *,
+        warm: bool = False,
+        coolant: bool = True,
+        count: int = 6,
+        damping_ratio: float | None = None,
+        unbalance_gmm: float | None = None,
+        unbalance_at_mm: float = 0.0,
+    ) -> Modes:
         """Find the lowest natural frequencies of the shaft on its bearings, with gyroscopic effect.
 
         Parameters
@@ -169,11 +193,17 @@ class SpindleQuestions:
             Of the warm spindle.
         count : int
             How many, 1 to 40.
+        damping_ratio : float, optional
+            Of every mode, as you state it, up to 1.
+        unbalance_gmm, unbalance_at_mm : float
+            An unbalance that turns with the shaft, which needs a damping ratio: each speed then has
+            ``nose_amplitude_um`` and ``nose_lag_deg``.
 
         Returns
         -------
         Modes
-            `raceway.plot.campbell` draws them.
+            `raceway.plot.campbell` draws them. ``data["crossings"]`` says where once and twice per turn and
+            the cage and races of each bearing meet a mode.
 
         Raises
         ------
@@ -192,7 +222,14 @@ class SpindleQuestions:
         3      10000         856.3   forward
         """
         answer = _engine.modes(
-            self._engine, axis("speed_rpm", speed_rpm), _yes_or_no("warm", warm), _yes_or_no("coolant", coolant), _count("count", count)
+            self._engine,
+            axis("speed_rpm", speed_rpm),
+            _yes_or_no("warm", warm),
+            _yes_or_no("coolant", coolant),
+            _count("count", count),
+            _number("damping_ratio", damping_ratio),
+            _number("unbalance_gmm", unbalance_gmm),
+            _number("unbalance_at_mm", unbalance_at_mm),
         )
         warn(answer.warnings)
         return Modes(answer)

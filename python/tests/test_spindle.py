@@ -116,9 +116,10 @@ def test_a_run_that_ends_early_has_the_rows_before(small):
         run = small.simulate(record(TOO_FAST))
     assert not run.converged and run.status == "thermal_runaway"
     rows = run.data["rows"]
-    assert 0 < len(rows) < 3 and run.data["rows_asked"] == 3
+    assert 0 < len(rows) <= 3 and run.data["rows_asked"] == 3
+    assert run.data["rows_reached"] < 3 and len(rows) - run.data["rows_reached"] <= 1
     assert len(run.to_frame()) == len(rows)
-    assert json.loads(run.end_state)["time_s"] > rows[-1]["time_s"]
+    assert json.loads(run.end_state)["time_s"] >= rows[-1]["time_s"]
     assert "thermal runaway" in run._repr_html_() and "thermal_runaway" in repr(run)
     axes = plot.spindle_run(run)
     # The highest force is between the last row and the end.
@@ -146,6 +147,13 @@ def test_modes_and_shapes_are_those_of_the_command(small, driven, document, csv,
     assert found.notes == ["damping, and what gives way in the housing, are not modelled: damping_ratio is empty"]
     ax = plot.campbell(found)
     assert list(ax.lines[0].get_xdata()) == [0, 5000, 10000]
+    shaken = ("modes", SMALL, "--speed", "5000,10000", "--damping", "0.02", "--unbalance", "5", "--unbalance-at", "20")
+    under = small.modes([5000, 10000], damping_ratio=0.02, unbalance_gmm=5, unbalance_at_mm=20)
+    assert under.data == document(*shaken)
+    assert under.data["rows"][1]["nose_amplitude_um"] > under.data["rows"][0]["nose_amplitude_um"] > 0
+    assert under.data["crossings"] and under.data["rows"][0]["modes"][0]["damping_ratio"] == 0.02
+    with pytest.raises(raceway.InputError, match="a damping ratio is needed"):
+        small.modes([5000], unbalance_gmm=5)
     with pytest.warns(raceway.Doubt, match="110000 rpm: not_held"):
         small.modes([5000, 110000])
     with pytest.raises(raceway.InputError, match="speed_rpm = 200000 rpm: must be from 0 to 123197 rpm"):
@@ -430,3 +438,17 @@ def test_a_spindle_of_a_template_runs():
     assert model.kind == "spindle"
     assert "assumed" in model.text
     assert model.steady(3000).data["steady"][0]["report"]["status"] == "converged"
+
+
+def test_heat_at_a_place_and_the_assumptions_are_those_of_the_command(tmp_path, document):
+    heated = tmp_path / "heated.toml"
+    with open(SMALL, encoding="utf-8") as file:
+        text = file.read()
+    heated.write_text(text + '\n[[heat]]\nname = "belt"\nat = "rear_1"\nheat_W = "0.02*motor_power_W"\n', encoding="utf-8")
+    model = raceway.Model.read(heated)
+    state = model.steady(6000, motor_power_W=2000, assumptions=True)
+    assert state.data == document("spindle", heated, "--speed", "6000", "--steady", "--motor-power", "2000", "--assumptions")
+    assert state.data["steady"][0]["belt_heat_W"] == pytest.approx(40)
+    assert len(state.data["assumptions"]["most"]) == 5
+    with pytest.raises(raceway.InputError, match="motor_power_W, which is not given"):
+        model.steady(6000)

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -128,8 +129,73 @@ TEST_F(SpindleCommand, RowsBeforeTheEndAreWritten) {
   EXPECT_EQ(r.status, 2);
   const json d = json::parse(r.out);
   EXPECT_NE(d["report"]["status"], "converged");
-  EXPECT_EQ(d["rows"].size(), 2u);
+  EXPECT_EQ(d["rows_asked"], 3);
+  EXPECT_EQ(d["rows_reached"], 2);
   EXPECT_THAT(r.err, HasSubstr("2 of 3 rows are there"));
+}
+
+TEST_F(SpindleCommand, AnEarlyEndIsTheLastRowAndTerminalAndFilesAgreeOnIt) {
+  const std::string hot = "time_s,speed_rpm\n60,1000\n7200,30000\n";
+  const std::string csv = scratch_.file("run.csv"), state = scratch_.file("end.json");
+  const Result r = spindle(profile(hot) + "--json -o " + csv + " --end-state " + state);
+  EXPECT_EQ(r.status, 2);
+  const json d = json::parse(r.out);
+  EXPECT_EQ(d["report"]["status"], "thermal_runaway");
+  ASSERT_EQ(d["rows"].size(), 2u);
+  EXPECT_EQ(d["rows_reached"], 1);
+  const double end = d["rows"][1]["time_s"];
+  EXPECT_EQ(end, json::parse(file_text(state))["time_s"].get<double>());
+  EXPECT_GT(end, 60.0);
+  EXPECT_GT(d["rows"][1]["front_force_N"].get<double>(), 1000.0);
+  EXPECT_THAT(file_text(csv), HasSubstr(fmt::format("\n{:.6g}", end).substr(0, 5)));
+  const Result text = spindle(profile(hot));
+  EXPECT_THAT(text.out, HasSubstr(fmt::format("ended early after {:.6g} s: thermal runaway", end)));
+  EXPECT_THAT(text.out, HasSubstr(": 1 of 2 rows"));
+}
+
+TEST_F(SpindleCommand, HeatAtAPlaceComesInAndIsListed) {
+  const std::string heated = base_spindle + coarse_cells +
+                             "[[heat]]\nname = \"belt\"\nat = \"rear_1\"\nheat_W = 80\n"
+                             "[[heat]]\nname = \"rotor\"\nat = \"motor\"\n"
+                             "heat_W = \"0.05*motor_power_W\"\n";
+  const json s =
+      parsed(spindle("--speed 6000 --steady --motor-power 2000 --json", heated))["steady"][0];
+  EXPECT_EQ(s["belt_heat_W"], 80.0);
+  EXPECT_NEAR(s["rotor_heat_W"].get<double>(), 100.0, 1e-9);
+  EXPECT_NEAR(s["drive_heat_W"].get<double>(), 180.0, 1e-9);
+  const Result lacking = spindle("--speed 6000 --steady", heated);
+  EXPECT_EQ(lacking.status, 1);
+  EXPECT_THAT(lacking.err, HasSubstr("goes by motor_power_W, which is not given"));
+  const Result row = spindle(profile(), heated);
+  EXPECT_EQ(row.status, 1);
+  EXPECT_THAT(row.err, HasSubstr("column motor_power_W is missing"));
+  const Result run = spindle(
+      profile("time_s,speed_rpm,motor_power_W\n600,6000,1000\n1200,6000,3000\n") + "-o -", heated);
+  EXPECT_EQ(run.status, 0);
+  EXPECT_THAT(run.out, HasSubstr(",belt_heat_W,rotor_heat_W"));
+}
+
+TEST_F(SpindleCommand, TheAssumptionsThatMatterMostAreToldWithTheirSpread) {
+  const json d = parsed(spindle("--speed 6000 --steady --assumptions --json"));
+  const json& of = d["assumptions"];
+  EXPECT_EQ(of["speed_rpm"], 6000.0);
+  EXPECT_NEAR(of["axial_displacement_um"].get<double>(),
+              d["steady"][0]["axial_displacement_um"].get<double>(), 1e-3);
+  ASSERT_EQ(of["most"].size(), 5u);
+  double before = 1e9;
+  for (const json& one : of["most"]) {
+    const double nose = of["axial_displacement_um"];
+    const double moved = std::max(std::abs(one["displacement_at_less_um"].get<double>() - nose),
+                                  std::abs(one["displacement_at_more_um"].get<double>() - nose));
+    EXPECT_LE(moved, before);
+    EXPECT_GT(one["spread"].get<double>(), 0.0);
+    before = moved;
+  }
+  // One of them, held against the model with that number.
+  const std::string name = of["most"][0]["name"];
+  EXPECT_EQ(base_spindle.find(name.substr(name.find('.') + 1)), std::string::npos) << name;
+  EXPECT_FALSE(parsed(spindle("--speed 6000 --steady --json")).contains("assumptions"));
+  EXPECT_THAT(spindle("--speed 6000 --steady").out, HasSubstr("these move the nose most"));
 }
 
 TEST_F(SpindleCommand, ModelWithoutShaftIsRefused) {

@@ -151,7 +151,9 @@ TEST(Catalogue, IsComplete) {
                                           "preload-growth",
                                           "structure-temperature",
                                           "flange-conductance",
-                                          "seal-heat"};
+                                          "seal-heat",
+                                          "front-bearing-heat",
+                                          "rear-bearing-heat"};
   std::set<std::string_view> ids;
   for (const Description& d : effects::catalogue()) EXPECT_TRUE(ids.insert(d.id).second) << d.id;
   EXPECT_EQ(ids, wanted);
@@ -258,10 +260,11 @@ TEST(Catalogue, SaysWhatMovesASpindle) {
     if (!d.condition || !d.moves(Form::spindle)) continue;
     EXPECT_EQ(d.parameters.data(), effects::find(d.id, Form::shaft)->parameters.data());
   }
-  EXPECT_EQ(alone, (std::set<std::string_view>{
-                       "coolant", "seat-conductance", "motor-heat", "drive-heat",
-                       "convection-factor", "bearing-conductance", "preload-growth",
-                       "structure-temperature", "flange-conductance", "seal-heat"}));
+  EXPECT_EQ(alone,
+            (std::set<std::string_view>{
+                "coolant", "seat-conductance", "motor-heat", "drive-heat", "convection-factor",
+                "bearing-conductance", "preload-growth", "structure-temperature",
+                "flange-conductance", "seal-heat", "front-bearing-heat", "rear-bearing-heat"}));
   for (const char* id : {"spin-friction", "windage", "mounting", "displacement-offset",
                          "centrifugal-ring-growth", "shaft-contraction"})
     EXPECT_EQ(others.count(id), 1u) << id;

@@ -57,9 +57,11 @@ TEST(SpindleEffects, ChangeOneNumberEachAndInTheUnitOfTheirParameter) {
   });
   expect("flange-conductance", {0.3}, [](C& c) { c.flange_conductance_factor = 0.3; });
   expect("seal-heat", {30.0}, [](C& c) { c.seal_heat = 30.0; });
+  expect("front-bearing-heat", {60.0}, [](C& c) { c.front_bearing_heat = 60.0; });
+  expect("rear-bearing-heat", {90.0}, [](C& c) { c.rear_bearing_heat = 90.0; });
   std::set<std::string_view> ids;
   for (const Description* d : of_spindles()) ids.insert(d->id);
-  EXPECT_EQ(ids.size(), 10u) << "one that this test does not know";
+  EXPECT_EQ(ids.size(), 12u) << "one that this test does not know";
 }
 
 TEST(SpindleEffects, ActTogetherInAnyOrder) {
@@ -81,7 +83,8 @@ TEST(SpindleEffects, KeepEveryPartOfASpindleWithinTheirBounds) {
       for (const double factor : {c.outer_seat_factor, c.convection_factor,
                                   c.bearing_conductance_factor, c.flange_conductance_factor})
         EXPECT_GE(factor, 0.02) << d->id;
-      for (const double source : {c.motor_heat, c.drive_heat, c.seal_heat, c.sleeve_conductance})
+      for (const double source : {c.motor_heat, c.drive_heat, c.seal_heat, c.front_bearing_heat,
+                                  c.rear_bearing_heat, c.sleeve_conductance})
         EXPECT_GE(source, 0.0) << d->id;
       EXPECT_GT(c.structure_time, 0.0) << d->id;
     }

@@ -229,7 +229,7 @@ TEST(SpindleSection, ABeltPullsWhereItSays) {
   EXPECT_EQ(s.belt->force, 1500.0);
   EXPECT_DOUBLE_EQ(s.belt->angle, pi / 2.0);
   EXPECT_DOUBLE_EQ(s.belt->position, 350 * mm);
-  EXPECT_EQ((*s.drive.value().heat)({}), 0.0);
+  EXPECT_EQ(s.drive.value().watts, 0.0);
   EXPECT_FALSE(spindle_of(base_spindle + "[drive]\nheat_W = 20\n").belt);
   EXPECT_THAT(spindle_error(base_spindle + "[drive]\nbelt_force_N = 1500\n"),
               HasSubstr("position_mm is missing"));
@@ -242,8 +242,54 @@ TEST(SpindleSection, ABeltPullsWhereItSays) {
 TEST(SpindleSection, HeatOfADriveIsAFormulaOfTheSpeed) {
   const model::Spindle s = spindle_of(base_spindle + "[drive]\nheat_W = \"0.015*speed_rpm\"\n");
   const std::vector<double> speed{10000.0};
-  EXPECT_DOUBLE_EQ((*s.drive.value().heat)(speed), 150.0);
+  EXPECT_DOUBLE_EQ((*s.drive.value().formula)(speed), 150.0);
   EXPECT_TRUE(std::isnan(s.drive->position));
+}
+
+TEST(SpindleSection, SourcesOfHeatHaveANameAPlaceAndANumberOrAFormula) {
+  const model::Spindle s =
+      spindle_of(base_spindle +
+                 "[[heat]]\nname = \"belt\"\nat = \"rear_1\"\nheat_W = 80\nshaft_share = 0.7\n"
+                 "[[heat]]\nname = \"rotor\"\nat = \"shaft\"\nposition_mm = 190\nlength_mm = 60\n"
+                 "heat_W = \"0.1*motor_power_W + 0.01*belt_force_N\"\nheat_factor = 1.5\n"
+                 "[[heat]]\nname = \"node\"\nat = \"housing\"\nposition_mm = 120\nlength_mm = 20\n"
+                 "radius_mm = 80\nheat_W = 30\n");
+  using Place = model::HeatSource::Place;
+  ASSERT_EQ(s.heat.size(), 3u);
+  EXPECT_EQ(s.heat[0].place, Place::bearing);
+  EXPECT_EQ(s.heat[0].bearing, 2u);
+  EXPECT_EQ(s.heat[0].watts, 80.0);
+  EXPECT_EQ(s.heat[0].rotor_share, 0.7);
+  EXPECT_EQ(s.heat[1].place, Place::shaft);
+  EXPECT_EQ(s.heat[1].factor, 1.5);
+  const std::vector<double> force_and_power{1000.0, 2000.0};
+  EXPECT_DOUBLE_EQ((*s.heat[1].formula)(force_and_power), 210.0);
+  EXPECT_DOUBLE_EQ(s.heat[2].radius, 80 * mm);
+}
+
+TEST(SpindleSection, SourcesOfHeatThatCannotBeAreRefused) {
+  const auto refused = [](const std::string& lines) {
+    return spindle_error(base_spindle + "[[heat]]\nname = \"a\"\n" + lines);
+  };
+  EXPECT_THAT(refused("heat_W = 1\nat = \"rear_2\"\n"),
+              HasSubstr("at = \"rear_2\": must be shaft, housing, motor, pulley, seal, front_1, "
+                        "front_2 or rear_1"));
+  EXPECT_THAT(refused("heat_W = 1\nat = \"shaft\"\n"), HasSubstr("position_mm is missing"));
+  EXPECT_THAT(refused("heat_W = 1\nat = \"seal\"\nlength_mm = 5\n"),
+              HasSubstr("position_mm is missing"));
+  EXPECT_THAT(refused("heat_W = 1\nat = \"shaft\"\nposition_mm = 370\nlength_mm = 20\n"),
+              HasSubstr("not all on the shaft"));
+  EXPECT_THAT(refused("heat_W = 1\nat = \"housing\"\nposition_mm = 120\nlength_mm = 20\n"
+                      "radius_mm = 20\n"),
+              HasSubstr("the housing reaches from"));
+  EXPECT_THAT(refused("heat_W = 1\nat = \"front_1\"\nposition_mm = 60\n"),
+              HasSubstr("says where it is"));
+  EXPECT_THAT(refused("heat_W = 1\nat = \"seal\"\nshaft_share = 0.5\n"), HasSubstr("has one part"));
+  EXPECT_THAT(refused("heat_W = 1\nheat_factor = 2\nat = \"seal\"\n"),
+              HasSubstr("heat_W is a number"));
+  EXPECT_THAT(refused("heat_W = 1\nat = \"seal\"\n[[heat]]\nname = \"a\"\nheat_W = 1\n"
+                      "at = \"pulley\"\n"),
+              HasSubstr("another source of heat has this name"));
 }
 
 TEST(SpindleSection, MisspeltVariableOfHeatIsNamed) {
@@ -261,7 +307,7 @@ TEST(SpindleSection, MaterialMachineAndMotorAreReadWithTheirUnits) {
   EXPECT_DOUBLE_EQ(s.ambient.temperature, kelvin(22));
   EXPECT_DOUBLE_EQ(s.ambient.machine_temperature, kelvin(25));
   EXPECT_EQ(s.ambient.rotating_convection, model::RotatingConvection::kendoush);
-  EXPECT_EQ((*s.motor.value().heat)({}), 120.0);
+  EXPECT_EQ(s.motor.value().watts, 120.0);
   EXPECT_EQ(s.motor->rotor_share, 0.3);
 }
 

@@ -66,6 +66,33 @@ TEST(DrawnRun, OfOneThatEndedEarlyHasAllStepsBefore) {
   EXPECT_EQ(drawn.states.back().time, run.step_ends.back());
 }
 
+TEST(DrawnRun, AnEarlyEndIsTheLastMomentOfTheRunAndOfItsPicture) {
+  Simulator simulator(base_spindle());
+  std::vector<ProfileRow> profile{{.time = 60, .inputs = {.speed = 2000 * rpm}},
+                                  {.time = 7200, .inputs = {.speed = 30000 * rpm}},
+                                  {.time = 7300, .inputs = {}}};
+  spindle::Run run = simulator.simulate(profile);
+  ASSERT_EQ(run.report.status, Status::thermal_runaway);
+  ASSERT_EQ(run.moments.size(), 1u);
+  add_end(simulator, profile, nullptr, run);
+  ASSERT_TRUE(run.has_end);
+  ASSERT_EQ(run.moments.size(), 2u);
+  ASSERT_EQ(profile.size(), 4u);
+  EXPECT_EQ(profile[1].time, run.end.time);
+  EXPECT_EQ(profile[1].inputs.speed, 30000 * rpm);
+  EXPECT_EQ(run.moments[1].time, run.end.time);
+  EXPECT_GT(run.moments[1].heat.friction, 10.0 * run.moments[0].heat.friction);
+  const DrawnRun drawn = drawn_run(simulator, profile, nullptr, run);
+  EXPECT_EQ(drawn.moments.back().time, run.moments[1].time);
+  EXPECT_EQ(drawn.moments.back().displacement, run.moments[1].displacement);
+  // A run that goes through has no such end.
+  std::vector<ProfileRow> quiet{{.time = 60, .inputs = {.speed = 2000 * rpm}}};
+  spindle::Run through = simulator.simulate(quiet);
+  add_end(simulator, quiet, nullptr, through);
+  EXPECT_FALSE(through.has_end);
+  EXPECT_EQ(quiet.size(), 1u);
+}
+
 TEST(DrawnRun, GoesOnFromAState) {
   Simulator simulator(base_spindle());
   const std::vector<ProfileRow> profile = three_rows();

@@ -315,10 +315,12 @@ export interface Section {
     outer_diameter_mm: number;
     inner_ring_shoulder_mm: number;
     outer_ring_shoulder_mm: number;
-    ball_diameter_mm: number;
     pitch_diameter_mm: number;
-    contact_angle_deg: number;
-    pressed_rearwards: boolean;
+    ball_diameter_mm?: number; // of a ball bearing, with the two below
+    contact_angle_deg?: number;
+    pressed_rearwards?: boolean;
+    roller_diameter_mm?: number; // of a cylindrical roller bearing, with its length
+    roller_length_mm?: number;
   }[];
   sensors: { name: string; position_mm: number; radius_mm: number }[];
   flange: { position_mm: number; length_mm: number };
@@ -336,10 +338,18 @@ interface SpindlePage extends Common {
   section?: Section; // not of a network
 }
 
+/// The assumed numbers that move the nose most, by their usual spread; null where that leaves no state.
+export interface Assumptions {
+  speed_rpm: number;
+  axial_displacement_um: number;
+  assumed: number;
+  most: { name: string; value: number; spread: number; displacement_at_less_um: number | null; displacement_at_more_um: number | null }[];
+}
+
 export interface SpindleRunReport extends SpindlePage {
   kind: 'spindle_run';
   programme: string;
-  results: { spindle: string; report: SpindleEnd; highest_front_force: { force_N: number; time_s: number | null } };
+  results: { spindle: string; report: SpindleEnd; highest_front_force: { force_N: number; time_s: number | null }; assumptions?: Assumptions };
   rows_asked: number;
   rows_reached: number;
   ended_at_s: number | null;
@@ -348,7 +358,7 @@ export interface SpindleRunReport extends SpindlePage {
 
 export interface SpindleSteadyReport extends SpindlePage {
   kind: 'spindle_steady';
-  results: { spindle: string };
+  results: { spindle: string; assumptions?: Assumptions };
   preload_N?: number;
   coolant_on: boolean;
   reports: { status: string; in_words: string }[]; // row by row
@@ -364,6 +374,16 @@ export interface ShaftPieces {
 export interface Mode {
   frequency_Hz: number;
   whirl: string;
+  damping_ratio?: number | null;
+}
+
+/// Where something that goes with the speed meets a mode.
+export interface Crossing {
+  excitation: string; // 1x, 2x, "front_1 outer race"
+  mode: number; // of its sense, from 1
+  whirl: string;
+  speed_rpm: number;
+  frequency_Hz: number;
 }
 
 /// A row of the Campbell diagram; forces and stiffness by name.
@@ -384,7 +404,7 @@ interface BeamPage {
 export interface ModesReport extends BeamPage {
   kind: 'modes';
   weight_kg: number;
-  results: { preload_N: number; rows: CampbellRow[] };
+  results: { preload_N: number; rows: CampbellRow[]; crossings: Crossing[] };
   bearings: string[];
   shapes: { speed_rpm: number; modes: (Mode & { y: number[]; z: number[] })[] }[];
 }

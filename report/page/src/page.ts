@@ -1,7 +1,7 @@
 // What the pages of all commands are built of: the head with its facts, sections, grids of pictures, notes.
-import type { Said } from './document';
+import type { Assumptions, Said } from './document';
 import type { Figure } from './figure';
-import { el } from './text';
+import { el, number, valueList } from './text';
 
 export function header(words: { command: string; files: string[]; badge?: [string, string] | undefined; sentence: string; more?: string }, facts: [string, string][]): HTMLElement {
   document.title = `${words.command}: ${words.files.join(', ')}`;
@@ -45,6 +45,27 @@ export function grid(...figures: (HTMLElement | Figure | undefined)[]): HTMLElem
   open?.classList.add('wide');
   box.append(...elements);
   return box;
+}
+
+/// What the spreads of the assumed numbers do to the nose, a line each.
+export function assumptions(of: Assumptions | undefined): HTMLElement | undefined {
+  if (!of) return undefined;
+  const moved = (to: number | null) => {
+    if (to === null) return 'no state';
+    const by = to - of.axial_displacement_um;
+    return `${by > 0 ? '+' : ''}${number(by, 3)}`;
+  };
+  const list = valueList(
+    'The five that matter most',
+    ['assumed', 'value', '±', 'nose at less [µm]', 'nose at more [µm]'],
+    of.most.map((a) => [a.name, number(a.value), number(a.spread, 3), moved(a.displacement_at_less_um), moved(a.displacement_at_more_um)]),
+  );
+  list.id = 'assumptions';
+  return section(
+    'What the assumptions do',
+    el('p', {}, `Of ${of.assumed} assumed numbers these move the nose most where all is steady at ${number(of.speed_rpm)} rpm, less and more by their usual spread.`),
+    list,
+  );
 }
 
 export function notes(said: (Said | string)[]): HTMLElement | undefined {

@@ -4,7 +4,7 @@ import type { Option } from './chart';
 import type { SpindleRunReport } from './document';
 import { Figure } from './figure';
 import type { Look } from './look';
-import { grid, header, judgedBadge, notes, section, warnings } from './page';
+import { assumptions, grid, header, judgedBadge, notes, section, warnings } from './page';
 import { sectionFigure } from './section_view';
 import { dash, number, plain, plainCeiling, quantity, shortPaths } from './text';
 import { left, panelFigure, right, rowTooltip, stacked, table, timeAxis } from './time_panels';
@@ -224,6 +224,7 @@ export function spindleRun(report: SpindleRunReport): (Node | undefined)[] {
     warnings(judged),
     report.section ? section('The cross-section', grid(crossSection(report))) : undefined,
     section('Over time', grid(...(report.network ? [] : [nose(report, view), forces(report, view)]), temperatures(report, view), heat(view))),
+    assumptions(report.results.assumptions),
     notes([
       'The inputs of a row hold from the row before it to its time.',
       ...(report.rows.total > report.rows_reached ? [`Lines go through the rows of the programme and the ends of all time steps, ${report.rows.total} points.`] : []),

@@ -6,7 +6,7 @@ import type { Cell } from './figure';
 import { Figure, tooltip } from './figure';
 import { lineFigure } from './line_figure';
 import type { Line } from './line_figure';
-import { grid, header, judgedBadge, notes, section, warnings } from './page';
+import { assumptions, grid, header, judgedBadge, notes, section, warnings } from './page';
 import { sectionFigure } from './section_view';
 import { heatParts } from './spindle_run';
 import { dash, number, plain, shortPaths, valueList } from './text';
@@ -241,6 +241,7 @@ export function spindleSteady(report: SpindleSteadyReport): (Node | undefined)[]
     report.section ? section('The cross-section', grid(sectionFigure(report.section, 'speed', labels, labels.length - 1))) : undefined,
     !found ? undefined : one ? section('Heat and temperatures', figuresOfOne(report, rows)) : section('Against speed', grid(...overSpeed(report, rows))),
     found && one && report.bearings.length ? section('The bearings', bearingTable(report, rows)) : undefined,
+    assumptions(report.results.assumptions),
     notes(report.rows.rows < report.rows.total ? [`This page holds ${report.rows.rows} of ${report.rows.total} speeds, evenly spread.`] : []),
   ];
 }
