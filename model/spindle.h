@@ -148,7 +148,7 @@ struct HeatSource {
   /// behind the last bearing. seal: the shaft between the housing's front face and the first
   /// bearing. bearing: the raceways of one. Of motor, pulley and seal a span may say otherwise.
   enum class Place { shaft, housing, motor, pulley, seal, bearing };
-  std::string name;                                        ///< "motor", "drive" or its own
+  std::string name = {};                                   ///< "motor", "drive" or its own
   double watts = unset;                                    ///< [W]; NaN: by the formula
   std::shared_ptr<const record::Expression> formula = {};  ///< [W], of heat_variables
   double factor = 1.0;                                     ///< on the formula [1]
