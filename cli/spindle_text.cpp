@@ -52,6 +52,15 @@ void print_heat(const spindle::HeatBalance& heat) {
       number(heat.machine), heat.stored);
 }
 
+void print_coolant(const spindle::ChannelFlow& flow) {
+  fmt::print("coolant: {} m/s, Reynolds number {}, film {} W/(m2 K), {} bar in the channel{}\n",
+             number(flow.velocity, 3), number(flow.reynolds, 3), number(flow.film, 3),
+             number(flow.pressure_drop / spindle::bar, 3),
+             flow.throttle_drop > 0.0
+                 ? fmt::format(", {} bar at the throttle", number(flow.throttle_drop / spindle::bar, 3))
+                 : std::string());
+}
+
 void print_one(const model::Model& model, const results::SteadyState& s) {
   fmt::print("{} at {:.6g} rpm, coolant {}: {}\n\n", model.spindle->name, s.inputs.speed / rpm,
              !model.spindle->coolant ? "none"
@@ -61,6 +70,7 @@ void print_one(const model::Model& model, const results::SteadyState& s) {
   if (!s.report.converged()) return;
   print_temperatures(model, s.moment);
   print_heat(s.moment.heat);
+  if (s.coolant) print_coolant(*s.coolant);
   if (model.spindle->network) return;
   const spindle::Moment& m = s.moment;
   fmt::print("forces of the sets: {} N in front, {} N at the rear; {:.4g} N as mounted\n",

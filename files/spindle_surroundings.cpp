@@ -37,6 +37,8 @@ constexpr Key coolant_keys[]{
     {"end_mm", anywhere, is_required, "where it leaves, behind the nose face"},
     {"stagnant_W_m2K", between(0, 1e5, "W/(m2 K)"), model::Coolant{}.stagnant,
      "heat transfer where the coolant stands"},
+    {"throttle_diameter_mm", between(0.1, 1000, "mm"), unset,
+     "of an orifice at the outlet, for its pressure drop"},
 };
 
 const double usual_share = model::HeatSource{}.rotor_share;
@@ -280,6 +282,8 @@ std::optional<model::Coolant> read_coolant(ModelTables& tables, const model::Amb
   coolant.start = s.required("start_mm") * mm;
   coolant.end = s.required("end_mm") * mm;
   coolant.stagnant = tables.number(s, "stagnant_W_m2K");
+  if (const auto throttle = s.number("throttle_diameter_mm"))
+    coolant.throttle_diameter = *throttle * mm;
   if (coolant.pitch < coolant.channel_width)
     s.fail("pitch_mm", fmt::format("pitch_mm = {:.10g} mm: must be at least channel_width_mm = "
                                    "{:.10g} mm, or the turns of the channel run into each other",

@@ -130,6 +130,7 @@ struct Coolant {
   double pitch = unset;               ///< of the turns [m]
   double start = unset, end = unset;  ///< behind the nose face [m]
   double stagnant = 25.0;             ///< film of the standing fluid [W/(m² K)]
+  double throttle_diameter = unset;   ///< of an orifice at the outlet [m]; NaN: none
 };
 
 enum class RotatingConvection { becker, kendoush, anderson_saunders };

@@ -195,6 +195,12 @@ std::string spindle_steady_json(const model::Model& model, std::span<const Stead
   for (const SteadyState& s : states) {
     text::json row = row_json(run_columns(model, s.inputs, s.moment));
     row["axial_stiffness_N_um"] = s.axial_stiffness / N_per_um;
+    if (s.coolant)
+      row["coolant"] = {{"velocity_m_s", s.coolant->velocity},
+                        {"reynolds_number", s.coolant->reynolds},
+                        {"film_W_m2K", s.coolant->film},
+                        {"pressure_drop_bar", s.coolant->pressure_drop / spindle::bar},
+                        {"throttle_pressure_drop_bar", s.coolant->throttle_drop / spindle::bar}};
     row["report"] = report_of(
         s.report, mesh.speed == s.inputs.speed ? mesh : MeshEstimate{.cells = mesh.cells});
     rows.push_back(std::move(row));

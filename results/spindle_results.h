@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -7,6 +8,7 @@
 
 #include "model/judgement.h"
 #include "model/model.h"
+#include "spindle/film.h"
 #include "spindle/spindle.h"
 
 /// Results of a spindle simulation as CSV and JSON; keys and columns carry their units.
@@ -47,6 +49,7 @@ struct SteadyState {
   double axial_stiffness = unset;  ///< of the warm sets [N/m]
   /// Values of each bearing, front set first; empty where there is none.
   std::vector<bearing::BearingInSet> bearings = {};
+  std::optional<spindle::ChannelFlow> coolant = {};  ///< none where it stands
 };
 
 /// A column of a run with its value, in the unit of its name.

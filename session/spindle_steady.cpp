@@ -34,6 +34,17 @@ double hottest_inner_ring(const spindle::Moment& m) {
   return hottest;
 }
 
+/// The flow of the coolant at the mean of its inlet and its outlet; none where it stands.
+std::optional<spindle::ChannelFlow> coolant_at(const model::Model& model,
+                                               const results::SteadyState& s) {
+  const std::optional<model::Coolant>& coolant = model.spindle->coolant;
+  if (!coolant || !s.inputs.coolant_on || !(coolant->flow > 0.0) || !s.report.converged())
+    return std::nullopt;
+  const double inlet =
+      std::isnan(s.inputs.coolant_inlet) ? coolant->inlet_temperature : s.inputs.coolant_inlet;
+  return spindle::channel_flow(*coolant, 0.5 * (inlet + s.moment.coolant_outlet));
+}
+
 results::SteadyState steady_state(spindle::Simulator& simulator, const spindle::Inputs& inputs) {
   results::SteadyState s;
   s.inputs = inputs;
@@ -175,6 +186,7 @@ SteadySpindle steady_spindle(const files::ModelFile& file, const SteadyQuestion&
     } catch (const std::invalid_argument& e) {
       throw text::InputError(fmt::format("{}: {}", file.source, e.what()), {.file = file.source});
     }
+    answer.states.back().coolant = coolant_at(file.model, answer.states.back());
     note_rollers(file.model, simulator, answer);
   }
   answer.findings = judge(file.model, answer.states);

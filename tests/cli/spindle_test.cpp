@@ -198,6 +198,22 @@ TEST_F(SpindleCommand, TheAssumptionsThatMatterMostAreToldWithTheirSpread) {
   EXPECT_THAT(spindle("--speed 6000 --steady").out, HasSubstr("these move the nose most"));
 }
 
+TEST_F(SpindleCommand, TheFlowOfTheCoolantIsTold) {
+  const std::string throttled =
+      replaced(base_spindle, "flow_l_min", "throttle_diameter_mm = 3\nflow_l_min");
+  const json s =
+      parsed(spindle("--speed 6000 --steady --json", throttled + coarse_cells))["steady"][0];
+  const json& flow = s["coolant"];
+  EXPECT_GT(flow["velocity_m_s"].get<double>(), 0.1);
+  EXPECT_GT(flow["film_W_m2K"].get<double>(), 500.0);
+  EXPECT_GT(flow["pressure_drop_bar"].get<double>(), 0.001);
+  EXPECT_GT(flow["throttle_pressure_drop_bar"].get<double>(), 0.001);
+  EXPECT_THAT(spindle("--speed 6000 --steady", throttled + coarse_cells).out,
+              HasSubstr(" bar at the throttle"));
+  const json off = parsed(spindle("--speed 6000 --steady --coolant off --json"))["steady"][0];
+  EXPECT_FALSE(off.contains("coolant"));
+}
+
 TEST_F(SpindleCommand, ModelWithoutShaftIsRefused) {
   const Result r = spindle("--speed 1000 --steady", model_text);
   EXPECT_EQ(r.status, 1);

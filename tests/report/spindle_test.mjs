@@ -28,6 +28,8 @@ before(() => {
   write('add', 'add', seats, 'seat-conductance', '--data', train);
   write('modes', 'modes', model, '--speed', '0:40000:2000');
   write('warm', 'modes', model, '--speed', '2000:8000:2000', '--warm');
+  write('shaken', 'modes', model, '--speed', '0:40000:2000', '--damping', '0.03', '--unbalance', '5');
+  write('belt', 'spindle', join(spindles, 'belt_driven.toml'), '--speed', '4000', '--steady');
   write('deflection', 'deflection', model, '--force', '1000', '--speed', '8000', '--warm');
   write('axial', 'deflection', model, '--force', '200', '--direction', 'axial');
   write('steps', 'step-response', model, '--speed', '2000:8000:2000', '--coolant', 'off', '--hours', '8', '--correction', file('correction.toml'), '--programme', join(spindles, 'day.csv'));
@@ -45,6 +47,8 @@ const expected = {
   network: { temperatures: 4, heat: 20 },
   modes: { campbell: 40, shapes: 20, radial: 5, axial: 5, forces: 5 },
   warm: { campbell: 12, shapes: 20, radial: 5, axial: 5, forces: 5, rings: 3 },
+  shaken: { campbell: 40, unbalance: 1, 'unbalance-lag': 1, shapes: 20, radial: 5, axial: 5, forces: 5 },
+  belt: { section: 400, heat: 6, temperatures: 6 },
   deflection: { line: 20, balls: 20, stiffness: 9 },
   axial: { balls: 20, stiffness: 9 },
   steps: { courses: 8, left: 2, gain: 4, 'time-constant': 4, 'two-gains': 2, 'two-times': 2, superposition: 8 },
@@ -242,6 +246,36 @@ test('modes: every frequency is that of --json, crossings lie on their lines, sh
   });
   await page.locator('#shapes select').selectOption({ label: '40000 rpm' });
   assert.match(await page.textContent('#shapes .note'), /^At 40000 rpm/);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('modes: the diagram has the frequencies of every bearing and the path under an unbalance', async () => {
+  const { page, faults, close } = await open('shaken');
+  const { rows, crossings } = results.shaken;
+  const listed = await page.$$eval('.list tbody tr', (all) => all.map((row) => [...row.children].map((c) => c.textContent)));
+  assert.equal(listed.length, crossings.length);
+  assert.ok(listed.some(([what]) => what === 'front 1 outer race'));
+  assert.match(await page.textContent('#campbell'), /thin: cage, outer and inner race/);
+  const path = await csvOf(page, 'unbalance');
+  path.rows.forEach((row, k) => near(Number(row[1]), rows[k].nose_amplitude_um, 1e-4, 'nose'));
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('steady: a roller bearing is drawn with its roller, and the assumptions are those of --json', async () => {
+  const { page, faults, close } = await open('belt');
+  const { section } = await documentOf(page);
+  const rollers = section.bearings.filter((b) => b.roller_diameter_mm !== undefined);
+  assert.equal(rollers.length, 1);
+  assert.equal(section.bearings.length, 4);
+  assert.ok(rollers[0].roller_length_mm > 0 && rollers[0].ball_diameter_mm === undefined);
+  const { most } = results.belt.assumptions;
+  const listed = await page.$$eval('#assumptions tbody tr', (all) => all.map((row) => row.children[0].textContent));
+  assert.deepEqual(
+    listed,
+    most.map((one) => one.name),
+  );
   assert.deepEqual(faults, []);
   await close();
 });

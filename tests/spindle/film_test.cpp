@@ -178,5 +178,37 @@ TEST(Film, OfRadiationBetweenCylindersHasItsLimits) {
   EXPECT_NEAR(radiation(0.5, cold, cold), 0.5 * 4.0 * stefan_boltzmann * cold * cold * cold, 1e-12);
 }
 
+TEST(Film, FrictionOfAChannelIsThatOfTheTables) {
+  // f Re of rectangular ducts, Shah and London 1978, table 42: ratio of sides 1, 1/2, 1/4, 1/8.
+  for (const auto& [aspect, wanted] :
+       {std::pair{1.0, 56.908}, {0.5, 62.192}, {0.25, 72.932}, {0.125, 82.340}})
+    EXPECT_NEAR(1000.0 * channel_friction(1000.0, aspect), wanted, 1e-3 * wanted) << aspect;
+  // Smooth pipes by Prandtl's law, 1/sqrt(f) = 2 lg(Re sqrt(f)) - 0.8, solved elsewhere.
+  for (const auto& [re, wanted] : {std::pair{1e4, 0.03089}, {1e5, 0.01799}, {1e6, 0.01165}})
+    EXPECT_NEAR(channel_friction(re, 0.4), wanted, 0.015 * wanted) << re;
+}
+
+TEST(Film, PressureOfAChannelAndOfItsThrottle) {
+  model::Coolant c{.flow = 2e-3 / 60.0,
+                   .inlet_temperature = kelvin(20),
+                   .diameter = 140 * mm,
+                   .channel_width = 10 * mm,
+                   .channel_depth = 4 * mm,
+                   .pitch = 14 * mm,
+                   .start = 60 * mm,
+                   .end = 300 * mm};
+  const ChannelFlow flow = channel_flow(c, kelvin(20));
+  EXPECT_NEAR(flow.velocity, 0.8333, 1e-3);  // 2 l/min through 40 mm²
+  EXPECT_NEAR(flow.reynolds, 0.83333 * 5.7143e-3 / 1.004e-6, 30.0);
+  EXPECT_EQ(flow.film, coolant_film(c, kelvin(20), true));
+  // By hand: ξ (1.8 lg 4744 - 1.5)^-2 = 0.0382, 7.54 m of helix, 998.2 kg/m³.
+  EXPECT_NEAR(flow.pressure_drop, 0.0382 * 7.544 / 5.7143e-3 * 0.5 * 998.2 * 0.8333 * 0.8333,
+              0.01 * flow.pressure_drop);
+  EXPECT_EQ(flow.throttle_drop, 0.0);
+  c.throttle_diameter = 3 * mm;
+  // 4.716 m/s through 7.069 mm², as a jet 7.731 m/s.
+  EXPECT_NEAR(channel_flow(c, kelvin(20)).throttle_drop, 0.5 * 998.2 * 7.731 * 7.731, 100.0);
+}
+
 }  // namespace
 }  // namespace raceway::spindle
