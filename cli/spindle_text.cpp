@@ -56,9 +56,9 @@ void print_coolant(const spindle::ChannelFlow& flow) {
   fmt::print("coolant: {} m/s, Reynolds number {}, film {} W/(m2 K), {} bar in the channel{}\n",
              number(flow.velocity, 3), number(flow.reynolds, 3), number(flow.film, 3),
              number(flow.pressure_drop / spindle::bar, 3),
-             flow.throttle_drop > 0.0
-                 ? fmt::format(", {} bar at the throttle", number(flow.throttle_drop / spindle::bar, 3))
-                 : std::string());
+             flow.throttle_drop > 0.0 ? fmt::format(", {} bar at the throttle",
+                                                    number(flow.throttle_drop / spindle::bar, 3))
+                                      : std::string());
 }
 
 void print_one(const model::Model& model, const results::SteadyState& s) {
@@ -84,7 +84,8 @@ void print_one(const model::Model& model, const results::SteadyState& s) {
 /// The assumed numbers that matter most, a line each.
 void print_assumptions(const results::Assumptions& assumptions) {
   if (!assumptions.known()) return;
-  TextTable table({{"assumed", "", true}, {"value", ""}, {"+-", ""}, {"nose", "um"}, {"", "um"}});
+  TextTable table(
+      {{"assumed", "", true}, {"value", ""}, {"+-", ""}, {"less", "um"}, {"more", "um"}});
   for (const results::Assumption& a : assumptions.most) {
     const auto moved = [&](double to) {
       return std::isfinite(to) ? fmt::format("{:+.3g}", (to - assumptions.displacement) / um)
@@ -94,8 +95,8 @@ void print_assumptions(const results::Assumptions& assumptions) {
                moved(a.low), moved(a.high)});
   }
   fmt::print(
-      "\nof {} assumed numbers these move the nose most where all is steady at {:.6g} rpm, less "
-      "and more by their usual spread\n\n{}",
+      "\nof {} assumed numbers these move the nose most (steady at {:.6g} rpm): its change where a "
+      "number is less and more by its usual spread\n\n{}",
       assumptions.assumed, assumptions.speed / rpm, table.text(terminal_width()));
 }
 

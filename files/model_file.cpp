@@ -51,7 +51,7 @@ void check_tables(const ModelTables& tables) {
           tables.at(key));
     }
     if (name == "correction") continue;  // of the same machine, over time: files/correction_file.h
-    if (name == "effect" || name == "sensor") {
+    if (name == "effect" || name == "sensor" || name == "heat") {
       if (!node.is_array() || !(node.as_array()->empty() || node.is_array_of_tables()))
         throw text::InputError(
             fmt::format("{0}: {1}s are written as [[{1}]] with two brackets", place, name),

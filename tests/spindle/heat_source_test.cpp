@@ -45,7 +45,7 @@ double heat_in(const ThermalSystem& system, Body body, double from, double to) {
   return sum;
 }
 
-ThermalSystem at_6000(const model::Model& model, Inputs inputs = {}) {
+ThermalSystem sources_at_6000(const model::Model& model, Inputs inputs = {}) {
   ThermalSystem system(model, {}, model.spindle->cells);
   inputs.speed = 6000 * rpm;
   system.set_inputs(inputs, 0.0);
@@ -55,7 +55,7 @@ ThermalSystem at_6000(const model::Model& model, Inputs inputs = {}) {
 TEST(HeatSource, ArisesWhereItSays) {
   const auto on = [](Place place, double position = unset, double length = unset,
                      double radius = unset) {
-    return at_6000(heated(
+    return sources_at_6000(heated(
         {.name = {}, .place = place, .position = position, .length = length, .radius = radius}));
   };
   EXPECT_NEAR(heat_in(on(Place::shaft, 190 * mm, 60 * mm), Body::shaft, 160 * mm, 220 * mm), 100.0,
@@ -65,11 +65,11 @@ TEST(HeatSource, ArisesWhereItSays) {
   EXPECT_NEAR(heat_in(on(Place::pulley), Body::shaft, 300 * mm, 375 * mm), 100.0, 1e-9);
   EXPECT_NEAR(heat_in(on(Place::seal), Body::shaft, 40 * mm, 50 * mm), 100.0, 1e-9);
   HeatSource motor{.name = {}, .place = Place::motor, .rotor_share = 0.3};
-  const ThermalSystem of_motor = at_6000(heated(motor));
+  const ThermalSystem of_motor = sources_at_6000(heated(motor));
   EXPECT_NEAR(heat_in(of_motor, Body::shaft, 100 * mm, 280 * mm), 30.0, 1e-9);
   EXPECT_NEAR(heat_in(of_motor, Body::housing, 100 * mm, 280 * mm), 70.0, 1e-9);
   HeatSource rear{.name = {}, .place = Place::bearing, .bearing = 2, .rotor_share = 0.6};
-  const ThermalSystem of_rear = at_6000(heated(rear));
+  const ThermalSystem of_rear = sources_at_6000(heated(rear));
   EXPECT_NEAR(heat_in(of_rear, Body::inner_ring, 280 * mm, 300 * mm), 60.0, 1e-9);
   EXPECT_NEAR(heat_in(of_rear, Body::outer_ring, 280 * mm, 300 * mm), 40.0, 1e-9);
   EXPECT_NEAR(of_rear.driven_heat(), 100.0, 1e-9);
@@ -90,15 +90,15 @@ TEST(HeatSource, GoesByFormulaOfSpeedLoadAndPower) {
          .factor = 2.0,
          .place = Place::seal});
   };
-  EXPECT_NEAR(at_6000(formula("speed_rpm/100")).driven_heat(), 120.0, 1e-9);
-  EXPECT_NEAR(at_6000(formula("0.1*radial_load_N + moment_Nm"), {.radial_load = 200.0, .moment = 5})
+  EXPECT_NEAR(sources_at_6000(formula("speed_rpm/100")).driven_heat(), 120.0, 1e-9);
+  EXPECT_NEAR(sources_at_6000(formula("0.1*radial_load_N + moment_Nm"), {.radial_load = 200.0, .moment = 5})
                   .driven_heat(),
               50.0, 1e-9);
   const model::Model by_power = formula("0.05*motor_power_W");
-  EXPECT_NEAR(at_6000(by_power, {.motor_power = 3000.0}).driven_heat(), 300.0, 1e-9);
+  EXPECT_NEAR(sources_at_6000(by_power, {.motor_power = 3000.0}).driven_heat(), 300.0, 1e-9);
   // A power that is not given is no power of 0.
   try {
-    static_cast<void>(at_6000(by_power));
+    static_cast<void>(sources_at_6000(by_power));
     ADD_FAILURE() << "no error";
   } catch (const std::invalid_argument& e) {
     EXPECT_THAT(e.what(), testing::HasSubstr("goes by motor_power_W, which is not given"));

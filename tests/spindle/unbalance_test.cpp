@@ -12,7 +12,7 @@
 namespace raceway::spindle {
 namespace {
 
-constexpr double rotor_mass = 10.0, stiffness = 1e8;  // [kg], [N/m] of both springs
+constexpr double rotor_mass = 10.0, jeffcott_stiffness = 1e8;  // [kg], [N/m] of both springs
 
 /// A disk in the middle of a shaft that neither weighs nor bends, on a spring at each end: the
 /// rotor of Jeffcott.
@@ -31,7 +31,7 @@ struct Jeffcott {
   [[nodiscard]] Beam beam() const { return Beam(body, ends, {.element_length = 0.1}); }
 };
 
-std::vector<Spring> springs(double y = stiffness, double z = stiffness) {
+std::vector<Spring> jeffcott_springs(double y = jeffcott_stiffness, double z = jeffcott_stiffness) {
   std::vector<Spring> list;
   for (const double place : {0.0, 0.4}) {
     Spring s = isotropic_spring(place, 0.5 * y);
@@ -43,19 +43,19 @@ std::vector<Spring> springs(double y = stiffness, double z = stiffness) {
 
 TEST(Unbalance, OfARigidRotorIsThatOfJeffcott) {
   const Beam beam = Jeffcott().beam();
-  const double zeta = 0.03, size = 5e-5, own = std::sqrt(stiffness / rotor_mass);
+  const double zeta = 0.03, size = 5e-5, own = std::sqrt(jeffcott_stiffness / rotor_mass);
   for (const double ratio : {0.2, 0.9, 1.0, 1.1, 3.0}) {
     const double speed = ratio * own;
     const std::complex<double> wanted =
         size * speed * speed /
         (rotor_mass * (own * own * std::complex<double>(1.0, 2.0 * zeta) - speed * speed));
     const Orbit orbit = unbalance_orbit(
-        beam, springs(), speed, {.size = size, .position = 0.2, .damping_ratio = zeta}, 0.2);
+        beam, jeffcott_springs(), speed, {.size = size, .position = 0.2, .damping_ratio = zeta}, 0.2);
     EXPECT_NEAR(orbit.amplitude, std::abs(wanted), 1e-6 * std::abs(wanted)) << ratio;
     EXPECT_NEAR(orbit.lag, -std::arg(wanted), 1e-6) << ratio;
   }
   // Where the mode is met, u/m is raised 1/(2 ζ) times, a quarter of a turn behind.
-  const Orbit met = unbalance_orbit(beam, springs(), own,
+  const Orbit met = unbalance_orbit(beam, jeffcott_springs(), own,
                                     {.size = size, .position = 0.2, .damping_ratio = zeta}, 0.2);
   EXPECT_NEAR(met.amplitude, size / rotor_mass / (2.0 * zeta), 1e-5 * met.amplitude);
   EXPECT_NEAR(met.lag, 0.5 * pi, 1e-5);
@@ -63,15 +63,15 @@ TEST(Unbalance, OfARigidRotorIsThatOfJeffcott) {
 
 TEST(Unbalance, OfUnequalPlanesIsThatOfEachPlane) {
   const Beam beam = Jeffcott().beam();
-  const double zeta = 0.02, size = 5e-5, ky = stiffness, kz = 2.0 * stiffness;
-  const double speed = std::sqrt(1.4 * stiffness / rotor_mass);
+  const double zeta = 0.02, size = 5e-5, ky = jeffcott_stiffness, kz = 2.0 * jeffcott_stiffness;
+  const double speed = std::sqrt(1.4 * jeffcott_stiffness / rotor_mass);
   const auto plane = [&](double k) {
     return size * speed * speed /
            (k * std::complex<double>(1.0, 2.0 * zeta) - rotor_mass * speed * speed);
   };
   const std::complex<double> i(0.0, 1.0), v = plane(ky), w = -i * plane(kz);
   const double wanted = 0.5 * (std::abs(v + i * w) + std::abs(std::conj(v) + i * std::conj(w)));
-  const Orbit orbit = unbalance_orbit(beam, springs(ky, kz), speed,
+  const Orbit orbit = unbalance_orbit(beam, jeffcott_springs(ky, kz), speed,
                                       {.size = size, .position = 0.2, .damping_ratio = zeta}, 0.2);
   EXPECT_NEAR(orbit.amplitude, wanted, 1e-6 * wanted);
 }
@@ -85,14 +85,14 @@ TEST(Unbalance, IsLargestWhereOncePerTurnMeetsAForwardMode) {
   // The forward mode at its own speed, by iteration.
   double critical = 2000.0;
   for (int k = 0; k < 40; ++k)
-    for (const Mode& m : find_modes(beam, springs(), critical).modes)
+    for (const Mode& m : find_modes(beam, jeffcott_springs(), critical).modes)
       if (m.whirl == Whirl::forward) {
         critical = m.frequency;
         break;
       }
   const Unbalance unbalance{.size = 1e-5, .position = 0.1, .damping_ratio = 0.002};
   const auto nose = [&](double speed) {
-    return unbalance_orbit(beam, springs(), speed, unbalance).amplitude;
+    return unbalance_orbit(beam, jeffcott_springs(), speed, unbalance).amplitude;
   };
   double best = 0.0, at = 0.0;
   for (double share = 0.97; share < 1.03; share += 2e-4)
