@@ -85,7 +85,12 @@ def laws(program):
     def by(law):
         return model.split("[friction]")[0] + f'[friction]\nlaw = "{law}"\n'
 
-    models = {"palmgren": (BLUE, model), "palmgren + spin-friction": (RED, model + spin), "skf": (GREEN, by("skf")), "contact": (VIOLET, by("contact"))}
+    models = {
+        "palmgren": (BLUE, model),
+        "palmgren + spin-friction": (RED, model + spin),
+        "skf": (GREEN, by("skf")),
+        "contact": (VIOLET, by("contact")),
+    }
 
     def lines(key, *axes):
         for name, (colour, text) in models.items():

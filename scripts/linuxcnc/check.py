@@ -276,10 +276,7 @@ def plot():
         [
             (
                 "offset of Z [um] over time of the record [min]",
-                [
-                    line(asked, BLUE, "asked for by the component"),
-                    line(followed, ORANGE, "command of the joint less that of its axis", "--"),
-                ],
+                [line(asked, BLUE, "asked for by the component"), line(followed, ORANGE, "command of the joint less that of its axis", "--")],
             ),
             ("joint less what was asked for [um]", [line(apart, BLUE)]),
         ],

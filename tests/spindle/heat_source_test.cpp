@@ -91,9 +91,10 @@ TEST(HeatSource, GoesByFormulaOfSpeedLoadAndPower) {
          .place = Place::seal});
   };
   EXPECT_NEAR(sources_at_6000(formula("speed_rpm/100")).driven_heat(), 120.0, 1e-9);
-  EXPECT_NEAR(sources_at_6000(formula("0.1*radial_load_N + moment_Nm"), {.radial_load = 200.0, .moment = 5})
-                  .driven_heat(),
-              50.0, 1e-9);
+  EXPECT_NEAR(
+      sources_at_6000(formula("0.1*radial_load_N + moment_Nm"), {.radial_load = 200.0, .moment = 5})
+          .driven_heat(),
+      50.0, 1e-9);
   const model::Model by_power = formula("0.05*motor_power_W");
   EXPECT_NEAR(sources_at_6000(by_power, {.motor_power = 3000.0}).driven_heat(), 300.0, 1e-9);
   // A power that is not given is no power of 0.

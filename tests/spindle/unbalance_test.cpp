@@ -49,8 +49,9 @@ TEST(Unbalance, OfARigidRotorIsThatOfJeffcott) {
     const std::complex<double> wanted =
         size * speed * speed /
         (rotor_mass * (own * own * std::complex<double>(1.0, 2.0 * zeta) - speed * speed));
-    const Orbit orbit = unbalance_orbit(
-        beam, jeffcott_springs(), speed, {.size = size, .position = 0.2, .damping_ratio = zeta}, 0.2);
+    const Orbit orbit =
+        unbalance_orbit(beam, jeffcott_springs(), speed,
+                        {.size = size, .position = 0.2, .damping_ratio = zeta}, 0.2);
     EXPECT_NEAR(orbit.amplitude, std::abs(wanted), 1e-6 * std::abs(wanted)) << ratio;
     EXPECT_NEAR(orbit.lag, -std::arg(wanted), 1e-6) << ratio;
   }
