@@ -137,9 +137,10 @@ INSTANTIATE_TEST_SUITE_P(Documentation, Page,
                                          "docs/kinematic-law.md", "docs/laws.md", "docs/limits.md",
                                          "docs/loop.md", "docs/race-control.md", "docs/roller.md",
                                          "docs/sensitivity.md", "docs/shaft.md", "docs/spindle.md",
-                                         "docs/spindle-record.md", "docs/torque-sensor.md",
-                                         "docs/tutorial.md", "docs/validation.md",
-                                         "docs/verdicts.md", "docs/worked-examples.md"),
+                                         "docs/spindle-heat.md", "docs/spindle-record.md",
+                                         "docs/torque-sensor.md", "docs/tutorial.md",
+                                         "docs/validation.md", "docs/verdicts.md",
+                                         "docs/worked-examples.md"),
                          [](const auto& p) {
                            std::string name = fs::path(p.param).stem().string();
                            std::erase(name, '-');

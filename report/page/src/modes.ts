@@ -260,7 +260,14 @@ function unbalanced(report: ModesReport, rows: Rows): HTMLElement | undefined {
   return section(
     'Under an unbalance',
     grid(
-      lineFigure(rows, { id: 'unbalance', title: 'Path of the nose', note: 'Its largest distance from where it stands without unbalance, for the stated unbalance and damping.', axis: 'amplitude_um', fromZero: true, lines: [{ name: 'nose', column: 'nose_amplitude_um', kind: 0 }] }),
+      lineFigure(rows, {
+        id: 'unbalance',
+        title: 'Path of the nose',
+        note: 'Its largest distance from where it stands without unbalance, for the stated unbalance and damping.',
+        axis: 'amplitude_um',
+        fromZero: true,
+        lines: [{ name: 'nose', column: 'nose_amplitude_um', kind: 0 }],
+      }),
       lineFigure(rows, { id: 'unbalance-lag', title: 'Lag behind the unbalance', note: 'A quarter of a turn where a mode is met.', axis: 'lag_deg', lines: [{ name: 'nose', column: 'nose_lag_deg', kind: 0 }] }),
     ),
   );
@@ -318,6 +325,9 @@ export function modes(report: ModesReport): (Node | undefined)[] {
     unbalanced(report, rows),
     section('Shapes', grid(shapes(report))),
     found.length > 1 ? section('The bearings against speed', grid(...overSpeed(report, rows))) : undefined,
-    notes([report.results.rows[0]?.modes[0]?.damping_ratio ? 'The damping ratio of each mode is the one that was stated; what gives way in the housing is not modelled.' : 'Damping, and what gives way in the housing, are not modelled.', 'Unbalance excites modes that run around with the rotation; those against it answer where the bearings are not alike in all directions.']),
+    notes([
+      report.results.rows[0]?.modes[0]?.damping_ratio ? 'The damping ratio of each mode is the one that was stated; what gives way in the housing is not modelled.' : 'Damping, and what gives way in the housing, are not modelled.',
+      'Unbalance excites modes that run around with the rotation; those against it answer where the bearings are not alike in all directions.',
+    ]),
   ];
 }

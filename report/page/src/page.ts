@@ -61,11 +61,7 @@ export function assumptions(of: Assumptions | undefined): HTMLElement | undefine
     of.most.map((a) => [a.name, number(a.value), number(a.spread, 3), moved(a.displacement_at_less_um), moved(a.displacement_at_more_um)]),
   );
   list.id = 'assumptions';
-  return section(
-    'What the assumptions do',
-    el('p', {}, `Of ${of.assumed} assumed numbers these move the nose most where all is steady at ${number(of.speed_rpm)} rpm, less and more by their usual spread.`),
-    list,
-  );
+  return section('What the assumptions do', el('p', {}, `Of ${of.assumed} assumed numbers these move the nose most where all is steady at ${number(of.speed_rpm)} rpm, less and more by their usual spread.`), list);
 }
 
 export function notes(said: (Said | string)[]): HTMLElement | undefined {

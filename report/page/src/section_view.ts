@@ -78,11 +78,7 @@ function bearing(b: Section['bearings'][number], api: Api, scale: number, l: Loo
   const angle = ((b.contact_angle_deg ?? 0) * Math.PI) / 180;
   const reach = 0.85 * ball;
   const along = (sign: number): [number, number] => api.coord([centre[0] + sign * (b.pressed_rearwards ? 1 : -1) * reach * Math.sin(angle), centre[1] + sign * reach * Math.cos(angle)]);
-  return [
-    ...rings,
-    { type: 'circle', shape: { cx, cy, r: (ball / 2) * scale }, style: rolling },
-    segment(along(-1), along(1), { stroke: l.ink, lineWidth: 1, lineDash: [4, 3] }),
-  ];
+  return [...rings, { type: 'circle', shape: { cx, cy, r: (ball / 2) * scale }, style: rolling }, segment(along(-1), along(1), { stroke: l.ink, lineWidth: 1, lineDash: [4, 3] })];
 }
 
 /// Turns of the coolant's channel, cut through.
