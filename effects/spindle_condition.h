@@ -16,7 +16,7 @@ struct SpindleCondition {
   double drive_heat = 0.0;  ///< into the shaft behind the last bearing
   double seal_heat = 0.0;  ///< into the shaft at the nose, between the housing's face and bearing 1
   double front_bearing_heat = 0.0;  ///< into the raceways of the front set
-  double rear_bearing_heat = 0.0;   ///< into those of the rear set, or of rollers behind it
+  double rear_bearing_heat = 0.0;   ///< into the raceways of the rear set, or of rollers behind it
   /// Powers of the speed of motor and drive heat [1].
   double motor_heat_exponent = 1.0, drive_heat_exponent = 1.0;
   /// Conductance of a sleeve that the model lacks, from the housing to the inlet (else the ambient)

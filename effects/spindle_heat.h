@@ -111,7 +111,7 @@ inline constexpr SpindleHeatCard<4> front_bearing_heat{
              .plausible_lower = 10.0,
              .plausible_upper = 1000.0}};
 
-/// Of a roller bearing that stands behind the rear set, else of that set.
+/// Heats a roller bearing that stands behind the rear set, else the rear set.
 inline constexpr SpindleHeatCard<4> rear_bearing_heat{
     .heat = &SpindleCondition::rear_bearing_heat,
     .id = "rear-bearing-heat",

@@ -141,7 +141,7 @@ void read_heat(ModelTables& tables, const Section& s, model::HeatSource& source)
   }
   if (number) {
     if (s.find("heat_factor"))
-      s.fail("heat_factor", "heat_factor: is that of a formula, and heat_W is a number");
+      s.fail("heat_factor", "heat_factor: belongs to a formula, and heat_W is a number");
     return;
   }
   const std::string formula = *s.text("heat_W");
@@ -324,7 +324,7 @@ std::vector<model::HeatSource> read_heat_sources(ModelTables& tables, const Name
     };
     if (!names_a_column(*name)) fail("must be letters, digits and _");
     for (const char* taken : {"motor", "drive"})
-      if (*name == taken) fail("is that of a table of its own; take another name");
+      if (*name == taken) fail("is the name of another table; take another one");
     for (const model::HeatSource& other : list)
       if (other.name == *name) fail("another source of heat has this name");
     source.name = *name;

@@ -159,8 +159,8 @@ struct HeatSource {
   double length = unset;          ///< of the span [m]
   double radius = unset;          ///< of cells of shaft or housing; NaN: from bore to surface [m]
   double rotor_diameter = unset;  ///< [m]
-  /// Of a motor into the shaft, the rest into the housing; of a bearing into the inner ring, the
-  /// rest into the outer one [1].
+  /// Share of a motor's heat into the shaft, the rest into the housing; of the heat at a bearing
+  /// into the inner ring, the rest into the outer one [1].
   double rotor_share = 1.0;
 };
 
@@ -223,7 +223,7 @@ struct Spindle {
   Ambient ambient = {};
   std::optional<HeatSource> motor = {};
   std::optional<HeatSource> drive = {};
-  std::vector<HeatSource> heat = {};  ///< beside these two
+  std::vector<HeatSource> heat = {};  ///< further sources
   std::optional<Belt> belt = {};
   std::optional<Gap> gap = {};
   std::vector<ThermometerPlace> sensors = {};

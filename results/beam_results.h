@@ -26,7 +26,7 @@ struct ModesAtSpeed {
   std::optional<spindle::LoadedShaft> shaft = {};  ///< as DeflectionResult::unloaded
   std::vector<std::string> roller_names = {};
   spindle::Modes modes;
-  /// Of all bearings, by name, per turn of the shaft.
+  /// Frequencies of all bearings, by name, per turn of the shaft.
   std::vector<std::pair<std::string, bearing::BearingFrequencies>> rolling = {};
   double damping_ratio = unset;             ///< as it was stated [1]
   std::optional<spindle::Orbit> nose = {};  ///< under the unbalance that was asked about
@@ -35,7 +35,7 @@ struct ModesAtSpeed {
   [[nodiscard]] std::string status() const;
 };
 
-/// Where something that goes with the speed meets a mode.
+/// Meeting of a mode and an excitation that goes with the speed.
 struct Crossing {
   std::string
       excitation;        ///< "1x", "2x", "front_1 cage", "front_1 outer race", "rear_1 inner race"

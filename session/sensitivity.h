@@ -23,8 +23,7 @@ struct SensitivityQuestion {
   std::vector<double> speeds_rpm{}, axial_loads_N{}, radial_loads_N{}, temperatures_C{};
   bool steady = false;  ///< of a whole spindle, where its speed leads
   bool coolant_on = true;
-  /// Of a steady state: loads, room and coolant; nothing: those of the model. Its speed does not
-  /// count.
+  /// Loads, room and coolant of a steady state, whose speed does not count; nothing: the model.
   std::optional<spindle::Inputs> inputs{};
   std::vector<files::SpreadText> spreads{};
   /// Names of the data that are varied, or of tables with all that is in them; empty: all.

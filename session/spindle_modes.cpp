@@ -47,7 +47,7 @@ void require_unbalance(const ModesQuestion& q, const spindle::Beam& beam) {
   if (!q.unbalance) return;
   if (!damped)
     throw text::InputError(
-        "unbalance: a damping ratio is needed beside it; without one the nose has no bounds where "
+        "unbalance: a damping ratio is needed with it; without one the nose has no bounds where "
         "a mode is met",
         {.key = "damping"});
   if (!(q.unbalance->size > 0.0) || !(q.unbalance->position >= 0.0) ||

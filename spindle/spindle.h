@@ -73,7 +73,7 @@ struct Moment {
   double elongation = unset;              ///< of the shaft beyond the housing between the sets [m]
   double front_force = unset, rear_force = unset;  ///< [N]
   HeatBalance heat = {};
-  std::vector<double> sources = {};         ///< heat of those of model::Spindle::heat [W]
+  std::vector<double> sources = {};         ///< heat of each of model::Spindle::heat [W]
   std::vector<BearingState> bearings = {};  ///< front set first, roller bearings last
   std::vector<double> sensors = {};         ///< [K], in the order of the model
   /// What leaves the channel, T_in + 2 (T_mean - T_in), or what stands in it; NaN without one [K].

@@ -255,7 +255,7 @@ function overSpeed(report: ModesReport, rows: Rows): Figure[] {
 }
 
 /// The path of the nose under an unbalance, where one was asked about.
-function unbalanced(report: ModesReport, rows: Rows): HTMLElement | undefined {
+function unbalanced(rows: Rows): HTMLElement | undefined {
   if (!rows.has('nose_amplitude_um')) return undefined;
   return section(
     'Under an unbalance',
@@ -322,7 +322,7 @@ export function modes(report: ModesReport): (Node | undefined)[] {
           )
         : undefined,
     ),
-    unbalanced(report, rows),
+    unbalanced(rows),
     section('Shapes', grid(shapes(report))),
     found.length > 1 ? section('The bearings against speed', grid(...overSpeed(report, rows))) : undefined,
     notes([
