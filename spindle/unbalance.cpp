@@ -23,6 +23,7 @@ void put_complex(std::vector<Eigen::Triplet<Complex>>& to, const Eigen::SparseMa
 
 Orbit unbalance_orbit(const Beam& beam, std::span<const Spring> springs, double speed,
                       const Unbalance& unbalance, double at) {
+  if (speed == 0.0) return {.amplitude = 0.0, .lag = unset};
   std::vector<double> places;
   std::vector<PlaneSpring> in_y, in_z;
   for (const Spring& s : springs) {

@@ -29,7 +29,7 @@ struct Orbit {
 /// Source:   equations of find_modes(); the loss factor 2 ζ of the whole stiffness gives each mode
 ///           the ratio ζ where it is met. A rigid rotor on springs has u Ω²/(m (ω0² (1 + 2 i ζ) -
 ///           Ω²)) (tested).
-/// Domain:   speed >= 0, damping_ratio > 0; NaN where nothing holds the shaft.
+/// Domain:   speed >= 0, damping_ratio > 0; at rest a point without a lag.
 /// Trap:     damping within a turning shaft does nothing against unbalance, which bends it once and
 ///           for all: the ratio stands for bearings, joints and housing, and is no property of the
 ///           shaft.

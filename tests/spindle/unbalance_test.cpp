@@ -102,10 +102,16 @@ TEST(Unbalance, IsLargestWhereOncePerTurnMeetsAForwardMode) {
   EXPECT_GT(best, 10.0 * nose(0.9 * critical));
 }
 
-TEST(Unbalance, OfNothingThatHoldsTheShaftIsUnknown) {
-  EXPECT_TRUE(std::isnan(unbalance_orbit(Jeffcott().beam(), {}, 0.0,
-                                         {.size = 1e-5, .position = 0.2, .damping_ratio = 0.02})
-                             .amplitude));
+TEST(Unbalance, MovesNothingAtRestAndAFreeRotorAboutItsCentreOfMass) {
+  const Beam beam = Jeffcott().beam();
+  const Unbalance unbalance{.size = 5e-5, .position = 0.2, .damping_ratio = 0.02};
+  const Orbit still = unbalance_orbit(beam, jeffcott_springs(), 0.0, unbalance, 0.2);
+  EXPECT_EQ(still.amplitude, 0.0);
+  EXPECT_TRUE(std::isnan(still.lag));
+  // Far above its mode the axis runs at u/m about the centre of mass.
+  const double fast = 50.0 * std::sqrt(jeffcott_stiffness / rotor_mass);
+  EXPECT_NEAR(unbalance_orbit(beam, jeffcott_springs(), fast, unbalance, 0.2).amplitude,
+              unbalance.size / rotor_mass, 1e-3 * unbalance.size / rotor_mass);
 }
 
 }  // namespace
