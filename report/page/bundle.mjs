@@ -1,49 +1,14 @@
 // Makes one page of page.html, style.css and src/, and writes it as C++.
 //   node bundle.mjs FOLDER_OF_NODE_MODULES OUTPUT.cpp
 // The page may load nothing: its policy allows this script and this style, by their hashes, alone.
-import { createHash } from 'node:crypto';
-import { readFileSync, writeFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
-import { dirname, join, resolve } from 'node:path';
+import { writeFileSync } from 'node:fs';
+import { dirname, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { onePage } from './one_page.mjs';
 
 const source = dirname(fileURLToPath(import.meta.url));
 const [packages, output] = process.argv.slice(2).map((path) => resolve(path));
-const esbuild = createRequire(join(packages, 'package.json'))('esbuild');
-
-const bundled = (entry, options) =>
-  esbuild
-    .buildSync({
-      absWorkingDir: source,
-      entryPoints: [entry],
-      nodePaths: [join(packages, 'node_modules')],
-      bundle: true,
-      minify: true,
-      write: false,
-      charset: 'ascii',
-      legalComments: 'none',
-      target: ['chrome100', 'firefox100', 'safari15'],
-      logLevel: 'warning',
-      ...options,
-    })
-    .outputFiles[0].text.trim();
-
-const script = bundled('src/main.ts', { format: 'iife', define: { 'process.env.NODE_ENV': '"production"' } });
-const style = bundled('style.css', {});
-if (/<\/script|<!--/i.test(script)) throw new Error('the script would end early inside a page');
-
-const hash = (text) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
-const licence = readFileSync(join(source, 'licences.txt'), 'utf8').trim();
-const page = readFileSync(join(source, 'page.html'), 'utf8').replace(
-  /@(POLICY|STYLE|SCRIPT|LICENCES)@/g,
-  (_, part) =>
-    ({
-      POLICY: `default-src 'none'; script-src ${hash(script)}; style-src ${hash(style)}; base-uri 'none'; form-action 'none'`,
-      STYLE: style,
-      SCRIPT: script,
-      LICENCES: licence,
-    })[part],
-);
+const { page, script, style } = onePage(packages, source);
 
 const bytes = Buffer.from(page);
 const lines = [];

@@ -9,6 +9,6 @@ file(GLOB page_files CONFIGURE_DEPENDS ${page_dir}/src/*.ts)
 add_custom_command(OUTPUT ${page_source}
   COMMAND ${NODE} ${page_dir}/bundle.mjs ${packages_dir} ${page_source}
   DEPENDS ${packages_dir}/packages.stamp ${page_files} ${page_dir}/bundle.mjs
-    ${page_dir}/page.html ${page_dir}/style.css ${page_dir}/licences.txt
+    ${page_dir}/one_page.mjs ${page_dir}/page.html ${page_dir}/style.css ${page_dir}/licences.txt
   COMMENT "Bundling the page of reports"
   VERBATIM)

@@ -112,6 +112,15 @@ export class Figure {
     if (this.numbers.open) this.fillTable();
   }
 
+  drawFirst(): void {
+    if (!this.chart) this.draw();
+  }
+
+  dispose(): void {
+    this.chart?.dispose();
+    this.chart = undefined;
+  }
+
   /// The picture as it is seen, drawn once more for the file.
   private async savePicture(kind: 'PNG' | 'SVG'): Promise<void> {
     const l = look();
@@ -201,7 +210,7 @@ function save(name: string, text: string): void {
   saveBlob(name, new Blob([text], { type: 'text/csv' }));
 }
 
-function saveBlob(name: string, blob: Blob): void {
+export function saveBlob(name: string, blob: Blob): void {
   const url = URL.createObjectURL(blob);
   const link = el('a', { href: url, download: name });
   document.body.append(link);
@@ -224,6 +233,11 @@ export function drawAll(): void {
     else document.documentElement.dataset.drawn = 'yes';
   };
   step();
+  followWindow();
+}
+
+/// Draws anew what the window changes: its width, its colours, paper.
+export function followWindow(): void {
   let width = window.innerWidth;
   window.addEventListener('resize', () => {
     if (window.innerWidth === width || look().print) return;
@@ -244,6 +258,18 @@ export function drawAll(): void {
 
 function redrawAll(): void {
   for (const figure of all) figure.draw();
+}
+
+/// Lets go of the pictures that are no longer on the page, and draws those that are new.
+export function drawNew(): void {
+  for (let k = all.length - 1; k >= 0; --k) {
+    const figure = all[k] as Figure;
+    if (figure.element.isConnected) figure.drawFirst();
+    else {
+      figure.dispose();
+      all.splice(k, 1);
+    }
+  }
 }
 
 /// A choice above a picture.

@@ -1,0 +1,306 @@
+// What a user does. Each action replaces the case and asks the engine anew; answers of an earlier case are dropped.
+import { Asking, documentOf, Refused, refusal, reportOf } from './asking';
+import { decoded, numbersOf, readMap, writeMap, type Mapped } from './columns';
+import { Stopped, type Engine } from './engine';
+import { viscosities } from './oil';
+import * as ask from './questions';
+import { caseOf, type Case, type EffectCard, type Key, type LawTried, type Line, type Problem, type Reading, type Result, type State, type Store, type TextFile } from './state';
+import { valueOf, withoutAssumption, withValue } from './toml';
+import type { AddReport, Added, CompareReport, DiagnoseReport } from '../../../report/page/src/document';
+
+export const baseLaws = ['palmgren', 'skf', 'contact'];
+const neutral = '7014 C'; // whose model reads columns until the user has named a bearing
+
+/// "lubricant-drag" as people say it.
+export const inWords = (id: string): string => (id.startsWith('law:') ? `base law ${id.slice(4)}` : id.replace(/-/g, ' '));
+
+/// RMS over the ways to leave rows out.
+export function heldOut(list: { rmse_before: number }[]): number | undefined {
+  return list.length ? Math.sqrt(list.reduce((sum, h) => sum + h.rmse_before ** 2, 0) / list.length) : undefined;
+}
+
+/// Where in the page the words of a refusal belong.
+function placeOf(error: unknown): Problem {
+  const text = error instanceof Error ? error.message : String(error);
+  if (!(error instanceof Refused)) return { at: 'missing', text };
+  const file = error.file ?? '';
+  if (/^(model|refitted|improved)\.toml$/.test(file) || /^(model|refitted|improved)\.toml\b/.test(text)) return { at: 'model', text };
+  return { at: file ? 'data' : 'missing', text };
+}
+
+export class Actions {
+  private readonly asking: Asking;
+  private generation = 0;
+  private dragged = 0;
+
+  constructor(
+    private readonly store: Store,
+    engine: Engine,
+  ) {
+    this.asking = new Asking(engine, (job, took) => this.store.change({ job, ...(took ? { took } : {}) }));
+  }
+
+  private get state(): State {
+    return this.store.state;
+  }
+
+  show(panel: State['panel']): void {
+    this.store.change({ panel });
+  }
+
+  stop(): void {
+    this.asking.stop();
+  }
+
+  /// What is the same for all models.
+  async learn(): Promise<void> {
+    const { document: keys } = await this.asking.document<{ keys: Key[] }>('Reading the table of keys', ask.keys);
+    const { document: effects } = await this.asking.document<{ effects: EffectCard[] }>('Reading the catalogue of effects', ask.effects);
+    this.store.change({ keys: keys.keys, effects: new Map(effects.effects.map((e) => [e.id, e])) });
+  }
+
+  /// A case of its own, with its line in the history: the example, or what `raceway workbench` was given.
+  async open(of: Partial<Case>, label: string): Promise<void> {
+    this.store.change({ ...of, confirmed: true });
+    await this.evaluate(label);
+  }
+
+  /// Asks everything about the case; `label` makes a line of the history of it.
+  async evaluate(label?: string): Promise<void> {
+    const generation = ++this.generation;
+    const of = caseOf(this.state);
+    const { data, model } = of;
+    const tell = (part: Partial<State>) => {
+      if (generation === this.generation) this.store.change(part);
+      else throw new Stopped();
+    };
+    try {
+      tell({ problem: undefined, stale: true });
+      if (!data.length) return;
+      const reader = model?.text ?? (await this.neutralModel());
+      await this.read(of, reader, tell);
+      if (!model || !this.state.confirmed) return;
+      let entered = model.text;
+      let refused: string | undefined;
+      if (of.law && of.law !== (valueOf(entered, 'friction', 'law') ?? 'palmgren')) {
+        const taken = await this.asking.ask(`Taking the law ${of.law}`, ask.add(of, entered, [`law:${of.law}`]));
+        const { refused: no, reason } = documentOf<Added>(taken);
+        if (no && !of.forced) refused = `law ${of.law}: ${reason}`;
+        else entered = taken.files['improved.toml'] ?? entered;
+      }
+      const diagnosed = await this.asking.ask('Diagnosing', ask.diagnose(of, entered));
+      documentOf(diagnosed);
+      const page = diagnosed.files['report.html'] as string;
+      let result: Result = { entered, base: reportOf<DiagnoseReport>(page), report: page, ...(refused ? { refused } : {}) };
+      const known = (more: Partial<Result>) => {
+        result = { ...result, ...more };
+        tell({ result, stale: false });
+      };
+      if (of.on.length === 0) known({});
+      let refitted: string | undefined;
+      const calibrate = async () => {
+        try {
+          const answer = await this.asking.ask('Refitting', ask.calibrate(of, entered));
+          documentOf(answer);
+          refitted = answer.files['refitted.toml'];
+        } catch (error) {
+          if (!(error instanceof Refused)) throw error;
+        }
+      };
+      if (of.on.length) {
+        const added = await this.asking.ask(`Adding ${of.on.map(inWords).join(' and ')}`, ask.add(of, entered, of.on));
+        const said = documentOf<Added>(added);
+        const report = added.files['report.html'];
+        const model = added.files['improved.toml'];
+        known({ ...(report ? { added: reportOf<AddReport>(report), report } : {}), ...(said.refused && !of.forced ? { refused: said.reason } : {}), ...(model ? { model } : {}) });
+        this.record(label, of, result);
+        if (model) {
+          const rest = await this.asking.ask('Diagnosing what remains', ask.diagnose(of, model));
+          documentOf(rest);
+          known({ rest: reportOf<DiagnoseReport>(rest.files['report.html'] as string) });
+        }
+        await calibrate();
+      } else {
+        this.record(label, of, result);
+        await calibrate();
+        known({ ...(refitted ? { model: refitted } : {}) });
+      }
+      const models: [string, string][] = [['model.toml', entered], ...(refitted ? [['refitted.toml', refitted] as [string, string]] : []), ...(of.on.length && result.model ? [['improved.toml', result.model] as [string, string]] : [])];
+      const compared = await this.asking.ask('Comparing', ask.compare(of, models));
+      documentOf(compared);
+      known({ compared: reportOf<CompareReport>(compared.files['report.html'] as string) });
+      await this.tryLaws(of, model.text, tell);
+    } catch (error) {
+      if (generation !== this.generation) return;
+      if (error instanceof Stopped) this.store.change({ problem: { at: 'missing', text: 'Stopped. Results may be incomplete: change something, or ask again.' } });
+      else this.store.change({ problem: placeOf(error) });
+    }
+  }
+
+  private async tryLaws(of: Case, model: string, tell: (part: Partial<State>) => void): Promise<void> {
+    const laws: LawTried[] = [];
+    tell({ laws });
+    for (const law of baseLaws) {
+      if (law === (valueOf(model, 'friction', 'law') ?? 'palmgren')) continue;
+      try {
+        const answer = await this.asking.ask(`Trying the law ${law}`, ask.tryLaw(of, model, law));
+        const tried = documentOf<Added>(answer);
+        laws.push({ law, rmse: tried.after.rmse, held: tried.rmse_held_out_after });
+        tell({ laws: [...laws] });
+      } catch (error) {
+        if (!(error instanceof Refused)) throw error; // a law that this bearing has not
+      }
+    }
+  }
+
+  private record(label: string | undefined, of: Case, { base, added }: Result): void {
+    if (label === undefined) return;
+    const { history, at } = this.state;
+    const d = base.results;
+    const line: Line = added
+      ? { label, rmse: added.results.after.rmse, held: added.results.rmse_held_out_after ?? undefined, unit: d.baseline.unit, of }
+      : { label, rmse: d.rmse_before, held: heldOut(d.hold_out), unit: d.baseline.unit, of };
+    this.store.change({ history: [...history.slice(0, at + 1), line], at: at + 1 });
+  }
+
+  private async neutralModel(): Promise<string> {
+    const answer = await this.asking.ask('Reading', ask.newModel(neutral, 'palmgren'));
+    return answer.files['model.toml'] as string;
+  }
+
+  private async read(of: Case, model: string, tell: (part: Partial<State>) => void): Promise<void> {
+    if (!this.state.proposal) {
+      const proposed = await this.asking.ask('Looking at the columns', ask.suggest(model, of.data[0] as TextFile));
+      if (proposed.status === 0) tell({ proposal: proposed.out });
+    }
+    const answer = await this.asking.ask('Reading the data', ask.check(of, model));
+    const document = documentOf<Omit<Reading, 'numbers'>>(answer);
+    tell({ reading: { ...document, numbers: numbersOf(answer.files['rows.csv'] ?? '') } });
+  }
+
+  // ---- data and columns
+
+  async drop(files: { name: string; bytes: ArrayBuffer }[]): Promise<void> {
+    const texts = files.map(({ name, bytes }): TextFile => ({ name, text: decoded(bytes) }));
+    const isMap = (t: TextFile) => /^\s*\[columns\]/m.test(t.text) && !/^\s*\[(bearing|arrangement|correction)/m.test(t.text);
+    const tomls = texts.filter((t) => /\.toml$/i.test(t.name));
+    const data = texts.filter((t) => !tomls.includes(t));
+    const map = tomls.find(isMap);
+    const model = tomls.find((t) => !isMap(t));
+    const part: Partial<State> = { law: '', on: [], forced: false };
+    if (data.length) Object.assign(part, { data, map: '', proposal: '', reading: undefined, result: undefined, panel: 'data', example: false, confirmed: true, ...(this.state.example ? { model: undefined, designation: '' } : {}) });
+    if (model) Object.assign(part, { model, designation: '', modelNotes: [], ...(data.length ? {} : { panel: 'model' }) });
+    if (map) Object.assign(part, { map: map.text, proposal: map.text });
+    this.store.change(part);
+    if (data.length && !map) await this.propose();
+    await this.evaluate(data.length ? data.map((d) => d.name).join(', ') : (model ?? map)?.name);
+  }
+
+  /// Asks which column is which. Columns that have our names need no map.
+  private async propose(): Promise<void> {
+    const { data, model } = this.state;
+    try {
+      const answer = await this.asking.ask('Looking at the columns', ask.suggest(model?.text ?? (await this.neutralModel()), data[0] as TextFile));
+      if (answer.status !== 0) throw new Refused(refusal(answer), ask.dataFiles(data)[0]?.name ?? null, null);
+      const { mapped } = readMap(answer.out);
+      const ours = mapped.length > 0 && mapped.every((m) => m.column === m.ours);
+      this.store.change({ proposal: answer.out, map: ours ? '' : answer.out, confirmed: ours });
+    } catch (error) {
+      if (!(error instanceof Stopped)) this.store.change({ problem: placeOf(error), confirmed: true });
+    }
+  }
+
+  /// Another column, unit or number for one of our quantities.
+  async mapColumn(ours: string, change: Partial<Mapped>): Promise<void> {
+    const { mapped } = readMap(this.state.map || this.state.proposal);
+    const at = mapped.findIndex((m) => m.ours === ours);
+    const line: Mapped = { ours, column: '', unit: '', number: '', ...mapped[at], ...change };
+    const next = at < 0 ? [...mapped, line] : mapped.map((m, k) => (k === at ? line : m));
+    this.store.change({ map: writeMap(next), reading: undefined });
+    await this.evaluate(this.state.confirmed && this.state.model ? `column ${ours}` : undefined);
+  }
+
+  async confirmColumns(): Promise<void> {
+    this.store.change({ confirmed: true, panel: this.state.model ? 'missing' : 'model' });
+    await this.evaluate(this.state.model ? 'columns' : undefined);
+  }
+
+  // ---- model
+
+  /// A model of a designation, with an oil; what is not known is estimated by the command and marked.
+  async designate(designation: string, oil: string, preload: string): Promise<void> {
+    try {
+      const answer = await this.asking.ask('Writing the model', ask.newModel(designation, 'palmgren'));
+      const text = answer.files['model.toml'];
+      if (!text) throw new Refused(refusal(answer), 'model.toml', null);
+      let model = text;
+      if (oil.trim()) {
+        const [at40, at100] = viscosities(oil) ?? [];
+        if (at40 === undefined || at100 === undefined) throw new Refused(`Oil "${oil}": not an ISO VG grade from 5 to 220. Leave it empty and enter the viscosities below.`, 'model.toml', null);
+        model = withoutAssumption(model, 'lubricant');
+        model = withValue(model, 'lubricant', 'viscosity_40C_mm2_s', String(at40), `ISO VG ${at40}`);
+        model = withValue(model, 'lubricant', 'viscosity_100C_mm2_s', String(at100), 'assumed: mineral oil of viscosity index 100');
+      }
+      if (preload.trim()) model = withValue(model, 'rig', 'axial_load_N', preload.trim().replace(',', '.'));
+      const notes = answer.err.split('\n').filter((line) => line.startsWith('note: ')).map((line) => line.slice(6));
+      const ready = this.state.data.length > 0 && this.state.confirmed;
+      this.store.change({ model: { name: 'model.toml', text: model }, designation, modelNotes: notes, law: '', on: [], forced: false, ...(ready ? { panel: 'missing' } : {}) });
+      await this.evaluate(`${designation}${oil.trim() ? `, ${oil.trim()}` : ''}`);
+    } catch (error) {
+      this.store.change({ problem: { at: 'model', text: error instanceof Error ? error.message : String(error) } });
+    }
+  }
+
+  async editModel(text: string, label: string): Promise<void> {
+    const { model } = this.state;
+    if (model?.text === text) return;
+    this.store.change({ model: { name: model?.name ?? 'model.toml', text } });
+    await this.evaluate(label);
+  }
+
+  // ---- candidates
+
+  async toggle(id: string): Promise<void> {
+    const { on } = this.state;
+    const off = on.includes(id);
+    this.store.change({ on: off ? on.filter((e) => e !== id) : [...on, id], forced: false });
+    await this.evaluate(`${off ? '−' : '+'} ${inWords(id)}`);
+  }
+
+  /// All of an explanation at once; a base law of it is taken, not added.
+  async turnOn(ids: string[]): Promise<void> {
+    const law = ids.find((id) => id.startsWith('law:'));
+    const effects = ids.filter((id) => !id.startsWith('law:') && !this.state.on.includes(id));
+    this.store.change({ on: [...this.state.on, ...effects], forced: false, ...(law ? { law: law.slice(4) } : {}) });
+    await this.evaluate(`+ ${ids.map(inWords).join(' and ')}`);
+  }
+
+  /// A number of the model while it is dragged: only the last one is asked about.
+  drag(table: string, key: string, value: string): void {
+    clearTimeout(this.dragged);
+    this.dragged = window.setTimeout(() => {
+      const { model } = this.state;
+      if (model) void this.editModel(withValue(model.text, table, key, value), `${key} = ${value}`);
+    }, 120);
+  }
+
+  async takeLaw(law: string): Promise<void> {
+    const own = valueOf(this.state.model?.text ?? '', 'friction', 'law') ?? 'palmgren';
+    this.store.change({ law: law === own ? '' : law, forced: false });
+    await this.evaluate(`base law ${law}`);
+  }
+
+  async force(): Promise<void> {
+    this.store.change({ forced: true });
+    await this.evaluate('added although refused');
+  }
+
+  // ---- history
+
+  async back(at: number): Promise<void> {
+    const line = this.state.history[at];
+    if (!line) return;
+    this.store.change({ ...line.of, at, confirmed: true });
+    await this.evaluate();
+  }
+}

@@ -1,0 +1,91 @@
+// The map of columns: which column of the file is which quantity, as `check --suggest-columns` writes it.
+import { entries, plainValue, quoted } from './toml';
+
+export interface Mapped {
+  ours: string; // "speed_rpm"
+  column: string; // of the file; '' where a number stands for it, or nothing does
+  unit: string; // '' where the name says it
+  number: string; // instead of a column
+}
+
+/// Lines of [columns]; commented ones are quantities that were not found.
+export function readMap(text: string): { mapped: Mapped[]; absent: string[]; unused: string[] } {
+  const mapped = entries(text).filter((e) => e.table === 'columns').map((e): Mapped => {
+    const part = (name: string) => {
+      const found = new RegExp(`\\b${name}\\s*=\\s*("(?:[^"\\\\]|\\\\.)*"|'[^']*')`).exec(e.value);
+      return found ? plainValue(found[1] as string) : '';
+    };
+    if (e.value.startsWith('{')) return { ours: e.key, column: part('column'), unit: part('unit'), number: '' };
+    return /^["']/.test(e.value) ? { ours: e.key, column: plainValue(e.value), unit: '', number: '' } : { ours: e.key, column: '', unit: '', number: e.value };
+  });
+  const lines = text.split('\n');
+  const absent = lines.flatMap((line) => /^#\s*([a-z_A-Z0-9]+)\s*=/.exec(line)?.[1] ?? []);
+  const unused = lines.filter((line) => line.startsWith('# not used:')).flatMap((line) => [...line.matchAll(/"((?:[^"\\]|\\.)*)"/g)].map((m) => plainValue(m[0])));
+  return { mapped, absent, unused };
+}
+
+export function writeMap(mapped: Mapped[]): string {
+  const lines = mapped
+    .filter((m) => m.column || m.number)
+    .map((m) => `${m.ours} = ${m.number ? m.number : m.unit ? `{ column = ${quoted(m.column)}, unit = ${quoted(m.unit)} }` : quoted(m.column)}`);
+  return ['[columns]', ...lines, ''].join('\n');
+}
+
+const separators = [',', ';', '\t'];
+
+/// Cells of a line, quotes taken off.
+export function cells(line: string, separator: string): string[] {
+  const found: string[] = [];
+  let cell = '';
+  let quoted = false;
+  for (let k = 0; k < line.length; ++k) {
+    const c = line[k] as string;
+    if (quoted) {
+      if (c === '"' && line[k + 1] === '"') cell += line[++k];
+      else if (c === '"') quoted = false;
+      else cell += c;
+    } else if (c === '"') quoted = true;
+    else if (c === separator) {
+      found.push(cell.trim());
+      cell = '';
+    } else cell += c;
+  }
+  return [...found, cell.trim()];
+}
+
+/// The first rows of a file under their header, to be looked at. The engine reads it by itself.
+export function preview(text: string, names: string[], rows: number): { header: string[]; rows: string[][]; lines: number; total: number } {
+  const head = text.slice(0, 200_000).split(/\r\n|\r|\n/).slice(0, 200);
+  const separator = separators.map((s) => ({ s, count: Math.max(...head.slice(0, 40).map((line) => cells(line, s).length)) })).sort((a, b) => b.count - a.count)[0]?.s ?? ',';
+  const split = head.map((line) => cells(line, separator));
+  const holds = (line: string[]) => names.filter((name) => line.includes(name)).length;
+  const best = Math.max(...split.map(holds), 0);
+  let at = best > 0 ? split.findIndex((line) => holds(line) === best) : split.findIndex((line) => line.length > 1 && !line[0]?.startsWith('#'));
+  if (at < 0) at = 0;
+  const total = (text.match(/\n/g)?.length ?? 0) + (text.endsWith('\n') || text === '' ? 0 : 1);
+  return { header: split[at] ?? [], rows: split.slice(at + 1).filter((line) => line.some((c) => c !== '')).slice(0, rows), lines: at + 1, total };
+}
+
+/// Numbers of a CSV that `check -o` wrote, by column.
+export function numbersOf(text: string): Map<string, Float64Array> {
+  const lines = text.split('\n').filter((line) => line && !line.startsWith('#'));
+  const names = cells(lines[0] ?? '', ',');
+  const columns = names.map(() => new Float64Array(Math.max(0, lines.length - 1)));
+  for (let row = 1; row < lines.length; ++row) {
+    const line = cells(lines[row] as string, ',');
+    for (let k = 0; k < names.length; ++k) (columns[k] as Float64Array)[row - 1] = line[k] === '' || line[k] === undefined ? NaN : Number(line[k]);
+  }
+  return new Map(names.map((name, k) => [name, columns[k] as Float64Array]));
+}
+
+/// The text of a file: UTF-8 or UTF-16 where it is that, else Windows-1252, as spreadsheets of the West save.
+export function decoded(bytes: ArrayBuffer): string {
+  const [a, b] = new Uint8Array(bytes.slice(0, 2));
+  if (a === 0xff && b === 0xfe) return new TextDecoder('utf-16le').decode(bytes);
+  if (a === 0xfe && b === 0xff) return new TextDecoder('utf-16be').decode(bytes);
+  try {
+    return new TextDecoder('utf-8', { fatal: true }).decode(bytes);
+  } catch {
+    return new TextDecoder('windows-1252').decode(bytes);
+  }
+}

@@ -1,0 +1,109 @@
+// The data: which column is which quantity, in which unit, as a picture each; what the engine doubts.
+import { inWords, type Actions } from './actions';
+import { preview, readMap, type Mapped } from './columns';
+import { filePicker } from './frame';
+import { axisTitle, el, number, plain, quantity } from './report';
+import type { State } from './state';
+import { button, callout } from './view';
+import { printed } from './verdict';
+
+const svg = 'http://www.w3.org/2000/svg';
+const [plotWidth, plotHeight] = [220, 40];
+const mostPoints = 500;
+
+/// A column over its rows, without axes: its range stands beside it.
+function spark(values: Float64Array | undefined, label: string): Element {
+  const known = values?.filter(Number.isFinite) ?? new Float64Array();
+  const picture = document.createElementNS(svg, 'svg');
+  picture.setAttribute('viewBox', `0 0 ${plotWidth} ${plotHeight}`);
+  picture.setAttribute('class', 'spark');
+  picture.setAttribute('role', 'img');
+  picture.setAttribute('aria-label', `${label} over its ${known.length} rows`);
+  if (!values || !known.length) return picture;
+  let [low, high] = [Infinity, -Infinity];
+  for (const v of known) {
+    low = Math.min(low, v);
+    high = Math.max(high, v);
+  }
+  const step = Math.max(1, Math.ceil(values.length / mostPoints));
+  for (let k = 0; k < values.length; k += step) {
+    const v = values[k] as number;
+    if (!Number.isFinite(v)) continue;
+    const dot = document.createElementNS(svg, 'circle');
+    dot.setAttribute('cx', String(3 + ((plotWidth - 6) * k) / Math.max(1, values.length - 1)));
+    dot.setAttribute('cy', String(high === low ? plotHeight / 2 : plotHeight - 3 - ((plotHeight - 6) * (v - low)) / (high - low)));
+    dot.setAttribute('r', '1.4');
+    picture.append(dot);
+  }
+  return picture;
+}
+
+function mappingRow(m: Mapped, header: string[], s: State, actions: Actions): HTMLElement {
+  const { label, unit } = quantity(m.ours);
+  const select = el('select', { id: `column-${m.ours}`, 'aria-label': `Column of ${label}` });
+  const names = [...new Set([m.column, ...header].filter((name) => name !== ''))];
+  select.append(el('option', { value: '' }, m.number ? `the number ${m.number}` : 'not in the file'), ...names.map((name) => el('option', { value: name }, name)));
+  select.value = m.column;
+  select.addEventListener('change', () => void actions.mapColumn(m.ours, { column: select.value, number: '' }));
+  const field = el('input', { type: 'text', id: `unit-${m.ours}`, class: 'unit', size: '8', 'aria-label': `Unit of ${label} in the file`, placeholder: m.column ? 'by its name' : '' });
+  field.value = m.unit;
+  field.disabled = !m.column;
+  field.addEventListener('change', () => void actions.mapColumn(m.ours, { unit: field.value.trim() }));
+  const read = s.reading?.columns.find((c) => c.name === m.ours);
+  const range = read ? (read.from === read.to ? `${plain(read.from, 5)} ${unit}` : `${plain(read.from, 5)} … ${plain(read.to, 5)} ${unit}`) : '';
+  return el('tr', {}, el('th', { scope: 'row' }, axisTitle(m.ours)), el('td', {}, select), el('td', {}, field), el('td', { class: 'number' }, range), el('td', {}, spark(s.reading?.numbers.get(m.ours), label)));
+}
+
+function rawRows(s: State, names: string[]): HTMLElement | undefined {
+  const [file] = s.data;
+  if (!file) return undefined;
+  const { header, rows, total } = preview(file.text, names, 10);
+  if (!rows.length) return undefined;
+  const head = el('tr', {}, ...header.map((name) => el('th', { scope: 'col' }, name)));
+  return el(
+    'section',
+    { class: 'list' },
+    el('h3', {}, `First rows of ${file.name}`),
+    el('div', { class: 'scroll', tabindex: '0' }, el('table', { class: 'raw' }, el('thead', {}, head), el('tbody', {}, ...rows.map((line) => el('tr', {}, ...line.map((cell) => el('td', {}, cell))))))),
+    el('p', { class: 'note' }, `${rows.length} of ${total} lines, as they stand in the file.`),
+  );
+}
+
+function pasteBox(actions: Actions): HTMLElement {
+  const area = el('textarea', { id: 'paste', rows: '5', 'aria-label': 'Table from a spreadsheet', placeholder: 'speed_rpm\taxial_load_N\ttemperature_C\tfriction_torque_Nmm' });
+  const take = button('Read the table', () => void actions.drop([{ name: 'pasted.csv', bytes: new TextEncoder().encode(area.value).buffer }]), { id: 'read-paste' });
+  return el('details', {}, el('summary', {}, 'Paste a table from a spreadsheet'), area, el('p', { class: 'actions' }, take));
+}
+
+export function dataPanel(actions: Actions): { needs: (s: State) => unknown[]; make: (s: State) => (Node | undefined)[] } {
+  return {
+    needs: (s) => [s.data, s.map, s.proposal, s.reading, s.confirmed, s.problem, s.model === undefined],
+    make: (s) => {
+      const { mapped, absent, unused } = readMap(s.map || s.proposal);
+      const missing = readMap(s.proposal).absent.filter((ours) => !mapped.some((m) => m.ours === ours));
+      const list: Mapped[] = [...mapped, ...[...new Set([...absent, ...missing])].map((ours) => ({ ours, column: '', unit: '', number: '' }))];
+      const names = mapped.map((m) => m.column).filter(Boolean);
+      const header = s.data[0] ? preview(s.data[0].text, [...names, ...unused], 1).header : [];
+      const doubts = (s.reading?.said ?? []).map((n) => callout(n.kind === 'note' ? 'note' : 'doubt', n.kind === 'note' ? '' : el('b', {}, n.kind === 'doubt' ? 'Doubt: ' : 'Warning: '), printed(n.text)));
+      const noise = s.reading?.noise;
+      const next = s.confirmed && !s.problem && s.reading ? button(s.model ? 'Next: the verdict' : 'Next: the bearing', () => actions.show(s.model ? 'missing' : 'model'), { class: 'primary', id: 'next' }) : undefined;
+      return [
+        s.problem?.at === 'data' ? callout('error', s.problem.text) : undefined,
+        el('div', { class: 'drop', id: 'drop' }, el('p', {}, el('b', {}, 'Drop a CSV file anywhere on this page'), ', or '), filePicker(actions, 'choose files', 'file-2'), el('p', { class: 'note' }, 'Speed, loads, temperature and friction torque, a row for each reading. Several files are one record. Nothing leaves this computer.'), pasteBox(actions)),
+        s.confirmed ? undefined : callout('doubt', el('span', {}, el('b', {}, 'Proposed by words and units: '), 'look through the columns below. Nothing is computed before you agree.'), button('These columns are right', () => void actions.confirmColumns(), { class: 'primary', id: 'confirm-columns' })),
+        list.length
+          ? el(
+              'section',
+              { class: 'list' },
+              el('div', { class: 'head' }, el('h3', {}, 'Columns'), el('span', { class: 'note' }, s.reading ? `${s.reading.rows} rows${noise?.rms ? `; noise ${number(noise.rms, 3)} ${quantity(`x_${s.reading.unit}`).unit} from ${inWords(noise.source)}` : ''}` : '')),
+              el('div', { class: 'scroll wide', tabindex: '0' }, el('table', { class: 'mapping' }, el('thead', {}, el('tr', {}, ...['quantity', 'column of the file', 'its unit', 'as read', 'over the rows'].map((h) => el('th', { scope: 'col', class: h === 'as read' ? 'number' : '' }, h)))), el('tbody', {}, ...list.map((m) => mappingRow(m, header, s, actions))))),
+              ...(unused.length ? [el('p', { class: 'note' }, `Not used: ${unused.join(', ')}.`)] : []),
+            )
+          : undefined,
+        ...doubts,
+        next ? el('p', { class: 'actions' }, next) : undefined,
+        rawRows(s, [...names, ...unused]),
+      ];
+    },
+  };
+}

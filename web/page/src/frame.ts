@@ -1,0 +1,141 @@
+// What surrounds the steps: title, what the engine is doing, the verdict, the list of steps.
+import { el, number, unitOfKey } from './report';
+import type { Actions } from './actions';
+import { comparePanel } from './compare_panel';
+import { dataPanel } from './data_panel';
+import { historyPanel } from './history_panel';
+import { homePanel } from './home_panel';
+import { missingPanel } from './missing_panel';
+import { modelPanel } from './model_panel';
+import type { Panel, State } from './state';
+import { verdict } from './verdict';
+import { plainValue, valueOf } from './toml';
+import { button, Part, type Shown } from './view';
+
+const steps: [Panel, string][] = [
+  ['data', 'Data'],
+  ['model', 'Model'],
+  ['compare', 'Compare'],
+  ['missing', 'What is missing'],
+  ['history', 'History'],
+  ['home', 'Take it home'],
+];
+
+/// What stands under the name of a step.
+function summary(panel: Panel, s: State): string {
+  switch (panel) {
+    case 'data':
+      return s.data.length ? `${s.data.map((d) => d.name).join(', ')}${s.reading ? `, ${s.reading.rows} rows` : ''}` : 'no file yet';
+    case 'model': {
+      if (!s.model) return 'no bearing yet';
+      const name = valueOf(s.model.text, 'bearing', 'name') ?? valueOf(s.model.text, 'bearing', 'catalogue') ?? s.model.name;
+      return `${plainValue(name)}, ${s.law || (valueOf(s.model.text, 'friction', 'law') ?? 'palmgren')}`;
+    }
+    case 'compare': {
+      const models = s.result?.compared?.results;
+      const last = models && ('models' in models ? models.models[models.models.length - 1] : models);
+      return last ? `error ${number(last.rmse, 3)} ${unitOfKey(last.unit)}` : 'measured and predicted';
+    }
+    case 'missing':
+      return s.on.length ? `${s.on.length} effect${s.on.length > 1 ? 's' : ''} on` : 'candidates by click';
+    case 'history':
+      return `${s.history.length} step${s.history.length === 1 ? '' : 's'}`;
+    case 'home':
+      return 'model, report, commands';
+  }
+}
+
+/// Files that are dropped anywhere, or chosen.
+function takeFiles(list: FileList | null | undefined, actions: Actions): void {
+  const files = [...(list ?? [])];
+  if (files.length) void Promise.all(files.map(async (f) => ({ name: f.name, bytes: await f.arrayBuffer() }))).then((read) => actions.drop(read));
+}
+
+export function filePicker(actions: Actions, text: string, id: string): HTMLElement {
+  const input = el('input', { type: 'file', id, class: 'visually-hidden', multiple: '', accept: '.csv,.txt,.tsv,.dat,.toml,text/csv,text/plain' });
+  input.addEventListener('change', () => takeFiles(input.files, actions));
+  return el('span', { class: 'picker' }, input, el('label', { for: id, class: 'button' }, text));
+}
+
+export function frame(root: HTMLElement, actions: Actions, state: () => State, change: (part: Partial<State>) => void): Shown[] {
+  const status = el('div', { class: 'status', role: 'status', 'aria-live': 'polite' });
+  const nav = el('nav', { class: 'steps', 'aria-label': 'Steps' });
+  const head = el('section', { class: 'verdict', 'aria-label': 'Verdict' });
+  const panel = el('section', { class: 'panel', id: 'panel', 'aria-live': 'off' });
+  root.append(
+    el('header', { class: 'bar' }, el('p', { class: 'brand' }, el('strong', {}, 'raceway'), ' workbench'), status, filePicker(actions, 'Drop your file here, or choose it', 'file')),
+    el('div', { class: 'layout' }, nav, el('main', {}, head, panel)),
+  );
+  document.addEventListener('dragover', (event) => {
+    event.preventDefault();
+    root.classList.add('dragging');
+  });
+  document.addEventListener('dragleave', (event) => {
+    if (!event.relatedTarget) root.classList.remove('dragging');
+  });
+  document.addEventListener('drop', (event) => {
+    event.preventDefault();
+    root.classList.remove('dragging');
+    takeFiles(event.dataTransfer?.files, actions);
+  });
+  document.addEventListener('paste', (event) => {
+    if (event.target instanceof HTMLInputElement || event.target instanceof HTMLTextAreaElement) return;
+    const text = event.clipboardData?.getData('text/plain') ?? '';
+    if (text.includes('\n')) void actions.drop([{ name: 'pasted.csv', bytes: new TextEncoder().encode(text).buffer }]);
+  });
+  document.addEventListener('keydown', (event) => {
+    const typing = event.target instanceof HTMLElement && /^(INPUT|TEXTAREA|SELECT)$/.test(event.target.tagName);
+    if (event.key === 'z' && (event.ctrlKey || event.metaKey) && !typing) {
+      event.preventDefault();
+      void actions.back(state().at - 1);
+    }
+    if (event.key === 'Escape' && state().job) actions.stop();
+  });
+
+  const panels: Record<Panel, { needs: (s: State) => unknown[]; make: (s: State) => (Node | undefined)[] }> = {
+    data: dataPanel(actions),
+    model: modelPanel(actions, change),
+    compare: comparePanel(actions),
+    missing: missingPanel(actions),
+    history: historyPanel(actions),
+    home: homePanel(),
+  };
+  // The seconds of a question run on their own.
+  const clock = el('span', { class: 'clock' });
+  setInterval(() => {
+    const { job } = state();
+    if (job) clock.textContent = `${((performance.now() - job.since) / 1000).toFixed(1)} s`;
+  }, 100);
+
+  return [
+    new Part(status, (s) => [s.job?.label, s.took], (s) => {
+      if (!s.job) return [s.took ? el('span', { class: 'took' }, `${s.took.label}: ${s.took.ms < 995 ? `${Math.round(s.took.ms)} ms` : `${(s.took.ms / 1000).toFixed(1)} s`}`) : undefined];
+      clock.textContent = '';
+      return [el('span', { class: 'spinner', 'aria-hidden': 'true' }), el('span', {}, `${s.job.label} `), clock, button('Stop', () => actions.stop(), { id: 'stop', class: 'small', title: 'Ends this question (Escape)' })];
+    }),
+    new Part(
+      nav,
+      (s) => [s.panel, s.data, s.model, s.law, s.on, s.result, s.history, s.reading, s.problem],
+      (s) => [
+        el(
+          'ol',
+          {},
+          ...steps.map(([name, words], k) => {
+            const wrong = s.problem?.at === name;
+            const b = button(
+              el('span', { class: 'step' }, el('span', { class: 'numeral', 'aria-hidden': 'true' }, String(k + 1)), el('span', { class: 'words' }, el('b', {}, words), el('span', { class: 'summary' }, wrong ? 'needs a look' : summary(name, s)))),
+              () => actions.show(name),
+              { id: `step-${name}`, ...(s.panel === name ? { 'aria-current': 'step' } : {}), class: wrong ? 'wrong' : '' },
+            );
+            return el('li', {}, b);
+          }),
+        ),
+      ],
+    ),
+    ...verdict(head, actions),
+    new Part(panel, (s) => [s.panel, ...panels[s.panel].needs(s)], (s) => {
+      panel.dataset.panel = s.panel;
+      return panels[s.panel].make(s);
+    }),
+  ];
+}

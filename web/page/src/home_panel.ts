@@ -1,0 +1,48 @@
+// What a user takes home: model, map of columns, report, and the commands that do the same.
+import { el, saveBlob } from './report';
+import { pythonCommands, shellCommands } from './questions';
+import { readMap, writeMap } from './columns';
+import { caseOf, type State } from './state';
+import { button } from './view';
+
+function save(name: string, text: string, type: string): void {
+  saveBlob(name, new Blob([text], { type }));
+}
+
+function item(title: string, words: string, name: string, text: string | undefined, type: string, id: string): HTMLElement {
+  return el('li', {}, el('div', {}, el('b', {}, title), el('p', { class: 'note' }, words)), button(`Save ${name}`, () => text !== undefined && save(name, text, type), { id, ...(text === undefined ? { disabled: '' } : {}) }));
+}
+
+function listing(title: string, text: string, name: string, id: string): HTMLElement {
+  const said = el('span', { class: 'note', role: 'status' });
+  const copy = button('Copy', () => void navigator.clipboard.writeText(text).then(() => (said.textContent = 'copied'), () => (said.textContent = 'not allowed here: save it')), { class: 'small' });
+  return el('section', { class: 'list' }, el('div', { class: 'head' }, el('h3', {}, title), el('span', {}, said, ' ', copy, ' ', button('Save', () => save(name, text, 'text/plain'), { class: 'small', id: `save-${id}` }))), el('pre', { id, tabindex: '0' }, text));
+}
+
+export function homePanel(): { needs: (s: State) => unknown[]; make: (s: State) => (Node | undefined)[] } {
+  return {
+    needs: (s) => [s.result, s.model, s.map, s.law, s.on, s.forced],
+    make: (s) => {
+      const of = caseOf(s);
+      const map = s.map || (s.proposal ? writeMap(readMap(s.proposal).mapped) : '');
+      const what = s.on.length ? 'with its effects, refitted' : 'refitted';
+      return [
+        el(
+          'section',
+          { class: 'list' },
+          el('h3', {}, 'Files'),
+          el(
+            'ul',
+            { class: 'files' },
+            item('Improved model', `The model ${what}: parameters with their uncertainty, TOML.`, 'improved.toml', s.result?.model, 'application/toml', 'save-improved'),
+            item('Model as entered', 'What stands in the step Model.', 'model.toml', s.model?.text, 'application/toml', 'save-model'),
+            item('Map of columns', 'Which column of your file is which quantity, with its unit.', 'columns.toml', map || undefined, 'application/toml', 'save-columns'),
+            item('Report', 'One page with all pictures, for any browser, offline.', 'report.html', s.result?.report, 'text/html', 'save-report'),
+          ),
+        ),
+        listing('The commands that do the same', shellCommands(of, s.model !== undefined), 'commands.sh', 'shell'),
+        listing('The same in Python', pythonCommands(of), 'commands.py', 'python'),
+      ];
+    },
+  };
+}

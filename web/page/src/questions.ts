@@ -1,0 +1,122 @@
+// Questions to the command, as arguments and files, and the same as lines that people run themselves.
+import type { Question } from './engine';
+import type { Case, TextFile } from './state';
+
+/// A name that is safe as an argument and as a file: what messages of the command call the file.
+export function safeName(name: string): string {
+  const base = name.split(/[\\/]/).pop() ?? '';
+  return base.replace(/[^\p{L}\p{N}._-]/gu, '_').replace(/^[-.]+/, '') || 'data.csv';
+}
+
+/// The data under names of their own, apart from ours.
+export function dataFiles(data: TextFile[]): TextFile[] {
+  const taken = new Set(['model.toml', 'refitted.toml', 'improved.toml', 'columns.toml', 'report.html', 'rows.csv']);
+  return data.map(({ name, text }) => {
+    let safe = safeName(name);
+    for (let k = 2; taken.has(safe); ++k) safe = `${k}-${safeName(name)}`;
+    taken.add(safe);
+    return { name: safe, text };
+  });
+}
+
+interface Rig {
+  data: string[];
+  columns: string[];
+  files: Record<string, string>;
+}
+
+function rig(of: Case): Rig {
+  const data = dataFiles(of.data);
+  return {
+    data: data.map((d) => d.name),
+    columns: of.map ? ['--columns', 'columns.toml'] : [],
+    files: { ...Object.fromEntries(data.map((d) => [d.name, d.text])), ...(of.map ? { 'columns.toml': of.map } : {}) },
+  };
+}
+
+export function suggest(model: string, data: TextFile): Question {
+  const [file] = dataFiles([data]) as [TextFile];
+  return { arguments: ['check', 'model.toml', file.name, '--suggest-columns'], files: { 'model.toml': model, [file.name]: file.text } };
+}
+
+/// Of the first file: `check` takes one.
+export function check(of: Case, model: string): Question {
+  const { data, columns, files } = rig({ ...of, data: of.data.slice(0, 1) });
+  return { arguments: ['check', 'model.toml', ...data, ...columns, '--json', '-o', 'rows.csv'], files: { 'model.toml': model, ...files } };
+}
+
+export function newModel(designation: string, law: string): Question {
+  return { arguments: ['new', designation, ...(law ? ['--law', law] : []), '-o', 'model.toml'], files: {} };
+}
+
+export function diagnose(of: Case, model: string): Question {
+  const { data, columns, files } = rig(of);
+  return { arguments: ['diagnose', 'model.toml', ...data, ...columns, '--json', '--report', 'report.html'], files: { 'model.toml': model, ...files } };
+}
+
+export function calibrate(of: Case, model: string): Question {
+  const { data, columns, files } = rig(of);
+  return { arguments: ['calibrate', 'model.toml', ...data, ...columns, '--json', '-o', 'refitted.toml'], files: { 'model.toml': model, ...files } };
+}
+
+export function add(of: Case, model: string, ids: string[]): Question {
+  const { data, columns, files } = rig(of);
+  return {
+    arguments: ['add', 'model.toml', ...ids, '--data', ...data, ...columns, ...(of.forced ? ['--force'] : []), '--json', '-o', 'improved.toml', '--report', 'report.html'],
+    files: { 'model.toml': model, ...files },
+  };
+}
+
+/// Takes another base law, whether it helps or not: a look, before any is chosen.
+export function tryLaw(of: Case, model: string, law: string): Question {
+  return add({ ...of, forced: true }, model, [`law:${law}`]);
+}
+
+/// Models as [name, text], in their order.
+export function compare(of: Case, models: [string, string][]): Question {
+  const { data, columns, files } = rig(of);
+  return { arguments: ['compare', ...models.map(([name]) => name), ...data, ...columns, '--json', '--report', 'report.html'], files: { ...Object.fromEntries(models), ...files } };
+}
+
+export const keys: Question = { arguments: ['keys', '--json'], files: {} };
+export const effects: Question = { arguments: ['effects', '--json'], files: {} };
+
+const forShell = (word: string): string => (/^[\w.,:/=-]+$/.test(word) ? word : `'${word.replace(/'/g, `'\\''`)}'`);
+const forPython = (text: string): string => JSON.stringify(text);
+
+/// File names as people have them on their disk; "./" where one begins with a dash.
+const named = ({ name }: TextFile): string => (name.startsWith('-') ? `./${name}` : name);
+
+/// The commands that do the same.
+export function shellCommands(of: Case, changed: boolean): string {
+  const data = of.data.map(named);
+  const columns = of.map ? ['--columns', 'columns.toml'] : [];
+  const force = of.forced ? ['--force'] : [];
+  const line = (...words: string[]) => ['raceway', ...words].map(forShell).join(' ');
+  const lines: string[] = [];
+  if (of.designation) lines.push(line('new', of.designation, '--law', 'palmgren', '-o', 'model.toml'));
+  if (of.designation && changed) lines.push('# then put your values into model.toml, or take the one from this page');
+  if (of.map) lines.push(line('check', 'model.toml', ...data.slice(0, 1), '--suggest-columns', '-o', 'columns.toml'));
+  let model = 'model.toml';
+  if (of.law) {
+    lines.push(line('add', model, `law:${of.law}`, '--data', ...data, ...columns, ...force, '-o', `${of.law}.toml`));
+    model = `${of.law}.toml`;
+  }
+  lines.push(line('diagnose', model, ...data, ...columns));
+  if (of.on.length) lines.push(line('add', model, ...of.on, '--data', ...data, ...columns, ...force, '-o', 'improved.toml', '--report', 'report.html'), line('diagnose', 'improved.toml', ...data, ...columns));
+  else lines.push(line('calibrate', model, ...data, ...columns, '-o', 'improved.toml'));
+  lines.push(line('compare', model, 'improved.toml', ...data, ...columns, '--report', 'compare.html'));
+  return `${lines.join('\n')}\n`;
+}
+
+export function pythonCommands(of: Case): string {
+  const columns = of.map ? ', columns=open("columns.toml").read()' : '';
+  const records = of.data.map((d) => `raceway.Record.read(${forPython(named(d))}${columns})`);
+  const lines = ['import raceway', '', 'model = raceway.Model.read("model.toml")', `record = ${records.length > 1 ? `[${records.join(', ')}]` : (records[0] ?? '')}`];
+  if (of.law) lines.push(`model = model.add(${forPython(`law:${of.law}`)}, record).model`);
+  lines.push('print(model.diagnose(record).headline)');
+  if (of.on.length) lines.push(`better = model.add([${of.on.map(forPython).join(', ')}], record).model`, 'print(better.diagnose(record).headline)');
+  else lines.push('better = model.calibrate(record).model');
+  lines.push('print(better.compare(record))', 'better.save("improved.toml")');
+  return `${lines.join('\n')}\n`;
+}

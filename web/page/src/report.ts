@@ -1,0 +1,9 @@
+// What the workbench takes of the page of reports.
+export { saveBlob } from '../../../report/page/src/figure';
+export { choices, FitView, misfitMap, parity, residuals } from '../../../report/page/src/fit_rows';
+export { detectable, effectNodes, plan } from '../../../report/page/src/diagnosis';
+export { ladder, noiseSources } from '../../../report/page/src/ladder';
+export { overSpeed } from '../../../report/page/src/over_speed';
+export { grid, notes, section } from '../../../report/page/src/page';
+export { axisTitle, capital, dash, el, number, plain, probability, quantity, unitOfKey, unitText, valueList } from '../../../report/page/src/text';
+export { verdicts } from '../../../report/page/src/verdicts';

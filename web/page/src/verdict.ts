@@ -1,0 +1,104 @@
+// The verdict above all steps: the sentence, the error against the noise, and the button that mends it.
+import { inWords, type Actions } from './actions';
+import { heldOut } from './actions';
+import { el, number, probability, unitOfKey, verdicts } from './report';
+import type { Result, State } from './state';
+import { button, callout, Part, type Shown } from './view';
+
+/// Words of the command as people print them.
+export const printed = (text: string): string => text.replace(/ -> /g, ' → ').replace(/\+- /g, '± ').replace(/ C\b(?= |\.|,|$|\))/g, ' °C');
+
+interface Errors {
+  before: number;
+  now: number;
+}
+
+/// RMS errors without effects and as it is, in the fit and on rows left out.
+export function errors({ base, added }: Result): { fit: Errors; held: Errors | undefined; noise: number; unit: string } {
+  const d = base.results;
+  const a = added?.results;
+  const before = a?.rmse_held_out_before ?? heldOut(d.hold_out);
+  const now = a?.rmse_held_out_after ?? before;
+  return { fit: { before: d.rmse_before, now: a?.after.rmse ?? d.rmse_before }, held: before === undefined || now === undefined ? undefined : { before, now }, noise: d.noise.rms, unit: unitOfKey(d.baseline.unit) };
+}
+
+/// Bars that move where they stand, so that they are seen to fall.
+class ErrorBars implements Shown {
+  private readonly rows = ['in the fit', 'on rows left out'].map((label) => {
+    const bar = el('div', { class: 'bar-now' });
+    const ghost = el('div', { class: 'bar-before' });
+    const noise = el('div', { class: 'bar-noise' });
+    const value = el('span', { class: 'bar-value number' });
+    return { bar, ghost, noise, value, element: el('div', { class: 'bar-row' }, el('span', { class: 'bar-label' }, label), el('div', { class: 'bar-track', 'aria-hidden': 'true' }, ghost, bar, noise), value) };
+  });
+  private readonly legend = el('p', { class: 'bar-legend' });
+  private seen: Result | undefined;
+
+  constructor(private readonly element: HTMLElement) {
+    element.append(el('h2', { class: 'bars-title' }, 'RMS error against the noise'), ...this.rows.map((r) => r.element), this.legend);
+  }
+
+  update({ result }: State): void {
+    this.element.hidden = !result;
+    if (!result || result === this.seen) return;
+    this.seen = result;
+    const { fit, held, noise, unit } = errors(result);
+    const most = 1.08 * Math.max(fit.before, held?.before ?? 0, fit.now, held?.now ?? 0, noise);
+    const share = (value: number) => `${(100 * value) / most}%`;
+    [fit, held].forEach((e, k) => {
+      const row = this.rows[k];
+      if (!row) return;
+      row.element.hidden = !e;
+      if (!e) return;
+      row.bar.style.width = share(e.now);
+      row.ghost.style.width = share(e.before);
+      row.noise.style.left = share(noise);
+      row.value.textContent = e.now === e.before ? `${number(e.now, 3)} ${unit}` : `${number(e.before, 3)} → ${number(e.now, 3)} ${unit}`;
+    });
+    this.legend.textContent = `Dark line: noise of the data, ${number(noise, 3)} ${unit}.`;
+  }
+}
+
+export function verdict(head: HTMLElement, actions: Actions): Shown[] {
+  const words = el('div', { class: 'words' });
+  const bars = el('div', { class: 'bars', id: 'error-bars' });
+  head.append(words, bars);
+  const part = new Part(
+    words,
+    (s) => [s.result, s.on, s.problem, s.stale, s.job === undefined, s.model, s.data, s.example, s.confirmed],
+    (s) => {
+      const problem = s.problem && s.panel !== s.problem.at ? callout('error', el('span', {}, s.problem.text), button('Show', () => actions.show(s.problem?.at ?? 'data'), { class: 'small' })) : undefined;
+      const { result } = s;
+      if (!result) {
+        const next = !s.data.length ? 'Drop a file with measured friction torque: CSV, or a table pasted from a spreadsheet.' : !s.confirmed ? 'Look through the columns.' : !s.model ? 'Which bearing was measured? Type its designation.' : s.problem ? 'No verdict yet.' : 'Asking the engine …';
+        return [problem, el('h1', { id: 'sentence' }, next), !s.model && s.data.length && s.confirmed && s.panel !== 'model' ? el('p', { class: 'actions' }, button('Next: the bearing', () => actions.show('model'), { class: 'primary', id: 'next-model' })) : undefined];
+      }
+      const shown = s.on.length ? result.rest : result.base;
+      const d = (shown ?? result.base).results;
+      const on = s.on.map(inWords).join(' and ');
+      const [badge, kind] = s.on.length && !shown ? ['refitted', 'open'] : (verdicts[d.verdict] ?? [d.verdict, 'open']);
+      const { fit, unit, held } = errors(result);
+      const sentence = !s.on.length ? d.headline : shown ? `With ${on}: ${d.headline.slice(0, 1).toLowerCase()}${d.headline.slice(1)}` : `With ${on}: error ${number(fit.before, 3)} → ${number(fit.now, 3)} ${unit}`;
+      const sets = d.explanations.filter((set) => set.some((id) => !s.on.includes(id))).slice(0, 3);
+      const laws = (id: string) => id.startsWith('law:');
+      const adds = sets.map((set, k) =>
+        button(`Add ${set.map(inWords).join(' and ')}`, () => void actions.turnOn(set), { class: k === 0 ? 'primary' : '', id: `add-${k}`, ...(set.some(laws) ? { title: 'Takes this base law' } : {}) }),
+      );
+      const removes = s.on.map((id) => button(`Remove ${inWords(id)}`, () => void actions.toggle(id), { id: `remove-${id}` }));
+      const refused = result.refused
+        ? callout('doubt', el('span', {}, `The engine does not take it: ${printed(result.refused)}.`), button('Add it all the same', () => void actions.force(), { class: 'small', id: 'force' }))
+        : undefined;
+      return [
+        problem,
+        el('p', { class: 'eyebrow' }, s.example ? 'Built-in example: a 7014 spindle bearing on a torque rig, 120 readings' : s.data.map((f) => f.name).join(', ')),
+        el('span', { class: `badge ${kind}`, id: 'verdict' }, badge),
+        s.stale ? el('span', { class: 'badge open', id: 'stale' }, s.job ? 'updating' : 'of the case before') : undefined,
+        el('h1', { id: 'sentence' }, printed(sentence)),
+        refused,
+        el('p', { class: 'actions' }, ...(result.refused ? removes : [...(s.on.length && d.verdict === 'nothing-missing' ? [] : adds), ...removes])),
+        el('details', { class: 'why' }, el('summary', {}, 'Why, in numbers'), el('p', {}, printed(d.sentence)), el('p', {}, `Misfit by chance: ${probability(d.p_value)}; ${d.rows} rows; ${d.candidates_tried} explanations tried; gain needed ${number(d.needed_gain, 3)}.${held ? '' : ''}`)),
+      ];
+    },
+  );
+  return [part, new ErrorBars(bars)];
+}

@@ -1,0 +1,66 @@
+// Parts of the page that are made anew where what they need of the state has changed, and at no other time.
+import { drawNew } from '../../../report/page/src/figure';
+import { el } from '../../../report/page/src/text';
+import type { State } from './state';
+
+type Child = Node | string | undefined | false;
+
+export const nodes = (...children: Child[]): (Node | string)[] => children.filter((c): c is Node | string => c !== undefined && c !== false);
+
+/// Whatever follows the state.
+export interface Shown {
+  update(state: State): void;
+}
+
+export class Part implements Shown {
+  readonly element: HTMLElement;
+  private seen: unknown[] | undefined;
+
+  constructor(
+    element: HTMLElement,
+    private readonly needs: (state: State) => unknown[],
+    private readonly make: (state: State) => Child[],
+  ) {
+    this.element = element;
+  }
+
+  update(state: State): void {
+    const needs = this.needs(state);
+    if (this.seen && needs.every((n, k) => n === this.seen?.[k])) return;
+    this.seen = needs;
+    const focus = document.activeElement;
+    const id = focus && this.element.contains(focus) ? focus.id : '';
+    const selection = focus instanceof HTMLTextAreaElement ? [focus.selectionStart, focus.selectionEnd, focus.scrollTop] : undefined;
+    const scrolls = [...this.element.querySelectorAll('[data-scroll]')].map((e) => [e.getAttribute('data-scroll'), e.scrollTop] as const);
+    this.element.replaceChildren(...nodes(...this.make(state)));
+    for (const [name, top] of scrolls) {
+      const same = [...this.element.querySelectorAll('[data-scroll]')].find((e) => e.getAttribute('data-scroll') === name);
+      if (same) same.scrollTop = top;
+    }
+    if (id) {
+      const again = document.getElementById(id);
+      again?.focus({ preventScroll: true });
+      if (again instanceof HTMLTextAreaElement && selection) {
+        again.setSelectionRange(selection[0] as number, selection[1] as number);
+        again.scrollTop = selection[2] as number;
+      }
+    }
+    drawNew();
+  }
+}
+
+export function button(text: string | Node, press: () => void, attributes: Record<string, string> = {}): HTMLButtonElement {
+  const b = el('button', { type: 'button', ...attributes }, text);
+  b.addEventListener('click', press);
+  return b;
+}
+
+/// A message that stands where it applies.
+export function callout(kind: 'error' | 'doubt' | 'note', ...content: Child[]): HTMLElement {
+  return el('div', { class: `callout ${kind}`, ...(kind === 'error' ? { role: 'alert' } : {}) }, ...nodes(...content));
+}
+
+/// A file as a download.
+export function downloadName(name: string, suffix: string): string {
+  return `${name.replace(/\.[A-Za-z0-9]+$/, '')}${suffix}`;
+}
