@@ -36,13 +36,12 @@ after(async () => {
   rmSync(folder, { recursive: true, force: true });
 });
 
-/// Opens a page and waits until all is drawn. Anything on the console, any error and any request
-/// beside the page itself is a fault.
-export async function open(name, options = {}, prepare = async () => {}) {
+/// Opens an address. Anything on the console, any error and any request beside the page itself is a
+/// fault; `own` are addresses that belong to the page.
+export async function visit(url, options = {}, prepare = async () => {}, own = []) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, ...options });
   const page = await context.newPage();
   const faults = [];
-  const url = pathToFileURL(file(`${name}.html`)).href;
   page.on('console', (message) => faults.push(`console: ${message.text()}`));
   page.on('pageerror', (error) => faults.push(`error: ${error.message}`));
   page.on('dialog', (dialog) => {
@@ -50,12 +49,18 @@ export async function open(name, options = {}, prepare = async () => {}) {
     void dialog.dismiss();
   });
   page.on('request', (request) => {
-    if (request.url() !== url && !request.url().startsWith('blob:')) faults.push(`request: ${request.url()}`);
+    if (request.url() !== url && !own.includes(request.url()) && !request.url().startsWith('blob:')) faults.push(`request: ${request.url()}`);
   });
   await prepare(page);
   await page.goto(url);
-  await page.waitForFunction(() => document.documentElement.dataset.drawn === 'yes');
   return { page, faults, close: () => context.close() };
+}
+
+/// Opens a page that was written, and waits until all is drawn.
+export async function open(name, options = {}, prepare = async () => {}) {
+  const opened = await visit(pathToFileURL(file(`${name}.html`)).href, options, prepare);
+  await opened.page.waitForFunction(() => document.documentElement.dataset.drawn === 'yes');
+  return opened;
 }
 
 export const documentOf = (page) => page.evaluate(() => JSON.parse(document.getElementById('document').textContent));

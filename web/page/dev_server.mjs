@@ -34,8 +34,11 @@ export function answer(program, question, child = () => {}) {
   });
 }
 
-/// Listens; `asked` hears every question with its answer.
-export function serve(program, page, port = 0, asked = () => {}) {
+/// Key of a question among recorded answers.
+export const recordKey = (question) => JSON.stringify([question.arguments, question.files]);
+
+/// Listens. `recorded`, a Map, keeps every answer by its question: equal ones are answered once.
+export function serve(program, page, port = 0, recorded = undefined) {
   const server = createServer((request, response) => {
     const reply = (status, type, text) => response.writeHead(status, { 'Content-Type': `${type}; charset=utf-8`, 'Cache-Control': 'no-store' }).end(text);
     if (!/^(127\.0\.0\.1|localhost)(:\d+)?$/.test(request.headers.host ?? '')) return reply(403, 'text/plain', 'loopback only');
@@ -46,8 +49,9 @@ export function serve(program, page, port = 0, asked = () => {}) {
     request.on('end', async () => {
       try {
         const question = JSON.parse(body);
-        const answered = await answer(program, question, (child) => response.on('close', () => child.kill()));
-        asked(question, answered);
+        const key = recordKey(question);
+        const answered = recorded?.get(key) ?? (await answer(program, question, (child) => response.on('close', () => child.kill())));
+        recorded?.set(key, answered);
         reply(200, 'application/json', JSON.stringify(answered));
       } catch (error) {
         reply(500, 'text/plain', error.message);

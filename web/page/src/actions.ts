@@ -31,7 +31,8 @@ function placeOf(error: unknown): Problem {
 export class Actions {
   private readonly asking: Asking;
   private generation = 0;
-  private dragged = 0;
+  private dragged: [string, string, string] | undefined;
+  private dragging = false;
 
   constructor(
     private readonly store: Store,
@@ -44,6 +45,16 @@ export class Actions {
     return this.store.state;
   }
 
+  /// Counts what is under way, so that the page can say when it rests.
+  private async doing(work: () => Promise<void>): Promise<void> {
+    this.store.change({ running: this.state.running + 1 });
+    try {
+      await work();
+    } finally {
+      this.store.change({ running: this.state.running - 1 });
+    }
+  }
+
   show(panel: State['panel']): void {
     this.store.change({ panel });
   }
@@ -53,7 +64,7 @@ export class Actions {
   }
 
   /// What is the same for all models.
-  async learn(): Promise<void> {
+  private async learn(): Promise<void> {
     const { document: keys } = await this.asking.document<{ keys: Key[] }>('Reading the table of keys', ask.keys);
     const { document: effects } = await this.asking.document<{ effects: EffectCard[] }>('Reading the catalogue of effects', ask.effects);
     this.store.change({ keys: keys.keys, effects: new Map(effects.effects.map((e) => [e.id, e])) });
@@ -62,11 +73,18 @@ export class Actions {
   /// A case of its own, with its line in the history: the example, or what `raceway workbench` was given.
   async open(of: Partial<Case>, label: string): Promise<void> {
     this.store.change({ ...of, confirmed: true });
-    await this.evaluate(label);
+    await this.doing(async () => {
+      await this.evaluate(label);
+      await this.learn();
+    });
   }
 
   /// Asks everything about the case; `label` makes a line of the history of it.
-  async evaluate(label?: string): Promise<void> {
+  evaluate(label?: string): Promise<void> {
+    return this.doing(() => this.asked(label));
+  }
+
+  private async asked(label?: string): Promise<void> {
     const generation = ++this.generation;
     const of = caseOf(this.state);
     const { data, model } = of;
@@ -125,16 +143,26 @@ export class Actions {
         await calibrate();
         known({ ...(refitted ? { model: refitted } : {}) });
       }
-      const models: [string, string][] = [['model.toml', entered], ...(refitted ? [['refitted.toml', refitted] as [string, string]] : []), ...(of.on.length && result.model ? [['improved.toml', result.model] as [string, string]] : [])];
-      const compared = await this.asking.ask('Comparing', ask.compare(of, models));
-      documentOf(compared);
-      known({ compared: reportOf<CompareReport>(compared.files['report.html'] as string) });
+      if (refitted) known({ refitted });
+      known({ compared: await this.compare(of, result, entered) });
       await this.tryLaws(of, model.text, tell);
     } catch (error) {
       if (generation !== this.generation) return;
       if (error instanceof Stopped) this.store.change({ problem: { at: 'missing', text: 'Stopped. Results may be incomplete: change something, or ask again.' } });
       else this.store.change({ problem: placeOf(error) });
     }
+  }
+
+  /// As entered, refitted, with the effects.
+  private async compare(of: Case, { refitted, model }: Result, entered: string): Promise<CompareReport> {
+    const models: [string, string | undefined][] = [
+      ['model.toml', entered],
+      ['refitted.toml', refitted],
+      ['improved.toml', of.on.length ? model : undefined],
+    ];
+    const answer = await this.asking.ask('Comparing', ask.compare(of, models.filter((m): m is [string, string] => m[1] !== undefined)));
+    documentOf(answer);
+    return reportOf<CompareReport>(answer.files['report.html'] as string);
   }
 
   private async tryLaws(of: Case, model: string, tell: (part: Partial<State>) => void): Promise<void> {
@@ -180,7 +208,11 @@ export class Actions {
 
   // ---- data and columns
 
-  async drop(files: { name: string; bytes: ArrayBuffer }[]): Promise<void> {
+  drop(files: Promise<{ name: string; bytes: ArrayBuffer }[]>): Promise<void> {
+    return this.doing(async () => this.take(await files));
+  }
+
+  private async take(files: { name: string; bytes: ArrayBuffer }[]): Promise<void> {
     const texts = files.map(({ name, bytes }): TextFile => ({ name, text: decoded(bytes) }));
     const isMap = (t: TextFile) => /^\s*\[columns\]/m.test(t.text) && !/^\s*\[(bearing|arrangement|correction)/m.test(t.text);
     const tomls = texts.filter((t) => /\.toml$/i.test(t.name));
@@ -188,8 +220,8 @@ export class Actions {
     const map = tomls.find(isMap);
     const model = tomls.find((t) => !isMap(t));
     const part: Partial<State> = { law: '', on: [], forced: false };
-    if (data.length) Object.assign(part, { data, map: '', proposal: '', reading: undefined, result: undefined, panel: 'data', example: false, confirmed: true, ...(this.state.example ? { model: undefined, designation: '' } : {}) });
-    if (model) Object.assign(part, { model, designation: '', modelNotes: [], ...(data.length ? {} : { panel: 'model' }) });
+    if (data.length) Object.assign(part, { data, map: '', proposal: '', dropNan: false, rows: false, reading: undefined, result: undefined, panel: 'data', example: false, confirmed: true, ...(this.state.example ? { model: undefined, designation: '', oil: '' } : {}) });
+    if (model) Object.assign(part, { model, designation: '', oil: '', modelNotes: [], ...(data.length ? {} : { panel: 'model' }) });
     if (map) Object.assign(part, { map: map.text, proposal: map.text });
     this.store.change(part);
     if (data.length && !map) await this.propose();
@@ -214,10 +246,16 @@ export class Actions {
   async mapColumn(ours: string, change: Partial<Mapped>): Promise<void> {
     const { mapped } = readMap(this.state.map || this.state.proposal);
     const at = mapped.findIndex((m) => m.ours === ours);
-    const line: Mapped = { ours, column: '', unit: '', number: '', ...mapped[at], ...change };
+    const line: Mapped = { ours, column: '', unit: '', number: '', ...mapped[at], ...(change.column === undefined ? {} : { unit: '' }), ...change };
     const next = at < 0 ? [...mapped, line] : mapped.map((m, k) => (k === at ? line : m));
     this.store.change({ map: writeMap(next), reading: undefined });
     await this.evaluate(this.state.confirmed && this.state.model ? `column ${ours}` : undefined);
+  }
+
+  /// How rows are read: those with an empty cell left out, those of a logger kept apart.
+  async readAs(part: Partial<Pick<Case, 'dropNan' | 'rows'>>): Promise<void> {
+    this.store.change({ ...part, reading: undefined });
+    await this.evaluate(this.state.model && this.state.confirmed ? (part.rows === undefined ? 'rows with empty cells' : 'rows of the logger') : undefined);
   }
 
   async confirmColumns(): Promise<void> {
@@ -228,7 +266,11 @@ export class Actions {
   // ---- model
 
   /// A model of a designation, with an oil; what is not known is estimated by the command and marked.
-  async designate(designation: string, oil: string, preload: string): Promise<void> {
+  designate(designation: string, oil: string, preload: string): Promise<void> {
+    return this.doing(() => this.makeModel(designation, oil, preload));
+  }
+
+  private async makeModel(designation: string, oil: string, preload: string): Promise<void> {
     try {
       const answer = await this.asking.ask('Writing the model', ask.newModel(designation, 'palmgren'));
       const text = answer.files['model.toml'];
@@ -244,7 +286,7 @@ export class Actions {
       if (preload.trim()) model = withValue(model, 'rig', 'axial_load_N', preload.trim().replace(',', '.'));
       const notes = answer.err.split('\n').filter((line) => line.startsWith('note: ')).map((line) => line.slice(6));
       const ready = this.state.data.length > 0 && this.state.confirmed;
-      this.store.change({ model: { name: 'model.toml', text: model }, designation, modelNotes: notes, law: '', on: [], forced: false, ...(ready ? { panel: 'missing' } : {}) });
+      this.store.change({ model: { name: 'model.toml', text: model }, designation, oil: oil.trim(), modelNotes: notes, law: '', on: [], forced: false, ...(ready ? { panel: 'missing' } : {}) });
       await this.evaluate(`${designation}${oil.trim() ? `, ${oil.trim()}` : ''}`);
     } catch (error) {
       this.store.change({ problem: { at: 'model', text: error instanceof Error ? error.message : String(error) } });
@@ -275,13 +317,34 @@ export class Actions {
     await this.evaluate(`+ ${ids.map(inWords).join(' and ')}`);
   }
 
-  /// A number of the model while it is dragged: only the last one is asked about.
-  drag(table: string, key: string, value: string): void {
-    clearTimeout(this.dragged);
-    this.dragged = window.setTimeout(() => {
-      const { model } = this.state;
-      if (model) void this.editModel(withValue(model.text, table, key, value), `${key} = ${value}`);
-    }, 120);
+  /// A number of the model while it is dragged: of many in a row the last is compared, nothing is refitted.
+  async drag(table: string, key: string, value: string): Promise<void> {
+    this.dragged = [table, key, value];
+    if (!this.dragging) await this.doing(() => this.follow());
+  }
+
+  private async follow(): Promise<void> {
+    this.dragging = true;
+    try {
+      while (this.dragged) {
+        const [inTable, name, now] = this.dragged;
+        this.dragged = undefined;
+        const { result } = this.state;
+        if (!result) break;
+        const compared = await this.compare(caseOf(this.state), result, withValue(result.entered, inTable, name, now));
+        if (this.state.result) this.store.change({ result: { ...this.state.result, compared } });
+      }
+    } catch (error) {
+      if (!(error instanceof Stopped)) this.store.change({ problem: placeOf(error) });
+    } finally {
+      this.dragging = false;
+    }
+  }
+
+  /// Where it was let go: a step like any other.
+  async dragEnd(table: string, key: string, value: string): Promise<void> {
+    const { model } = this.state;
+    if (model) await this.editModel(withValue(model.text, table, key, value), `${key} = ${value}`);
   }
 
   async takeLaw(law: string): Promise<void> {

@@ -2,7 +2,7 @@
 import { inWords, type Actions } from './actions';
 import { choices, el, FitView, grid, ladder, misfitMap, noiseSources, notes, number, overSpeed, parity, plain, residuals, section, unitOfKey, unitText } from './report';
 import type { State } from './state';
-import { callout } from './view';
+import { callout, Part, type Child, type Panelled } from './view';
 import { printed } from './verdict';
 import { valueOf } from './toml';
 import type { Comparison } from '../../../report/page/src/document';
@@ -19,46 +19,49 @@ function sliders(s: State, actions: Actions): HTMLElement | undefined {
     const to = Math.max(entered, shift.before) * 3;
     const input = el('input', { type: 'range', id: `slide-${name}`, min: String(from), max: String(to), step: String((to - from) / 400), 'aria-label': `${name} of the model as entered` });
     input.value = String(entered);
+    const rounded = () => String(Number(Number(input.value).toPrecision(4)));
     const value = el('output', { for: `slide-${name}` }, plain(entered, 4));
     input.addEventListener('input', () => {
       value.textContent = plain(Number(input.value), 4);
-      actions.drag('friction', name, String(Number(Number(input.value).toPrecision(4))));
+      void actions.drag('friction', name, rounded());
     });
+    input.addEventListener('change', () => void actions.dragEnd('friction', name, rounded()));
     return el('label', { class: 'slide' }, el('span', {}, name), input, value, el('span', { class: 'note' }, `${unitText(shift.unit)} refitted ${number(shift.before, 4)}`));
   });
   return el('section', { class: 'list sliders' }, el('h3', {}, 'The model as entered: drag a number'), ...rows);
 }
 
-export function comparePanel(actions: Actions): { needs: (s: State) => unknown[]; make: (s: State) => (Node | undefined)[] } {
-  return {
-    needs: (s) => [s.result?.compared, s.on],
-    make: (s) => {
-      const report = s.result?.compared;
-      if (!report) return [el('p', { class: 'quiet' }, 'Measured and predicted torque stand here when the data and the bearing are known.')];
-      const all = 'models' in report.results ? report.results.models : [report.results];
-      const names = ['as entered', ...(all.length - 1 - (s.on.length && all.length > 1 ? 1 : 0) > 0 ? ['refitted'] : []), ...(s.on.length && all.length > 1 ? [`with ${s.on.map(inWords).join(' and ')}`] : [])];
-      report.models.forEach((m, k) => (m.name = names[k] ?? m.name));
-      const view = new FitView(report, all.length - 1);
-      const last = all[all.length - 1] as Comparison;
-      const first = all[0] as Comparison;
-      const noise = first.noise.rms ?? last.noise.estimated_rms ?? null;
-      const source = first.noise.rms === null ? 'estimated' : first.noise.source;
-      return [
-        callout('note', printed(last.statement)),
-        grid(
-          overSpeed(view),
-          ladder(
-            names,
-            all.map((c) => c.rmse),
-            all.map((c) => c.bias),
-            all.map((c) => c.fit_percent),
-            { noise, source: noiseSources[source] ?? source, unit: unitOfKey(first.unit), key: first.unit },
-          ),
-        ),
-        sliders(s, actions),
-        section('Where it fits, and where not', choices(view), grid(parity(view), ...residuals(view), misfitMap(view))),
-        notes(report.results.said),
-      ];
-    },
-  };
+export function comparePanel(actions: Actions): Panelled {
+  const figures = () => new Part(el('div', {}), (s) => [s.result?.compared, s.on], pictures);
+  const numbers = () => new Part(el('div', {}), (s) => [s.at, s.result === undefined, s.result?.refitted], (s) => [sliders(s, actions)]);
+  return { needs: () => [], make: () => [numbers(), figures()] };
+}
+
+function pictures(s: State): Child[] {
+  const report = s.result?.compared;
+  if (!report) return [el('p', { class: 'quiet' }, 'Measured and predicted torque stand here when the data and the bearing are known.')];
+  const all = 'models' in report.results ? report.results.models : [report.results];
+  const effects = s.on.length > 0 && all.length > 1 ? [`with ${s.on.map(inWords).join(' and ')}`] : [];
+  const names = ['as entered', ...(all.length - effects.length > 1 ? ['refitted'] : []), ...effects];
+  report.models.forEach((m, k) => (m.name = names[k] ?? m.name));
+  const view = new FitView(report, all.length - 1);
+  const last = all[all.length - 1] as Comparison;
+  const first = all[0] as Comparison;
+  const noise = first.noise.rms ?? last.noise.estimated_rms ?? null;
+  const source = first.noise.rms === null ? 'estimated' : first.noise.source;
+  return [
+    callout('note', printed(last.statement)),
+    grid(
+      overSpeed(view),
+      ladder(
+        names,
+        all.map((c) => c.rmse),
+        all.map((c) => c.bias),
+        all.map((c) => c.fit_percent),
+        { noise, source: noiseSources[source] ?? source, unit: unitOfKey(first.unit), key: first.unit },
+      ),
+    ),
+    section('Where it fits, and where not', choices(view), grid(parity(view), ...residuals(view), misfitMap(view))),
+    notes(report.results.said),
+  ];
 }

@@ -4,7 +4,7 @@ import { preview, readMap, type Mapped } from './columns';
 import { filePicker } from './frame';
 import { axisTitle, el, number, plain, quantity } from './report';
 import type { State } from './state';
-import { button, callout } from './view';
+import { button, callout, type Panelled } from './view';
 import { printed } from './verdict';
 
 const svg = 'http://www.w3.org/2000/svg';
@@ -42,16 +42,28 @@ function mappingRow(m: Mapped, header: string[], s: State, actions: Actions): HT
   const { label, unit } = quantity(m.ours);
   const select = el('select', { id: `column-${m.ours}`, 'aria-label': `Column of ${label}` });
   const names = [...new Set([m.column, ...header].filter((name) => name !== ''))];
-  select.append(el('option', { value: '' }, m.number ? `the number ${m.number}` : 'not in the file'), ...names.map((name) => el('option', { value: name }, name)));
+  select.append(el('option', { value: '' }, 'not in the file'), ...names.map((name) => el('option', { value: name }, name)));
   select.value = m.column;
   select.addEventListener('change', () => void actions.mapColumn(m.ours, { column: select.value, number: '' }));
-  const field = el('input', { type: 'text', id: `unit-${m.ours}`, class: 'unit', size: '8', 'aria-label': `Unit of ${label} in the file`, placeholder: m.column ? 'by its name' : '' });
-  field.value = m.unit;
-  field.disabled = !m.column;
-  field.addEventListener('change', () => void actions.mapColumn(m.ours, { unit: field.value.trim() }));
+  // Of a column its unit; where there is none, a number for all rows.
+  const field = m.column
+    ? el('input', { type: 'text', id: `unit-${m.ours}`, class: 'unit', size: '8', 'aria-label': `Unit of ${label} in the file`, placeholder: 'by its name' })
+    : el('input', { type: 'text', id: `number-${m.ours}`, class: 'unit', size: '8', inputmode: 'decimal', 'aria-label': `${label} of all rows, ${unit}`, placeholder: unit ? `… ${unit}` : '' });
+  field.value = m.column ? m.unit : m.number;
+  field.addEventListener('change', () => {
+    const value = field.value.trim();
+    void actions.mapColumn(m.ours, m.column ? { unit: value } : { number: value.replace(',', '.') });
+  });
   const read = s.reading?.columns.find((c) => c.name === m.ours);
   const range = read ? (read.from === read.to ? `${plain(read.from, 5)} ${unit}` : `${plain(read.from, 5)} … ${plain(read.to, 5)} ${unit}`) : '';
   return el('tr', {}, el('th', { scope: 'row' }, axisTitle(m.ours)), el('td', {}, select), el('td', {}, field), el('td', { class: 'number' }, range), el('td', {}, spark(s.reading?.numbers.get(m.ours), label)));
+}
+
+function option(id: string, text: string, on: boolean, change: (on: boolean) => void): HTMLElement {
+  const box = el('input', { type: 'checkbox', id });
+  box.checked = on;
+  box.addEventListener('change', () => change(box.checked));
+  return el('label', { class: 'option' }, box, text);
 }
 
 function rawRows(s: State, names: string[]): HTMLElement | undefined {
@@ -71,13 +83,13 @@ function rawRows(s: State, names: string[]): HTMLElement | undefined {
 
 function pasteBox(actions: Actions): HTMLElement {
   const area = el('textarea', { id: 'paste', rows: '5', 'aria-label': 'Table from a spreadsheet', placeholder: 'speed_rpm\taxial_load_N\ttemperature_C\tfriction_torque_Nmm' });
-  const take = button('Read the table', () => void actions.drop([{ name: 'pasted.csv', bytes: new TextEncoder().encode(area.value).buffer }]), { id: 'read-paste' });
+  const take = button('Read the table', () => void actions.drop(Promise.resolve([{ name: 'pasted.csv', bytes: new TextEncoder().encode(area.value).buffer }])), { id: 'read-paste' });
   return el('details', {}, el('summary', {}, 'Paste a table from a spreadsheet'), area, el('p', { class: 'actions' }, take));
 }
 
-export function dataPanel(actions: Actions): { needs: (s: State) => unknown[]; make: (s: State) => (Node | undefined)[] } {
+export function dataPanel(actions: Actions): Panelled {
   return {
-    needs: (s) => [s.data, s.map, s.proposal, s.reading, s.confirmed, s.problem, s.model === undefined],
+    needs: (s) => [s.data, s.map, s.proposal, s.reading, s.confirmed, s.problem, s.model === undefined, s.dropNan, s.rows],
     make: (s) => {
       const { mapped, absent, unused } = readMap(s.map || s.proposal);
       const missing = readMap(s.proposal).absent.filter((ours) => !mapped.some((m) => m.ours === ours));
@@ -96,7 +108,8 @@ export function dataPanel(actions: Actions): { needs: (s: State) => unknown[]; m
               'section',
               { class: 'list' },
               el('div', { class: 'head' }, el('h3', {}, 'Columns'), el('span', { class: 'note' }, s.reading ? `${s.reading.rows} rows${noise?.rms ? `; noise ${number(noise.rms, 3)} ${quantity(`x_${s.reading.unit}`).unit} from ${inWords(noise.source)}` : ''}` : '')),
-              el('div', { class: 'scroll wide', tabindex: '0' }, el('table', { class: 'mapping' }, el('thead', {}, el('tr', {}, ...['quantity', 'column of the file', 'its unit', 'as read', 'over the rows'].map((h) => el('th', { scope: 'col', class: h === 'as read' ? 'number' : '' }, h)))), el('tbody', {}, ...list.map((m) => mappingRow(m, header, s, actions))))),
+              el('div', { class: 'scroll wide', tabindex: '0' }, el('table', { class: 'mapping' }, el('thead', {}, el('tr', {}, ...['quantity', 'column of the file', 'its unit, or a number', 'as read', 'over the rows'].map((h) => el('th', { scope: 'col', class: h === 'as read' ? 'number' : '' }, h)))), el('tbody', {}, ...list.map((m) => mappingRow(m, header, s, actions))))),
+              el('p', { class: 'options' }, option('drop-nan', 'Leave out rows with an empty cell, nan or #N/A in a column that counts', s.dropNan, (on) => void actions.readAs({ dropNan: on })), option('rows', 'Keep rows of a logger apart, instead of their means at equal settings', s.rows, (on) => void actions.readAs({ rows: on }))),
               ...(unused.length ? [el('p', { class: 'note' }, `Not used: ${unused.join(', ')}.`)] : []),
             )
           : undefined,

@@ -10,7 +10,7 @@ import { modelPanel } from './model_panel';
 import type { Panel, State } from './state';
 import { verdict } from './verdict';
 import { plainValue, valueOf } from './toml';
-import { button, Part, type Shown } from './view';
+import { button, Part, type Panelled, type Shown } from './view';
 
 const steps: [Panel, string][] = [
   ['data', 'Data'],
@@ -48,7 +48,7 @@ function summary(panel: Panel, s: State): string {
 /// Files that are dropped anywhere, or chosen.
 function takeFiles(list: FileList | null | undefined, actions: Actions): void {
   const files = [...(list ?? [])];
-  if (files.length) void Promise.all(files.map(async (f) => ({ name: f.name, bytes: await f.arrayBuffer() }))).then((read) => actions.drop(read));
+  if (files.length) void actions.drop(Promise.all(files.map(async (f) => ({ name: f.name, bytes: await f.arrayBuffer() }))));
 }
 
 export function filePicker(actions: Actions, text: string, id: string): HTMLElement {
@@ -81,7 +81,7 @@ export function frame(root: HTMLElement, actions: Actions, state: () => State, c
   document.addEventListener('paste', (event) => {
     if (event.target instanceof HTMLInputElement || event.target instanceof HTMLTextAreaElement) return;
     const text = event.clipboardData?.getData('text/plain') ?? '';
-    if (text.includes('\n')) void actions.drop([{ name: 'pasted.csv', bytes: new TextEncoder().encode(text).buffer }]);
+    if (text.includes('\n')) void actions.drop(Promise.resolve([{ name: 'pasted.csv', bytes: new TextEncoder().encode(text).buffer }]));
   });
   document.addEventListener('keydown', (event) => {
     const typing = event.target instanceof HTMLElement && /^(INPUT|TEXTAREA|SELECT)$/.test(event.target.tagName);
@@ -92,7 +92,7 @@ export function frame(root: HTMLElement, actions: Actions, state: () => State, c
     if (event.key === 'Escape' && state().job) actions.stop();
   });
 
-  const panels: Record<Panel, { needs: (s: State) => unknown[]; make: (s: State) => (Node | undefined)[] }> = {
+  const panels: Record<Panel, Panelled> = {
     data: dataPanel(actions),
     model: modelPanel(actions, change),
     compare: comparePanel(actions),

@@ -1,10 +1,9 @@
 // Every step with its error before and after; a click goes back.
 import type { Actions } from './actions';
 import { dash, el, number, unitOfKey } from './report';
-import type { State } from './state';
-import { button } from './view';
+import { button, type Panelled } from './view';
 
-export function historyPanel(actions: Actions): { needs: (s: State) => unknown[]; make: (s: State) => (Node | undefined)[] } {
+export function historyPanel(actions: Actions): Panelled {
   return {
     needs: (s) => [s.history, s.at],
     make: (s) => {

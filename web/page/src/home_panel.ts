@@ -2,8 +2,8 @@
 import { el, saveBlob } from './report';
 import { pythonCommands, shellCommands } from './questions';
 import { readMap, writeMap } from './columns';
-import { caseOf, type State } from './state';
-import { button } from './view';
+import { caseOf } from './state';
+import { button, type Panelled } from './view';
 
 function save(name: string, text: string, type: string): void {
   saveBlob(name, new Blob([text], { type }));
@@ -19,9 +19,9 @@ function listing(title: string, text: string, name: string, id: string): HTMLEle
   return el('section', { class: 'list' }, el('div', { class: 'head' }, el('h3', {}, title), el('span', {}, said, ' ', copy, ' ', button('Save', () => save(name, text, 'text/plain'), { class: 'small', id: `save-${id}` }))), el('pre', { id, tabindex: '0' }, text));
 }
 
-export function homePanel(): { needs: (s: State) => unknown[]; make: (s: State) => (Node | undefined)[] } {
+export function homePanel(): Panelled {
   return {
-    needs: (s) => [s.result, s.model, s.map, s.law, s.on, s.forced],
+    needs: (s) => [s.result, s.model, s.map, s.law, s.on, s.forced, s.dropNan, s.rows],
     make: (s) => {
       const of = caseOf(s);
       const map = s.map || (s.proposal ? writeMap(readMap(s.proposal).mapped) : '');
@@ -37,10 +37,11 @@ export function homePanel(): { needs: (s: State) => unknown[]; make: (s: State) 
             item('Improved model', `The model ${what}: parameters with their uncertainty, TOML.`, 'improved.toml', s.result?.model, 'application/toml', 'save-improved'),
             item('Model as entered', 'What stands in the step Model.', 'model.toml', s.model?.text, 'application/toml', 'save-model'),
             item('Map of columns', 'Which column of your file is which quantity, with its unit.', 'columns.toml', map || undefined, 'application/toml', 'save-columns'),
+            ...(s.example && s.data[0] ? [item('Data', 'The rows of the built-in rig, CSV.', s.data[0].name, s.data[0].text, 'text/csv', 'save-data')] : []),
             item('Report', 'One page with all pictures, for any browser, offline.', 'report.html', s.result?.report, 'text/html', 'save-report'),
           ),
         ),
-        listing('The commands that do the same', shellCommands(of, s.model !== undefined), 'commands.sh', 'shell'),
+        listing('The commands that do the same', shellCommands(of), 'commands.sh', 'shell'),
         listing('The same in Python', pythonCommands(of), 'commands.py', 'python'),
       ];
     },

@@ -10,11 +10,11 @@ import type { Shown } from './view';
 let parts: Shown[] = [];
 const store = new Store((state) => {
   for (const part of parts) part.update(state);
-  document.documentElement.dataset.busy = state.job ? 'yes' : 'no';
+  document.documentElement.dataset.idle = state.running === 0 && !state.job ? 'yes' : 'no';
 });
 const actions = new Actions(store, engineOfPage());
 parts = frame(document.getElementById('workbench') as HTMLElement, actions, () => store.state, (part) => store.change(part));
 followWindow();
 const given = loaded();
-void actions.open(given ?? example, given ? 'as opened' : 'built-in rig').then(() => actions.learn());
+void actions.open(given ?? example, given ? 'as opened' : 'built-in rig');
 store.change({});

@@ -1,9 +1,9 @@
 // What is missing: candidates that a click adds, the curves that move, what would tell candidates apart.
 import { inWords, type Actions } from './actions';
-import { axisTitle, capital, detectable, el, FitView, grid, number, overSpeed, plain, plan, section, unitOfKey, unitText, valueList } from './report';
+import { axisTitle, capital, detectable, drawNew, el, FitView, grid, number, overSpeed, plain, plan, unitOfKey, unitText, valueList } from './report';
 import type { Result, State } from './state';
 import { plainValue, valueOf } from './toml';
-import { button, callout } from './view';
+import { button, callout, type Panelled } from './view';
 import { printed } from './verdict';
 import type { Diagnosis, RankedEffect, Size, Suggested } from '../../../report/page/src/document';
 
@@ -41,8 +41,10 @@ function candidates(s: State, result: Result): Candidate[] {
     const own = Object.fromEntries(Object.entries(a?.calibration.parameters ?? {}).filter(([name]) => name.startsWith(`${id}.`)).map(([name, p]) => [name.slice(id.length + 1), p]));
     return { id, on: true, rmse: a?.after.rmse, held: a?.rmse_held_out_after, gain: undefined, size: sizes(own), inVerdict: true, law: false };
   });
-  const ranked = ((result.rest ?? result.base).results.effects).filter((e) => !s.on.includes(e.id) && !e.id.startsWith('law:')).map(fromRanking);
-  const list = [...on, ...ranked];
+  // Where nothing more is missing none is ranked: then those of before, each alone.
+  const rest = result.rest?.results.effects ?? [];
+  const ranked = (rest.length ? rest : result.base.results.effects).filter((e) => !s.on.includes(e.id) && !e.id.startsWith('law:')).map(fromRanking);
+  const list = [...on, ...ranked.map((c) => (rest.length || !s.on.length ? c : { ...c, inVerdict: false }))];
   const own = plainValue(valueOf(s.model?.text ?? '', 'friction', 'law') ?? 'palmgren');
   const current = s.law || own;
   for (const { law, rmse, held } of s.laws) {
@@ -110,7 +112,7 @@ function curves(result: Result, s: State): HTMLElement | undefined {
   return overSpeed(new FitView({ ...source, models }, models.length - 1));
 }
 
-export function missingPanel(actions: Actions): { needs: (s: State) => unknown[]; make: (s: State) => (Node | undefined)[] } {
+export function missingPanel(actions: Actions): Panelled {
   let all = false;
   return {
     needs: (s) => [s.result, s.laws, s.effects, s.problem],
@@ -129,23 +131,28 @@ export function missingPanel(actions: Actions): { needs: (s: State) => unknown[]
         if (more) more.textContent = all ? 'Only the best' : `All ${list.length} candidates`;
       }, { class: 'small', id: 'all-candidates' }) : undefined;
       const unit = unitOfKey(d.baseline.unit);
-      const view = new FitView(result.base, 0);
+      const diagnosed = result.rest ?? result.base;
+      const view = new FitView(diagnosed, 0);
+      // Drawn when it is opened: a picture in a closed box has no width.
+      const shows = el('details', { class: 'list' }, el('summary', {}, 'What would have been found, and where was measured'), grid(...(d.suggested_measurements.length ? [] : [plan(diagnosed, view)]), detectable(diagnosed, view)));
+      shows.addEventListener('toggle', drawNew);
       return [
         problem,
+        s.law ? callout('note', `The law ${s.law} stands in place of that of the model; its numbers are fitted to the data and stand in the improved model.`) : undefined,
         el(
           'div',
           { class: 'two' },
           el(
             'section',
             { class: 'list candidates-box' },
-            el('div', { class: 'head' }, el('h3', {}, 'Candidates'), el('span', { class: 'note' }, `RMS error with each, all refitted [${unit}]`)),
+            el('div', { class: 'head' }, el('h3', {}, 'Candidates'), el('span', { class: 'note' }, `RMS error ${s.on.length && !result.rest?.results.effects.length ? 'of each instead' : s.on.length ? 'with each as well' : 'with each'}, all refitted [${unit}]`)),
             el('p', { class: 'columns', 'aria-hidden': 'true' }, el('span', {}, 'click to add or take off'), el('span', { class: 'number' }, 'fit'), el('span', { class: 'number held' }, 'left out')),
             rows,
             ...(more ? [more] : []),
           ),
-          el('div', { class: 'beside' }, ...[curves(result, s)].filter((f): f is HTMLElement => f !== undefined), ...[measureNext(d)].filter((f): f is HTMLElement => f !== undefined)),
+          el('div', { class: 'beside' }, ...[curves(result, s)].filter((f): f is HTMLElement => f !== undefined), ...[measureNext(d)].filter((f): f is HTMLElement => f !== undefined), ...(d.suggested_measurements.length ? [plan(diagnosed, view).element] : [])),
         ),
-        section('What these data can show', grid(plan(result.rest ?? result.base, view), detectable(result.rest ?? result.base, view))),
+        shows,
         d.not_testable.length ? el('details', { class: 'list' }, el('summary', {}, `${d.not_testable.length} effects could not have been found`), valueList('', ['effect', 'why'], d.not_testable.map((n) => [inWords(n.id), printed(n.missing)]))) : undefined,
         d.said.length ? el('section', { class: 'list' }, el('h3', {}, 'Said of these data'), el('ul', { class: 'said' }, ...d.said.map((n) => el('li', { 'data-kind': n.kind }, printed(n.text))))) : undefined,
       ];

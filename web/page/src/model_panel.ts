@@ -4,7 +4,7 @@ import { grades } from './oil';
 import { capital, el, plain } from './report';
 import type { Key, State } from './state';
 import { assumedIn, entries, plainValue, quoted, valueOf, withValue, type Entry } from './toml';
-import { button, callout } from './view';
+import { button, callout, type Panelled } from './view';
 
 const words: Record<string, string> = { bearing: 'Bearing', lubricant: 'Lubricant', friction: 'Friction', rig: 'Rig', solver: 'Solver', calibration: 'Calibration', loop: 'Loop', life: 'Life' };
 const hidden = /^(effect|columns|calibration\.covariance|correction)/;
@@ -23,6 +23,13 @@ function rangeWords(key: Key): string {
   if (key.choices.length) return '';
   const parts = [key.from, key.to].map((v) => (v === null ? '' : plain(v, 4)));
   return parts[0] || parts[1] ? `${parts[0]} … ${parts[1]}${unit ? ` ${unit}` : ''}` : unit;
+}
+
+/// "ball_diameter_mm" as "Ball diameter": the unit stands behind the field. Symbols stay as they are.
+function nameOf(key: Key): string {
+  const bare = key.unit ? key.key.replace(/_(mm2_s|[A-Za-z0-9]+|1_GPa|N_um|kg_m3|W_mK)$/, '') : key.key;
+  if (/^[A-Za-z]\d?$|^(mu|K)_/.test(key.key)) return key.key;
+  return capital(bare.replace(/_/g, ' ').replace(/ (\d+)C$/, ' at $1 °C'));
 }
 
 function field(key: Key, entry: Entry | undefined, assumed: boolean, s: State, actions: Actions): HTMLElement {
@@ -49,9 +56,9 @@ function field(key: Key, entry: Entry | undefined, assumed: boolean, s: State, a
   return el(
     'div',
     { class: `field${assumed ? ' assumed' : ''}` },
-    el('label', { for: id }, capital(key.key.replace(/_(mm2_s|[A-Za-z0-9]+)$/, (all, end: string) => (unitWords(key.unit) ? '' : `_${end}`) || (all ? '' : '')).replace(/_/g, ' '))),
+    el('label', { for: id }, nameOf(key)),
     el('span', { class: 'entry' }, input, el('span', { class: 'of-unit' }, unitWords(key.unit))),
-    el('p', { class: 'note', id: `${id}-note` }, ...(assumed ? [el('span', { class: 'mark' }, 'assumed'), ' '] : []), `${entry?.comment && assumed ? `${entry.comment}. ` : ''}${rangeWords(key)}${rangeWords(key) ? ': ' : ''}${key.meaning}`),
+    el('p', { class: 'note', id: `${id}-note` }, ...(assumed ? [el('span', { class: 'mark' }, /^estimated/.test(entry?.comment ?? '') ? 'estimated' : 'assumed'), ' '] : []), `${entry?.comment && assumed ? `${entry.comment.replace(/^(assumed|estimated): */, '').replace(/^assumed$/, '')}. `.replace(/^\. /, '') : ''}${rangeWords(key)}${rangeWords(key) ? ': ' : ''}${key.meaning}`),
   );
 }
 
@@ -61,6 +68,7 @@ function designation(s: State, actions: Actions): HTMLElement {
   const oil = el('input', { type: 'text', id: 'oil', list: 'grades', autocomplete: 'off', placeholder: 'VG 32' });
   const load = el('input', { type: 'text', id: 'preload', inputmode: 'decimal', size: '8', placeholder: 'as measured' });
   name.value = s.designation;
+  oil.value = s.oil;
   const make = () => void (name.value.trim() && actions.designate(name.value.trim(), oil.value, load.value));
   const form = el(
     'form',
@@ -78,14 +86,18 @@ function designation(s: State, actions: Actions): HTMLElement {
   return form;
 }
 
-export function modelPanel(actions: Actions, change: (part: Partial<State>) => void): { needs: (s: State) => unknown[]; make: (s: State) => (Node | undefined)[] } {
+export function modelPanel(actions: Actions, change: (part: Partial<State>) => void): Panelled {
   let typing = 0;
   return {
     needs: (s) => [s.model, s.keys, s.problem, s.toml, s.law, s.modelNotes],
     make: (s) => {
       const problem = s.problem?.at === 'model' ? callout('error', s.problem.text) : undefined;
       const form = el('section', { class: 'list' }, el('h3', {}, s.model ? 'Another bearing' : 'Which bearing was measured?'), designation(s, actions), el('p', { class: 'note' }, 'As 7014 C, 7014 AC, HCB7014 or S 6014 C; the catalogue or its rules fill in the rest. Or drop a model file (TOML).'));
-      if (!s.model) return [problem, form];
+      if (!s.model) {
+        const at = document.activeElement;
+        if (!at || !/^(INPUT|TEXTAREA|SELECT)$/.test(at.tagName)) setTimeout(() => document.getElementById('designation')?.focus(), 0);
+        return [problem, form];
+      }
       const text = s.model.text;
       const all = entries(text).filter((e) => !hidden.test(e.table) && e.index === 0 && e.table !== '');
       const assumed = assumedIn(text);
@@ -95,12 +107,12 @@ export function modelPanel(actions: Actions, change: (part: Partial<State>) => v
       const law = el('div', { class: 'segments', role: 'group', 'aria-label': 'Base law' }, ...baseLaws.map((l) => button(l, () => void actions.takeLaw(l), { id: `law-${l}`, 'aria-pressed': String(l === current) })));
       const keyOf = (table: string, key: string) => s.keys.find((k) => k.table === table && k.key === key && applies(k.only, text));
       const groups = tables.map((table) => {
-        const here = all.filter((e) => e.table === table);
+        const here = all.filter((e) => e.table === table && !(table === 'friction' && e.key === 'law'));
         const fields = here.flatMap((e) => {
           const key = keyOf(table, e.key);
           return key ? [field(key, e, assumed.has(`${table}.${e.key}`), s, actions)] : [];
         });
-        const others = s.keys.filter((k, at) => k.table === table && applies(k.only, text) && !here.some((e) => e.key === k.key) && s.keys.findIndex((other) => other.table === table && other.key === k.key && applies(other.only, text)) === at && k.kind !== 'table');
+        const others = s.keys.filter((k, at) => k.table === table && applies(k.only, text) && k.key !== 'law' && !here.some((e) => e.key === k.key) && s.keys.findIndex((other) => other.table === table && other.key === k.key && applies(other.only, text)) === at && k.kind !== 'table');
         return el(
           'section',
           { class: 'list' },

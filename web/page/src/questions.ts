@@ -21,15 +21,20 @@ export function dataFiles(data: TextFile[]): TextFile[] {
 
 interface Rig {
   data: string[];
-  columns: string[];
+  columns: string[]; // flags that say how the data are read
   files: Record<string, string>;
+}
+
+/// Flags that say how the data are read.
+function reading(of: Case): string[] {
+  return [...(of.map ? ['--columns', 'columns.toml'] : []), ...(of.dropNan ? ['--drop-nan'] : []), ...(of.rows ? ['--rows'] : [])];
 }
 
 function rig(of: Case): Rig {
   const data = dataFiles(of.data);
   return {
     data: data.map((d) => d.name),
-    columns: of.map ? ['--columns', 'columns.toml'] : [],
+    columns: reading(of),
     files: { ...Object.fromEntries(data.map((d) => [d.name, d.text])), ...(of.map ? { 'columns.toml': of.map } : {}) },
   };
 }
@@ -41,7 +46,7 @@ export function suggest(model: string, data: TextFile): Question {
 
 /// Of the first file: `check` takes one.
 export function check(of: Case, model: string): Question {
-  const { data, columns, files } = rig({ ...of, data: of.data.slice(0, 1) });
+  const { data, columns, files } = rig({ ...of, data: of.data.slice(0, 1), rows: false });
   return { arguments: ['check', 'model.toml', ...data, ...columns, '--json', '-o', 'rows.csv'], files: { 'model.toml': model, ...files } };
 }
 
@@ -88,14 +93,14 @@ const forPython = (text: string): string => JSON.stringify(text);
 const named = ({ name }: TextFile): string => (name.startsWith('-') ? `./${name}` : name);
 
 /// The commands that do the same.
-export function shellCommands(of: Case, changed: boolean): string {
+export function shellCommands(of: Case): string {
   const data = of.data.map(named);
-  const columns = of.map ? ['--columns', 'columns.toml'] : [];
+  const columns = reading(of);
   const force = of.forced ? ['--force'] : [];
   const line = (...words: string[]) => ['raceway', ...words].map(forShell).join(' ');
   const lines: string[] = [];
   if (of.designation) lines.push(line('new', of.designation, '--law', 'palmgren', '-o', 'model.toml'));
-  if (of.designation && changed) lines.push('# then put your values into model.toml, or take the one from this page');
+  if (of.designation) lines.push(`# Then put your values into model.toml${of.oil ? ` (oil ${of.oil.replace(/\s+/g, ' ')})` : ''}, or save the one of this page.`);
   if (of.map) lines.push(line('check', 'model.toml', ...data.slice(0, 1), '--suggest-columns', '-o', 'columns.toml'));
   let model = 'model.toml';
   if (of.law) {
@@ -110,13 +115,14 @@ export function shellCommands(of: Case, changed: boolean): string {
 }
 
 export function pythonCommands(of: Case): string {
-  const columns = of.map ? ', columns=open("columns.toml").read()' : '';
+  const columns = `${of.map ? ', columns=open("columns.toml").read()' : ''}${of.dropNan ? ', drop_nan=True' : ''}`;
+  const rows = of.rows ? ', rows=True' : '';
   const records = of.data.map((d) => `raceway.Record.read(${forPython(named(d))}${columns})`);
   const lines = ['import raceway', '', 'model = raceway.Model.read("model.toml")', `record = ${records.length > 1 ? `[${records.join(', ')}]` : (records[0] ?? '')}`];
-  if (of.law) lines.push(`model = model.add(${forPython(`law:${of.law}`)}, record).model`);
-  lines.push('print(model.diagnose(record).headline)');
-  if (of.on.length) lines.push(`better = model.add([${of.on.map(forPython).join(', ')}], record).model`, 'print(better.diagnose(record).headline)');
-  else lines.push('better = model.calibrate(record).model');
-  lines.push('print(better.compare(record))', 'better.save("improved.toml")');
+  if (of.law) lines.push(`model = model.add(${forPython(`law:${of.law}`)}, record${rows}).model`);
+  lines.push(`print(model.diagnose(record${rows}).headline)`);
+  if (of.on.length) lines.push(`better = model.add([${of.on.map(forPython).join(', ')}], record${rows}).model`, `print(better.diagnose(record${rows}).headline)`);
+  else lines.push(`better = model.calibrate(record${rows}).model`);
+  lines.push(`print(better.compare(record${rows}))`, 'better.save("improved.toml")');
   return `${lines.join('\n')}\n`;
 }

@@ -1,5 +1,5 @@
 // What the workbench takes of the page of reports.
-export { saveBlob } from '../../../report/page/src/figure';
+export { drawNew, saveBlob } from '../../../report/page/src/figure';
 export { choices, FitView, misfitMap, parity, residuals } from '../../../report/page/src/fit_rows';
 export { detectable, effectNodes, plan } from '../../../report/page/src/diagnosis';
 export { ladder, noiseSources } from '../../../report/page/src/ladder';

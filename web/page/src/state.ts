@@ -14,6 +14,9 @@ export interface Case {
   map: string; // the table [columns]; empty where the columns have our names
   model: TextFile | undefined;
   designation: string; // that the model was made of, for the commands; empty of a file
+  oil: string; // the same
+  dropNan: boolean; // rows with an empty cell are left out
+  rows: boolean; // rows of a logger stay apart
   law: string; // a base law instead of that of the model; empty: as it is
   on: string[]; // effects
   forced: boolean; // added though the command refuses
@@ -27,6 +30,7 @@ export interface Result {
   refused?: string; // why an effect or a law was not taken
   rest?: DiagnoseReport; // of the model with the effects
   compared?: CompareReport;
+  refitted?: string; // text, nothing added
   model?: string; // text, refitted, with the effects
   report?: string; // the page of the command
 }
@@ -95,6 +99,7 @@ export interface State extends Case {
   laws: LawTried[];
   history: Line[];
   at: number; // the line of the history that is shown
+  running: number; // actions that are under way
   job: Job | undefined;
   took: { label: string; ms: number } | undefined;
   keys: Key[];
@@ -108,6 +113,9 @@ export const start: State = {
   map: '',
   model: undefined,
   designation: '',
+  oil: '',
+  dropNan: false,
+  rows: false,
   law: '',
   on: [],
   forced: false,
@@ -122,6 +130,7 @@ export const start: State = {
   laws: [],
   history: [],
   at: -1,
+  running: 0,
   job: undefined,
   took: undefined,
   keys: [],
@@ -129,7 +138,7 @@ export const start: State = {
   toml: false,
 };
 
-export const caseOf = ({ example, data, map, model, designation, law, on, forced }: Case): Case => ({ example, data, map, model, designation, law, on, forced });
+export const caseOf = ({ example, data, map, model, designation, oil, dropNan, rows, law, on, forced }: Case): Case => ({ example, data, map, model, designation, oil, dropNan, rows, law, on, forced });
 
 /// Holds the state; who listens hears of a change once, after all changes of the moment.
 export class Store {

@@ -55,7 +55,7 @@ class ErrorBars implements Shown {
       row.noise.style.left = share(noise);
       row.value.textContent = e.now === e.before ? `${number(e.now, 3)} ${unit}` : `${number(e.before, 3)} → ${number(e.now, 3)} ${unit}`;
     });
-    this.legend.textContent = `Dark line: noise of the data, ${number(noise, 3)} ${unit}.`;
+    this.legend.textContent = `Vertical line: noise of the data, ${number(noise, 3)} ${unit}.`;
   }
 }
 
@@ -65,13 +65,13 @@ export function verdict(head: HTMLElement, actions: Actions): Shown[] {
   head.append(words, bars);
   const part = new Part(
     words,
-    (s) => [s.result, s.on, s.problem, s.stale, s.job === undefined, s.model, s.data, s.example, s.confirmed],
+    (s) => [s.result, s.on, s.problem, s.stale, s.job === undefined, s.model, s.data, s.example, s.confirmed, s.panel === 'data' || s.panel === 'model', s.at > 0],
     (s) => {
       const problem = s.problem && s.panel !== s.problem.at ? callout('error', el('span', {}, s.problem.text), button('Show', () => actions.show(s.problem?.at ?? 'data'), { class: 'small' })) : undefined;
       const { result } = s;
       if (!result) {
         const next = !s.data.length ? 'Drop a file with measured friction torque: CSV, or a table pasted from a spreadsheet.' : !s.confirmed ? 'Look through the columns.' : !s.model ? 'Which bearing was measured? Type its designation.' : s.problem ? 'No verdict yet.' : 'Asking the engine …';
-        return [problem, el('h1', { id: 'sentence' }, next), !s.model && s.data.length && s.confirmed && s.panel !== 'model' ? el('p', { class: 'actions' }, button('Next: the bearing', () => actions.show('model'), { class: 'primary', id: 'next-model' })) : undefined];
+        return [problem, el('h1', { id: 'sentence' }, next), !s.model && s.data.length && s.confirmed && s.panel !== 'model' && s.panel !== 'data' ? el('p', { class: 'actions' }, button('Next: the bearing', () => actions.show('model'), { class: 'primary', id: 'next-model' })) : undefined];
       }
       const shown = s.on.length ? result.rest : result.base;
       const d = (shown ?? result.base).results;
@@ -82,7 +82,7 @@ export function verdict(head: HTMLElement, actions: Actions): Shown[] {
       const sets = d.explanations.filter((set) => set.some((id) => !s.on.includes(id))).slice(0, 3);
       const laws = (id: string) => id.startsWith('law:');
       const adds = sets.map((set, k) =>
-        button(`Add ${set.map(inWords).join(' and ')}`, () => void actions.turnOn(set), { class: k === 0 ? 'primary' : '', id: `add-${k}`, ...(set.some(laws) ? { title: 'Takes this base law' } : {}) }),
+        button(`Add ${set.map(inWords).join(' and ')}`, () => void actions.turnOn(set), { class: k === 0 || d.verdict === 'ambiguous' ? 'primary' : '', id: `add-${k}`, ...(set.some(laws) ? { title: 'Takes this base law' } : {}) }),
       );
       const removes = s.on.map((id) => button(`Remove ${inWords(id)}`, () => void actions.toggle(id), { id: `remove-${id}` }));
       const refused = result.refused
@@ -95,7 +95,7 @@ export function verdict(head: HTMLElement, actions: Actions): Shown[] {
         s.stale ? el('span', { class: 'badge open', id: 'stale' }, s.job ? 'updating' : 'of the case before') : undefined,
         el('h1', { id: 'sentence' }, printed(sentence)),
         refused,
-        el('p', { class: 'actions' }, ...(result.refused ? removes : [...(s.on.length && d.verdict === 'nothing-missing' ? [] : adds), ...removes])),
+        el('p', { class: 'actions' }, ...(result.refused ? removes : [...(s.on.length && d.verdict === 'nothing-missing' ? [] : adds), ...removes]), ...(s.at > 0 ? [button('Undo', () => void actions.back(s.at - 1), { id: 'undo-here', title: 'One step back (Ctrl+Z)' })] : [])),
         el('details', { class: 'why' }, el('summary', {}, 'Why, in numbers'), el('p', {}, printed(d.sentence)), el('p', {}, `Misfit by chance: ${probability(d.p_value)}; ${d.rows} rows; ${d.candidates_tried} explanations tried; gain needed ${number(d.needed_gain, 3)}.${held ? '' : ''}`)),
       ];
     },

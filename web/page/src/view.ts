@@ -3,9 +3,15 @@ import { drawNew } from '../../../report/page/src/figure';
 import { el } from '../../../report/page/src/text';
 import type { State } from './state';
 
-type Child = Node | string | undefined | false;
+export type Child = Node | string | Part | undefined | false;
 
-export const nodes = (...children: Child[]): (Node | string)[] => children.filter((c): c is Node | string => c !== undefined && c !== false);
+export const nodes = (...children: Child[]): (Node | string)[] => children.flatMap((c) => (c instanceof Part ? [c.element] : c === undefined || c === false ? [] : [c]));
+
+/// A step of the workbench: what it needs of the state, what it is made of.
+export interface Panelled {
+  needs: (state: State) => unknown[];
+  make: (state: State) => Child[];
+}
 
 /// Whatever follows the state.
 export interface Shown {
@@ -15,6 +21,7 @@ export interface Shown {
 export class Part implements Shown {
   readonly element: HTMLElement;
   private seen: unknown[] | undefined;
+  private inner: Part[] = [];
 
   constructor(
     element: HTMLElement,
@@ -26,13 +33,19 @@ export class Part implements Shown {
 
   update(state: State): void {
     const needs = this.needs(state);
-    if (this.seen && needs.every((n, k) => n === this.seen?.[k])) return;
+    if (this.seen && needs.every((n, k) => n === this.seen?.[k])) {
+      for (const part of this.inner) part.update(state);
+      return;
+    }
     this.seen = needs;
     const focus = document.activeElement;
     const id = focus && this.element.contains(focus) ? focus.id : '';
     const selection = focus instanceof HTMLTextAreaElement ? [focus.selectionStart, focus.selectionEnd, focus.scrollTop] : undefined;
     const scrolls = [...this.element.querySelectorAll('[data-scroll]')].map((e) => [e.getAttribute('data-scroll'), e.scrollTop] as const);
-    this.element.replaceChildren(...nodes(...this.make(state)));
+    const made = this.make(state);
+    this.inner = made.filter((c): c is Part => c instanceof Part);
+    this.element.replaceChildren(...nodes(...made));
+    for (const part of this.inner) part.update(state);
     for (const [name, top] of scrolls) {
       const same = [...this.element.querySelectorAll('[data-scroll]')].find((e) => e.getAttribute('data-scroll') === name);
       if (same) same.scrollTop = top;

@@ -1,0 +1,335 @@
+// The workbench in Chromium, by what a user does: drop, map, type, click, undo, save. The built program answers through
+// the development server; the engine in a worker is played by answers that were recorded on the way.
+// Environment: that of tests/report/pages.mjs, and PAGE_PACKAGES, the packages that the page is bundled with.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { workbench } from '../../web/page/bundle.mjs';
+import { serve } from '../../web/page/dev_server.mjs';
+import { file, raceway, RACEWAY, ROOT, visit } from '../report/pages.mjs';
+
+const rigs = join(ROOT, 'tests/hidden_effect/rigs');
+const german = join(ROOT, 'data/measurements/german_export.csv');
+const recorded = new Map();
+let server;
+let address;
+
+before(async () => {
+  const page = workbench(process.env.PAGE_PACKAGES, true);
+  server = await serve(RACEWAY, () => page, 0, recorded);
+  address = `http://127.0.0.1:${server.address().port}/`;
+});
+after(() => server?.close());
+
+const idle = (page) => page.waitForFunction(() => document.documentElement.dataset.idle === 'yes');
+const sentence = (page) => page.textContent('#sentence');
+const errors = (page) => page.$$eval('.callout.error', (all) => all.map((e) => e.textContent));
+const bars = (page) => page.$$eval('#error-bars .bar-now', (all) => all.map((bar) => Number.parseFloat(bar.style.width)));
+
+async function open(options = {}) {
+  const opened = await visit(address, options, undefined, [`${address}ask`]);
+  await idle(opened.page);
+  return opened;
+}
+
+async function drop(page, name, text) {
+  await page.setInputFiles('#file', text === undefined ? name : { name, mimeType: 'text/csv', buffer: Buffer.from(text) });
+  await idle(page);
+}
+
+async function click(page, selector) {
+  await page.click(selector);
+  await idle(page);
+}
+
+async function designate(page, designation, oil) {
+  await page.fill('#designation', designation);
+  await page.fill('#oil', oil);
+  await page.keyboard.press('Enter');
+  await idle(page);
+}
+
+async function saved(page, selector) {
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click(selector)]);
+  return { name: download.suggestedFilename(), text: readFileSync(await download.path(), 'utf8') };
+}
+
+test('shows a rig that lacks something; a click adds it, the error falls in the fit and on rows left out, undo brings it back', async () => {
+  const { page, faults, close } = await open();
+  const expected = JSON.parse(raceway('diagnose', join(rigs, 'dev-03/model.toml'), join(rigs, 'dev-03/train.csv'), '--json'));
+  assert.equal(await sentence(page), expected.headline.replace('->', '→'));
+  const before = await bars(page);
+  assert.equal(await page.textContent('#add-0'), 'Add lubricant drag');
+  await click(page, '#add-0');
+  const after = await bars(page);
+  assert.equal(before.length, 2);
+  after.forEach((width, k) => assert.ok(width < 0.4 * before[k], `${before[k]} -> ${width}`));
+  assert.match(await sentence(page), /^With lubricant drag: nothing is missing/);
+  assert.equal(await page.getAttribute('#candidate-lubricant-drag', 'aria-checked'), 'true');
+  assert.match(await page.textContent('#over-speed .note'), /with lubricant drag dashed/);
+  await click(page, '#step-history');
+  assert.equal(await page.locator('#panel tbody tr').count(), 2);
+  await click(page, '#undo');
+  assert.deepEqual(await bars(page), before);
+  assert.equal(await sentence(page), expected.headline.replace('->', '→'));
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('two candidates can be on; base laws stand in the same list; what does not help is refused, and added only when asked', async () => {
+  const { page, faults, close } = await open();
+  await click(page, '#candidate-lubricant-drag');
+  await click(page, '#candidate-windage');
+  assert.match(await page.textContent('.verdict .callout.doubt'), /The engine does not take it: windage adds nothing/);
+  await click(page, '#force');
+  assert.match(await sentence(page), /^With lubricant drag and windage/);
+  await click(page, '#candidate-windage');
+  await click(page, '#candidate-lubricant-drag');
+  const law = JSON.parse(raceway('add', join(rigs, 'dev-03/model.toml'), 'law:contact', '--data', join(rigs, 'dev-03/train.csv'), '--force', '--json'));
+  assert.match(await page.textContent('[id="candidate-law:contact"]'), new RegExp(law.after.rmse.toPrecision(3)));
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('from a file and a designation to the improved model, which the command runs with the same numbers', async () => {
+  const { page, faults, close } = await open();
+  const data = join(rigs, 'dev-05/train.csv');
+  await drop(page, data);
+  assert.match(await sentence(page), /Which bearing was measured/);
+  await click(page, '#next');
+  await designate(page, '7014 AC', 'VG 32');
+  assert.deepEqual(await errors(page), []);
+  await click(page, '#add-0');
+  const fell = await page.$$eval('#error-bars .bar-value', (all) => all.map((v) => v.textContent));
+  assert.match(fell[0], /→/);
+  await click(page, '#step-model');
+  assert.match(await page.textContent('#panel'), /values are assumed or estimated/);
+  await click(page, '#step-home');
+  const folder = file('home');
+  mkdirSync(folder);
+  for (const id of ['improved', 'model', 'columns', 'report']) {
+    const { name, text } = await saved(page, `#save-${id}`);
+    writeFileSync(join(folder, name), text);
+  }
+  const [shown] = /→ ([\d.]+)/.exec(fell[0]).slice(1).map(Number);
+  const { rmse } = JSON.parse(raceway('compare', join(folder, 'improved.toml'), data, '--json'));
+  assert.ok(Math.abs(rmse - shown) < 0.01 * shown, `${rmse} ${shown}`);
+  assert.match(readFileSync(join(folder, 'report.html'), 'utf8'), /<title>raceway report/);
+  // The commands of the page write the same model, from the files of the page.
+  const again = file('again');
+  mkdirSync(again);
+  for (const name of ['model.toml', 'columns.toml']) writeFileSync(join(again, name), readFileSync(join(folder, name)));
+  writeFileSync(join(again, 'train.csv'), readFileSync(data));
+  const commands = (await page.textContent('#shell')).split('\n').filter((line) => !line.startsWith('raceway new'));
+  execFileSync('bash', ['-ec', commands.join('\n')], { cwd: again, stdio: 'pipe', env: { ...process.env, PATH: `${dirname(RACEWAY)}:${process.env.PATH}` } });
+  assert.equal(readFileSync(join(again, 'improved.toml'), 'utf8'), readFileSync(join(folder, 'improved.toml'), 'utf8'));
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('foreign columns are proposed and computed with only when agreed; a wrong unit is answered with those that are known', async () => {
+  const { page, faults, close } = await open();
+  await drop(page, german);
+  assert.match(await sentence(page), /Look through the columns/);
+  assert.match((await errors(page))[0], /german_export\.csv:23: Reibmoment = "#NV"/);
+  await page.check('#drop-nan');
+  await idle(page);
+  assert.equal(await page.inputValue('#column-friction_torque_Nmm'), 'Reibmoment');
+  assert.equal(await page.inputValue('#unit-axial_load_N'), 'kN');
+  await page.fill('#unit-speed_rpm', 'parsec');
+  await page.keyboard.press('Tab');
+  await idle(page);
+  assert.match((await errors(page))[0], /unit = "parsec": must be rpm/);
+  await page.fill('#unit-speed_rpm', 'rpm');
+  await page.keyboard.press('Tab');
+  await idle(page);
+  assert.deepEqual(await errors(page), []);
+  assert.ok((await page.locator('.spark circle').count()) > 100);
+  await click(page, '#confirm-columns');
+  await designate(page, 'S 6014 C', '');
+  assert.match(await sentence(page), /is missing|explains/);
+  await click(page, '#step-home');
+  assert.match((await saved(page, '#save-columns')).text, /friction_torque_Nmm = \{ column = "Reibmoment", unit = "Nm" \}/);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('fields and text of the model stay in step, and a wrong text gets the message of the command', async () => {
+  const { page, faults, close } = await open();
+  await click(page, '#step-model');
+  await page.click('summary:has-text("Text of")');
+  await page.fill('#key-friction-f0', '1,75');
+  await page.keyboard.press('Tab');
+  await idle(page);
+  const text = await page.inputValue('#toml');
+  assert.match(text, /^f0 = 1\.75$/m);
+  await page.fill('#toml', text.replace('f0 = 1.75', 'f0 = 1.25'));
+  await page.waitForFunction(() => document.getElementById('key-friction-f0').value === '1.25');
+  await idle(page);
+  assert.deepEqual(await errors(page), []);
+  await page.fill('#toml', text.replace('ball_count = 20', 'ball_count = 2'));
+  await page.waitForSelector('.callout.error');
+  assert.match((await errors(page)).join(), /ball_count/);
+  await page.fill('#toml', '[bearing');
+  await page.waitForFunction(() => /:1:/.test(document.querySelector('.callout.error')?.textContent ?? ''));
+  await idle(page);
+  await click(page, '#step-history');
+  await click(page, '#back-0');
+  assert.match(await sentence(page), /Lubricant drag is missing/);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('a number is dragged: the error as entered follows, and is a step when it is let go', async () => {
+  const { page, faults, close } = await open();
+  await click(page, '#step-compare');
+  const entered = () => page.$eval('#panel', (panel) => panel.querySelector('#ladder').textContent);
+  const before = await entered();
+  await page.focus('#slide-f0');
+  for (let k = 0; k < 10; ++k) await page.keyboard.press('ArrowLeft');
+  await idle(page);
+  assert.notEqual(await entered(), before);
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'slide-f0');
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('wrong files get the words of the command, and hostile names, cells and texts inject nothing', async () => {
+  const { page, faults, close } = await open();
+  const hostile = '<img src=x onerror=alert(1)>';
+  const cases = [
+    ['empty.csv', '', /the file is empty/],
+    ['words.csv', 'hello\n', /no data rows/],
+    [`${hostile}.csv`, `"${hostile}",speed_rpm,friction_torque_Nmm\n1,2,${hostile}\n2,3,4\n`, /^_img_src_x_onerror_alert_1__\.csv:1: the axial load is neither in a column/],
+    ['-o.csv', 'speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n1000,nan,40,3\n', /axial_load_N/],
+  ];
+  for (const [name, text, words] of cases) {
+    await drop(page, name, text);
+    assert.match((await errors(page)).join(), words, name);
+    assert.equal(await page.locator('img').count(), 0, name);
+    await click(page, '#step-home');
+    assert.ok((await page.textContent('#shell')).includes(name.startsWith('-') ? `./${name}` : name.startsWith('<') ? `'${name}'` : name), name);
+  }
+  // What no column has can be a number.
+  await drop(page, 'no load.csv', 'speed_rpm,temperature_C,friction_torque_Nmm\n1000,40,3\n2000,40,4\n');
+  assert.match((await errors(page)).join(), /the axial load is neither/);
+  await page.fill('#number-axial_load_N', '300');
+  await page.keyboard.press('Tab');
+  await idle(page);
+  assert.deepEqual(await errors(page), []);
+  await drop(page, 'model.toml', `[bearing]\nname = "${hostile}"\n`);
+  await page.click('#step-model');
+  await idle(page);
+  await page.fill('#designation', `${hostile} --force`);
+  await page.keyboard.press('Enter');
+  await idle(page);
+  assert.equal(await page.locator('img').count(), 0);
+  await page.click('#step-home');
+  const commands = await page.textContent('#shell');
+  assert.match(commands, /'no load\.csv'/);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('by keyboard alone', async () => {
+  const { page, faults, close } = await open();
+  const reach = async (id) => {
+    for (let k = 0; k < 60; ++k) {
+      if ((await page.evaluate(() => document.activeElement.id)) === id) return;
+      await page.keyboard.press('Tab');
+    }
+    assert.fail(`${id} is not reached`);
+  };
+  await reach('add-0');
+  await page.keyboard.press('Enter');
+  await idle(page);
+  assert.match(await sentence(page), /^With lubricant drag/);
+  await reach('candidate-windage');
+  await page.keyboard.press('Space');
+  await idle(page);
+  assert.equal(await page.getAttribute('#candidate-windage', 'aria-checked'), 'true');
+  await page.keyboard.press('Control+z');
+  await idle(page);
+  assert.equal(await page.getAttribute('#candidate-windage', 'aria-checked'), 'false');
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+/// Texts whose contrast with what is behind them is below 4.5.
+const faint = () => {
+  const canvas = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
+  const rgba = (colour) => {
+    canvas.clearRect(0, 0, 1, 1);
+    canvas.fillStyle = colour;
+    canvas.fillRect(0, 0, 1, 1);
+    return canvas.getImageData(0, 0, 1, 1).data;
+  };
+  const light = ([r, g, b]) => [r, g, b].map((v) => (v / 255 <= 0.03928 ? v / 255 / 12.92 : ((v / 255 + 0.055) / 1.055) ** 2.4)).reduce((sum, v, k) => sum + v * [0.2126, 0.7152, 0.0722][k], 0);
+  const behind = (e) => {
+    for (let at = e; at; at = at.parentElement) {
+      const colour = rgba(getComputedStyle(at).backgroundColor);
+      if (colour[3] > 250) return colour;
+    }
+    return [255, 255, 255, 255];
+  };
+  return [...document.querySelectorAll('#workbench *')]
+    .filter((e) => !e.closest('svg, .chart, :disabled') && e.checkVisibility() && [...e.childNodes].some((n) => n.nodeType === 3 && n.textContent.trim()))
+    .flatMap((e) => {
+      const [a, b] = [light(rgba(getComputedStyle(e).color)), light(behind(e))];
+      const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+      return ratio < 4.5 ? [`${e.textContent.trim().slice(0, 30)}: ${ratio.toFixed(2)}`] : [];
+    });
+};
+
+for (const [width, colorScheme] of [[1300, 'light'], [1300, 'dark'], [390, 'light'], [390, 'dark']])
+  test(`every step fits ${width} px, reads well in ${colorScheme}, and its controls have names`, async () => {
+    const { page, faults, close } = await open({ viewport: { width, height: 900 }, colorScheme });
+    for (const step of ['missing', 'data', 'model', 'compare', 'history', 'home']) {
+      await click(page, `#step-${step}`);
+      assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width, step);
+      assert.deepEqual(await page.evaluate(faint), [], step);
+      const nameless = await page.$$eval('input, select, textarea, button', (all) => all.filter((c) => !(c.getAttribute('aria-label') || c.labels?.length || c.textContent.trim())).map((c) => c.outerHTML));
+      assert.deepEqual(nameless, [], step);
+    }
+    assert.deepEqual(faults, []);
+    await close();
+  });
+
+/// The page as one file, with a worker that plays what was recorded.
+function withWorker(name, more = '') {
+  const answers = JSON.stringify([...recorded]).replace(/</g, '\\u003c');
+  const worker = `const known = new Map(${answers});
+onmessage = ({ data: question }) => {
+  ${more}
+  postMessage(known.get(JSON.stringify([question.arguments, question.files])) ?? { status: 1, out: '', err: 'not recorded: ' + question.arguments.join(' '), files: {} });
+};`;
+  const path = file(`${name}.html`);
+  writeFileSync(path, workbench(process.env.PAGE_PACKAGES).replace('<!--@ENGINE@-->', () => `<script type="text/plain" id="engine-worker">${worker}</script>`));
+  return pathToFileURL(path).href;
+}
+
+test('from a file, with the engine in a worker: no request, the same verdict; a question can be stopped, a crash is told', async () => {
+  const { page, faults, close } = await visit(withWorker('workbench', "if (question.arguments.includes('endless')) for (;;);\n  if (question.arguments.includes('crash')) throw new Error('out of memory');"));
+  await idle(page);
+  assert.match(await sentence(page), /Lubricant drag is missing/);
+  await click(page, '#add-0');
+  assert.match(await sentence(page), /^With lubricant drag: nothing is missing/);
+  await click(page, '#step-model');
+  await page.fill('#designation', 'endless');
+  await page.keyboard.press('Enter');
+  await page.click('#stop');
+  await idle(page);
+  assert.match((await errors(page)).join(), /Stopped/);
+  await page.fill('#designation', 'crash');
+  await page.keyboard.press('Enter');
+  await idle(page);
+  assert.match((await errors(page)).join(), /The engine ended with an error/);
+  await click(page, '#step-history');
+  await click(page, '#back-0');
+  assert.match(await sentence(page), /Lubricant drag is missing/);
+  assert.deepEqual(faults, []);
+  await close();
+});
