@@ -4,9 +4,9 @@ import { decoded, numbersOf, readMap, writeMap, type Mapped } from './columns';
 import { Stopped, type Engine } from './engine';
 import { viscosities } from './oil';
 import * as ask from './questions';
-import { caseOf, type Case, type EffectCard, type Key, type LawTried, type Line, type Problem, type Reading, type Result, type State, type Store, type TextFile } from './state';
-import { valueOf, withoutAssumption, withValue } from './toml';
-import type { AddReport, Added, CompareReport, DiagnoseReport } from '../../../report/page/src/document';
+import { caseOf, type AddedTo, type Case, type Compared, type Diagnosed, type EffectCard, type Key, type LawTried, type Line, type Problem, type Reading, type Result, type State, type Store, type TextFile } from './state';
+import { channelsOf, valueOf, withoutAssumption, withValue } from './toml';
+import type { Added } from '../../../report/page/src/document';
 
 export const baseLaws = ['palmgren', 'skf', 'contact'];
 const neutral = '7014 C'; // whose model reads columns until the user has named a bearing
@@ -109,7 +109,7 @@ export class Actions {
       const diagnosed = await this.asking.ask('Diagnosing', ask.diagnose(of, entered));
       documentOf(diagnosed);
       const page = diagnosed.files['report.html'] as string;
-      let result: Result = { entered, base: reportOf<DiagnoseReport>(page), report: page, ...(refused ? { refused } : {}) };
+      let result: Result = { entered, base: reportOf<Diagnosed>(page), report: page, ...(refused ? { refused } : {}) };
       const known = (more: Partial<Result>) => {
         result = { ...result, ...more };
         tell({ result, stale: false });
@@ -130,12 +130,12 @@ export class Actions {
         const said = documentOf<Added>(added);
         const report = added.files['report.html'];
         const model = added.files['improved.toml'];
-        known({ ...(report ? { added: reportOf<AddReport>(report), report } : {}), ...(said.refused && !of.forced ? { refused: said.reason } : {}), ...(model ? { model } : {}) });
+        known({ ...(report ? { added: reportOf<AddedTo>(report), report } : {}), ...(said.refused && !of.forced ? { refused: said.reason } : {}), ...(model ? { model } : {}) });
         this.record(label, of, result);
         if (model) {
           const rest = await this.asking.ask('Diagnosing what remains', ask.diagnose(of, model));
           documentOf(rest);
-          known({ rest: reportOf<DiagnoseReport>(rest.files['report.html'] as string) });
+          known({ rest: reportOf<Diagnosed>(rest.files['report.html'] as string) });
         }
         await calibrate();
       } else {
@@ -154,7 +154,7 @@ export class Actions {
   }
 
   /// As entered, refitted, with the effects.
-  private async compare(of: Case, { refitted, model }: Result, entered: string): Promise<CompareReport> {
+  private async compare(of: Case, { refitted, model }: Result, entered: string): Promise<Compared> {
     const models: [string, string | undefined][] = [
       ['model.toml', entered],
       ['refitted.toml', refitted],
@@ -162,12 +162,13 @@ export class Actions {
     ];
     const answer = await this.asking.ask('Comparing', ask.compare(of, models.filter((m): m is [string, string] => m[1] !== undefined)));
     documentOf(answer);
-    return reportOf<CompareReport>(answer.files['report.html'] as string);
+    return reportOf<Compared>(answer.files['report.html'] as string);
   }
 
   private async tryLaws(of: Case, model: string, tell: (part: Partial<State>) => void): Promise<void> {
     const laws: LawTried[] = [];
     tell({ laws });
+    if (valueOf(model, 'bearing', 'type') !== undefined || !/^\s*\[bearing\]/m.test(model)) return; // of balls on a rig alone
     for (const law of baseLaws) {
       if (law === (valueOf(model, 'friction', 'law') ?? 'palmgren')) continue;
       try {
@@ -220,22 +221,25 @@ export class Actions {
     const map = tomls.find(isMap);
     const model = tomls.find((t) => !isMap(t));
     const part: Partial<State> = { law: '', on: [], forced: false };
-    if (data.length) Object.assign(part, { data, map: '', proposal: '', dropNan: false, rows: false, reading: undefined, result: undefined, panel: 'data', example: false, confirmed: true, ...(this.state.example ? { model: undefined, designation: '', oil: '' } : {}) });
-    if (model) Object.assign(part, { model, designation: '', oil: '', modelNotes: [], ...(data.length ? {} : { panel: 'model' }) });
+    if (data.length) Object.assign(part, { data, map: '', proposal: '', dropNan: false, rows: false, reading: undefined, result: undefined, panel: 'data', example: false, confirmed: true, ...(this.state.example ? { model: undefined, designation: '', oil: '', channel: '' } : {}) });
+    if (model) Object.assign(part, { model, designation: '', oil: '', channel: channelsOf(model.text)[0] ?? '', modelNotes: [], ...(data.length ? {} : { panel: 'model' }) });
     if (map) Object.assign(part, { map: map.text, proposal: map.text });
     this.store.change(part);
     if (data.length && !map) await this.propose();
+    if (data.length && !readMap(this.state.proposal).mapped.some((m) => /torque|displacement/.test(m.ours))) await this.fromRecord();
     await this.evaluate(data.length ? data.map((d) => d.name).join(', ') : (model ?? map)?.name);
   }
 
-  /// Asks which column is which. Columns that have our names need no map.
+  /// Asks which column is which. Columns that have our names, or those of the model, need no map.
   private async propose(): Promise<void> {
     const { data, model } = this.state;
     try {
-      const answer = await this.asking.ask('Looking at the columns', ask.suggest(model?.text ?? (await this.neutralModel()), data[0] as TextFile));
+      const reader = model?.text ?? (await this.neutralModel());
+      const answer = await this.asking.ask('Looking at the columns', ask.suggest(reader, data[0] as TextFile));
       if (answer.status !== 0) throw new Refused(refusal(answer), ask.dataFiles(data)[0]?.name ?? null, null);
       const { mapped } = readMap(answer.out);
-      const ours = mapped.length > 0 && mapped.every((m) => m.column === m.ours);
+      const named = mapped.length > 0 && mapped.every((m) => m.column === m.ours);
+      const ours = named || (await this.asking.ask('Reading the data', ask.check(caseOf(this.state), reader))).status === 0;
       this.store.change({ proposal: answer.out, map: ours ? '' : answer.out, confirmed: ours });
     } catch (error) {
       if (!(error instanceof Stopped)) this.store.change({ problem: placeOf(error), confirmed: true });
@@ -263,6 +267,44 @@ export class Actions {
     await this.evaluate(this.state.model ? 'columns' : undefined);
   }
 
+  /// What a record over time tells of itself: a correction of its displacements, with the channels that may drive it.
+  private async fromRecord(): Promise<void> {
+    const of = caseOf(this.state);
+    if (of.model || !of.data.length) return;
+    const answer = await this.asking.ask('Looking for displacements over time', ask.newRecord(of));
+    const text = answer.files['model.toml'];
+    if (!text) return;
+    this.store.change({ model: { name: 'model.toml', text }, channel: channelsOf(text)[0] ?? '', proposal: '', map: '', confirmed: true, problem: undefined, modelNotes: ['Made from the record: look through its channels, and find their lags.'] });
+  }
+
+  /// Lags and gains from the record, in place of those of the model.
+  identify(bank: boolean): Promise<void> {
+    return this.doing(async () => {
+      const of = caseOf(this.state);
+      if (!of.model) return;
+      try {
+        const answer = await this.asking.ask('Finding the lags', ask.identify(of, of.model.text, bank));
+        documentOf(answer);
+        const text = answer.files['found.toml'];
+        if (text) await this.editModel(text, bank ? 'lags found, a bank of them' : 'lags found');
+      } catch (error) {
+        this.store.change({ problem: error instanceof Stopped ? { at: 'model', text: 'Stopped.' } : { ...placeOf(error), at: 'model' } });
+      }
+    });
+  }
+
+  async takeChannel(channel: string): Promise<void> {
+    this.store.change({ channel, on: [], result: undefined });
+    await this.evaluate(channel);
+  }
+
+  /// The text that `export` writes of a correction.
+  async exported(model: string, format: string): Promise<string> {
+    const answer = await this.asking.ask(`Writing ${format}`, ask.exported(model, format));
+    if (answer.status !== 0) throw new Refused(refusal(answer), null, null);
+    return answer.out;
+  }
+
   // ---- model
 
   /// A model of a designation, with an oil; what is not known is estimated by the command and marked.
@@ -286,7 +328,7 @@ export class Actions {
       if (preload.trim()) model = withValue(model, 'rig', 'axial_load_N', preload.trim().replace(',', '.'));
       const notes = answer.err.split('\n').filter((line) => line.startsWith('note: ')).map((line) => line.slice(6));
       const ready = this.state.data.length > 0 && this.state.confirmed;
-      this.store.change({ model: { name: 'model.toml', text: model }, designation, oil: oil.trim(), modelNotes: notes, law: '', on: [], forced: false, ...(ready ? { panel: 'missing' } : {}) });
+      this.store.change({ model: { name: 'model.toml', text: model }, designation, oil: oil.trim(), channel: '', modelNotes: notes, law: '', on: [], forced: false, ...(ready ? { panel: 'missing' } : {}) });
       await this.evaluate(`${designation}${oil.trim() ? `, ${oil.trim()}` : ''}`);
     } catch (error) {
       this.store.change({ problem: { at: 'model', text: error instanceof Error ? error.message : String(error) } });

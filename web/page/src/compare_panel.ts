@@ -1,6 +1,6 @@
 // Measured against predicted: the model as entered, refitted, and with its effects; parameters to drag.
 import { inWords, type Actions } from './actions';
-import { choices, el, FitView, grid, ladder, misfitMap, noiseSources, notes, number, overSpeed, parity, plain, residuals, section, unitOfKey, unitText } from './report';
+import { choices, el, FitView, grid, ladder, misfitMap, noiseSources, notes, number, overSpeed, parity, plain, record, residuals, section, unitOfKey, unitText } from './report';
 import type { State } from './state';
 import { callout, Part, type Child, type Panelled } from './view';
 import { printed } from './verdict';
@@ -40,6 +40,13 @@ export function comparePanel(actions: Actions): Panelled {
 function pictures(s: State): Child[] {
   const report = s.result?.compared;
   if (!report) return [el('p', { class: 'quiet' }, 'Measured and predicted torque stand here when the data and the bearing are known.')];
+  if (report.kind === 'record') {
+    const names = [...(report.models.length > 1 ? ['as entered', 'refitted'] : ['as entered']), ...(s.on.length && report.models.length > 1 ? [`with ${s.on.map(inWords).join(' and ')}`] : [])];
+    const title = document.title;
+    const [, ...pictures] = record(report);
+    document.title = title;
+    return [el('p', { class: 'note' }, `Models in their order: ${names.slice(0, report.models.length).join(', ')}.`), ...pictures];
+  }
   const all = 'models' in report.results ? report.results.models : [report.results];
   const effects = s.on.length > 0 && all.length > 1 ? [`with ${s.on.map(inWords).join(' and ')}`] : [];
   const names = ['as entered', ...(all.length - effects.length > 1 ? ['refitted'] : []), ...effects];

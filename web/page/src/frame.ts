@@ -9,7 +9,7 @@ import { missingPanel } from './missing_panel';
 import { modelPanel } from './model_panel';
 import type { Panel, State } from './state';
 import { verdict } from './verdict';
-import { plainValue, valueOf } from './toml';
+import { isCorrection, plainValue, valueOf } from './toml';
 import { button, Part, type Panelled, type Shown } from './view';
 
 const steps: [Panel, string][] = [
@@ -28,6 +28,7 @@ function summary(panel: Panel, s: State): string {
       return s.data.length ? `${s.data.map((d) => d.name).join(', ')}${s.reading ? `, ${s.reading.rows} rows` : ''}` : 'no file yet';
     case 'model': {
       if (!s.model) return 'no bearing yet';
+      if (isCorrection(s.model.text)) return s.channel || 'a correction over time';
       const name = valueOf(s.model.text, 'bearing', 'name') ?? valueOf(s.model.text, 'bearing', 'catalogue') ?? s.model.name;
       return `${plainValue(name)}, ${s.law || (valueOf(s.model.text, 'friction', 'law') ?? 'palmgren')}`;
     }
@@ -98,7 +99,7 @@ export function frame(root: HTMLElement, actions: Actions, state: () => State, c
     compare: comparePanel(actions),
     missing: missingPanel(actions),
     history: historyPanel(actions),
-    home: homePanel(),
+    home: homePanel(actions),
   };
   // The seconds of a question run on their own.
   const clock = el('span', { class: 'clock' });

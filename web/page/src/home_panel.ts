@@ -3,6 +3,8 @@ import { el, saveBlob } from './report';
 import { pythonCommands, shellCommands } from './questions';
 import { readMap, writeMap } from './columns';
 import { caseOf } from './state';
+import type { Actions } from './actions';
+import { isCorrection } from './toml';
 import { button, type Panelled } from './view';
 
 function save(name: string, text: string, type: string): void {
@@ -19,7 +21,24 @@ function listing(title: string, text: string, name: string, id: string): HTMLEle
   return el('section', { class: 'list' }, el('div', { class: 'head' }, el('h3', {}, title), el('span', {}, said, ' ', copy, ' ', button('Save', () => save(name, text, 'text/plain'), { class: 'small', id: `save-${id}` }))), el('pre', { id, tabindex: '0' }, text));
 }
 
-export function homePanel(): Panelled {
+/// A correction as something that runs in a control.
+function exports(model: string, actions: Actions): HTMLElement {
+  const formats: [string, string, string][] = [
+    ['python', 'correction.py', 'Python, one file'],
+    ['c', 'correction.h', 'C99, one header'],
+    ['csv', 'correction.csv', 'Table of numbers'],
+    ['linuxcnc', 'thermal.py', 'LinuxCNC, a component of HAL'],
+  ];
+  const said = el('p', { class: 'note', role: 'status' });
+  const write = (format: string, name: string) =>
+    void actions.exported(model, format).then(
+      (text) => save(name, text, 'text/plain'),
+      (error: Error) => (said.textContent = error.message),
+    );
+  return el('section', { class: 'list' }, el('h3', {}, 'Export the correction'), el('p', { class: 'actions' }, ...formats.map(([format, name, words]) => button(words, () => write(format, name), { id: `export-${format}` }))), said);
+}
+
+export function homePanel(actions: Actions): Panelled {
   return {
     needs: (s) => [s.result, s.model, s.map, s.law, s.on, s.forced, s.dropNan, s.rows],
     make: (s) => {
@@ -41,6 +60,7 @@ export function homePanel(): Panelled {
             item('Report', 'One page with all pictures, for any browser, offline.', 'report.html', s.result?.report, 'text/html', 'save-report'),
           ),
         ),
+        s.result?.model && isCorrection(s.result.model) ? exports(s.result.model, actions) : undefined,
         listing('The commands that do the same', shellCommands(of), 'commands.sh', 'shell'),
         listing('The same in Python', pythonCommands(of), 'commands.py', 'python'),
       ];

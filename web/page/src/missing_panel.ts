@@ -1,11 +1,11 @@
 // What is missing: candidates that a click adds, the curves that move, what would tell candidates apart.
 import { inWords, type Actions } from './actions';
-import { axisTitle, capital, detectable, drawNew, el, FitView, grid, number, overSpeed, plain, plan, unitOfKey, unitText, valueList } from './report';
+import { axisTitle, capital, detectable, drawNew, el, field, FitView, grid, number, overSpeed, overTimeSection, plain, plan, RecordView, unitOfKey, unitText, valueList } from './report';
 import type { Result, State } from './state';
 import { plainValue, valueOf } from './toml';
 import { button, callout, type Panelled } from './view';
 import { printed } from './verdict';
-import type { Diagnosis, RankedEffect, Size, Suggested } from '../../../report/page/src/document';
+import type { AddReport, DiagnoseReport, Diagnosis, RankedEffect, Size, Suggested } from '../../../report/page/src/document';
 
 const shownAtOnce = 10;
 
@@ -31,7 +31,7 @@ interface Candidate {
 }
 
 function fromRanking(e: RankedEffect): Candidate {
-  return { id: e.id, on: false, rmse: e.rmse, held: e.rmse_cross_validated, gain: e.gain, size: sizes(e.parameters), inVerdict: e.in_verdict, law: e.id.startsWith('law:') };
+  return { id: e.id, on: false, rmse: e.rmse, held: e.rmse_cross_validated ?? field(e, 'rmse_held_out_um'), gain: e.gain, size: sizes(e.parameters), inVerdict: e.in_verdict, law: e.id.startsWith('law:') };
 }
 
 /// Those that are on, then what the diagnosis of the model with them ranks, base laws in their place by error.
@@ -106,10 +106,11 @@ function measureNext(d: Diagnosis): HTMLElement | undefined {
 /// The curves that move: the model before and, where effects are on, with them.
 function curves(result: Result, s: State): HTMLElement | undefined {
   const source = result.added ?? result.base;
+  if (source.kind === 'record') return source.models.some((m) => m.parts) ? overTimeSection(new RecordView(source, source.models.length - 1)) : undefined;
   const name = s.on.length ? `with ${s.on.map(inWords).join(' and ')}` : 'with the candidate';
   const models = result.added ? source.models.slice(0, 2) : source.models.slice(0, 1);
   models.forEach((m, k) => (m.name = k === 0 ? 'nothing added' : name));
-  return overSpeed(new FitView({ ...source, models }, models.length - 1));
+  return overSpeed(new FitView({ ...source, models } as AddReport | DiagnoseReport, models.length - 1));
 }
 
 export function missingPanel(actions: Actions): Panelled {
@@ -132,10 +133,13 @@ export function missingPanel(actions: Actions): Panelled {
       }, { class: 'small', id: 'all-candidates' }) : undefined;
       const unit = unitOfKey(d.baseline.unit);
       const diagnosed = result.rest ?? result.base;
-      const view = new FitView(diagnosed, 0);
+      // Of a record over time these pictures stand in the step Compare.
+      const view = diagnosed.kind === 'record' ? undefined : new FitView(diagnosed, 0);
+      const planned = view && diagnosed.kind !== 'record' ? plan(diagnosed, view) : undefined;
+      const next = d.suggested_measurements.length > 0;
       // Drawn when it is opened: a picture in a closed box has no width.
-      const shows = el('details', { class: 'list' }, el('summary', {}, 'What would have been found, and where was measured'), grid(...(d.suggested_measurements.length ? [] : [plan(diagnosed, view)]), detectable(diagnosed, view)));
-      shows.addEventListener('toggle', drawNew);
+      const shows = view && diagnosed.kind !== 'record' ? el('details', { class: 'list' }, el('summary', {}, 'What would have been found, and where was measured'), grid(next ? undefined : planned, detectable(diagnosed, view))) : undefined;
+      shows?.addEventListener('toggle', drawNew);
       return [
         problem,
         s.law ? callout('note', `The law ${s.law} stands in place of that of the model; its numbers are fitted to the data and stand in the improved model.`) : undefined,
@@ -150,7 +154,7 @@ export function missingPanel(actions: Actions): Panelled {
             rows,
             ...(more ? [more] : []),
           ),
-          el('div', { class: 'beside' }, ...[curves(result, s)].filter((f): f is HTMLElement => f !== undefined), ...[measureNext(d)].filter((f): f is HTMLElement => f !== undefined), ...(d.suggested_measurements.length ? [plan(diagnosed, view).element] : [])),
+          el('div', { class: 'beside' }, ...[curves(result, s)].filter((f): f is HTMLElement => f !== undefined), ...[measureNext(d)].filter((f): f is HTMLElement => f !== undefined), ...(next && planned ? [planned.element] : [])),
         ),
         shows,
         d.not_testable.length ? el('details', { class: 'list' }, el('summary', {}, `${d.not_testable.length} effects could not have been found`), valueList('', ['effect', 'why'], d.not_testable.map((n) => [inWords(n.id), printed(n.missing)]))) : undefined,

@@ -3,7 +3,7 @@ import { baseLaws, type Actions } from './actions';
 import { grades } from './oil';
 import { capital, el, plain } from './report';
 import type { Key, State } from './state';
-import { assumedIn, entries, plainValue, quoted, valueOf, withValue, type Entry } from './toml';
+import { assumedIn, channelsOf, entries, isCorrection, plainValue, quoted, valueOf, withValue, type Entry } from './toml';
 import { button, callout, type Panelled } from './view';
 
 const words: Record<string, string> = { bearing: 'Bearing', lubricant: 'Lubricant', friction: 'Friction', rig: 'Rig', solver: 'Solver', calibration: 'Calibration', loop: 'Loop', life: 'Life' };
@@ -89,7 +89,7 @@ function designation(s: State, actions: Actions): HTMLElement {
 export function modelPanel(actions: Actions, change: (part: Partial<State>) => void): Panelled {
   let typing = 0;
   return {
-    needs: (s) => [s.model, s.keys, s.problem, s.toml, s.law, s.modelNotes],
+    needs: (s) => [s.model, s.keys, s.problem, s.toml, s.law, s.modelNotes, s.channel],
     make: (s) => {
       const problem = s.problem?.at === 'model' ? callout('error', s.problem.text) : undefined;
       const form = el('section', { class: 'list' }, el('h3', {}, s.model ? 'Another bearing' : 'Which bearing was measured?'), designation(s, actions), el('p', { class: 'note' }, 'As 7014 C, 7014 AC, HCB7014 or S 6014 C; the catalogue or its rules fill in the rest. Or drop a model file (TOML).'));
@@ -130,12 +130,28 @@ export function modelPanel(actions: Actions, change: (part: Partial<State>) => v
       });
       const toml = el('details', { class: 'list', ...(s.toml ? { open: '' } : {}) }, el('summary', {}, `Text of ${s.model.name} (TOML)`), area);
       toml.addEventListener('toggle', () => toml.open !== s.toml && change({ toml: toml.open }));
+      const correction = isCorrection(text);
+      const channels = channelsOf(text);
+      const choice = el('select', { id: 'channel', 'aria-label': 'Displacement in question' }, ...channels.map((c) => el('option', { value: c }, c)));
+      choice.value = s.channel;
+      choice.addEventListener('change', () => void actions.takeChannel(choice.value));
+      const lags = correction
+        ? el(
+            'section',
+            { class: 'list', id: 'lags' },
+            el('h3', {}, 'Lags from the record'),
+            ...(channels.length ? [el('p', { class: 'choice' }, el('span', {}, 'Displacement'), choice)] : []),
+            el('p', { class: 'note' }, 'Gains and time constants of each channel, chosen by the error on parts of the record that no fit saw.'),
+            el('p', { class: 'actions' }, button('Find the lags of these channels', () => void actions.identify(false), { id: 'identify', class: 'primary' }), button('Take all sensors, each through a bank of lags', () => void actions.identify(true), { id: 'identify-bank' })),
+          )
+        : undefined;
       const count = assumed.size;
       return [
         problem,
         form,
         ...s.modelNotes.map((note) => callout('doubt', note)),
         count ? callout('doubt', el('b', {}, `${count} values are assumed or estimated`), ': they are marked below. Put in what you know better.') : undefined,
+        lags,
         toml,
         ...groups,
       ];

@@ -1,6 +1,7 @@
 // Questions to the command, as arguments and files, and the same as lines that people run themselves.
 import type { Question } from './engine';
 import type { Case, TextFile } from './state';
+import { isCorrection } from './toml';
 
 /// A name that is safe as an argument and as a file: what messages of the command call the file.
 export function safeName(name: string): string {
@@ -27,7 +28,7 @@ interface Rig {
 
 /// Flags that say how the data are read.
 function reading(of: Case): string[] {
-  return [...(of.map ? ['--columns', 'columns.toml'] : []), ...(of.dropNan ? ['--drop-nan'] : []), ...(of.rows ? ['--rows'] : [])];
+  return [...(of.map ? ['--columns', 'columns.toml'] : []), ...(of.dropNan ? ['--drop-nan'] : []), ...(of.rows ? ['--rows'] : []), ...(of.channel ? ['--channel', of.channel] : [])];
 }
 
 function rig(of: Case): Rig {
@@ -83,6 +84,22 @@ export function compare(of: Case, models: [string, string][]): Question {
   return { arguments: ['compare', ...models.map(([name]) => name), ...data, ...columns, '--json', '--report', 'report.html'], files: { ...Object.fromEntries(models), ...files } };
 }
 
+/// A correction to begin with, of what a record holds.
+export function newRecord(of: Case): Question {
+  const [file] = dataFiles(of.data) as [TextFile];
+  return { arguments: ['new', '--record', file.name, ...(of.map ? ['--columns', 'columns.toml'] : []), '-o', 'model.toml'], files: { [file.name]: file.text, ...(of.map ? { 'columns.toml': of.map } : {}) } };
+}
+
+/// The lags of a correction from its record; with many sensors each through a bank of lags.
+export function identify(of: Case, model: string, bank: boolean): Question {
+  const { data, columns, files } = rig({ ...of, data: of.data.slice(0, 1), rows: false, channel: '' });
+  return { arguments: ['identify', 'model.toml', ...data, ...columns, ...(bank ? ['--lags', 'auto'] : []), '--json', '-o', 'found.toml'], files: { 'model.toml': model, ...files } };
+}
+
+export function exported(model: string, format: string): Question {
+  return { arguments: ['export', 'model.toml', '--format', format], files: { 'model.toml': model } };
+}
+
 export const keys: Question = { arguments: ['keys', '--json'], files: {} };
 export const effects: Question = { arguments: ['effects', '--json'], files: {} };
 
@@ -99,6 +116,7 @@ export function shellCommands(of: Case): string {
   const force = of.forced ? ['--force'] : [];
   const line = (...words: string[]) => ['raceway', ...words].map(forShell).join(' ');
   const lines: string[] = [];
+  if (!of.designation && of.model && isCorrection(of.model.text)) lines.push(line('new', '--record', ...data.slice(0, 1), '-o', 'model.toml'));
   if (of.designation) lines.push(line('new', of.designation, '--law', 'palmgren', '-o', 'model.toml'));
   if (of.designation) lines.push(`# Then put your values into model.toml${of.oil ? ` (oil ${of.oil.replace(/\s+/g, ' ')})` : ''}, or save the one of this page.`);
   if (of.map) lines.push(line('check', 'model.toml', ...data.slice(0, 1), '--suggest-columns', '-o', 'columns.toml'));

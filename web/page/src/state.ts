@@ -1,6 +1,11 @@
 // The one state of the page. Views read it, actions replace it, nothing else holds anything that matters.
 import type { Job } from './asking';
-import type { AddReport, CompareReport, DiagnoseReport, Said } from '../../../report/page/src/document';
+import type { AddReport, CompareReport, DiagnoseReport, RecordReport, Said } from '../../../report/page/src/document';
+
+/// Pages of the command: of readings one by one, or of a record over time.
+export type Diagnosed = DiagnoseReport | (RecordReport & { command: 'diagnose' });
+export type AddedTo = AddReport | (RecordReport & { command: 'add' });
+export type Compared = CompareReport | (RecordReport & { command: 'compare' });
 
 export interface TextFile {
   name: string;
@@ -17,6 +22,7 @@ export interface Case {
   oil: string; // the same
   dropNan: boolean; // rows with an empty cell are left out
   rows: boolean; // rows of a logger stay apart
+  channel: string; // of a model with several displacements the one in question
   law: string; // a base law instead of that of the model; empty: as it is
   on: string[]; // effects
   forced: boolean; // added though the command refuses
@@ -25,11 +31,11 @@ export interface Case {
 /// What the engine says of a case, step by step as answers come in.
 export interface Result {
   entered: string; // text of the model with the chosen base law
-  base: DiagnoseReport;
-  added?: AddReport;
+  base: Diagnosed;
+  added?: AddedTo;
   refused?: string; // why an effect or a law was not taken
-  rest?: DiagnoseReport; // of the model with the effects
-  compared?: CompareReport;
+  rest?: Diagnosed; // of the model with the effects
+  compared?: Compared;
   refitted?: string; // text, nothing added
   model?: string; // text, refitted, with the effects
   report?: string; // the page of the command
@@ -116,6 +122,7 @@ export const start: State = {
   oil: '',
   dropNan: false,
   rows: false,
+  channel: '',
   law: '',
   on: [],
   forced: false,
@@ -138,7 +145,7 @@ export const start: State = {
   toml: false,
 };
 
-export const caseOf = ({ example, data, map, model, designation, oil, dropNan, rows, law, on, forced }: Case): Case => ({ example, data, map, model, designation, oil, dropNan, rows, law, on, forced });
+export const caseOf = ({ example, data, map, model, designation, oil, dropNan, rows, channel, law, on, forced }: Case): Case => ({ example, data, map, model, designation, oil, dropNan, rows, channel, law, on, forced });
 
 /// Holds the state; who listens hears of a change once, after all changes of the moment.
 export class Store {

@@ -70,6 +70,15 @@ export function plainValue(value: string): string {
 
 export const quoted = (text: string): string => JSON.stringify(text).replace(/\u007f/g, '\\u007F');
 
+/// A correction of displacements over time, or several.
+export const isCorrection = (text: string): boolean => /^\s*\[\[?correction\]/m.test(text);
+
+/// Displacements of a model that has several corrections.
+export function channelsOf(text: string): string[] {
+  const found = entries(text).filter((e) => e.table === 'correction' && e.key === 'displacement').map((e) => plainValue(e.value));
+  return found.length > 1 ? found : [];
+}
+
 export function valueOf(text: string, table: string, key: string): string | undefined {
   const entry = entries(text).find((e) => e.table === table && e.key === key && e.index === 0);
   return entry && plainValue(entry.value);

@@ -1,7 +1,7 @@
 // The verdict above all steps: the sentence, the error against the noise, and the button that mends it.
 import { inWords, type Actions } from './actions';
 import { heldOut } from './actions';
-import { el, number, probability, unitOfKey, verdicts } from './report';
+import { el, field, number, probability, unitOfKey, verdicts } from './report';
 import type { Result, State } from './state';
 import { button, callout, Part, type Shown } from './view';
 
@@ -17,7 +17,7 @@ interface Errors {
 export function errors({ base, added }: Result): { fit: Errors; held: Errors | undefined; noise: number; unit: string } {
   const d = base.results;
   const a = added?.results;
-  const before = a?.rmse_held_out_before ?? heldOut(d.hold_out);
+  const before = a?.rmse_held_out_before ?? heldOut(d.hold_out) ?? field(d, 'rmse_held_out_um') ?? undefined;
   const now = a?.rmse_held_out_after ?? before;
   return { fit: { before: d.rmse_before, now: a?.after.rmse ?? d.rmse_before }, held: before === undefined || now === undefined ? undefined : { before, now }, noise: d.noise.rms, unit: unitOfKey(d.baseline.unit) };
 }
