@@ -70,6 +70,7 @@ test('shows a rig that lacks something; a click adds it, the error falls in the 
   assert.match(await sentence(page), /^With lubricant drag: nothing is missing/);
   assert.equal(await page.getAttribute('#candidate-lubricant-drag', 'aria-checked'), 'true');
   assert.match(await page.textContent('#over-speed .note'), /with lubricant drag dashed/);
+  assert.deepEqual(await errors(page), []);
   await click(page, '#step-history');
   assert.equal(await page.locator('#panel tbody tr').count(), 2);
   await click(page, '#undo');
@@ -234,6 +235,31 @@ test('wrong files get the words of the command, and hostile names, cells and tex
   await close();
 });
 
+test('a record over time with its correction: the missing lag is added, and the correction exported', async () => {
+  const { page, faults, close } = await open();
+  const record = join(ROOT, 'data/corrections/ambient');
+  await page.setInputFiles('#file', [join(record, 'correction.toml'), join(record, 'train.csv')]);
+  await idle(page);
+  assert.deepEqual(await errors(page), []);
+  assert.match(await sentence(page), /^Ambient drift is missing: gain -6\.8 µm\/K/);
+  const before = await bars(page);
+  await click(page, '#step-missing');
+  await click(page, '#add-0');
+  (await bars(page)).forEach((width, k) => assert.ok(width < 0.2 * before[k]));
+  assert.match(await page.textContent('#panel'), /What adds up to it/);
+  await click(page, '#step-compare');
+  assert.match(await page.textContent('#panel'), /Step responses/);
+  await click(page, '#step-model');
+  assert.equal(await page.locator('#identify').count(), 1);
+  await click(page, '#step-home');
+  const { name, text } = await saved(page, '#export-c');
+  assert.equal(name, 'correction.h');
+  assert.match(text, /#include <math\.h>/);
+  assert.deepEqual(await errors(page), []);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
 test('by keyboard alone', async () => {
   const { page, faults, close } = await open();
   const reach = async (id) => {
@@ -289,6 +315,7 @@ for (const [width, colorScheme] of [[1300, 'light'], [1300, 'dark'], [390, 'ligh
     const { page, faults, close } = await open({ viewport: { width, height: 900 }, colorScheme });
     for (const step of ['missing', 'data', 'model', 'compare', 'history', 'home']) {
       await click(page, `#step-${step}`);
+      assert.deepEqual(await errors(page), [], step);
       assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width, step);
       assert.deepEqual(await page.evaluate(faint), [], step);
       const nameless = await page.$$eval('input, select, textarea, button', (all) => all.filter((c) => !(c.getAttribute('aria-label') || c.labels?.length || c.textContent.trim())).map((c) => c.outerHTML));

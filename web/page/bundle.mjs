@@ -7,7 +7,8 @@
 //   <script type="text/plain" id="engine-wasm">…</script>    base64 of the gzipped WebAssembly, if the script has none inside
 //   <script type="application/json" id="loaded">…</script>   optional: {"model": {"name", "text"}, "data": [{"name", "text"}], "map": "text"}
 // The worker's first message is {"wasm": ArrayBuffer}, where there is an engine-wasm; each further one is a question
-// {"arguments": [...], "files": {...}}, answered by one message {"status", "out", "err", "files"}.
+// {"arguments": [...], "files": {...}, "progress": true}, answered by one message {"status", "out", "err", "files"};
+// messages {"progress": {"share": 0.4}} may come before.
 //
 // With --server the page asks the server that it comes from instead (dev_server.mjs).
 import { writeFileSync } from 'node:fs';

@@ -4,6 +4,7 @@ import { decoded, numbersOf, readMap, writeMap, type Mapped } from './columns';
 import { Stopped, type Engine } from './engine';
 import { viscosities } from './oil';
 import * as ask from './questions';
+import { quantity } from './report';
 import { caseOf, type AddedTo, type Case, type Compared, type Diagnosed, type EffectCard, type Key, type LawTried, type Line, type Problem, type Reading, type Result, type State, type Store, type TextFile } from './state';
 import { channelsOf, valueOf, withoutAssumption, withValue } from './toml';
 import type { Added } from '../../../report/page/src/document';
@@ -12,7 +13,8 @@ export const baseLaws = ['palmgren', 'skf', 'contact'];
 const neutral = '7014 C'; // whose model reads columns until the user has named a bearing
 
 /// "lubricant-drag" as people say it.
-export const inWords = (id: string): string => (id.startsWith('law:') ? `base law ${id.slice(4)}` : id.replace(/-/g, ' '));
+export const inWords = (id: string): string =>
+  id.startsWith('law:') ? `base law ${id.slice(4)}` : id.startsWith('input:') ? `input ${quantity(id.slice(6)).label}` : id.replace(/-/g, ' ');
 
 /// RMS over the ways to leave rows out.
 export function heldOut(list: { rmse_before: number }[]): number | undefined {
@@ -271,10 +273,12 @@ export class Actions {
   private async fromRecord(): Promise<void> {
     const of = caseOf(this.state);
     if (of.model || !of.data.length) return;
-    const answer = await this.asking.ask('Looking for displacements over time', ask.newRecord(of));
-    const text = answer.files['model.toml'];
+    // By the names of the file; by the map that was proposed where these do not say it.
+    const tried = { ...of, map: '' };
+    const own = (await this.asking.ask('Looking for displacements over time', ask.newRecord(tried))).files['model.toml'];
+    const text = own ?? (of.map ? (await this.asking.ask('Looking for displacements over time', ask.newRecord(of))).files['model.toml'] : undefined);
     if (!text) return;
-    this.store.change({ model: { name: 'model.toml', text }, channel: channelsOf(text)[0] ?? '', proposal: '', map: '', confirmed: true, problem: undefined, modelNotes: ['Made from the record: look through its channels, and find their lags.'] });
+    this.store.change({ model: { name: 'model.toml', text }, channel: channelsOf(text)[0] ?? '', ...(own ? { proposal: '', map: '', confirmed: true } : {}), problem: undefined, modelNotes: ['Made from the record: look through its channels, and find their lags.'] });
   }
 
   /// Lags and gains from the record, in place of those of the model.

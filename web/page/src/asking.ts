@@ -4,6 +4,7 @@ import { Stopped, type Answer, type Engine, type Question } from './engine';
 export interface Job {
   label: string; // "Diagnosing"
   since: number; // [ms], of performance.now()
+  share?: number; // done, from 0 to 1
 }
 
 /// Something that the command refused, in its words.
@@ -48,7 +49,7 @@ export class Asking {
       const since = performance.now();
       this.tell({ label, since });
       try {
-        const answered = await this.engine.ask(question);
+        const answered = await this.engine.ask(question, (share) => this.tell({ label, since, share }));
         this.tell(undefined, { label, ms: performance.now() - since });
         return answered;
       } catch (error) {

@@ -96,7 +96,9 @@ export function dataPanel(actions: Actions): Panelled {
       const list: Mapped[] = [...mapped, ...[...new Set([...absent, ...missing])].map((ours) => ({ ours, column: '', unit: '', number: '' }))];
       const names = mapped.map((m) => m.column).filter(Boolean);
       const header = s.data[0] ? preview(s.data[0].text, [...names, ...unused], 1).header : [];
-      const doubts = (s.reading?.said ?? []).map((n) => callout(n.kind === 'note' ? 'note' : 'doubt', n.kind === 'note' ? '' : el('b', {}, n.kind === 'doubt' ? 'Doubt: ' : 'Warning: '), printed(n.text)));
+      const said = s.reading?.said ?? [];
+      const doubts = said.filter((n) => n.kind !== 'note').map((n) => callout('doubt', el('b', {}, n.kind === 'doubt' ? 'Doubt: ' : 'Warning: '), printed(n.text)));
+      const remarks = said.filter((n) => n.kind === 'note');
       const noise = s.reading?.noise;
       const next = s.confirmed && !s.problem && s.reading ? button(s.model ? 'Next: the verdict' : 'Next: the bearing', () => actions.show(s.model ? 'missing' : 'model'), { class: 'primary', id: 'next' }) : undefined;
       return [
@@ -115,6 +117,7 @@ export function dataPanel(actions: Actions): Panelled {
           : undefined,
         ...doubts,
         next ? el('p', { class: 'actions' }, next) : undefined,
+        remarks.length ? el('section', { class: 'list' }, el('h3', {}, 'How the file was read'), el('ul', { class: 'said' }, ...remarks.map((n) => el('li', {}, printed(n.text))))) : undefined,
         rawRows(s, [...names, ...unused]),
       ];
     },

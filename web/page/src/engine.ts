@@ -13,8 +13,8 @@ export interface Answer {
 }
 
 export interface Engine {
-  /// One question at a time.
-  ask(question: Question): Promise<Answer>;
+  /// One question at a time; `progress` hears shares from 0 to 1, where the engine tells them.
+  ask(question: Question, progress?: (share: number) => void): Promise<Answer>;
   /// Ends the question that is being answered; its promise fails with Stopped.
   stop(): void;
 }
@@ -29,7 +29,7 @@ export class Stopped extends Error {
 /// The command as WebAssembly in a worker. A busy worker hears nothing: to stop it, it is ended and a new one begins.
 class WorkerEngine implements Engine {
   private worker: Worker | undefined;
-  private waiting: { done: (answer: Answer) => void; fail: (error: Error) => void } | undefined;
+  private waiting: { done: (answer: Answer) => void; fail: (error: Error) => void; progress: ((share: number) => void) | undefined } | undefined;
 
   constructor(
     private readonly script: string,
@@ -40,7 +40,10 @@ class WorkerEngine implements Engine {
     const wasm = await this.wasm;
     const url = URL.createObjectURL(new Blob([this.script], { type: 'text/javascript' }));
     const worker = new Worker(url);
-    worker.addEventListener('message', (event: MessageEvent<Answer>) => this.end((w) => w.done(event.data)));
+    worker.addEventListener('message', ({ data }: MessageEvent<Answer | { progress: { share: number } }>) => {
+      if ('progress' in data) this.waiting?.progress?.(data.progress.share);
+      else this.end((w) => w.done(data));
+    });
     worker.addEventListener('error', (event) => {
       event.preventDefault();
       this.dismiss();
@@ -61,10 +64,10 @@ class WorkerEngine implements Engine {
     if (waiting) how(waiting);
   }
 
-  async ask(question: Question): Promise<Answer> {
-    const answer = new Promise<Answer>((done, fail) => (this.waiting = { done, fail }));
+  async ask(question: Question, progress?: (share: number) => void): Promise<Answer> {
+    const answer = new Promise<Answer>((done, fail) => (this.waiting = { done, fail, progress }));
     this.worker ??= await this.begin();
-    this.worker.postMessage(question);
+    this.worker.postMessage({ ...question, progress: progress !== undefined });
     return answer;
   }
 

@@ -105,7 +105,7 @@ export function frame(root: HTMLElement, actions: Actions, state: () => State, c
   const clock = el('span', { class: 'clock' });
   setInterval(() => {
     const { job } = state();
-    if (job) clock.textContent = `${((performance.now() - job.since) / 1000).toFixed(1)} s`;
+    if (job) clock.textContent = `${job.share === undefined ? '' : `${Math.round(100 * job.share)} %, `}${((performance.now() - job.since) / 1000).toFixed(1)} s`;
   }, 100);
 
   return [

@@ -106,10 +106,10 @@ function measureNext(d: Diagnosis): HTMLElement | undefined {
 /// The curves that move: the model before and, where effects are on, with them.
 function curves(result: Result, s: State): HTMLElement | undefined {
   const source = result.added ?? result.base;
+  const name = s.on.length ? `with ${s.on.map(inWords).join(' and ')}` : `with ${(result.base.results.explanations[0] ?? []).map(inWords).join(' and ') || 'the candidate'}`;
+  source.models.forEach((m, k) => (m.name = k === 0 ? 'nothing added' : name));
   if (source.kind === 'record') return source.models.some((m) => m.parts) ? overTimeSection(new RecordView(source, source.models.length - 1)) : undefined;
-  const name = s.on.length ? `with ${s.on.map(inWords).join(' and ')}` : 'with the candidate';
   const models = result.added ? source.models.slice(0, 2) : source.models.slice(0, 1);
-  models.forEach((m, k) => (m.name = k === 0 ? 'nothing added' : name));
   return overSpeed(new FitView({ ...source, models } as AddReport | DiagnoseReport, models.length - 1));
 }
 

@@ -148,7 +148,7 @@ export function modelPanel(actions: Actions, change: (part: Partial<State>) => v
       const count = assumed.size;
       return [
         problem,
-        form,
+        correction ? undefined : form,
         ...s.modelNotes.map((note) => callout('doubt', note)),
         count ? callout('doubt', el('b', {}, `${count} values are assumed or estimated`), ': they are marked below. Put in what you know better.') : undefined,
         lags,

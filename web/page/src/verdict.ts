@@ -6,7 +6,7 @@ import type { Result, State } from './state';
 import { button, callout, Part, type Shown } from './view';
 
 /// Words of the command as people print them.
-export const printed = (text: string): string => text.replace(/ -> /g, ' → ').replace(/\+- /g, '± ').replace(/ C\b(?= |\.|,|$|\))/g, ' °C');
+export const printed = (text: string): string => text.replace(/ -> /g, ' → ').replace(/\+- /g, '± ').replace(/\bum\b/g, 'µm').replace(/ C\b(?= |\.|,|$|\))/g, ' °C');
 
 interface Errors {
   before: number;

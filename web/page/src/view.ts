@@ -31,6 +31,15 @@ export class Part implements Shown {
     this.element = element;
   }
 
+  /// A part that cannot be drawn says so where it stands; the others live on.
+  private made(state: State): Child[] {
+    try {
+      return this.make(state);
+    } catch (error) {
+      return [callout('error', `This part of the page could not be drawn: ${error instanceof Error ? error.message : String(error)}`)];
+    }
+  }
+
   update(state: State): void {
     const needs = this.needs(state);
     if (this.seen && needs.every((n, k) => n === this.seen?.[k])) {
@@ -42,7 +51,7 @@ export class Part implements Shown {
     const id = focus && this.element.contains(focus) ? focus.id : '';
     const selection = focus instanceof HTMLTextAreaElement ? [focus.selectionStart, focus.selectionEnd, focus.scrollTop] : undefined;
     const scrolls = [...this.element.querySelectorAll('[data-scroll]')].map((e) => [e.getAttribute('data-scroll'), e.scrollTop] as const);
-    const made = this.make(state);
+    const made = this.made(state);
     this.inner = made.filter((c): c is Part => c instanceof Part);
     this.element.replaceChildren(...nodes(...made));
     for (const part of this.inner) part.update(state);
