@@ -13,8 +13,7 @@ export const baseLaws = ['palmgren', 'skf', 'contact'];
 const neutral = '7014 C'; // whose model reads columns until the user has named a bearing
 
 /// "lubricant-drag" as people say it.
-export const inWords = (id: string): string =>
-  id.startsWith('law:') ? `base law ${id.slice(4)}` : id.startsWith('input:') ? `input ${quantity(id.slice(6)).label}` : id.replace(/-/g, ' ');
+export const inWords = (id: string): string => (id.startsWith('law:') ? `base law ${id.slice(4)}` : id.startsWith('input:') ? `input ${quantity(id.slice(6)).label}` : id.replace(/-/g, ' '));
 
 /// RMS over the ways to leave rows out.
 export function heldOut(list: { rmse_before: number }[]): number | undefined {
@@ -111,7 +110,7 @@ export class Actions {
       const diagnosed = await this.asking.ask('Diagnosing', ask.diagnose(of, entered));
       documentOf(diagnosed);
       const page = diagnosed.files['report.html'] as string;
-      let result: Result = { entered, base: reportOf<Diagnosed>(page), report: page, ...(refused ? { refused } : {}) };
+      let result: Result = { on: of.on, entered, base: reportOf<Diagnosed>(page), report: page, ...(refused ? { refused } : {}) };
       const known = (more: Partial<Result>) => {
         result = { ...result, ...more };
         tell({ result, stale: false });
@@ -162,7 +161,13 @@ export class Actions {
       ['refitted.toml', refitted],
       ['improved.toml', of.on.length ? model : undefined],
     ];
-    const answer = await this.asking.ask('Comparing', ask.compare(of, models.filter((m): m is [string, string] => m[1] !== undefined)));
+    const answer = await this.asking.ask(
+      'Comparing',
+      ask.compare(
+        of,
+        models.filter((m): m is [string, string] => m[1] !== undefined),
+      ),
+    );
     documentOf(answer);
     return reportOf<Compared>(answer.files['report.html'] as string);
   }
@@ -223,7 +228,20 @@ export class Actions {
     const map = tomls.find(isMap);
     const model = tomls.find((t) => !isMap(t));
     const part: Partial<State> = { law: '', on: [], forced: false };
-    if (data.length) Object.assign(part, { data, map: '', proposal: '', dropNan: false, rows: false, reading: undefined, result: undefined, panel: 'data', example: false, confirmed: true, ...(this.state.example ? { model: undefined, designation: '', oil: '', channel: '' } : {}) });
+    if (data.length)
+      Object.assign(part, {
+        data,
+        map: '',
+        proposal: '',
+        dropNan: false,
+        rows: false,
+        reading: undefined,
+        result: undefined,
+        panel: 'data',
+        example: false,
+        confirmed: true,
+        ...(this.state.example ? { model: undefined, designation: '', oil: '', channel: '' } : {}),
+      });
     if (model) Object.assign(part, { model, designation: '', oil: '', channel: channelsOf(model.text)[0] ?? '', modelNotes: [], ...(data.length ? {} : { panel: 'model' }) });
     if (map) Object.assign(part, { map: map.text, proposal: map.text });
     this.store.change(part);
@@ -278,7 +296,13 @@ export class Actions {
     const own = (await this.asking.ask('Looking for displacements over time', ask.newRecord(tried))).files['model.toml'];
     const text = own ?? (of.map ? (await this.asking.ask('Looking for displacements over time', ask.newRecord(of))).files['model.toml'] : undefined);
     if (!text) return;
-    this.store.change({ model: { name: 'model.toml', text }, channel: channelsOf(text)[0] ?? '', ...(own ? { proposal: '', map: '', confirmed: true } : {}), problem: undefined, modelNotes: ['Made from the record: look through its channels, and find their lags.'] });
+    this.store.change({
+      model: { name: 'model.toml', text },
+      channel: channelsOf(text)[0] ?? '',
+      ...(own ? { proposal: '', map: '', confirmed: true } : {}),
+      problem: undefined,
+      modelNotes: ['Made from the record: look through its channels, and find their lags.'],
+    });
   }
 
   /// Lags and gains from the record, in place of those of the model.
@@ -330,7 +354,10 @@ export class Actions {
         model = withValue(model, 'lubricant', 'viscosity_100C_mm2_s', String(at100), 'assumed: mineral oil of viscosity index 100');
       }
       if (preload.trim()) model = withValue(model, 'rig', 'axial_load_N', preload.trim().replace(',', '.'));
-      const notes = answer.err.split('\n').filter((line) => line.startsWith('note: ')).map((line) => line.slice(6));
+      const notes = answer.err
+        .split('\n')
+        .filter((line) => line.startsWith('note: '))
+        .map((line) => line.slice(6));
       const ready = this.state.data.length > 0 && this.state.confirmed;
       this.store.change({ model: { name: 'model.toml', text: model }, designation, oil: oil.trim(), channel: '', modelNotes: notes, law: '', on: [], forced: false, ...(ready ? { panel: 'missing' } : {}) });
       await this.evaluate(`${designation}${oil.trim() ? `, ${oil.trim()}` : ''}`);

@@ -92,7 +92,10 @@ export function documentOf<T>(answer: Answer): T {
 
 /// The words of a command that wrote no document.
 export function refusal(answer: Answer): string {
-  const lines = answer.err.trim().split('\n').filter((line) => !line.startsWith('note: '));
+  const lines = answer.err
+    .trim()
+    .split('\n')
+    .filter((line) => !line.startsWith('note: '));
   return lines.join('\n') || `The command ended with status ${answer.status} and said nothing.`;
 }
 

@@ -10,14 +10,16 @@ export interface Mapped {
 
 /// Lines of [columns]; commented ones are quantities that were not found.
 export function readMap(text: string): { mapped: Mapped[]; absent: string[]; unused: string[] } {
-  const mapped = entries(text).filter((e) => e.table === 'columns').map((e): Mapped => {
-    const part = (name: string) => {
-      const found = new RegExp(`\\b${name}\\s*=\\s*("(?:[^"\\\\]|\\\\.)*"|'[^']*')`).exec(e.value);
-      return found ? plainValue(found[1] as string) : '';
-    };
-    if (e.value.startsWith('{')) return { ours: e.key, column: part('column'), unit: part('unit'), number: '' };
-    return /^["']/.test(e.value) ? { ours: e.key, column: plainValue(e.value), unit: '', number: '' } : { ours: e.key, column: '', unit: '', number: e.value };
-  });
+  const mapped = entries(text)
+    .filter((e) => e.table === 'columns')
+    .map((e): Mapped => {
+      const part = (name: string) => {
+        const found = new RegExp(`\\b${name}\\s*=\\s*("(?:[^"\\\\]|\\\\.)*"|'[^']*')`).exec(e.value);
+        return found ? plainValue(found[1] as string) : '';
+      };
+      if (e.value.startsWith('{')) return { ours: e.key, column: part('column'), unit: part('unit'), number: '' };
+      return /^["']/.test(e.value) ? { ours: e.key, column: plainValue(e.value), unit: '', number: '' } : { ours: e.key, column: '', unit: '', number: e.value };
+    });
   const lines = text.split('\n');
   const absent = lines.flatMap((line) => /^#\s*([a-z_A-Z0-9]+)\s*=/.exec(line)?.[1] ?? []);
   const unused = lines.filter((line) => line.startsWith('# not used:')).flatMap((line) => [...line.matchAll(/"((?:[^"\\]|\\.)*)"/g)].map((m) => plainValue(m[0])));
@@ -25,9 +27,7 @@ export function readMap(text: string): { mapped: Mapped[]; absent: string[]; unu
 }
 
 export function writeMap(mapped: Mapped[]): string {
-  const lines = mapped
-    .filter((m) => m.column || m.number)
-    .map((m) => `${m.ours} = ${m.number ? m.number : m.unit ? `{ column = ${quoted(m.column)}, unit = ${quoted(m.unit)} }` : quoted(m.column)}`);
+  const lines = mapped.filter((m) => m.column || m.number).map((m) => `${m.ours} = ${m.number ? m.number : m.unit ? `{ column = ${quoted(m.column)}, unit = ${quoted(m.unit)} }` : quoted(m.column)}`);
   return ['[columns]', ...lines, ''].join('\n');
 }
 
@@ -55,7 +55,10 @@ export function cells(line: string, separator: string): string[] {
 
 /// The first rows of a file under their header, to be looked at. The engine reads it by itself.
 export function preview(text: string, names: string[], rows: number): { header: string[]; rows: string[][]; lines: number; total: number } {
-  const head = text.slice(0, 200_000).split(/\r\n|\r|\n/).slice(0, 200);
+  const head = text
+    .slice(0, 200_000)
+    .split(/\r\n|\r|\n/)
+    .slice(0, 200);
   const separator = separators.map((s) => ({ s, count: Math.max(...head.slice(0, 40).map((line) => cells(line, s).length)) })).sort((a, b) => b.count - a.count)[0]?.s ?? ',';
   const split = head.map((line) => cells(line, separator));
   const holds = (line: string[]) => names.filter((name) => line.includes(name)).length;
@@ -63,7 +66,15 @@ export function preview(text: string, names: string[], rows: number): { header: 
   let at = best > 0 ? split.findIndex((line) => holds(line) === best) : split.findIndex((line) => line.length > 1 && !line[0]?.startsWith('#'));
   if (at < 0) at = 0;
   const total = (text.match(/\n/g)?.length ?? 0) + (text.endsWith('\n') || text === '' ? 0 : 1);
-  return { header: split[at] ?? [], rows: split.slice(at + 1).filter((line) => line.some((c) => c !== '')).slice(0, rows), lines: at + 1, total };
+  return {
+    header: split[at] ?? [],
+    rows: split
+      .slice(at + 1)
+      .filter((line) => line.some((c) => c !== ''))
+      .slice(0, rows),
+    lines: at + 1,
+    total,
+  };
 }
 
 /// Numbers of a CSV that `check -o` wrote, by column.

@@ -33,7 +33,12 @@ function sliders(s: State, actions: Actions): HTMLElement | undefined {
 
 export function comparePanel(actions: Actions): Panelled {
   const figures = () => new Part(el('div', {}), (s) => [s.result?.compared, s.on], pictures);
-  const numbers = () => new Part(el('div', {}), (s) => [s.at, s.result === undefined, s.result?.refitted], (s) => [sliders(s, actions)]);
+  const numbers = () =>
+    new Part(
+      el('div', {}),
+      (s) => [s.at, s.result === undefined, s.result?.refitted],
+      (s) => [sliders(s, actions)],
+    );
   return { needs: () => [], make: () => [numbers(), figures()] };
 }
 

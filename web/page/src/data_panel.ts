@@ -103,15 +103,47 @@ export function dataPanel(actions: Actions): Panelled {
       const next = s.confirmed && !s.problem && s.reading ? button(s.model ? 'Next: the verdict' : 'Next: the bearing', () => actions.show(s.model ? 'missing' : 'model'), { class: 'primary', id: 'next' }) : undefined;
       return [
         s.problem?.at === 'data' ? callout('error', s.problem.text) : undefined,
-        el('div', { class: 'drop', id: 'drop' }, el('p', {}, el('b', {}, 'Drop a CSV file anywhere on this page'), ', or '), filePicker(actions, 'choose files', 'file-2'), el('p', { class: 'note' }, 'Speed, loads, temperature and friction torque, a row for each reading. Several files are one record. Nothing leaves this computer.'), pasteBox(actions)),
-        s.confirmed ? undefined : callout('doubt', el('span', {}, el('b', {}, 'Proposed by words and units: '), 'look through the columns below. Nothing is computed before you agree.'), button('These columns are right', () => void actions.confirmColumns(), { class: 'primary', id: 'confirm-columns' })),
+        el(
+          'div',
+          { class: 'drop', id: 'drop' },
+          el('p', {}, el('b', {}, 'Drop a CSV file anywhere on this page'), ', or '),
+          filePicker(actions, 'choose files', 'file-2'),
+          el('p', { class: 'note' }, 'Speed, loads, temperature and friction torque, a row for each reading. Several files are one record. Nothing leaves this computer.'),
+          pasteBox(actions),
+        ),
+        s.confirmed
+          ? undefined
+          : callout(
+              'doubt',
+              el('span', {}, el('b', {}, 'Proposed by words and units: '), 'look through the columns below. Nothing is computed before you agree.'),
+              button('These columns are right', () => void actions.confirmColumns(), { class: 'primary', id: 'confirm-columns' }),
+            ),
         list.length
           ? el(
               'section',
               { class: 'list' },
-              el('div', { class: 'head' }, el('h3', {}, 'Columns'), el('span', { class: 'note' }, s.reading ? `${s.reading.rows} rows${noise?.rms ? `; noise ${number(noise.rms, 3)} ${quantity(`x_${s.reading.unit}`).unit} from ${inWords(noise.source)}` : ''}` : '')),
-              el('div', { class: 'scroll wide', tabindex: '0' }, el('table', { class: 'mapping' }, el('thead', {}, el('tr', {}, ...['quantity', 'column of the file', 'its unit, or a number', 'as read', 'over the rows'].map((h) => el('th', { scope: 'col', class: h === 'as read' ? 'number' : '' }, h)))), el('tbody', {}, ...list.map((m) => mappingRow(m, header, s, actions))))),
-              el('p', { class: 'options' }, option('drop-nan', 'Leave out rows with an empty cell, nan or #N/A in a column that counts', s.dropNan, (on) => void actions.readAs({ dropNan: on })), option('rows', 'Keep rows of a logger apart, instead of their means at equal settings', s.rows, (on) => void actions.readAs({ rows: on }))),
+              el(
+                'div',
+                { class: 'head' },
+                el('h3', {}, 'Columns'),
+                el('span', { class: 'note' }, s.reading ? `${s.reading.rows} rows${noise?.rms ? `; noise ${number(noise.rms, 3)} ${quantity(`x_${s.reading.unit}`).unit} from ${inWords(noise.source)}` : ''}` : ''),
+              ),
+              el(
+                'div',
+                { class: 'scroll wide', tabindex: '0' },
+                el(
+                  'table',
+                  { class: 'mapping' },
+                  el('thead', {}, el('tr', {}, ...['quantity', 'column of the file', 'its unit, or a number', 'as read', 'over the rows'].map((h) => el('th', { scope: 'col', class: h === 'as read' ? 'number' : '' }, h)))),
+                  el('tbody', {}, ...list.map((m) => mappingRow(m, header, s, actions))),
+                ),
+              ),
+              el(
+                'p',
+                { class: 'options' },
+                option('drop-nan', 'Leave out rows with an empty cell, nan or #N/A in a column that counts', s.dropNan, (on) => void actions.readAs({ dropNan: on })),
+                option('rows', 'Keep rows of a logger apart, instead of their means at equal settings', s.rows, (on) => void actions.readAs({ rows: on })),
+              ),
               ...(unused.length ? [el('p', { class: 'note' }, `Not used: ${unused.join(', ')}.`)] : []),
             )
           : undefined,

@@ -3,7 +3,20 @@ import data from '../../../tests/hidden_effect/rigs/dev-03/train.csv';
 import model from '../../../tests/hidden_effect/rigs/dev-03/model.toml';
 import type { Case, TextFile } from './state';
 
-export const example: Partial<Case> = { example: true, data: [{ name: 'rig.csv', text: data }], map: '', model: { name: 'rig.toml', text: model }, designation: '', oil: '', dropNan: false, rows: false, channel: '', law: '', on: [], forced: false };
+export const example: Partial<Case> = {
+  example: true,
+  data: [{ name: 'rig.csv', text: data }],
+  map: '',
+  model: { name: 'rig.toml', text: model },
+  designation: '',
+  oil: '',
+  dropNan: false,
+  rows: false,
+  channel: '',
+  law: '',
+  on: [],
+  forced: false,
+};
 
 /// A case that was put into the page: {"model": {...}, "data": [...], "map": "..."}.
 export function loaded(): Partial<Case> | undefined {

@@ -93,14 +93,7 @@ export function frame(root: HTMLElement, actions: Actions, state: () => State, c
     if (event.key === 'Escape' && state().job) actions.stop();
   });
 
-  const panels: Record<Panel, Panelled> = {
-    data: dataPanel(actions),
-    model: modelPanel(actions, change),
-    compare: comparePanel(actions),
-    missing: missingPanel(actions),
-    history: historyPanel(actions),
-    home: homePanel(actions),
-  };
+  const panels: Record<Panel, Panelled> = { data: dataPanel(actions), model: modelPanel(actions, change), compare: comparePanel(actions), missing: missingPanel(actions), history: historyPanel(actions), home: homePanel(actions) };
   // The seconds of a question run on their own.
   const clock = el('span', { class: 'clock' });
   setInterval(() => {
@@ -109,11 +102,15 @@ export function frame(root: HTMLElement, actions: Actions, state: () => State, c
   }, 100);
 
   return [
-    new Part(status, (s) => [s.job?.label, s.took], (s) => {
-      if (!s.job) return [s.took ? el('span', { class: 'took' }, `${s.took.label}: ${s.took.ms < 995 ? `${Math.round(s.took.ms)} ms` : `${(s.took.ms / 1000).toFixed(1)} s`}`) : undefined];
-      clock.textContent = '';
-      return [el('span', { class: 'spinner', 'aria-hidden': 'true' }), el('span', {}, `${s.job.label} `), clock, button('Stop', () => actions.stop(), { id: 'stop', class: 'small', title: 'Ends this question (Escape)' })];
-    }),
+    new Part(
+      status,
+      (s) => [s.job?.label, s.took],
+      (s) => {
+        if (!s.job) return [s.took ? el('span', { class: 'took' }, `${s.took.label}: ${s.took.ms < 995 ? `${Math.round(s.took.ms)} ms` : `${(s.took.ms / 1000).toFixed(1)} s`}`) : undefined];
+        clock.textContent = '';
+        return [el('span', { class: 'spinner', 'aria-hidden': 'true' }), el('span', {}, `${s.job.label} `), clock, button('Stop', () => actions.stop(), { id: 'stop', class: 'small', title: 'Ends this question (Escape)' })];
+      },
+    ),
     new Part(
       nav,
       (s) => [s.panel, s.data, s.model, s.law, s.on, s.result, s.history, s.reading, s.problem],
@@ -124,7 +121,12 @@ export function frame(root: HTMLElement, actions: Actions, state: () => State, c
           ...steps.map(([name, words], k) => {
             const wrong = s.problem?.at === name;
             const b = button(
-              el('span', { class: 'step' }, el('span', { class: 'numeral', 'aria-hidden': 'true' }, String(k + 1)), el('span', { class: 'words' }, el('b', {}, words), el('span', { class: 'summary' }, wrong ? 'needs a look' : summary(name, s)))),
+              el(
+                'span',
+                { class: 'step' },
+                el('span', { class: 'numeral', 'aria-hidden': 'true' }, String(k + 1)),
+                el('span', { class: 'words' }, el('b', {}, words), el('span', { class: 'summary' }, wrong ? 'needs a look' : summary(name, s))),
+              ),
               () => actions.show(name),
               { id: `step-${name}`, ...(s.panel === name ? { 'aria-current': 'step' } : {}), class: wrong ? 'wrong' : '' },
             );
@@ -134,9 +136,13 @@ export function frame(root: HTMLElement, actions: Actions, state: () => State, c
       ],
     ),
     ...verdict(head, actions),
-    new Part(panel, (s) => [s.panel, ...panels[s.panel].needs(s)], (s) => {
-      panel.dataset.panel = s.panel;
-      return panels[s.panel].make(s);
-    }),
+    new Part(
+      panel,
+      (s) => [s.panel, ...panels[s.panel].needs(s)],
+      (s) => {
+        panel.dataset.panel = s.panel;
+        return panels[s.panel].make(s);
+      },
+    ),
   ];
 }

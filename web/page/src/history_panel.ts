@@ -27,8 +27,22 @@ export function historyPanel(actions: Actions): Panelled {
         el(
           'section',
           { class: 'list' },
-          el('div', { class: 'head' }, el('h3', {}, 'History'), button('Undo', () => void actions.back(s.at - 1), { id: 'undo', class: 'small', title: 'One step back (Ctrl+Z)', ...(s.at > 0 ? {} : { disabled: '' }) })),
-          el('div', { class: 'scroll', tabindex: '0' }, el('table', {}, el('thead', {}, el('tr', {}, ...['', 'step', 'error before', 'error after', 'on rows left out', ''].map((h, k) => el('th', { scope: 'col', class: k === 0 || (k > 1 && k < 5) ? 'number' : '' }, h)))), el('tbody', {}, ...rows))),
+          el(
+            'div',
+            { class: 'head' },
+            el('h3', {}, 'History'),
+            button('Undo', () => void actions.back(s.at - 1), { id: 'undo', class: 'small', title: 'One step back (Ctrl+Z)', ...(s.at > 0 ? {} : { disabled: '' }) }),
+          ),
+          el(
+            'div',
+            { class: 'scroll', tabindex: '0' },
+            el(
+              'table',
+              {},
+              el('thead', {}, el('tr', {}, ...['', 'step', 'error before', 'error after', 'on rows left out', ''].map((h, k) => el('th', { scope: 'col', class: k === 0 || (k > 1 && k < 5) ? 'number' : '' }, h)))),
+              el('tbody', {}, ...rows),
+            ),
+          ),
           el('p', { class: 'note' }, 'RMS error of the refitted model. A new step after going back replaces the later ones.'),
         ),
       ];

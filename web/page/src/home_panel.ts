@@ -12,13 +12,44 @@ function save(name: string, text: string, type: string): void {
 }
 
 function item(title: string, words: string, name: string, text: string | undefined, type: string, id: string): HTMLElement {
-  return el('li', {}, el('div', {}, el('b', {}, title), el('p', { class: 'note' }, words)), button(`Save ${name}`, () => text !== undefined && save(name, text, type), { id, ...(text === undefined ? { disabled: '' } : {}) }));
+  return el(
+    'li',
+    {},
+    el('div', {}, el('b', {}, title), el('p', { class: 'note' }, words)),
+    button(`Save ${name}`, () => text !== undefined && save(name, text, type), { id, ...(text === undefined ? { disabled: '' } : {}) }),
+  );
 }
 
 function listing(title: string, text: string, name: string, id: string): HTMLElement {
   const said = el('span', { class: 'note', role: 'status' });
-  const copy = button('Copy', () => void navigator.clipboard.writeText(text).then(() => (said.textContent = 'copied'), () => (said.textContent = 'not allowed here: save it')), { class: 'small' });
-  return el('section', { class: 'list' }, el('div', { class: 'head' }, el('h3', {}, title), el('span', {}, said, ' ', copy, ' ', button('Save', () => save(name, text, 'text/plain'), { class: 'small', id: `save-${id}` }))), el('pre', { id, tabindex: '0' }, text));
+  const copy = button(
+    'Copy',
+    () =>
+      void navigator.clipboard.writeText(text).then(
+        () => (said.textContent = 'copied'),
+        () => (said.textContent = 'not allowed here: save it'),
+      ),
+    { class: 'small' },
+  );
+  return el(
+    'section',
+    { class: 'list' },
+    el(
+      'div',
+      { class: 'head' },
+      el('h3', {}, title),
+      el(
+        'span',
+        {},
+        said,
+        ' ',
+        copy,
+        ' ',
+        button('Save', () => save(name, text, 'text/plain'), { class: 'small', id: `save-${id}` }),
+      ),
+    ),
+    el('pre', { id, tabindex: '0' }, text),
+  );
 }
 
 /// A correction as something that runs in a control.

@@ -13,7 +13,12 @@ const store = new Store((state) => {
   document.documentElement.dataset.idle = state.running === 0 && !state.job ? 'yes' : 'no';
 });
 const actions = new Actions(store, engineOfPage());
-parts = frame(document.getElementById('workbench') as HTMLElement, actions, () => store.state, (part) => store.change(part));
+parts = frame(
+  document.getElementById('workbench') as HTMLElement,
+  actions,
+  () => store.state,
+  (part) => store.change(part),
+);
 followWindow();
 const given = loaded();
 void actions.open(given ?? example, given ? 'as opened' : 'built-in rig');

@@ -38,7 +38,11 @@ function fromRanking(e: RankedEffect): Candidate {
 function candidates(s: State, result: Result): Candidate[] {
   const a = result.added?.results;
   const on = s.on.map((id): Candidate => {
-    const own = Object.fromEntries(Object.entries(a?.calibration.parameters ?? {}).filter(([name]) => name.startsWith(`${id}.`)).map(([name, p]) => [name.slice(id.length + 1), p]));
+    const own = Object.fromEntries(
+      Object.entries(a?.calibration.parameters ?? {})
+        .filter(([name]) => name.startsWith(`${id}.`))
+        .map(([name, p]) => [name.slice(id.length + 1), p]),
+    );
     return { id, on: true, rmse: a?.after.rmse, held: a?.rmse_held_out_after, gain: undefined, size: sizes(own), inVerdict: true, law: false };
   });
   // Where nothing more is missing none is ranked: then those of before, each alone.
@@ -118,7 +122,14 @@ export function missingPanel(actions: Actions): Panelled {
   return {
     needs: (s) => [s.result, s.laws, s.effects, s.problem],
     make: (s) => {
-      const problem = s.problem?.at === 'missing' ? callout('error', el('span', {}, s.problem.text), button('Ask again', () => void actions.evaluate(), { class: 'small' })) : undefined;
+      const problem =
+        s.problem?.at === 'missing'
+          ? callout(
+              'error',
+              el('span', {}, s.problem.text),
+              button('Ask again', () => void actions.evaluate(), { class: 'small' }),
+            )
+          : undefined;
       const { result } = s;
       if (!result) return [problem, el('p', { class: 'quiet' }, s.problem ? 'The verdict stands here when the question can be answered.' : 'The candidates stand here when the data and the bearing are known.')];
       const d = (result.rest ?? result.base).results;
@@ -126,11 +137,18 @@ export function missingPanel(actions: Actions): Panelled {
       const rows = el('ol', { class: 'candidates' });
       const fill = () => rows.replaceChildren(...(all ? list : list.filter((c, k) => k < shownAtOnce || c.law || c.on)).map((c) => row(c, s, result, actions)));
       fill();
-      const more = list.length > shownAtOnce ? button(all ? 'Only the best' : `All ${list.length} candidates`, () => {
-        all = !all;
-        fill();
-        if (more) more.textContent = all ? 'Only the best' : `All ${list.length} candidates`;
-      }, { class: 'small', id: 'all-candidates' }) : undefined;
+      const more =
+        list.length > shownAtOnce
+          ? button(
+              all ? 'Only the best' : `All ${list.length} candidates`,
+              () => {
+                all = !all;
+                fill();
+                if (more) more.textContent = all ? 'Only the best' : `All ${list.length} candidates`;
+              },
+              { class: 'small', id: 'all-candidates' },
+            )
+          : undefined;
       const unit = unitOfKey(d.baseline.unit);
       const diagnosed = result.rest ?? result.base;
       // Of a record over time these pictures stand in the step Compare.
@@ -149,7 +167,12 @@ export function missingPanel(actions: Actions): Panelled {
           el(
             'section',
             { class: 'list candidates-box' },
-            el('div', { class: 'head' }, el('h3', {}, 'Candidates'), el('span', { class: 'note' }, `RMS error ${s.on.length && !result.rest?.results.effects.length ? 'of each instead' : s.on.length ? 'with each as well' : 'with each'}, all refitted [${unit}]`)),
+            el(
+              'div',
+              { class: 'head' },
+              el('h3', {}, 'Candidates'),
+              el('span', { class: 'note' }, `RMS error ${s.on.length && !result.rest?.results.effects.length ? 'of each instead' : s.on.length ? 'with each as well' : 'with each'}, all refitted [${unit}]`),
+            ),
             el('p', { class: 'columns', 'aria-hidden': 'true' }, el('span', {}, 'click to add or take off'), el('span', { class: 'number' }, 'fit'), el('span', { class: 'number held' }, 'left out')),
             rows,
             ...(more ? [more] : []),
@@ -157,7 +180,18 @@ export function missingPanel(actions: Actions): Panelled {
           el('div', { class: 'beside' }, ...[curves(result, s)].filter((f): f is HTMLElement => f !== undefined), ...[measureNext(d)].filter((f): f is HTMLElement => f !== undefined), ...(next && planned ? [planned.element] : [])),
         ),
         shows,
-        d.not_testable.length ? el('details', { class: 'list' }, el('summary', {}, `${d.not_testable.length} effects could not have been found`), valueList('', ['effect', 'why'], d.not_testable.map((n) => [inWords(n.id), printed(n.missing)]))) : undefined,
+        d.not_testable.length
+          ? el(
+              'details',
+              { class: 'list' },
+              el('summary', {}, `${d.not_testable.length} effects could not have been found`),
+              valueList(
+                '',
+                ['effect', 'why'],
+                d.not_testable.map((n) => [inWords(n.id), printed(n.missing)]),
+              ),
+            )
+          : undefined,
         d.said.length ? el('section', { class: 'list' }, el('h3', {}, 'Said of these data'), el('ul', { class: 'said' }, ...d.said.map((n) => el('li', { 'data-kind': n.kind }, printed(n.text))))) : undefined,
       ];
     },

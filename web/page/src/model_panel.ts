@@ -58,7 +58,12 @@ function field(key: Key, entry: Entry | undefined, assumed: boolean, s: State, a
     { class: `field${assumed ? ' assumed' : ''}` },
     el('label', { for: id }, nameOf(key)),
     el('span', { class: 'entry' }, input, el('span', { class: 'of-unit' }, unitWords(key.unit))),
-    el('p', { class: 'note', id: `${id}-note` }, ...(assumed ? [el('span', { class: 'mark' }, /^estimated/.test(entry?.comment ?? '') ? 'estimated' : 'assumed'), ' '] : []), `${entry?.comment && assumed ? `${entry.comment.replace(/^(assumed|estimated): */, '').replace(/^assumed$/, '')}. `.replace(/^\. /, '') : ''}${rangeWords(key)}${rangeWords(key) ? ': ' : ''}${key.meaning}`),
+    el(
+      'p',
+      { class: 'note', id: `${id}-note` },
+      ...(assumed ? [el('span', { class: 'mark' }, /^estimated/.test(entry?.comment ?? '') ? 'estimated' : 'assumed'), ' '] : []),
+      `${entry?.comment && assumed ? `${entry.comment.replace(/^(assumed|estimated): */, '').replace(/^assumed$/, '')}. `.replace(/^\. /, '') : ''}${rangeWords(key)}${rangeWords(key) ? ': ' : ''}${key.meaning}`,
+    ),
   );
 }
 
@@ -92,7 +97,13 @@ export function modelPanel(actions: Actions, change: (part: Partial<State>) => v
     needs: (s) => [s.model, s.keys, s.problem, s.toml, s.law, s.modelNotes, s.channel],
     make: (s) => {
       const problem = s.problem?.at === 'model' ? callout('error', s.problem.text) : undefined;
-      const form = el('section', { class: 'list' }, el('h3', {}, s.model ? 'Another bearing' : 'Which bearing was measured?'), designation(s, actions), el('p', { class: 'note' }, 'As 7014 C, 7014 AC, HCB7014 or S 6014 C; the catalogue or its rules fill in the rest. Or drop a model file (TOML).'));
+      const form = el(
+        'section',
+        { class: 'list' },
+        el('h3', {}, s.model ? 'Another bearing' : 'Which bearing was measured?'),
+        designation(s, actions),
+        el('p', { class: 'note' }, 'As 7014 C, 7014 AC, HCB7014 or S 6014 C; the catalogue or its rules fill in the rest. Or drop a model file (TOML).'),
+      );
       if (!s.model) {
         const at = document.activeElement;
         if (!at || !/^(INPUT|TEXTAREA|SELECT)$/.test(at.tagName)) setTimeout(() => document.getElementById('designation')?.focus(), 0);
@@ -112,7 +123,15 @@ export function modelPanel(actions: Actions, change: (part: Partial<State>) => v
           const key = keyOf(table, e.key);
           return key ? [field(key, e, assumed.has(`${table}.${e.key}`), s, actions)] : [];
         });
-        const others = s.keys.filter((k, at) => k.table === table && applies(k.only, text) && k.key !== 'law' && !here.some((e) => e.key === k.key) && s.keys.findIndex((other) => other.table === table && other.key === k.key && applies(other.only, text)) === at && k.kind !== 'table');
+        const others = s.keys.filter(
+          (k, at) =>
+            k.table === table &&
+            applies(k.only, text) &&
+            k.key !== 'law' &&
+            !here.some((e) => e.key === k.key) &&
+            s.keys.findIndex((other) => other.table === table && other.key === k.key && applies(other.only, text)) === at &&
+            k.kind !== 'table',
+        );
         return el(
           'section',
           { class: 'list' },
@@ -142,7 +161,12 @@ export function modelPanel(actions: Actions, change: (part: Partial<State>) => v
             el('h3', {}, 'Lags from the record'),
             ...(channels.length ? [el('p', { class: 'choice' }, el('span', {}, 'Displacement'), choice)] : []),
             el('p', { class: 'note' }, 'Gains and time constants of each channel, chosen by the error on parts of the record that no fit saw.'),
-            el('p', { class: 'actions' }, button('Find the lags of these channels', () => void actions.identify(false), { id: 'identify', class: 'primary' }), button('Take all sensors, each through a bank of lags', () => void actions.identify(true), { id: 'identify-bank' })),
+            el(
+              'p',
+              { class: 'actions' },
+              button('Find the lags of these channels', () => void actions.identify(false), { id: 'identify', class: 'primary' }),
+              button('Take all sensors, each through a bank of lags', () => void actions.identify(true), { id: 'identify-bank' }),
+            ),
           )
         : undefined;
       const count = assumed.size;

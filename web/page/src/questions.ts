@@ -33,11 +33,7 @@ function reading(of: Case): string[] {
 
 function rig(of: Case): Rig {
   const data = dataFiles(of.data);
-  return {
-    data: data.map((d) => d.name),
-    columns: reading(of),
-    files: { ...Object.fromEntries(data.map((d) => [d.name, d.text])), ...(of.map ? { 'columns.toml': of.map } : {}) },
-  };
+  return { data: data.map((d) => d.name), columns: reading(of), files: { ...Object.fromEntries(data.map((d) => [d.name, d.text])), ...(of.map ? { 'columns.toml': of.map } : {}) } };
 }
 
 export function suggest(model: string, data: TextFile): Question {
@@ -67,10 +63,7 @@ export function calibrate(of: Case, model: string): Question {
 
 export function add(of: Case, model: string, ids: string[]): Question {
   const { data, columns, files } = rig(of);
-  return {
-    arguments: ['add', 'model.toml', ...ids, '--data', ...data, ...columns, ...(of.forced ? ['--force'] : []), '--json', '-o', 'improved.toml', '--report', 'report.html'],
-    files: { 'model.toml': model, ...files },
-  };
+  return { arguments: ['add', 'model.toml', ...ids, '--data', ...data, ...columns, ...(of.forced ? ['--force'] : []), '--json', '-o', 'improved.toml', '--report', 'report.html'], files: { 'model.toml': model, ...files } };
 }
 
 /// Takes another base law, whether it helps or not: a look, before any is chosen.

@@ -30,6 +30,7 @@ export interface Case {
 
 /// What the engine says of a case, step by step as answers come in.
 export interface Result {
+  on: string[]; // the effects that it is of
   entered: string; // text of the model with the chosen base law
   base: Diagnosed;
   added?: AddedTo;

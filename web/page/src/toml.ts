@@ -75,7 +75,9 @@ export const isCorrection = (text: string): boolean => /^\s*\[\[?correction\]/m.
 
 /// Displacements of a model that has several corrections.
 export function channelsOf(text: string): string[] {
-  const found = entries(text).filter((e) => e.table === 'correction' && e.key === 'displacement').map((e) => plainValue(e.value));
+  const found = entries(text)
+    .filter((e) => e.table === 'correction' && e.key === 'displacement')
+    .map((e) => plainValue(e.value));
   return found.length > 1 ? found : [];
 }
 

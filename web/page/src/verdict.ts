@@ -6,7 +6,12 @@ import type { Result, State } from './state';
 import { button, callout, Part, type Shown } from './view';
 
 /// Words of the command as people print them.
-export const printed = (text: string): string => text.replace(/ -> /g, ' → ').replace(/\+- /g, '± ').replace(/\bum\b/g, 'µm').replace(/ C\b(?= |\.|,|$|\))/g, ' °C');
+export const printed = (text: string): string =>
+  text
+    .replace(/ -> /g, ' → ')
+    .replace(/\+- /g, '± ')
+    .replace(/\bum\b/g, 'µm')
+    .replace(/ C\b(?= |\.|,|$|\))/g, ' °C');
 
 interface Errors {
   before: number;
@@ -32,17 +37,21 @@ class ErrorBars implements Shown {
     return { bar, ghost, noise, value, element: el('div', { class: 'bar-row' }, el('span', { class: 'bar-label' }, label), el('div', { class: 'bar-track', 'aria-hidden': 'true' }, ghost, bar, noise), value) };
   });
   private readonly legend = el('p', { class: 'bar-legend' });
-  private seen: Result | undefined;
+  private seen: unknown[] = [];
 
   constructor(private readonly element: HTMLElement) {
     element.append(el('h2', { class: 'bars-title' }, 'RMS error against the noise'), ...this.rows.map((r) => r.element), this.legend);
   }
 
-  update({ result }: State): void {
+  update({ result, on, problem }: State): void {
     this.element.hidden = !result;
-    if (!result || result === this.seen) return;
-    this.seen = result;
+    if (!result || (result === this.seen[0] && on === this.seen[1])) return;
+    this.seen = [result, on];
     const { fit, held, noise, unit } = errors(result);
+    // What was clicked a moment ago: the diagnosis knows the error with one effect, and without any.
+    const clicked = problem || on === result.on ? undefined : on.length === 0 ? fit.before : on.length === 1 ? result.base.results.effects.find((e) => e.id === on[0])?.rmse : undefined;
+    if (clicked !== undefined) fit.now = clicked;
+    if (clicked !== undefined && held && on.length === 0) held.now = held.before;
     const most = 1.08 * Math.max(fit.before, held?.before ?? 0, fit.now, held?.now ?? 0, noise);
     const share = (value: number) => `${(100 * value) / most}%`;
     [fit, held].forEach((e, k) => {
@@ -67,11 +76,36 @@ export function verdict(head: HTMLElement, actions: Actions): Shown[] {
     words,
     (s) => [s.result, s.on, s.problem, s.stale, s.job === undefined, s.model, s.data, s.example, s.confirmed, s.panel === 'data' || s.panel === 'model', s.at > 0],
     (s) => {
-      const problem = s.problem && s.panel !== s.problem.at ? callout('error', el('span', {}, s.problem.text), button('Show', () => actions.show(s.problem?.at ?? 'data'), { class: 'small' })) : undefined;
+      const problem =
+        s.problem && s.panel !== s.problem.at
+          ? callout(
+              'error',
+              el('span', {}, s.problem.text),
+              button('Show', () => actions.show(s.problem?.at ?? 'data'), { class: 'small' }),
+            )
+          : undefined;
       const { result } = s;
       if (!result) {
-        const next = !s.data.length ? 'Drop a file with measured friction torque: CSV, or a table pasted from a spreadsheet.' : !s.confirmed ? 'Look through the columns.' : !s.model ? 'Which bearing was measured? Type its designation.' : s.problem ? 'No verdict yet.' : 'Asking the engine …';
-        return [problem, el('h1', { id: 'sentence' }, next), !s.model && s.data.length && s.confirmed && s.panel !== 'model' && s.panel !== 'data' ? el('p', { class: 'actions' }, button('Next: the bearing', () => actions.show('model'), { class: 'primary', id: 'next-model' })) : undefined];
+        const next = !s.data.length
+          ? 'Drop a file with measured friction torque: CSV, or a table pasted from a spreadsheet.'
+          : !s.confirmed
+            ? 'Look through the columns.'
+            : !s.model
+              ? 'Which bearing was measured? Type its designation.'
+              : s.problem
+                ? 'No verdict yet.'
+                : 'Asking the engine …';
+        return [
+          problem,
+          el('h1', { id: 'sentence' }, next),
+          !s.model && s.data.length && s.confirmed && s.panel !== 'model' && s.panel !== 'data'
+            ? el(
+                'p',
+                { class: 'actions' },
+                button('Next: the bearing', () => actions.show('model'), { class: 'primary', id: 'next-model' }),
+              )
+            : undefined,
+        ];
       }
       const shown = s.on.length ? result.rest : result.base;
       const d = (shown ?? result.base).results;
@@ -86,7 +120,11 @@ export function verdict(head: HTMLElement, actions: Actions): Shown[] {
       );
       const removes = s.on.map((id) => button(`Remove ${inWords(id)}`, () => void actions.toggle(id), { id: `remove-${id}` }));
       const refused = result.refused
-        ? callout('doubt', el('span', {}, `The engine does not take it: ${printed(result.refused)}.`), button('Add it all the same', () => void actions.force(), { class: 'small', id: 'force' }))
+        ? callout(
+            'doubt',
+            el('span', {}, `The engine does not take it: ${printed(result.refused)}.`),
+            button('Add it all the same', () => void actions.force(), { class: 'small', id: 'force' }),
+          )
         : undefined;
       return [
         problem,
@@ -95,8 +133,19 @@ export function verdict(head: HTMLElement, actions: Actions): Shown[] {
         s.stale ? el('span', { class: 'badge open', id: 'stale' }, s.job ? 'updating' : 'of the case before') : undefined,
         el('h1', { id: 'sentence' }, printed(sentence)),
         refused,
-        el('p', { class: 'actions' }, ...(result.refused ? removes : [...(s.on.length && d.verdict === 'nothing-missing' ? [] : adds), ...removes]), ...(s.at > 0 ? [button('Undo', () => void actions.back(s.at - 1), { id: 'undo-here', title: 'One step back (Ctrl+Z)' })] : [])),
-        el('details', { class: 'why' }, el('summary', {}, 'Why, in numbers'), el('p', {}, printed(d.sentence)), el('p', {}, `Misfit by chance: ${probability(d.p_value)}; ${d.rows} rows; ${d.candidates_tried} explanations tried; gain needed ${number(d.needed_gain, 3)}.${held ? '' : ''}`)),
+        el(
+          'p',
+          { class: 'actions' },
+          ...(result.refused ? removes : [...(s.on.length && d.verdict === 'nothing-missing' ? [] : adds), ...removes]),
+          ...(s.at > 0 ? [button('Undo', () => void actions.back(s.at - 1), { id: 'undo-here', title: 'One step back (Ctrl+Z)' })] : []),
+        ),
+        el(
+          'details',
+          { class: 'why' },
+          el('summary', {}, 'Why, in numbers'),
+          el('p', {}, printed(d.sentence)),
+          el('p', {}, `Misfit by chance: ${probability(d.p_value)}; ${d.rows} rows; ${d.candidates_tried} explanations tried; gain needed ${number(d.needed_gain, 3)}.${held ? '' : ''}`),
+        ),
       ];
     },
   );
