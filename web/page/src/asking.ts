@@ -18,10 +18,12 @@ export class Refused extends Error {
   }
 }
 
-const mostKept = 60;
+const mostKept = 60; // answers
+const largestKept = 1.5e8; // characters of all of them
 
 export class Asking {
   private readonly kept = new Map<string, Promise<Answer>>();
+  private readonly sizes = new Map<string, number>(); // of answers
   private readonly numbers = new Map<string, number>(); // of texts
   private last: Promise<unknown> = Promise.resolve();
   private era = 0;
@@ -59,9 +61,25 @@ export class Asking {
     });
     this.last = answer.catch(() => {});
     this.kept.set(key, answer);
-    answer.catch(() => this.kept.delete(key));
-    if (this.kept.size > mostKept) this.kept.delete(this.kept.keys().next().value as string);
+    answer.then(
+      ({ out, files }) => {
+        this.sizes.set(key, out.length + Object.values(files).reduce((sum, text) => sum + text.length, 0));
+        this.forget();
+      },
+      () => this.kept.delete(key),
+    );
     return answer;
+  }
+
+  /// Lets go of the oldest answers.
+  private forget(): void {
+    let size = [...this.sizes.values()].reduce((sum, s) => sum + s, 0);
+    for (const [key, of] of this.sizes) {
+      if (this.sizes.size <= mostKept && size <= largestKept) break;
+      size -= of;
+      this.sizes.delete(key);
+      this.kept.delete(key);
+    }
   }
 
   /// The document that a question with --json prints. Fails with Refused where the command does.

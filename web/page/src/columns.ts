@@ -65,7 +65,8 @@ export function preview(text: string, names: string[], rows: number): { header: 
   const best = Math.max(...split.map(holds), 0);
   let at = best > 0 ? split.findIndex((line) => holds(line) === best) : split.findIndex((line) => line.length > 1 && !line[0]?.startsWith('#'));
   if (at < 0) at = 0;
-  const total = (text.match(/\n/g)?.length ?? 0) + (text.endsWith('\n') || text === '' ? 0 : 1);
+  let total = text.endsWith('\n') || text === '' ? 0 : 1;
+  for (let end = text.indexOf('\n'); end >= 0; end = text.indexOf('\n', end + 1)) ++total;
   return {
     header: split[at] ?? [],
     rows: split
@@ -77,16 +78,18 @@ export function preview(text: string, names: string[], rows: number): { header: 
   };
 }
 
-/// Numbers of a CSV that `check -o` wrote, by column.
-export function numbersOf(text: string): Map<string, Float64Array> {
+/// Numbers of a CSV that `check -o` wrote, by column; of many rows as many as are drawn, evenly spread.
+export function numbersOf(text: string, most = 500): Map<string, Float64Array> {
   const lines = text.split('\n').filter((line) => line && !line.startsWith('#'));
   const names = cells(lines[0] ?? '', ',');
-  const columns = names.map(() => new Float64Array(Math.max(0, lines.length - 1)));
-  for (let row = 1; row < lines.length; ++row) {
-    const line = cells(lines[row] as string, ',');
-    for (let k = 0; k < names.length; ++k) (columns[k] as Float64Array)[row - 1] = line[k] === '' || line[k] === undefined ? NaN : Number(line[k]);
+  const rows = Math.max(0, lines.length - 1);
+  const count = Math.min(rows, most);
+  const columns = names.map(() => new Float64Array(count));
+  for (let k = 0; k < count; ++k) {
+    const line = cells(lines[1 + Math.floor((k * rows) / count)] as string, ',');
+    columns.forEach((column, c) => (column[k] = line[c] === '' || line[c] === undefined ? NaN : Number(line[c])));
   }
-  return new Map(names.map((name, k) => [name, columns[k] as Float64Array]));
+  return new Map(names.map((name, c) => [name, columns[c] as Float64Array]));
 }
 
 /// The text of a file: UTF-8 or UTF-16 where it is that, else Windows-1252, as spreadsheets of the West save.
