@@ -1,5 +1,4 @@
 #include <fmt/core.h>
-#include <glog/logging.h>
 
 #include <cstdio>
 #include <exception>
@@ -72,9 +71,6 @@ bool wants_json(std::span<char*> arguments) {
 
 int main(int argc, char** argv) {
   cli::start_process();
-  // Ceres logs trial points without balance as errors; statuses and messages say it where it
-  // counts.
-  FLAGS_minloglevel = google::GLOG_FATAL;
   const bool json = wants_json({argv, argv + argc});
   const auto refused = [json](const cli::Refusal& refusal) {
     return finished(refuse(refusal, json));

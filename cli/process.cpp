@@ -2,15 +2,13 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <glog/logging.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <chrono>
 #include <condition_variable>
 #include <csignal>
-#include <cstdio>
-#include <cstring>
-#include <iostream>
+#include <cstdlib>
 #include <mutex>
 #include <string>
 #include <system_error>
@@ -19,7 +17,6 @@
 
 #include "text/names.h"
 #include "text/output_file.h"
-#include "text/printable.h"
 
 namespace raceway::cli {
 namespace {
@@ -78,13 +75,20 @@ void stop_in_order() {
 void start_process() {
   close_gaps();
   std::signal(SIGXFSZ, SIG_IGN);
+  // Ceres logs trial points without balance as errors; statuses and messages say it where it
+  // counts.
+  FLAGS_minloglevel = google::GLOG_FATAL;
   stop_in_order();
 }
 
-InterruptFlag::InterruptFlag(double seconds) {
+struct InterruptFlag::Clock {
+  std::jthread thread;
+};
+
+InterruptFlag::InterruptFlag(double seconds) : clock_(std::make_unique<Clock>()) {
   flag_is_up = false;
   flag_counts = true;
-  clock_ = std::jthread([this, seconds](const std::stop_token& stop) {
+  clock_->thread = std::jthread([this, seconds](const std::stop_token& stop) {
     std::mutex mutex;
     std::unique_lock lock(mutex);
     std::condition_variable_any waiting;
@@ -98,23 +102,5 @@ InterruptFlag::InterruptFlag(double seconds) {
 InterruptFlag::~InterruptFlag() { flag_counts = false; }
 
 const std::atomic<bool>& InterruptFlag::raised() { return flag_is_up; }
-
-void write_message(std::string_view text) {
-  const std::string safe = text::printable(text, "\n\t");
-  std::fwrite(safe.data(), 1, safe.size(), stderr);
-  std::fflush(stderr);
-}
-
-std::string stdout_problem() {
-  errno = 0;
-  std::cout.flush();
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return {};
-  return stdout_problem(errno);
-}
-
-std::string stdout_problem(int error) {
-  return "stdout could not be written" +
-         (error == 0 ? "" : std::string(": ") + std::strerror(error));
-}
 
 }  // namespace raceway::cli

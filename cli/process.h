@@ -1,9 +1,9 @@
 #pragma once
 
 #include <atomic>
+#include <memory>
 #include <string>
 #include <string_view>
-#include <thread>
 
 /// Process control: standard streams, signals, time limit.
 namespace raceway::cli {
@@ -26,8 +26,9 @@ class InterruptFlag {
   [[nodiscard]] bool out_of_time() const { return out_of_time_; }
 
  private:
+  struct Clock;
   std::atomic<bool> out_of_time_{false};
-  std::jthread clock_;
+  std::unique_ptr<Clock> clock_;
 };
 
 /// Writes to stderr, without terminal control characters. A failed write stops nothing.

@@ -266,9 +266,10 @@ void ParameterPlace::resolve(const Model& model, const std::string& address) {
   const std::string_view table = text.substr(0, dot);
   std::string_view name = text.substr(dot + 1);
   if (model.spindle && table == "sensor") {
-    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index_);
+    const char* const last = name.data() + name.size();
+    const auto [end, error] = std::from_chars(name.data(), last, index_);
     if (error != std::errc() ||
-        std::string_view(end, name.data() + name.size()) != ".position_mm" ||
+        std::string_view(end, static_cast<std::size_t>(last - end)) != ".position_mm" ||
         index_ >= model.spindle->sensors.size())
       refuse(address);
     kind_ = Kind::sensor;

@@ -95,8 +95,9 @@ double duration(const std::string& text, const std::string& flag) {
   double value = 0.0;
   const char* const last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data(), last, value);
+  const std::string_view name(end, static_cast<std::size_t>(last - end));
   const text::Unit* const unit =
-      error == std::errc() ? text::find_unit({end, last}, text::Dimension::time) : nullptr;
+      error == std::errc() ? text::find_unit(name, text::Dimension::time) : nullptr;
   if (!unit) wrong("write a number and its unit (s, min, h, d), as 4h");
   const double seconds = unit->to_SI(value);
   if (!(seconds > 0.0) || !(seconds <= 1e9)) wrong("must be above 0, and 1e9 s at most");

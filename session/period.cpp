@@ -18,8 +18,8 @@ double seconds_of(const std::string& text, const std::string& flag) {
   double value = unset;
   const char* const last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data(), last, value);
-  const text::Unit* const unit =
-      error == std::errc() ? text::find_unit(std::string_view(end, last)) : nullptr;
+  const std::string_view name(end, static_cast<std::size_t>(last - end));
+  const text::Unit* const unit = error == std::errc() ? text::find_unit(name) : nullptr;
   if (!unit || unit->dimension != text::Dimension::time || !(value >= 0.0) || !std::isfinite(value))
     throw text::InputError(fmt::format("{}: {}: write a time since the first row and its unit, as "
                                        "22h, 90min or 3600s",
