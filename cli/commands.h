@@ -35,5 +35,6 @@ Run setup_describe(CLI::App& command);
 Run setup_bearings(CLI::App& command);
 Run setup_new(CLI::App& command);
 Run setup_check(CLI::App& command);
+Run setup_workbench(CLI::App& command);
 
 }  // namespace raceway::cli

@@ -104,13 +104,16 @@ std::string own_data_directory() {
   return named;
 }
 
-std::string data_directory() {
+std::string data_file(const std::string& name) {
   const std::array candidates{own_prefix() / "share/raceway", fs::path(built_data_directory),
                               fs::path(installed_data_directory)};
+  std::error_code ignored;
   for (const fs::path& candidate : candidates)
-    if (is_folder(candidate / "bearings")) return candidate.string();
+    if (fs::exists(candidate / name, ignored)) return (candidate / name).string();
   return {};
 }
+
+std::string data_directory() { return fs::path(data_file("bearings")).parent_path().string(); }
 
 std::vector<CatalogueBearing> read_catalogue(const std::string& path) {
   return parse_catalogue(text::read_text(path), path);

@@ -34,9 +34,12 @@ struct CatalogueBearing {
   [[nodiscard]] std::string full_name() const { return maker + " " + designation; }
 };
 
-/// Folder of the data that come with the program or the shared library: share/raceway next to it,
-/// else the source tree it was built from, else where it was to be installed; empty where none of
-/// them exists.
+/// Path of a file or folder among the data that come with the program or the shared library: in
+/// share/raceway next to it, else in the source tree it was built from, else where it was to be
+/// installed; empty where none of them has it.
+[[nodiscard]] std::string data_file(const std::string& name);
+
+/// Folder that holds the catalogues, bearings/, among these data; empty where there is none.
 [[nodiscard]] std::string data_directory();
 
 /// The user's own folder: the environment variable RACEWAY_DATA, empty where it is not set. Throws

@@ -25,7 +25,7 @@ set(on_report ${on_results} results)
 set(on_session ${on_report} report control)
 set(on_c ${on_session} session)
 set(libraries algebra record fit verdict tolerance loop bearing friction life effects model rig shaft spindle correction text files results control report session c)
-set(users python cli bench tests)  # may include every folder and each other
+set(users python cli web bench tests)  # may include every folder and each other
 set(faults "")
 
 function(forbid file line pattern)  # forbid(file line pattern places...): `places` are the exceptions

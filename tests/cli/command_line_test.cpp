@@ -13,9 +13,9 @@ using testing::Not;
 using testing::StartsWith;
 
 const char* const commands[] = {
-    "solve",    "table", "displacement", "fit-law",       "calibrate",  "compare",
-    "diagnose", "add",   "effects",      "bearings",      "new",        "check",
-    "export",   "keys",  "join",         "step-response", "sensitivity"};
+    "solve",    "table", "displacement", "fit-law",       "calibrate",   "compare",
+    "diagnose", "add",   "effects",      "bearings",      "new",         "check",
+    "export",   "keys",  "join",         "step-response", "sensitivity", "workbench"};
 
 TEST(CommandLine, TellsItsVersion) {
   const Result r = run("--version");

@@ -1,9 +1,9 @@
 #pragma once
 
 // Parts of the C++20 library that this project uses and libc++ 13 lacks, the library of Debian's
-// em++, and a function of Linux. That compiler includes this header before each source of the project (packages.cmake); no
-// other compiler sees it. Numbers are read and written to the same digits as by libstdc++: strtod
-// and printf of musl round exactly.
+// em++, and a function of Linux. That compiler includes this header before each source of the
+// project (packages.cmake); no other compiler sees it. Numbers are read and written to the same
+// digits as by libstdc++: strtod and printf of musl round exactly.
 
 /// Of the instruction sets that kernels ask for, WebAssembly has none.
 #define __builtin_cpu_supports(set) false
@@ -72,8 +72,8 @@ inline const char* end_of_word(const char* first, const char* last, double& valu
   };
   for (const string_view name : {"infinity", "inf", "nan"})
     if (begins(name)) {
-      value = name == "nan" ? numeric_limits<double>::quiet_NaN()
-                            : numeric_limits<double>::infinity();
+      value =
+          name == "nan" ? numeric_limits<double>::quiet_NaN() : numeric_limits<double>::infinity();
       if (negative) value = -value;
       return word + name.size();
     }
@@ -86,12 +86,13 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
   const char* const end = raceway_charconv::end_of_number(first, last);
   if (end == first) {
     const char* const word = raceway_charconv::end_of_word(first, last, value);
-    return word ? from_chars_result{word, errc()} : from_chars_result{first, errc::invalid_argument};
+    return word ? from_chars_result{word, errc()}
+                : from_chars_result{first, errc::invalid_argument};
   }
   const string digits(first, end);
   const double read = strtod(digits.c_str(), nullptr);
-  const bool has_digits = digits.substr(0, digits.find_first_of("eE")).find_first_of("123456789") !=
-                          string::npos;
+  const bool has_digits =
+      digits.substr(0, digits.find_first_of("eE")).find_first_of("123456789") != string::npos;
   if (isinf(read) || (read == 0.0 && has_digits)) return {end, errc::result_out_of_range};
   value = read;
   return {end, errc()};
