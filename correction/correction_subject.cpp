@@ -43,6 +43,7 @@ class CorrectionPredictor : public fit::Predictor {
                        [&](const Beginning& b) { return b.parameter.name == name; });
       places_.push_back(number != numbers_.end() ? number->place : &beginning->parameter.value);
       factors_.push_back(number != numbers_.end() ? number->factor : 1.0);
+      parameters_.push_back(number != numbers_.end() ? number->parameter : beginning->parameter);
     }
   }
   // numbers_ point into model_.
@@ -56,8 +57,7 @@ class CorrectionPredictor : public fit::Predictor {
       const double size = b.parameter.value * um;
       if (size == 0.0) continue;
       if (b.is_state) {
-        const Section& s = model_.channels[b.channel].sections[b.section];
-        const Series::Values decay = series_->decay(s.time_constant);
+        const Series::Values decay = decay_of(b);
         for (std::size_t k = 0; k < out.size(); ++k) out[k] += size * (*decay)[k];
       } else {
         for (std::size_t k = 0; k < out.size(); ++k)
@@ -66,11 +66,62 @@ class CorrectionPredictor : public fit::Predictor {
     }
   }
 
+  /// What the readings are made of is kept under the numbers that it was made of: a parameter bends
+  /// what is another object after it has moved.
+  [[nodiscard]] bool bends(std::size_t parameter, std::size_t of) override {
+    if (bends_.empty()) find_bends();
+    return bends_.at(parameter).at(of == none ? places_.size() : of);
+  }
+
  private:
+  using Terms = std::vector<std::pair<double, Series::Values>>;
+
+  [[nodiscard]] Series::Values decay_of(const Beginning& b) const {
+    return series_->decay(model_.channels[b.channel].sections[b.section].time_constant);
+  }
+
+  [[nodiscard]] Terms terms_of(std::size_t of) {
+    for (std::size_t k = 0; k < places_.size(); ++k)
+      if (parameters_[k].proportional) *places_[k] = k == of ? factors_[k] : 0.0;
+    Terms terms{{model_.offset, nullptr}};
+    show_parts(model_, *series_,
+               [&](double weight, const Series::Values& v) { terms.emplace_back(weight, v); });
+    for (const Beginning& b : beginnings_)
+      if (b.parameter.value != 0.0)
+        terms.emplace_back(b.parameter.value, b.is_state ? decay_of(b) : nullptr);
+    return terms;
+  }
+
+  /// Where parameters begin, a little inwards: at a bound an effect may change nothing.
+  void find_bends() {
+    std::vector<double> by;
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+      const fit::Parameter& p = parameters_[k];
+      const double start = std::clamp(p.start, p.lower, p.upper);
+      const double inwards = p.upper - start > start - p.lower ? 0.01 : -0.01;
+      by.push_back(inwards * (start != 0.0 ? std::abs(start) : 1.0) * factors_[k]);
+      *places_[k] = start * factors_[k] + by[k];
+    }
+    bends_.assign(places_.size(), std::vector<bool>(places_.size() + 1, false));
+    for (std::size_t of = 0; of <= places_.size(); ++of) {
+      if (of < places_.size() && !parameters_[of].proportional) continue;
+      const Terms before = terms_of(of);
+      for (std::size_t k = 0; k < places_.size(); ++k) {
+        if (parameters_[k].proportional) continue;
+        const double here = *places_[k];
+        *places_[k] += by[k];
+        bends_[k][of] = terms_of(of) != before;
+        *places_[k] = here;
+      }
+    }
+  }
+
   Model model_;
   std::vector<Beginning> beginnings_;
   std::shared_ptr<const Series> series_;
   std::vector<Number> numbers_;
+  std::vector<fit::Parameter> parameters_;  // by name
+  std::vector<std::vector<bool>> bends_;    // by parameter and what it may bend; empty: not asked
   std::vector<double*> places_;
   std::vector<double> factors_;
 };

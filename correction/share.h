@@ -44,8 +44,9 @@ struct JumpShare {
 using Share =
     std::variant<std::monostate, DrivenShare, MotorShare, SettlingShare, JumpShare, Kinematic>;
 
-/// Takes weight [m] times values, one for each row.
-using Sink = std::function<void(double weight, const std::vector<double>& values)>;
+/// Takes weight [m] times values, one for each row. What a Series keeps is the same object whenever
+/// it is made of the same numbers.
+using Sink = std::function<void(double weight, const Series::Values& values)>;
 
 /// Simulates a share on a record. `seen`: speeds [rpm] beyond which laws are continued().
 void add_share(const Share& share, const Series& series, const Interval& seen, const Sink& sink);

@@ -48,15 +48,17 @@ void add_channel(const Model& model, const DrivenChannel& channel, const Series&
   if (c.input.exponent != 1.0) c.input.seen = seen_of(model, *c.input.columns.front());
   const Series::Values input = series.input(c.input);
   if (c.element) {
-    std::vector<double> u(series.rows());
-    delay_response(series.clock(), *input, *c.element, u, seen_power(model, c));
+    auto u = std::make_shared<std::vector<double>>(series.rows());
+    delay_response(series.clock(), *input, *c.element, *u, seen_power(model, c));
     sink(c.scale, u);
   }
-  if (c.printed) sink(c.scale, run_printed(*c.printed, series, *input, c.name));
-  if (c.feedthrough != 0.0) sink(c.scale * c.feedthrough, *series.at_once(c.input));
+  if (c.printed)
+    sink(c.scale, std::make_shared<const std::vector<double>>(
+                      run_printed(*c.printed, series, *input, c.name)));
+  if (c.feedthrough != 0.0) sink(c.scale * c.feedthrough, series.at_once(c.input));
   const Answer answer = answer_of(model, channel);
   for (const Section& s : c.sections)
-    if (s.gain != 0.0) sink(c.scale * s.gain, *series.lag(c.input, s.time_constant, answer));
+    if (s.gain != 0.0) sink(c.scale * s.gain, series.lag(c.input, s.time_constant, answer));
 }
 
 void add_effect(const Model& model, const Effect& e, const Series& series, const Sink& sink) {
@@ -64,8 +66,8 @@ void add_effect(const Model& model, const Effect& e, const Series& series, const
 }
 
 Sink add_to(std::span<double> sum) {
-  return [sum](double weight, const std::vector<double>& values) {
-    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += weight * values[k];
+  return [sum](double weight, const Series::Values& values) {
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += weight * (*values)[k];
   };
 }
 
@@ -81,7 +83,10 @@ Answer answer_of(const Model& model, const DrivenChannel& channel) {
 
 void simulate(const Model& model, const Series& series, std::span<double> displacement) {
   std::fill(displacement.begin(), displacement.end(), model.offset);
-  const Sink sink = add_to(displacement);
+  show_parts(model, series, add_to(displacement));
+}
+
+void show_parts(const Model& model, const Series& series, const Sink& sink) {
   for (const DrivenChannel& c : model.channels) add_channel(model, c, series, sink);
   if (model.kinematic) add_share(*model.kinematic, series, seen_speed(model), sink);
   for (const Effect& e : model.effects) add_effect(model, e, series, sink);

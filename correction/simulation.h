@@ -6,6 +6,7 @@
 
 #include "correction/model.h"
 #include "correction/series.h"
+#include "correction/share.h"
 
 namespace raceway::correction {
 
@@ -20,6 +21,9 @@ struct Contribution {
 /// the model lags go on in proportion, and laws as continued() says. Throws std::invalid_argument
 /// where the record lacks an input, or its sampling is not that of printed coefficients.
 void simulate(const Model& model, const Series& series, std::span<double> displacement);
+
+/// Gives all that simulate() adds to the offset to a sink.
+void show_parts(const Model& model, const Series& series, const Sink& sink);
 
 /// Contributions of the parts to the displacement, without the offset.
 [[nodiscard]] std::vector<Contribution> contributions(const Model& model, const Series& series);

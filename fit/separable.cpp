@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "algebra/detail/decompositions.h"
 #include "fit/least_squares.h"
@@ -78,6 +79,12 @@ Separable::Separable(const Subject& subject, const Record& record,
       all_(subject.measured().size() * record.rows()) {
   for (std::size_t k = 0; k < parameters_.size(); ++k)
     (parameters_[k].proportional ? straight_ : bending_).push_back(k);
+  for (std::size_t j = 0; j <= straight_.size(); ++j) {
+    std::vector<std::size_t>& list = bent_by_.emplace_back();
+    for (const std::size_t k : bending_)
+      if (predictor_->bends(k, j < straight_.size() ? straight_[j] : Predictor::none))
+        list.push_back(k);
+  }
   for (Eigen::Index i = 0; i < means.size(); ++i) {
     measured_[i] = means.list[static_cast<std::size_t>(i)].measured;
     weight_[i] = means.list[static_cast<std::size_t>(i)].weight;
@@ -96,16 +103,53 @@ Eigen::VectorXd Separable::readings(const Eigen::VectorXd& values) const {
   return result;
 }
 
-Separable::Basis Separable::basis(Eigen::VectorXd values) const {
+const Separable::Basis& Separable::basis(Eigen::VectorXd values, int left_out) const {
+  Basis& kept = kept_;
+  const Eigen::VectorXd before = std::exchange(kept.values, {});
+  const auto count = static_cast<Eigen::Index>(straight_.size());
+  std::vector<bool> is_new(straight_.size() + 1, before.size() == 0);
+  for (std::size_t j = 0; j < is_new.size(); ++j)
+    for (const std::size_t k : bent_by_[j]) {
+      const auto place = static_cast<Eigen::Index>(k);
+      if (!is_new[j]) is_new[j] = before[place] != values[place];
+    }
   for (const std::size_t k : straight_) values[static_cast<Eigen::Index>(k)] = 0.0;
-  Basis result{readings(values), Eigen::MatrixXd(means_.size(), straight_.size())};
+  if (is_new.back()) {
+    kept.constant = readings(values);
+    kept.columns.resize(means_.size(), count);
+    is_new.assign(is_new.size(), true);  // a column is a difference from it
+  }
   for (std::size_t j = 0; j < straight_.size(); ++j) {
+    if (!is_new[j]) continue;
     double& value = values[static_cast<Eigen::Index>(straight_[j])];
     value = 1.0;
-    result.columns.col(static_cast<Eigen::Index>(j)) = readings(values) - result.constant;
+    kept.columns.col(static_cast<Eigen::Index>(j)) = readings(values) - kept.constant;
     value = 0.0;
   }
-  return result;
+  if (before.size() == 0 || kept.left_out != left_out) {
+    kept.left_out = left_out;
+    kept.weights = weight_;
+    for (Eigen::Index i = 0; left_out >= 0 && i < weight_.size(); ++i)
+      if (means_.list[static_cast<std::size_t>(i)].block == left_out) kept.weights[i] = 0.0;
+    kept.weighted.resize(means_.size(), count);
+    kept.normal.resize(count, count);
+    kept.length.resize(count);
+    is_new.assign(is_new.size(), true);
+  }
+  for (Eigen::Index j = 0; j < count; ++j) {
+    if (!is_new[static_cast<std::size_t>(j)]) continue;
+    kept.weighted.col(j) = kept.weights.cwiseProduct(kept.columns.col(j));
+    const double length = kept.weighted.col(j).norm();
+    kept.length[j] = length > 0.0 ? length : 1.0;
+    kept.weighted.col(j) /= kept.length[j];
+  }
+  for (Eigen::Index j = 0; j < count; ++j) {
+    if (!is_new[static_cast<std::size_t>(j)]) continue;
+    kept.normal.col(j) = kept.weighted.transpose() * kept.weighted.col(j);
+    kept.normal.row(j) = kept.normal.col(j).transpose();
+  }
+  kept.values = std::move(values);
+  return kept;
 }
 
 double Separable::to_scale(std::size_t k, double value) const {
@@ -123,29 +167,21 @@ double Separable::from_scale(std::size_t k, double at) const {
 }
 
 SeparableFit Separable::at(const Eigen::VectorXd& values, int left_out, double ridge) const {
-  const Basis of = basis(values);
+  const Basis& of = basis(values, left_out);
   SeparableFit fit{.values = values, .at_bound = std::vector<bool>(parameters_.size(), false)};
-  Eigen::VectorXd w = weight_;
-  if (left_out >= 0)
-    for (Eigen::Index i = 0; i < w.size(); ++i)
-      if (means_.list[static_cast<std::size_t>(i)].block == left_out) w[i] = 0.0;
+  const Eigen::VectorXd& w = of.weights;
   const Eigen::VectorXd rest = measured_ - of.constant;
   Eigen::VectorXd amounts = Eigen::VectorXd::Zero(of.columns.cols());
-  if (of.columns.cols() > 0 && of.columns.allFinite() && rest.allFinite()) {
-    Eigen::MatrixXd a = w.asDiagonal() * of.columns;
-    Eigen::VectorXd length = a.colwise().norm();
-    for (double& l : length)
-      if (!(l > 0.0)) l = 1.0;
-    a = a * length.cwiseInverse().asDiagonal();
+  if (of.columns.cols() > 0 && of.normal.allFinite() && rest.allFinite()) {
     const Eigen::VectorXd b = w.cwiseProduct(rest);
     if (ridge >= 1e-9) {
-      Eigen::MatrixXd normal = a.transpose() * a;
+      Eigen::MatrixXd normal = of.normal;
       normal.diagonal().array() += ridge;
-      amounts = algebra::solve_symmetric(normal, a.transpose() * b);
+      amounts = algebra::solve_symmetric(normal, of.weighted.transpose() * b);
     } else {
-      amounts = algebra::least_squares(a, b);
+      amounts = algebra::least_squares(of.weighted, b);
     }
-    amounts = amounts.cwiseQuotient(length);
+    amounts = amounts.cwiseQuotient(of.length);
   }
   for (std::size_t j = 0; j < straight_.size(); ++j)
     fit.values[static_cast<Eigen::Index>(straight_[j])] = amounts[static_cast<Eigen::Index>(j)];
@@ -229,7 +265,7 @@ SeparableFit Separable::from(const Eigen::VectorXd& start, int left_out,
 
 std::vector<double> Separable::falls(Eigen::VectorXd values, std::size_t size, std::size_t place,
                                      const std::vector<double>& tried) const {
-  const Basis of = basis(values);
+  const Basis& of = basis(values, -1);
   std::vector<Eigen::Index> others;
   for (std::size_t j = 0; j < straight_.size(); ++j)
     if (straight_[j] != size) others.push_back(static_cast<Eigen::Index>(j));
@@ -254,7 +290,7 @@ std::vector<double> Separable::falls(Eigen::VectorXd values, std::size_t size, s
 
 Eigen::MatrixXd Separable::jacobian(const Eigen::VectorXd& values) const {
   Eigen::MatrixXd result(means_.size(), values.size());
-  const Basis of = basis(values);
+  const Basis& of = basis(values, -1);
   for (std::size_t j = 0; j < straight_.size(); ++j)
     result.col(static_cast<Eigen::Index>(straight_[j])) =
         of.columns.col(static_cast<Eigen::Index>(j));

@@ -48,7 +48,8 @@ struct SeparableFit {
 /// more than a decade.
 ///
 /// A ridge of 1e-6 on columns of unit length keeps two lags of nearly one time constant from
-/// growing against each other. Not for several threads at once: they share room for readings.
+/// growing against each other. What a bending parameter does not change (Predictor::bends()) is
+/// kept from one look to the next. Not for several threads at once: they share what is kept.
 class Separable {
  public:
   /// `record` and `prepared` as of Subject::predictor(); all of them outlive this.
@@ -79,12 +80,20 @@ class Separable {
   static constexpr double usual_ridge = 1e-6;
 
  private:
+  /// Readings at zero of all parameters in proportion, and per unit of each. Holds: where `values`
+  /// is not empty, everything is as it would be made anew at these values and without this block.
   struct Basis {
+    Eigen::VectorXd values;
     Eigen::VectorXd constant;
     Eigen::MatrixXd columns;  // of the parameters in proportion
+    int left_out = -1;
+    Eigen::VectorXd weights;           // 0 in that block
+    Eigen::MatrixXd weighted, normal;  // columns by weight, of length 1; their products
+    Eigen::VectorXd length;
   };
   [[nodiscard]] Eigen::VectorXd readings(const Eigen::VectorXd& values) const;
-  [[nodiscard]] Basis basis(Eigen::VectorXd values) const;
+  /// The kept basis, brought up to these values and weights.
+  const Basis& basis(Eigen::VectorXd values, int left_out) const;
   [[nodiscard]] double to_scale(std::size_t parameter, double value) const;
   [[nodiscard]] double from_scale(std::size_t parameter, double at) const;
 
@@ -93,7 +102,9 @@ class Separable {
   const Means& means_;
   std::unique_ptr<Predictor> predictor_;
   Eigen::VectorXd measured_, weight_;
-  mutable std::vector<double> all_;  // readings by row
+  std::vector<std::vector<std::size_t>> bent_by_;  // by parameter in proportion; last: the constant
+  mutable std::vector<double> all_;                // readings by row
+  mutable Basis kept_;
 };
 
 }  // namespace raceway::fit

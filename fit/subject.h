@@ -53,6 +53,14 @@ class Predictor {
   /// Readings of every measured channel at every row, channel by channel [SI]; NaN where there is
   /// none, and throughout for values that the model cannot take.
   virtual void readings(std::span<const double> values, std::span<double> out) = 0;
+  /// False where it is certain that a parameter, whatever the values, changes nothing in the
+  /// readings per unit of another one that they are in proportion to: `of`, or `none` for the
+  /// readings without all such. Indices of the names that it was made for. Default: true.
+  [[nodiscard]] virtual bool bends(std::size_t parameter, std::size_t of) {
+    (void)parameter, (void)of;
+    return true;
+  }
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
 };
 
 /// Something that may be missing in a subject.
