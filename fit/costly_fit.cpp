@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "fit/least_squares.h"
@@ -17,6 +16,8 @@ constexpr double share_of_value = 0.02;  // of a difference on the scale of loga
 constexpr double share_of_size = 0.2;    // of a typical size
 constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr double at_the_bound = 1e-4;
+constexpr double far_from_begin = 0.2;  // on the scale of a parameter
+constexpr double takes_nothing = 0.9;   // of the misfit without a candidate
 
 bool spans_a_decade(const Parameter& p) {
   return p.lower > 0.0 && std::isfinite(p.upper) && p.upper > 10.0 * p.lower;
@@ -63,9 +64,7 @@ double CostlyProblem::unit_of(std::size_t k, double value) const {
 
 SeparableFit CostlyProblem::at(const Eigen::VectorXd& values) const {
   predictor_->readings({values.data(), static_cast<std::size_t>(values.size())}, all_);
-  SeparableFit fit{.values = values,
-                   .at_bound = std::vector<bool>(parameters_.size(), false),
-                   .residual = measured_};
+  SeparableFit fit{.values = values, .residual = measured_};
   for (Eigen::Index i = 0; i < means_.size(); ++i) {
     const std::vector<Eigen::Index>& places = means_.list[static_cast<std::size_t>(i)].places;
     double sum = 0.0;
@@ -73,17 +72,22 @@ SeparableFit CostlyProblem::at(const Eigen::VectorXd& values) const {
     fit.residual[i] -= sum / static_cast<double>(places.size());
   }
   fit.misfit = weight_.cwiseProduct(fit.residual).squaredNorm();
-  for (std::size_t k = 0; k < parameters_.size(); ++k) {
-    const Parameter& p = parameters_[k];
-    const double here = to_scale(k, values[static_cast<Eigen::Index>(k)]);
-    fit.at_bound[k] = (std::isfinite(p.lower) && here <= to_scale(k, p.lower) + at_the_bound) ||
-                      (std::isfinite(p.upper) && here >= to_scale(k, p.upper) - at_the_bound);
-  }
+  find_bounds(fit);
   return fit;
 }
 
-Eigen::VectorXd CostlyProblem::difference(const SeparableFit& here, std::size_t k,
-                                          double by) const {
+void CostlyProblem::find_bounds(SeparableFit& fit) const {
+  fit.at_bound.assign(parameters_.size(), false);
+  for (std::size_t k = 0; k < parameters_.size(); ++k) {
+    const Parameter& p = parameters_[k];
+    const double here = to_scale(k, fit.values[static_cast<Eigen::Index>(k)]);
+    fit.at_bound[k] = (std::isfinite(p.lower) && here <= to_scale(k, p.lower) + at_the_bound) ||
+                      (std::isfinite(p.upper) && here >= to_scale(k, p.upper) - at_the_bound);
+  }
+}
+
+Eigen::VectorXd CostlyProblem::difference(const SeparableFit& here, std::size_t k, double by,
+                                          SeparableFit* better) const {
   const auto place = static_cast<Eigen::Index>(k);
   const double from = to_scale(k, here.values[place]);
   for (const double way : {by, -by}) {
@@ -91,8 +95,11 @@ Eigen::VectorXd CostlyProblem::difference(const SeparableFit& here, std::size_t 
     other[place] = from_scale(k, from + way);
     const double went = to_scale(k, other[place]) - from;
     if (std::abs(went) < 0.5 * std::abs(by)) continue;  // beyond a bound
-    const Eigen::VectorXd change = here.residual - at(other).residual;
-    if (change.allFinite()) return change / went;
+    SeparableFit there = at(other);
+    const Eigen::VectorXd change = here.residual - there.residual;
+    if (!change.allFinite()) continue;
+    if (better && there.misfit < better->misfit) *better = std::move(there);
+    return change / went;
   }
   return Eigen::VectorXd::Zero(means_.size());
 }
@@ -105,40 +112,81 @@ Eigen::MatrixXd CostlyProblem::differences(const SeparableFit& here) const {
   return slope;
 }
 
-CostlyFit CostlyProblem::from(const Eigen::VectorXd& start, double settled) const {
+Eigen::MatrixXd CostlyProblem::on_scales(Eigen::MatrixXd slope, const Eigen::VectorXd& at) const {
+  for (Eigen::Index k = 0; k < slope.cols(); ++k)
+    slope.col(k) *= unit_of(static_cast<std::size_t>(k), at[k]);
+  return slope;
+}
+
+CostlyFit CostlyProblem::from(const Eigen::VectorXd& start, const CostlyEnd& end) const {
   SeparableFit first = at(start);
   if (!std::isfinite(first.misfit)) return {};
   Eigen::MatrixXd slope = differences(first);
-  return descend(std::move(first), std::move(slope), true, settled, endless);
+  auto begin = std::make_shared<CostlyFit>(CostlyFit{first, slope});
+  for (Eigen::Index k = 0; k < slope.cols(); ++k)
+    begin->slope.col(k) /= unit_of(static_cast<std::size_t>(k), start[k]);
+  CostlyFit found = descend(std::move(first), std::move(slope), true, end);
+  found.begin = std::move(begin);
+  return found;
 }
 
-CostlyFit CostlyProblem::beyond(const CostlyFit& base, const Eigen::VectorXd& initial,
-                                const std::vector<std::size_t>& sizes, double settled,
-                                double hopeless) const {
+CostlyFit CostlyProblem::onwards(const CostlyFit& fit, const CostlyEnd& end) const {
+  return descend(fit.fit, on_scales(fit.slope, fit.fit.values), false, end);
+}
+
+CostlyFit CostlyProblem::with_candidates(const CostlyFit& base, const Eigen::VectorXd& initial,
+                                         const std::vector<std::size_t>& sizes) const {
   const Eigen::Index known = base.fit.values.size();
-  SeparableFit first = base.fit;
-  first.values = initial;
-  first.values.head(known) = base.fit.values;
-  first.at_bound.resize(parameters_.size(), false);
-  first.converged = false;
-  Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(means_.size(), initial.size());
-  for (Eigen::Index k = 0; k < known; ++k)
-    slope.col(k) = base.slope.col(k) * unit_of(static_cast<std::size_t>(k), base.fit.values[k]);
+  CostlyFit first{base.fit, Eigen::MatrixXd::Zero(means_.size(), initial.size())};
+  SeparableFit& here = first.fit;
+  here.values = initial;
+  here.values.head(known) = base.fit.values;
+  here.converged = false;
+  first.slope.leftCols(known) = on_scales(base.slope, base.fit.values);
   for (const std::size_t k : sizes)
-    first.values[static_cast<Eigen::Index>(k)] = parameters_[k].neutral;
+    here.values[static_cast<Eigen::Index>(k)] = parameters_[k].neutral;
+  find_bounds(here);
+  SeparableFit better = here;
   for (const std::size_t k : sizes) {
     const auto place = static_cast<Eigen::Index>(k);
-    double by = to_scale(k, initial[place]) - to_scale(k, parameters_[k].neutral);
+    const double neutral = to_scale(k, parameters_[k].neutral);
+    double by = to_scale(k, initial[place]) - neutral;
     constexpr double none = 1e-9;
     if (!(std::abs(by) > none))
       by = spans_a_decade(parameters_[k]) ? 5.0 * share_of_value : share_of_size;
-    slope.col(place) = difference(first, k, by);
+    first.slope.col(place) = difference(here, k, by, &better);
   }
-  return descend(std::move(first), std::move(slope), false, settled, hopeless);
+  here = std::move(better);
+  return first;
+}
+
+bool CostlyProblem::is_far(const CostlyFit& base) const {
+  if (!base.begin) return false;
+  for (Eigen::Index k = 0; k < base.fit.values.size(); ++k) {
+    const auto place = static_cast<std::size_t>(k);
+    const double moved =
+        std::abs(to_scale(place, base.fit.values[k]) - to_scale(place, base.begin->fit.values[k]));
+    if (moved > far_from_begin) return true;
+  }
+  return false;
+}
+
+CostlyFit CostlyProblem::beyond(const CostlyFit& base, const Eigen::VectorXd& initial,
+                                const std::vector<std::size_t>& sizes, const CostlyEnd& end) const {
+  const auto fit_from = [&](CostlyFit first) {
+    return descend(std::move(first.fit), std::move(first.slope), false, end);
+  };
+  CostlyFit found = fit_from(with_candidates(base, initial, sizes));
+  const bool stuck = std::any_of(sizes.begin(), sizes.end(),
+                                 [&](std::size_t k) { return found.fit.at_bound[k]; }) ||
+                     !(found.fit.misfit < takes_nothing * base.fit.misfit);
+  if (!stuck || !is_far(base)) return found;
+  CostlyFit other = fit_from(with_candidates(*base.begin, initial, sizes));
+  return other.fit.misfit < found.fit.misfit ? other : found;
 }
 
 CostlyFit CostlyProblem::descend(SeparableFit best, Eigen::MatrixXd slope, bool is_fresh,
-                                 double settled, double hopeless) const {
+                                 const CostlyEnd& end) const {
   const Eigen::Index n = best.values.size();
   double damping = 1e-3;
   for (int step = 0; step < most_descents && !best.converged && n > 0; ++step) {
@@ -154,16 +202,25 @@ CostlyFit CostlyProblem::descend(SeparableFit best, Eigen::MatrixXd slope, bool 
     }
     double fall = 0.0;
     bool better = false;
+    const bool was_fresh = is_fresh;
     for (int attempt = 0; attempt < most_attempts && !better; ++attempt) {
       const LeastSquares problem(weight_.asDiagonal() * slope, weight_.cwiseProduct(best.residual));
       Eigen::VectorXd d = Eigen::VectorXd::Zero(n), values(n), went(n);
       std::vector<int> side(static_cast<std::size_t>(n), 0);
       problem.solve(lower, upper, damping, d, side);
-      if (problem.fall(d) <= settled * best.misfit) break;  // nothing more is to be had
+      const bool is_little = problem.fall(d) <= end.settled * best.misfit;
+      if (is_little && !end.rough) break;  // nothing more is to be had
       for (Eigen::Index k = 0; k < n; ++k) {
         const auto place = static_cast<std::size_t>(k);
         values[k] = from_scale(place, here[k] + d[k]);
         went[k] = to_scale(place, values[k]) - here[k];
+      }
+      if (is_little) {
+        best.values = values;
+        best.residual -= slope * went;
+        best.misfit = weight_.cwiseProduct(best.residual).squaredNorm();
+        find_bounds(best);
+        break;
       }
       SeparableFit next = at(values);
       if (std::isfinite(next.misfit)) update(slope, went, best.residual - next.residual);
@@ -178,8 +235,10 @@ CostlyFit CostlyProblem::descend(SeparableFit best, Eigen::MatrixXd slope, bool 
         damping *= 10.0;
       }
     }
-    if (better && fall > settled * best.misfit) continue;
-    if (is_fresh || best.misfit > hopeless) {
+    if (better && fall > end.settled * best.misfit) continue;
+    // A little step leaves derivatives that were exact before it as good as exact.
+    is_fresh = was_fresh;
+    if (is_fresh || end.rough || best.misfit > end.hopeless) {
       best.converged = true;
     } else {
       slope = differences(best);
@@ -187,7 +246,7 @@ CostlyFit CostlyProblem::descend(SeparableFit best, Eigen::MatrixXd slope, bool 
       damping = 1e-3;
     }
   }
-  if (!is_fresh && !(best.misfit > hopeless)) slope = differences(best);
+  if (!is_fresh && !end.rough && !(best.misfit > end.hopeless)) slope = differences(best);
   for (Eigen::Index k = 0; k < n; ++k)
     slope.col(k) /= unit_of(static_cast<std::size_t>(k), best.values[k]);
   return {std::move(best), std::move(slope)};

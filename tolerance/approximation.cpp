@@ -9,8 +9,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "fit/costly_fit.h"
-
 namespace raceway::tolerance {
 namespace {
 
@@ -159,9 +157,10 @@ Approximation approximation_of(std::shared_ptr<const fit::Subject> subject,
   return result;
 }
 
-constexpr double settled_misfit = 1e-4;  // of what is costly: relative fall that is none, or
-constexpr double well_settled = 1e-6;    // where its numbers are kept
-constexpr double hopeless = 0.9;         // of the misfit without a candidate
+// Of what is costly: relative fall of the misfit that is none, where its numbers are kept, and of a
+// rough fit.
+constexpr double settled_misfit = 1e-4, well_settled = 1e-6, roughly_settled = 0.05;
+constexpr double hopeless = 0.9;  // of the misfit without a candidate
 
 /// The same of what is costly.
 Approximation costly_approximation(std::shared_ptr<const fit::Subject> subject,
@@ -170,6 +169,7 @@ Approximation costly_approximation(std::shared_ptr<const fit::Subject> subject,
   Approximation result = approximation_of(std::move(subject), names, problem.parameters(),
                                           std::move(found.fit), recorded.means);
   result.slope = std::move(found.slope);
+  result.begin = std::move(found.begin);
   return result;
 }
 
@@ -214,8 +214,9 @@ Approximation approximate(std::shared_ptr<const fit::Subject> subject, const Rec
   if (subject->is_costly()) {
     const fit::CostlyProblem costly(*subject, *recorded.record, recorded.prepared, recorded.means,
                                     names);
-    return costly_approximation(subject, recorded, names, costly,
-                                costly.from(starting_values(costly.parameters()), settled_misfit));
+    return costly_approximation(
+        subject, recorded, names, costly,
+        costly.from(starting_values(costly.parameters()), {settled_misfit}));
   }
   const fit::Separable problem(*subject, *recorded.record, recorded.prepared, recorded.means,
                                names);
@@ -347,9 +348,11 @@ Approximation approximate_with(const Approximation& base, const Recorded& record
                                     names);
     return costly_approximation(
         std::move(subject), recorded, names, costly,
-        costly.beyond({base.fit, base.slope}, starting_values(costly.parameters()),
-                      places_of_sizes(base.names.size(), candidates), settled_misfit,
-                      hopeless * base.fit.misfit));
+        costly.beyond({base.fit, base.slope, base.begin}, starting_values(costly.parameters()),
+                      places_of_sizes(base.names.size(), candidates),
+                      {.settled = options.rough ? roughly_settled : settled_misfit,
+                       .hopeless = hopeless * base.fit.misfit,
+                       .rough = options.rough}));
   }
   const fit::Separable problem(*subject, *recorded.record, recorded.prepared, recorded.means,
                                names);
@@ -508,6 +511,15 @@ bool runs_away(const Eigen::VectorXd& values, const Eigen::VectorXd& from) {
 
 }  // namespace
 
+Approximation finished(const Approximation& rough, const Recorded& recorded) {
+  const fit::CostlyProblem costly(*rough.subject, *recorded.record, recorded.prepared,
+                                  recorded.means, rough.names);
+  fit::CostlyFit from{rough.fit, rough.slope};
+  from.fit.converged = false;
+  return costly_approximation(rough.subject, recorded, rough.names, costly,
+                              costly.onwards(from, {settled_misfit}));
+}
+
 Approximation refined(const Approximation& a, const Recorded& by_means, Recorded& rows) {
   const double width =
       by_means.record->rows() > most_single_rows ? usual_width(*by_means.record) : 0.0;
@@ -515,7 +527,7 @@ Approximation refined(const Approximation& a, const Recorded& by_means, Recorded
   if (a.subject->is_costly()) {
     const fit::CostlyProblem costly(*a.subject, *rows.record, rows.prepared, rows.means, a.names);
     Approximation found = costly_approximation(a.subject, rows, a.names, costly,
-                                               costly.from(a.fit.values, well_settled));
+                                               costly.from(a.fit.values, {well_settled}));
     found.rms_held_out = a.rms_held_out;
     found.channel_held_out = a.channel_held_out;
     return found;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/costly_fit.h"
 #include "fit/refit.h"
 #include "fit/separable.h"
 #include "fit/subject.h"
@@ -37,14 +38,16 @@ struct Approximation {
   double rms_held_out = unset;     ///< NaN where nothing can be held out
   /// Both rms of each channel of Subject::measured(), in its tolerances; NaN for one without means.
   std::vector<double> channel_rms{}, channel_held_out{};
-  /// Derivatives of the means by the values; kept of what is costly alone.
+  /// Kept of what is costly alone: derivatives of the means by the values, and where the fit began.
   Eigen::MatrixXd slope{};
+  std::shared_ptr<const fit::CostlyFit> begin{};
 };
 
 struct ApproximationOptions {
   std::vector<Eigen::VectorXd> starts{};  ///< beside that of the subject
   int random_starts = 24;
-  int polished = 3;  ///< of the starts, the best
+  int polished = 3;    ///< of the starts, the best
+  bool rough = false;  ///< of what is costly: only far enough to see how far the misfit falls
   std::function<bool()> cancelled{};
 };
 
@@ -61,6 +64,9 @@ void require_fit(const Approximation& approximation);
 [[nodiscard]] Approximation approximate_with(const Approximation& base, const Recorded& recorded,
                                              const std::vector<const fit::Candidate*>& candidates,
                                              const ApproximationOptions& options = {});
+
+/// Goes on with a rough fit of what is costly to its end.
+[[nodiscard]] Approximation finished(const Approximation& rough, const Recorded& recorded);
 
 /// Fills in the errors on each block from a fit to all the others. The simulation runs through
 /// them.

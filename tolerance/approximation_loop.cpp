@@ -141,7 +141,8 @@ class Inquiry {
     return list;
   }
   [[nodiscard]] ApproximationOptions search() const {
-    return {.cancelled = [this] { return options_.cancelled && options_.cancelled->load(); }};
+    return {.rough = subject_->is_costly(),
+            .cancelled = [this] { return options_.cancelled && options_.cancelled->load(); }};
   }
 
   void step(double share, std::string_view what) const {
@@ -225,7 +226,7 @@ class Inquiry {
         result_.not_testable.push_back({id, "needs " + why});
   }
 
-  /// Fits with each of some sets of candidates, side by side where a fit is costly; in their order.
+  /// Fits with each of some sets of candidates, side by side; in their order.
   /// `most`: error in sample up to which parts are held out. `from`, `to`: share of the whole.
   std::vector<Tried> fits_with(const std::vector<std::vector<const fit::Candidate*>>& sets,
                                const ApproximationOptions& with, double most, double from,
@@ -241,14 +242,26 @@ class Inquiry {
       }
       list[k].on = sets[k];
       list[k].fit = approximate_with(base_, recorded_, sets[k], with);
-      if (list[k].fit.fit.values.size() > 0 && list[k].fit.rms <= most)
-        hold_out(list[k].fit, recorded_);
     };
-    if (subject_->is_costly())
-      tbb::parallel_for(std::size_t{0}, sets.size(), try_one, tbb::simple_partitioner());
-    else
-      for (std::size_t k = 0; k < sets.size(); ++k) try_one(k);
+    const auto each = [&](const auto& work) {
+      tbb::parallel_for(std::size_t{0}, sets.size(), work, tbb::simple_partitioner());
+    };
+    each(try_one);
+    const double worth_finishing = with.rough ? promising(list) : 0.0;
+    each([&](std::size_t k) {
+      Approximation& fit = list[k].fit;
+      if (fit.fit.misfit <= worth_finishing) fit = finished(fit, recorded_);
+      if (fit.fit.values.size() > 0 && fit.rms <= most) hold_out(fit, recorded_);
+    });
     return list;
+  }
+
+  /// Misfit up to which a rough fit may yet come near the best.
+  [[nodiscard]] double promising(const std::vector<Tried>& list) const {
+    constexpr double of_best = 4.0, of_base = 0.9;
+    double best = base_.fit.misfit;
+    for (const Tried& t : list) best = std::fmin(best, t.fit.fit.misfit);
+    return std::min(of_best * best, of_base * base_.fit.misfit);
   }
 
   void try_singles() {

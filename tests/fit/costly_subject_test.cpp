@@ -25,10 +25,12 @@ constexpr double minute = 60.0;
 
 ///   600 s dx/dt = gain u + heat u + 5 sun s - x,   3000 s dy/dt = loss x + leak - y
 ///   first = x,   second = y um
-/// `square` adds u² in place of u; `strange`: heat that follows no input.
+/// `square` adds u² in place of u; `strange`: heat that follows no input. With `ledge` above 0
+/// instead: first = (3 gain + heat) u,   second = 0.3 (gain - 3) (9 - gain) u um.
 struct Chain : Subject {
   std::map<std::string, double> at{{"gain", 3.0},        {"heat.W", 0.0}, {"sun.W", 0.0},
-                                   {"loss.factor", 1.0}, {"leak.K", 0.0}, {"strange", 0.0}};
+                                   {"loss.factor", 1.0}, {"leak.K", 0.0}, {"strange", 0.0},
+                                   {"ledge", 0.0}};
   std::vector<std::string> on{};
   double floor_K = 0.3, floor_um = 0.3 * um;
   std::shared_ptr<std::atomic<int>> simulations = std::make_shared<std::atomic<int>>(0);
@@ -103,6 +105,12 @@ struct Simulation : Predictor {
     double x = 0.0, y = 0.0;
     for (std::size_t i = 0; i < record.rows(); ++i) {
       const double u = record.value(drive_voltage, i), s = record.value(sun, i);
+      if (of.at["ledge"] > 0.0) {
+        const double gain = of.at["gain"];
+        out[i] = (3.0 * gain + of.at["heat.W"]) * u;
+        out[record.rows() + i] = 0.3 * (gain - 3.0) * (9.0 - gain) * u * um;
+        continue;
+      }
       const double odd = of.at["strange"] * std::sin(0.05 * static_cast<double>(i));
       x += minute / 600.0 *
            (of.at["gain"] * u + of.at["heat.W"] * u * u + 5.0 * of.at["sun.W"] * s + odd - x);
@@ -202,6 +210,22 @@ TEST(CostlySubject, AddAndCalibrateKeepWhatADiagnosisFound) {
   const verdict::Calibration again = loop::calibrate(*added.calibration.subject, record);
   EXPECT_NEAR(again.parameters.front().value, added.calibration.parameters.front().value, 0.002);
   EXPECT_EQ(again.channels.size(), 2u);
+}
+
+// The gain alone follows the heat to 6.4, from where less heat than none would be better; from
+// where the gain began the heat is found.
+TEST(CostlySubject, HeatThatItsGainHasHiddenIsFoundFromWhereTheGainBegan) {
+  const Record record = recorded_with({{"gain", 3.0}, {"heat.W", 10.0}, {"ledge", 1.0}});
+  Chain chain;
+  chain.at["ledge"] = 1.0;
+  EXPECT_NEAR(loop::calibrate(chain, record).parameters.front().value, 6.4, 0.1);
+  const verdict::AddResult added = loop::add(chain, std::vector<std::string>{"heat"}, record);
+  ASSERT_FALSE(added.refused) << added.reason;
+  EXPECT_NEAR(added.calibration.parameters.at(0).value, 3.0, 0.05);
+  EXPECT_NEAR(added.calibration.parameters.at(1).value, 10.0, 0.1);
+  const verdict::Diagnosis d = loop::diagnose(chain, record);
+  ASSERT_EQ(d.verdict, verdict::Verdict::effect) << d.sentence;
+  EXPECT_EQ(d.effects.front().id, "heat");
 }
 
 TEST(CostlySubject, WhatIsWithinItsCoarsenessIsNotAdded) {
