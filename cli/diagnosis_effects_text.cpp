@@ -68,6 +68,16 @@ std::string range_text(double lower, double upper) {
                                 : "any value";
 }
 
+/// The size of an effect in few characters.
+std::string short_size_text(const verdict::RankedEffect& e) {
+  if (e.parameters.empty()) return {};
+  record::Parameter size = e.parameters[std::min(e.size, e.parameters.size() - 1)];
+  const bool bound = size.at_bound != fit::Bound::none, plausible = size.plausible;
+  size.at_bound = fit::Bound::none;
+  size.plausible = true;
+  return size_text({size}) + (!plausible ? ", implausible" : bound ? ", at its bound" : "");
+}
+
 }  // namespace
 
 std::string channel_error(const std::vector<double>& errors, std::size_t k,
@@ -92,9 +102,7 @@ std::string effects_text(const verdict::Diagnosis& d, std::size_t most) {
     if (has_gains(d)) row.push_back(number(std::abs(e.gain) < 0.005 ? 0.0 : e.gain, 3));
     row.push_back(one_error ? channel_error(e.rmse_held_out, 0, d)
                             : number(worst_channel(e.rmse_held_out, d).share, 3));
-    row.push_back(e.parameters.empty()
-                      ? ""
-                      : size_text({e.parameters[std::min(e.size, e.parameters.size() - 1)]}));
+    row.push_back(short_size_text(e));
     table.add(std::move(row));
   }
   return table.text(terminal_width()) +

@@ -164,8 +164,7 @@ int run(const TableFlags& flags) {
 
 Run setup_table(CLI::App& command) {
   auto flags = std::make_shared<TableFlags>();
-  CLI::Option* const model =
-      command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
+  command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
   flags->axes.declare(command,
                       "[rpm]; like all axes as 100,300,900 or as from:to:step, 0:12000:250");
   command.add_option("-o,--output", flags->output, "CSV file to write; - for stdout")
@@ -191,7 +190,9 @@ Run setup_table(CLI::App& command) {
       command
           .add_option("--merge", flags->merge,
                       "instead of MODEL: join these files, which --slab wrote, in any order")
-          ->each([model](const std::string&) { model->required(false); })
+          ->each([declared](const std::string&) {
+            for (CLI::Option* const option : declared) option->required(false);
+          })
           ->type_name("FILE");
   constexpr std::array<std::string_view, 6> of_a_file{"output",    "force",        "format",
                                                       "separator", "decimal-mark", "help"};

@@ -115,13 +115,14 @@ std::string note_of(const correction::Beyond::Part& p, const record::Record& rec
           : fmt::format("in {} of the {} rows", p.rows, record.rows() - p.first);
   if (p.together())
     return fmt::format(
-        "from {} on, {} from there, the inputs stand together as the model has never seen them: "
-        "{:.3g} from their mean there and {:.3g} at most, {:.3g} in the record of its numbers",
+        "from {} on, {} from there, this combination of inputs lies outside the training data "
+        "(distance {:.3g} there and {:.3g} at most; largest in training {:.3g}): treat the result "
+        "as extrapolation",
         when(record, p.first), share, p.value, p.farthest, p.upper);
   const auto shown = [&](double v) { return number(p.column ? p.column->in_unit(v) : v, 5); };
   return fmt::format(
-      "{}: from {} on, {} from there, beyond {} to {} {}, which is all that the model has seen: {} "
-      "there and {} at the farthest",
+      "{}: from {} on, {} from there, outside the training data of {} to {} {}: {} there and {} at "
+      "the farthest",
       p.column ? p.name : p.name + " power_W", when(record, p.first), share, shown(p.lower),
       shown(p.upper), p.column ? std::string(p.column->unit) : "W", shown(p.value),
       shown(p.farthest));
@@ -134,7 +135,6 @@ std::vector<std::string> range_notes(const correction::Model& model,
                                      const correction::Beyond& beyond) {
   const record::Record& record = series.record();
   std::vector<std::string> notes;
-  for (const correction::Beyond::Part& p : beyond.parts) notes.push_back(note_of(p, record));
   if (!beyond.parts.empty() && correction::is_regression(model)) {
     const std::vector<double> share = correction::extrapolated(model, series, beyond);
     const auto most = std::max_element(share.begin(), share.end());
@@ -143,6 +143,7 @@ std::vector<std::string> range_notes(const correction::Model& model,
                     "in {} come from outside the measurements",
                     *most / um, when(record, static_cast<std::size_t>(most - share.begin()))));
   }
+  for (const correction::Beyond::Part& p : beyond.parts) notes.push_back(note_of(p, record));
   for (const correction::DrivenChannel& c : model.channels)
     if (const std::size_t rows = series.rows_beyond_table(c.input); rows > 0)
       notes.push_back(fmt::format(

@@ -88,7 +88,7 @@ TEST_F(Correction, CorrectSaysWhereTheModelHasNeverBeen) {
   const Result r =
       run("correct " + found + " " + corrections + "exact/train.csv -o " + path("c.csv"));
   EXPECT_EQ(r.status, 0);
-  EXPECT_THAT(r.err, HasSubstr("all that the model has seen"));
+  EXPECT_THAT(r.err, HasSubstr("outside the training data"));
   EXPECT_THAT(file_text(path("c.csv")),
               testing::StartsWith("time_s,predicted_um,band_low_um,band_high_um,"));
 }
@@ -135,7 +135,7 @@ TEST_F(Correction, ARoomColderThanEverBeforeIsNeverSilent) {
   const Result r = run("correct " + model + " " + cold + " -o " + path("cold_corrected.csv"));
   EXPECT_EQ(r.status, 0);
   EXPECT_THAT(r.err, HasSubstr("warning: ambient_temperature_C: from line "));
-  EXPECT_THAT(r.err, HasSubstr("beyond 19.137 to 24.900 C, which is all that the model has seen"));
+  EXPECT_THAT(r.err, HasSubstr("outside the training data of 19.137 to 24.900 C"));
   EXPECT_THAT(r.out, HasSubstr("95 % band of displacement_z_um: +- "));
   for (const std::string command : {"correct ", "compare "}) {
     const json d = parsed(run(command + model + " " + cold + " --json"));

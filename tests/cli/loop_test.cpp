@@ -67,7 +67,7 @@ TEST(Loop, TheVerdictStandsAtTheEndOfOneScreen) {
   for (const std::string files :
        {"tests/hidden_effect/rigs/dev-03", "tests/hidden_effect/rigs/real-03",
         "tests/hidden_effect/rigs/real-04", "tests/cli/everyday/law-skf",
-        "data/corrections/ambient", "data/spindles/seats"}) {
+        "data/corrections/ambient"}) {
     SCOPED_TRACE(files);
     const std::string model =
         root + files + (files.starts_with("data/corr") ? "/correction.toml " : "/model.toml ");

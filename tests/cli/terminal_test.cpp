@@ -81,7 +81,7 @@ TEST(Messages, OfOneKindAtMostThreeArePrinted) {
   EXPECT_EQ(warnings, 4U) << r.err;
   EXPECT_THAT(r.err,
               testing::ContainsRegex("warning: [0-9]+ more of the kind .*--json lists them"));
-  EXPECT_GT(parsed(run(compare + " --json"))["warnings"].size(), 6U);
+  EXPECT_GT(parsed(run(compare + " --json"))["beyond_range"].size(), 6U);
 }
 
 TEST(Messages, JsonErrorsSayWhere) {
