@@ -17,7 +17,7 @@ namespace raceway::files {
 namespace {
 
 constexpr Key calibration_keys[]{
-    {"free", a_list, "parameters that a calibration of the law is for",
+    {"free", a_list, "the usual parameters of the law",
      "parameters to be fitted: of the law, preload_N, inner_conformity, outer_conformity, "
      "conformity, contact_angle_deg, \"EFFECT.NUMBER\"; of a correction parameters or groups"},
     {"covariance", a_table, unset, "the table [calibration.covariance]"},

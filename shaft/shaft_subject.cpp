@@ -201,7 +201,7 @@ std::vector<std::string> ShaftSubject::records_needed(
 }
 
 model::Expected ShaftSubject::expected() const {
-  const std::string rings = "preload of [arrangement] for all rows, else as mounted";
+  const std::string rings = "the value of [arrangement] for all rows, else as mounted";
   model::Expected e;
   e.defaults = {
       {&record::speed, unset, ""},

@@ -163,9 +163,9 @@ TEST(TorqueSignalRecord, AModelWrittenElsewhereFindsItsSensor) {
 TEST(TorqueSignalRecord, ModelsWithOtherSensorsAreComparedByThatOfTheFirst) {
   const Rig rig, tared("zero_V = 0.038\n");
   EXPECT_THAT(run("compare " + rig.model() + " " + tared.model() + " " + signals).err,
-              HasSubstr("its [torque_sensor] is not that of " + rig.model()));
+              HasSubstr("its [torque_sensor] differs from [torque_sensor] of " + rig.model()));
   EXPECT_THAT(run("compare " + rig.model() + " " + rig.model() + " " + signals).err,
-              Not(HasSubstr("is not that of")));
+              Not(HasSubstr("differs from [torque_sensor]")));
 }
 
 }  // namespace

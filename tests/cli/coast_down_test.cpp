@@ -98,7 +98,7 @@ TEST(CoastDownRecords, AnUnknownInertiaChangesSizesAndNothingElse) {
   const Result two =
       run("calibrate " + unknown + record + " " + shipped + "flywheel_unloaded_5_28.csv");
   EXPECT_EQ(two.status, 1);
-  EXPECT_THAT(two.err, testing::HasSubstr("have a common factor that nobody knows"));
+  EXPECT_THAT(two.err, testing::HasSubstr("have an unknown common factor"));
 }
 
 TEST(CoastDownRecords, CheckNamesTimesBetweenTwoSpeeds) {

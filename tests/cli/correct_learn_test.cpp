@@ -93,7 +93,7 @@ TEST_F(CorrectLearn, FileTextAndJsonSayTheSame) {
 
 TEST_F(CorrectLearn, NamesAWildReading) {
   write("wild.csv", record(14));
-  const Result text = learnt("--every 2h --quiet", "wild.csv");
+  const Result text = learnt("--every 2h", "wild.csv");
   EXPECT_EQ(text.status, 0);
   EXPECT_THAT(text.err, HasSubstr("line 86 (14 h)"));
   EXPECT_THAT(text.err, HasSubstr("refused, not learnt"));
