@@ -93,10 +93,9 @@ std::optional<Leaf> number_of_default(const UsedDefault& one) {
   const auto [end, error] = std::from_chars(one.value.data(), last, leaf.value);
   if (error != std::errc() || end != last) return std::nullopt;
   // effect[0] is written effect.0 in names.
-  if (one.table.starts_with("effect[") && one.table.ends_with("]"))
-    leaf.path = {"effect", one.table.substr(7, one.table.size() - 8)};
-  else if (one.table.find_first_of(".[") != one.table.npos)
-    return std::nullopt;
+  if (one.table.find('.') != one.table.npos) return std::nullopt;
+  if (const std::size_t at = one.table.find('['); at != one.table.npos)
+    leaf.path = {one.table.substr(0, at), one.table.substr(at + 1, one.table.size() - at - 2)};
   else
     leaf.path = {one.table};
   leaf.path.emplace_back(one.key);

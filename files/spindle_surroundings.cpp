@@ -155,8 +155,8 @@ void read_heat(ModelTables& tables, const Section& s, model::HeatSource& source)
 }
 
 /// Reads the place of a source by its word, or by the bearing of that name.
-void read_heated_place(ModelTables& tables, const Section& s, const Names& bearings,
-                       model::HeatSource& source) {
+void read_heated_place(ModelTables& tables, const Section& s, std::size_t index,
+                       const Names& bearings, model::HeatSource& source) {
   using Place = model::HeatSource::Place;
   static constexpr std::array<std::pair<const char*, Place>, 5> places{{{"shaft", Place::shaft},
                                                                         {"housing", Place::housing},
@@ -199,8 +199,11 @@ void read_heated_place(ModelTables& tables, const Section& s, const Names& beari
   take(source.position, "position_mm");
   take(source.length, "length_mm");
   take(source.radius, "radius_mm");
-  if (source.place == Place::motor || source.place == Place::bearing)
-    source.rotor_share = tables.number(s, "shaft_share");
+  if (source.place != Place::motor && source.place != Place::bearing) return;
+  source.rotor_share = s.value("shaft_share");
+  if (!s.find("shaft_share"))
+    tables.note_default(fmt::format("heat[{}]", index), "shaft_share",
+                        fmt::format("{:.10g}", source.rotor_share));
 }
 
 ThermometerPlace::Part part_of(const Section& s) {
@@ -329,7 +332,7 @@ std::vector<model::HeatSource> read_heat_sources(ModelTables& tables, const Name
       if (other.name == *name) fail("another source of heat has this name");
     source.name = *name;
     read_heat(tables, s, source);
-    read_heated_place(tables, s, bearings, source);
+    read_heated_place(tables, s, list.size(), bearings, source);
     list.push_back(std::move(source));
   }
   return list;

@@ -163,6 +163,8 @@ TEST_F(SpindleCommand, HeatAtAPlaceComesInAndIsListed) {
   EXPECT_EQ(s["belt_heat_W"], 80.0);
   EXPECT_NEAR(s["rotor_heat_W"].get<double>(), 100.0, 1e-9);
   EXPECT_NEAR(s["drive_heat_W"].get<double>(), 180.0, 1e-9);
+  // With the assumptions, the share of the heat of the belt among them.
+  EXPECT_EQ(spindle("--speed 6000 --steady --motor-power 2000", heated).status, 0);
   const Result lacking = spindle("--speed 6000 --steady", heated);
   EXPECT_EQ(lacking.status, 1);
   EXPECT_THAT(lacking.err, HasSubstr("goes by motor_power_W, which is not given"));
