@@ -429,7 +429,7 @@ def test_doubts_are_warnings():
     found = correction.identify(record).correction
     frame = raceway.Record.read(f"{EXACT}/test.csv").to_frame()
     frame.loc[frame["time_s"] > 30000, "ambient_temperature_C"] = 5.0
-    with pytest.warns(raceway.Doubt, match="beyond 19.137 to 24.9"):
+    with pytest.warns(raceway.Doubt, match="training data of 19.137 to 24.9"):
         run = found.correct(raceway.Record.from_pandas(frame))
     assert run.data["rows_beyond_range"] > 0
 

@@ -48,7 +48,7 @@ TEST_F(CorrectionBaseline, ARegressionSaysHowMuchItExtrapolates) {
                                    }}.csv());
   const Result told = run("compare " + regression + " " + colder);
   EXPECT_EQ(told.status, 0);
-  EXPECT_THAT(told.err, HasSubstr("beyond 20.000 to 42.496 C"));
+  EXPECT_THAT(told.err, HasSubstr("training data of 20.000 to 42.496 C"));
   EXPECT_THAT(told.err, HasSubstr("a regression goes on in straight lines there"));
   EXPECT_THAT(told.err, HasSubstr("come from outside the measurements"));
   EXPECT_THAT(run("correct " + regression + " " + colder).err,

@@ -219,7 +219,7 @@ TEST_F(Slabs, AreRefusedWhereOneIsMissingTwiceStrangeOrCut) {
   const std::string whole = scratch_.file("whole.csv");
   ASSERT_EQ(table(axes + " -o " + whole).status, 0);
   EXPECT_THAT(merge_refusal(whole), HasSubstr("is no slab of a table"));
-  EXPECT_THAT(merge_refusal(a + " --speed 100"), HasSubstr("--merge excludes --speed"));
+  EXPECT_THAT(merge_refusal(a + " --speed 100"), HasSubstr("--speed excludes --merge"));
   EXPECT_THAT(merge_refusal(a + " --format modelica"), HasSubstr("--format csv or excel"));
   EXPECT_THAT(run("table --merge " + a).err, HasSubstr("--output is missing"));
 }
