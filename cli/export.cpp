@@ -46,7 +46,7 @@ int run(const ExportFlags& flags) {
     text::write_files(files, if_exists);
     std::size_t parts = 0;
     for (const control::ControlAxis& a : plan.axes)
-      parts += a.sections.size() + a.elements.size() + a.feedthroughs.size() + a.kinematics.size();
+      parts += a.sections.size() + a.elements.size() + a.feedthroughs.size() + a.equations.size() + a.kinematics.size();
     say(fmt::format("{} written: {} displacement{} of {} part{} from {} input{}", flags.output,
                     plan.axes.size(), plan.axes.size() == 1 ? "" : "s", parts,
                     parts == 1 ? "" : "s", plan.inputs.size(), plan.inputs.size() == 1 ? "" : "s"));
@@ -55,6 +55,7 @@ int run(const ExportFlags& flags) {
     fmt::print("{}", text);
   }
   tell(plan.notes);
+  warn(plan.warnings);
   for (const control::ControlAxis& axis : plan.axes) {
     if (axis.trust.empty()) continue;
     const std::string line = fmt::format("trust in {}: {}", axis.column, control::trust_line(axis));

@@ -115,6 +115,13 @@ class Numbers {
             {"ELEMENTS", rows(elements_, "{0, 0, 0, 0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}}")},
             {"FEEDTHROUGHS_COUNT", std::to_string(feedthrough_count_)},
             {"FEEDTHROUGHS", rows(feedthroughs_, "{0, 0, 0}")},
+            {"EQUATIONS_COUNT", std::to_string(equation_count_)},
+            {"PAST_COUNT", std::to_string(coefficient_count_)},
+            {"SAMPLING", control_number(sampling_of(plan_), "0")},
+            {"INTERVAL_SHARE", control_number(interval_tolerance, "0")},
+            {"NUMERATORS", listed_or_zero(numerators_)},
+            {"DENOMINATORS", listed_or_zero(denominators_)},
+            {"EQUATIONS", rows(equations_, "{0, 0, 0, 0, 0}")},
             {"KINEMATICS_COUNT", std::to_string(kinematic_count_)},
             {"KINEMATICS", rows(kinematics_, "{0, 0, 0, 0}")}};
   }
@@ -209,12 +216,21 @@ class Numbers {
     for (const ControlFeedthrough& f : a.feedthroughs)
       feedthroughs_ += fmt::format("  {{{}, {}, {}}}, /* {} */\n", output, f.drive, real(f.gain),
                                    harmless(f.channel));
+    for (const ControlEquation& e : a.equations) {
+      equations_ += fmt::format("  {{{}, {}, {}, {}, {}}}, /* {} */\n", output, e.drive,
+                                coefficient_count_, e.numerator.size(),
+                                control_number(e.scale, "1"), harmless(e.channel));
+      numerators_ += control_numbers(e.numerator) + ", ";
+      denominators_ += control_numbers(e.denominator) + ", ";
+      coefficient_count_ += e.numerator.size();
+    }
     for (const ControlKinematic& k : a.kinematics)
       kinematics_ += fmt::format("  {{{}, {}, {}, {}}},\n", output, real(k.A_um), real(k.B),
                                  real(k.C_per_rpm));
     section_count_ += a.sections.size();
     element_count_ += a.elements.size();
     feedthrough_count_ += a.feedthroughs.size();
+    equation_count_ += a.equations.size();
     kinematic_count_ += a.kinematics.size();
   }
 
@@ -223,8 +239,10 @@ class Numbers {
   std::string together_, together_inputs_, together_mean_, together_weights_;
   std::size_t together_input_count_ = 0, together_weight_count_ = 0;
   std::string points_, drive_inputs_, drives_, sections_, elements_, feedthroughs_, kinematics_;
+  std::string equations_, numerators_, denominators_;
   std::size_t point_count_ = 0, drive_input_count_ = 0, section_count_ = 0, element_count_ = 0,
-              feedthrough_count_ = 0, kinematic_count_ = 0;
+              feedthrough_count_ = 0, kinematic_count_ = 0, equation_count_ = 0,
+              coefficient_count_ = 0;
 };
 
 /// The program as of another name than "correction".

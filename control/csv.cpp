@@ -58,6 +58,12 @@ constexpr std::string_view schema =
 # check    a record with the displacements that correct gives for it; without limits, slew, sign or touch-off
 )";
 
+constexpr std::string_view equation_formulas =
+    R"(# equation     a part "equation N": y = sum of numerator i * u of i calls before - sum of denominator i * y of i calls before, in double; it adds
+#              scale * y. Only where the call comes `sampling` after the one before, within 5 %: else it stands still, with
+#              a flag
+)";
+
 class Table {
  public:
   explicit Table(const ControlPlan& plan) : plan_(plan) {}
@@ -194,6 +200,17 @@ class Table {
       add_drive(a.feedthroughs[k].drive);
       numbers(a.feedthroughs[k], feedthrough_numbers, gain_unit(a.feedthroughs[k].drive));
     }
+    for (std::size_t k = 0; k < a.equations.size(); ++k) {
+      const ControlEquation& e = a.equations[k];
+      begin(e.channel, "equation", k + 1);
+      add_drive(e.drive);
+      numbers(e, equation_numbers);
+      const std::string unit = gain_unit(e.drive);
+      for (std::size_t i = 0; i < e.numerator.size(); ++i)
+        number(fmt::format("numerator {}", i), e.numerator[i], unit);
+      for (std::size_t i = 1; i < e.denominator.size(); ++i)
+        number(fmt::format("denominator {}", i), e.denominator[i], "1");
+    }
     for (std::size_t k = 0; k < a.kinematics.size(); ++k) {
       begin("", "kinematic", k + 1);
       numbers(a.kinematics[k], kinematic_numbers);
@@ -222,9 +239,10 @@ class Table {
 }  // namespace
 
 std::string control_csv(const ControlPlan& plan) {
-  bool elements = false, answers = false;
+  bool elements = false, answers = false, equations = false;
   for (const ControlAxis& a : plan.axes) {
     elements = elements || !a.elements.empty();
+    equations = equations || !a.equations.empty();
     for (const ControlSection& s : a.sections)
       answers = answers || s.direct != 0.0 || s.off_gain != 1.0 || s.off_time_constant != 1.0 ||
                 s.speed_factor != 0.0 || s.falling != 1.0;
@@ -234,6 +252,7 @@ std::string control_csv(const ControlPlan& plan) {
   if (!plan.together.empty()) text += together_formulas;
   if (answers) text += answer_formulas;
   if (elements) text += element_formulas;
+  if (equations) text += equation_formulas;
   return fmt::format("{}{}{}\n{}", text, schema, table_header, Table(plan).text());
 }
 

@@ -226,6 +226,37 @@ class Planner {
     return c;
   }
 
+  /// As the difference equation that it is. `because`: reason why it is no sum of sections.
+  void add_equation(const DrivenChannel& c, std::size_t drive, const std::string& because,
+                    ControlAxis& axis) {
+    const auto refused = [&](const std::string& problem) {
+      return text::InputError(fmt::format("{}: channel {}: {}", plan_.source, c.name, problem),
+                              {.file = plan_.source, .key = "denominator"});
+    };
+    if (correction::never_decays(*c.printed))
+      throw refused(fmt::format("no control can run its polynomials: {}",
+                                correction::pole_warnings(*c.printed).front()));
+    const correction::TransferFunction f =
+        correction::direct_form(*c.printed, c.input.factor());
+    if (const double other = sampling_of(plan_); !std::isnan(other) && other != f.sampling)
+      throw refused(
+          fmt::format("its polynomials are for calls every {:g} s, and those of another channel "
+                      "for every {:g} s: export each displacement to a file of its own",
+                      f.sampling, other));
+    note(fmt::format("channel {}: runs as a difference equation, because {}. It needs a call every "
+                     "{:g} s: after any other interval it stands still, with a flag",
+                     c.name, because, f.sampling));
+    for (const std::string& meaning : correction::pole_warnings(*c.printed))
+      plan_.warnings.push_back(fmt::format("channel {}: {}", c.name, meaning));
+    if (const double gap = 1.5 * f.sampling; plan_.settings.longest_gap_s < gap) {
+      note(fmt::format("longest_gap_s is {:g} s in place of {:g} s, so that a call every {:g} s is "
+                       "not late",
+                       gap, plan_.settings.longest_gap_s, f.sampling));
+      plan_.settings.longest_gap_s = gap;
+    }
+    axis.equations.push_back({c.name, drive, c.scale, f.sampling, f.numerator, f.denominator});
+  }
+
   void add_printed(const DrivenChannel& c, std::size_t drive, double to_um, ControlAxis& axis) {
     try {
       const correction::ParallelForm form = correction::parallel_form(*c.printed);
@@ -242,10 +273,7 @@ class Planner {
           "they give the same, and at another rate what the same bodies give",
           c.name, form.lags.size(), form.lags.size() == 1 ? "" : "s", c.printed->sampling));
     } catch (const std::invalid_argument& e) {
-      throw text::InputError(
-          fmt::format("{}: channel {}: its polynomials cannot run together with sections: {}",
-                      plan_.source, c.name, e.what()),
-          {.file = plan_.source, .key = "denominator"});
+      add_equation(c, drive, e.what(), axis);
     }
   }
 
@@ -405,6 +433,7 @@ void in_order(ControlPlan& plan) {
     for (ControlSection& s : a.sections) move(s.drive);
     for (ControlElement& e : a.elements) move(e.drive);
     for (ControlFeedthrough& f : a.feedthroughs) move(f.drive);
+    for (ControlEquation& e : a.equations) move(e.drive);
   }
   plan.drives = std::move(drives);
   plan.tables = std::move(tables);
@@ -438,6 +467,12 @@ void count_in_whole_numbers(ControlPlan& plan) {
   }
 }
 
+double sampling_of(const ControlPlan& plan) {
+  for (const ControlAxis& a : plan.axes)
+    if (!a.equations.empty()) return a.equations.front().sampling_s;
+  return unset;
+}
+
 std::vector<std::size_t> used_inputs(const ControlPlan& plan, const ControlAxis& axis) {
   std::set<std::size_t> used;
   const auto add_drive = [&](std::size_t index) {
@@ -454,6 +489,7 @@ std::vector<std::size_t> used_inputs(const ControlPlan& plan, const ControlAxis&
   }
   for (const ControlElement& e : axis.elements) add_drive(e.drive);
   for (const ControlFeedthrough& f : axis.feedthroughs) add_drive(f.drive);
+  for (const ControlEquation& e : axis.equations) add_drive(e.drive);
   if (!axis.kinematics.empty()) used.insert(plan.speed);
   used.erase(nowhere);
   return {used.begin(), used.end()};

@@ -16,7 +16,8 @@
 ///   s += (1 - exp(-dt/tau)) (target - s),   dt the time since the last call, as measured
 ///
 /// For an input that goes straight between two samples, as temperatures do, the exact step for a
-/// ramp is used. Polynomials become sections.
+/// ramp is used. Polynomials become sections where their poles are those of lags; else they run as
+/// the difference equation that they are, at one interval between calls.
 namespace raceway::control {
 
 inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
@@ -107,6 +108,22 @@ struct ControlFeedthrough {
   double gain = unset;  ///< [um] per unit of the drive
 };
 
+/// A difference equation with poles that belong to no lag:
+///
+///   y(k) = sum numerator(i) u(k-i) - sum denominator(i) y(k-i),   denominator(0) = 1
+///
+/// Advances in calls that come `sampling_s` after the call before, and stands still in others.
+struct ControlEquation {
+  std::string channel{};
+  std::size_t drive = nowhere;
+  double scale = 1.0;                            ///< of y
+  double sampling_s = unset;                     ///< the same of all equations of a plan
+  std::vector<double> numerator{}, denominator{};  ///< [um] per unit of the drive; [1], alike long
+};
+
+/// Share of the sampling by which an interval between two calls may differ from it.
+inline constexpr double interval_tolerance = 0.05;
+
 /// A n^(1 - B exp(-C n)), at once.
 struct ControlKinematic {
   double A_um = unset, B = unset, C_per_rpm = unset;
@@ -129,6 +146,7 @@ struct ControlAxis {
   std::vector<ControlSection> sections{};
   std::vector<ControlElement> elements{};
   std::vector<ControlFeedthrough> feedthroughs{};
+  std::vector<ControlEquation> equations{};
   std::vector<ControlKinematic> kinematics{};
 };
 
@@ -157,10 +175,12 @@ struct ControlPlan {
       settings{};  ///< what is for all of them; the rest stands with inputs and axes
   /// Parts of the models that are missing in the plan or differ, a sentence each.
   std::vector<std::string> notes{};
+  /// Properties of its parts that no machine has, a sentence each.
+  std::vector<std::string> warnings{};
 };
 
-/// Throws InputError for what no control can run: a polynomial without real, separate time
-/// constants.
+/// Throws InputError for what no control can run: polynomials that never decay, polynomials of two
+/// samplings, a formula of the user's own.
 [[nodiscard]] ControlPlan control_plan(const std::vector<correction::Model>& models,
                                        const correction::ControlSettings& settings,
                                        const std::string& source);
@@ -174,6 +194,9 @@ void in_order(ControlPlan& plan);
 
 /// Offsets in whole counts of every axis, as LinuxCNC takes them.
 void count_in_whole_numbers(ControlPlan& plan);
+
+/// Interval between two calls that the equations of a plan need [s]; NaN where it has none.
+[[nodiscard]] double sampling_of(const ControlPlan& plan);
 
 /// Places of the inputs that an axis goes by, rising.
 [[nodiscard]] std::vector<std::size_t> used_inputs(const ControlPlan& plan,

@@ -121,6 +121,12 @@ std::string axis_text(const ControlPlan& plan, const ControlAxis& a) {
   for (const ControlFeedthrough& f : a.feedthroughs)
     text += fmt::format("         {{\"drive\": {}, \"gain\": {}}},  # {}\n", f.drive,
                         number(f.gain), harmless(f.channel));
+  text += "     ],\n     \"equations\": [\n";
+  for (const ControlEquation& e : a.equations)
+    text += fmt::format(
+        "         # {}\n         {{\"drive\": {}, \"scale\": {},\n          \"numerator\": {},\n"
+        "          \"denominator\": {}}},\n",
+        harmless(e.channel), e.drive, number(e.scale), list(e.numerator), list(e.denominator));
   text += "     ],\n     \"kinematics\": [\n";
   for (const ControlKinematic& k : a.kinematics)
     text += fmt::format("         {{\"A\": {}, \"B\": {}, \"C\": {}}},  # um, 1, 1/rpm\n",
@@ -165,7 +171,9 @@ std::string program_with(const ControlPlan& plan, std::string_view usage, std::s
                                  {"DRIVES", drives},
                                  {"AXES", axes},
                                  {"SPEED", place(plan.speed)},
-                                 {"COOLANT", place(plan.coolant)}});
+                                 {"COOLANT", place(plan.coolant)},
+                                 {"SAMPLING", number(sampling_of(plan))},
+                                 {"INTERVAL_SHARE", number(interval_tolerance)}});
 }
 
 }  // namespace

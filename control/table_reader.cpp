@@ -67,6 +67,8 @@ class TableReader {
       if (plan_.source.empty()) plan_.source = source_in_heading(line, "# ");
       if (std::string note = note_in_heading(line, "# "); !note.empty())
         plan_.notes.push_back(std::move(note));
+      if (std::string warning = warning_in_heading(line, "# "); !warning.empty())
+        plan_.warnings.push_back(std::move(warning));
     }
     for (std::size_t k = 0; k < csv.rows(); ++k)
       rows_.push_back({csv.cell(k, 0), csv.cell(k, 1), csv.cell(k, 2), csv.cell(k, 3),
@@ -208,6 +210,8 @@ class TableReader {
       ControlFeedthrough f{.channel = text_of(first.channel)};
       read_driven(part, f, feedthrough_numbers);
       axis(first).feedthroughs.push_back(f);
+    } else if (kind == "equation") {
+      read_equation(part, axis(first));
     } else if (kind == "kinematic") {
       ControlKinematic law;
       for (const Row& r : part)
@@ -379,6 +383,23 @@ class TableReader {
     a.elements.push_back(std::move(e));
   }
 
+  void read_equation(const Part& part, ControlAxis& a) {
+    ControlEquation e{.channel = text_of(part.front().channel)};
+    e.denominator = {1.0};
+    for (const Row& r : read_driven(part, e, equation_numbers)) {
+      const auto [name, place] = kind_of(r.name);
+      std::vector<double>* const list = name == "numerator"     ? &e.numerator
+                                        : name == "denominator" ? &e.denominator
+                                                                : nullptr;
+      if (!list) fail_unknown(r);
+      if (place != list->size()) fail(r, "is not the next one of its polynomial");
+      list->push_back(number(r));
+    }
+    if (e.numerator.size() != e.denominator.size())
+      fail(part.front(), "numerator and denominator must be alike long");
+    a.equations.push_back(std::move(e));
+  }
+
   ControlCurve curve(const Row& first, const Part& part, std::string_view name) const {
     ControlCurve c;
     bool line = false, law = false;
@@ -429,6 +450,13 @@ class TableReader {
                                              source_, a.column, column),
                                  {.file = source_, .key = column});
     }
+    for (const ControlAxis& a : plan_.axes)
+      for (const ControlEquation& e : a.equations)
+        if (e.sampling_s != sampling_of(plan_))
+          throw text::InputError(
+              fmt::format("{}: {}: equations of two samplings, {} s and {} s", source_, a.column,
+                          sampling_of(plan_), e.sampling_s),
+              {.file = source_, .key = "sampling"});
     for (const ControlInput& in : plan_.inputs)
       if (!(in.lowest <= in.highest) && !(std::isnan(in.lowest) && std::isnan(in.highest)))
         throw text::InputError(fmt::format("{}: {}, input: lowest = {} and highest = {}", source_,

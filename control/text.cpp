@@ -37,6 +37,7 @@ std::uint32_t stamp(const ControlPlan& plan) {
   ControlPlan bare = plan;  // the numbers count, not where they come from
   bare.source.clear();
   bare.notes.clear();
+  bare.warnings.clear();
   bare.check = {};
   for (ControlAxis& axis : bare.axes) axis.trust = axis.trust_because = {};
   std::uint32_t hash =
@@ -49,7 +50,7 @@ namespace {
 
 constexpr std::string_view written_by = "Thermal correction, written by raceway ",
                            of_model = " from ";
-constexpr std::string_view before_note = "Note: ";
+constexpr std::string_view before_note = "Note: ", before_warning = "Warning: ";
 
 /// The rest of a line without the dot at its end; empty where it does not begin so.
 std::string_view rest_of(std::string_view line, std::string_view mark, std::string_view begin) {
@@ -66,6 +67,8 @@ std::string control_heading(const ControlPlan& plan, std::string_view mark) {
   for (const ControlAxis& axis : plan.axes)
     if (!axis.trust.empty())
       text += fmt::format("{}Trust in {}: {}.\n", mark, axis.column, harmless(trust_line(axis)));
+  for (const std::string& warning : plan.warnings)
+    text += fmt::format("{}{}{}.\n", mark, before_warning, harmless(warning));
   for (const std::string& note : plan.notes)
     text += fmt::format("{}{}{}.\n", mark, before_note, harmless(note));
   return text;
@@ -79,6 +82,10 @@ std::string source_in_heading(std::string_view line, std::string_view mark) {
 
 std::string note_in_heading(std::string_view line, std::string_view mark) {
   return std::string(rest_of(line, mark, before_note));
+}
+
+std::string warning_in_heading(std::string_view line, std::string_view mark) {
+  return std::string(rest_of(line, mark, before_warning));
 }
 
 std::string filled(std::string_view text, const std::vector<Replacement>& values) {

@@ -27,16 +27,19 @@ void require_sampling(const Series& series, double sampling, const std::string& 
 }
 
 /// Of one sampling, from rest in every run.
-std::vector<double> run_printed(const TransferFunction& function, const Series& series,
-                                const std::vector<double>& input, const std::string& name) {
-  require_sampling(series, function.sampling, name);
+std::vector<double> run_printed(const DrivenChannel& channel, const Series& series,
+                                std::vector<double> input) {
+  require_sampling(series, channel.printed->sampling, channel.name);
+  const double unit = channel.input.factor();
+  const TransferFunction function = direct_form(*channel.printed, unit);
+  for (double& u : input) u /= unit;
   std::vector<double> all;
   const std::vector<bool>& begins = series.clock().begins;
   for (std::size_t first = 0; first < input.size();) {
     std::size_t last = first + 1;
     while (last < input.size() && !begins[last]) ++last;
     const std::vector<double> part = run(function, std::span(input).subspan(first, last - first));
-    all.insert(all.end(), part.begin(), part.end());
+    for (const double y : part) all.push_back(y * um);
     first = last;
   }
   return all;
@@ -53,8 +56,8 @@ void add_channel(const Model& model, const DrivenChannel& channel, const Series&
     sink(c.scale, u);
   }
   if (c.printed)
-    sink(c.scale, std::make_shared<const std::vector<double>>(
-                      run_printed(*c.printed, series, *input, c.name)));
+    sink(c.scale,
+         std::make_shared<const std::vector<double>>(run_printed(c, series, *input)));
   if (c.feedthrough != 0.0) sink(c.scale * c.feedthrough, series.at_once(c.input));
   const Answer answer = answer_of(model, channel);
   for (const Section& s : c.sections)

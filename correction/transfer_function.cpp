@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "algebra/detail/decompositions.h"
+#include "record/digits.h"
 
 namespace raceway::correction {
 namespace {
@@ -31,6 +32,7 @@ bool has_root_at_one(const Coefficients& c) {
 Coefficients divided_by_root_at_one(const Coefficients& c) {
   Coefficients quotient(c.size() - 1);
   std::partial_sum(c.begin(), c.end() - 1, quotient.begin());
+  for (double& q : quotient) q = record::with_digits(q, 15);
   return quotient;
 }
 
@@ -132,17 +134,29 @@ double single_error(const TransferFunction& printed, double dc_gain) {
   return (reached - run(printed, exact_step).back()) / std::abs(dc_gain);
 }
 
-std::vector<std::string> warnings(const TransferFunctionCheck& c, double quantum, double visible) {
+using Poles = std::vector<std::complex<double>>;
+
+/// `poles`: the largest first.
+bool on_or_outside_the_circle(const Poles& poles) {
+  return !poles.empty() && std::abs(poles.front()) >= 1.0 - 1e-12;
+}
+
+std::vector<std::string> warnings_of(const Poles& poles) {
   std::vector<std::string> result;
-  if (!c.poles.empty() && std::abs(c.poles.front()) >= 1.0 - 1e-12)
+  if (on_or_outside_the_circle(poles))
     result.emplace_back("pole on or outside the unit circle: what it starts never decays");
-  if (std::any_of(c.poles.begin(), c.poles.end(),
+  if (std::any_of(poles.begin(), poles.end(),
                   [](const auto& p) { return p.imag() == 0.0 && p.real() < 0.0; }))
     result.emplace_back(
         "negative real pole: the output changes its sign from sample to sample, which no body "
         "does");
-  if (std::any_of(c.poles.begin(), c.poles.end(), [](const auto& p) { return p.imag() != 0.0; }))
+  if (std::any_of(poles.begin(), poles.end(), [](const auto& p) { return p.imag() != 0.0; }))
     result.emplace_back("complex poles: the output swings, which heat does not");
+  return result;
+}
+
+std::vector<std::string> warnings(const TransferFunctionCheck& c, double quantum, double visible) {
+  std::vector<std::string> result = warnings_of(c.poles);
   if (c.unstable_share > 0.0)
     result.push_back(
         fmt::format("rounding of the printed digits can make it unstable ({:.1f} % of 4000 draws)",
@@ -180,6 +194,23 @@ TransferFunction reduced(const TransferFunction& printed) {
     result.denominator = divided_by_root_at_one(result.denominator);
   }
   return result;
+}
+
+TransferFunction direct_form(const TransferFunction& printed, double unit) {
+  TransferFunction f = reduced(printed);
+  for (double& a : f.numerator) a = record::with_digits(a * unit / um, 15);
+  const std::size_t order = std::max(f.numerator.size(), f.denominator.size());
+  f.numerator.resize(order);
+  f.denominator.resize(order);
+  return f;
+}
+
+std::vector<std::string> pole_warnings(const TransferFunction& printed) {
+  return warnings_of(poles_of(reduced(printed).denominator));
+}
+
+bool never_decays(const TransferFunction& printed) {
+  return on_or_outside_the_circle(poles_of(reduced(printed).denominator));
 }
 
 std::vector<double> run(const TransferFunction& printed, std::span<const double> input) {

@@ -27,6 +27,11 @@ struct TransferFunction {
 /// that is not 1, one that is not finite, sampling that is not positive.
 [[nodiscard]] TransferFunction reduced(const TransferFunction& printed);
 
+/// The reduced function with the numerator as people print it, in um per `unit` [SI] of the input,
+/// and both polynomials alike long. Coefficients have 15 digits: with slow poles a digit beyond
+/// them moves the gain by 1e-9, so everything that runs the function runs these numbers.
+[[nodiscard]] TransferFunction direct_form(const TransferFunction& printed, double unit);
+
 /// Response to an input sampled at the function's own rate, from rest, in double precision.
 [[nodiscard]] std::vector<double> run(const TransferFunction& printed,
                                       std::span<const double> input);
@@ -55,6 +60,13 @@ struct ParallelForm {
 
 /// Throws std::invalid_argument saying which pole stands against it.
 [[nodiscard]] ParallelForm parallel_form(const TransferFunction& printed);
+
+/// Meaning of poles that no body has, a sentence each: on or outside the unit circle, negative,
+/// complex.
+[[nodiscard]] std::vector<std::string> pole_warnings(const TransferFunction& printed);
+
+/// Whether a pole of the reduced function lies on or outside the unit circle.
+[[nodiscard]] bool never_decays(const TransferFunction& printed);
 
 /// Properties of printed coefficients.
 struct TransferFunctionCheck {

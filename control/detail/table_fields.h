@@ -83,6 +83,10 @@ inline constexpr std::array element_numbers{
 inline constexpr std::array feedthrough_numbers{
     NumberField<ControlFeedthrough>{"gain", &ControlFeedthrough::gain, "u", true}};
 
+inline constexpr std::array equation_numbers{
+    NumberField<ControlEquation>{"scale", &ControlEquation::scale, "1", true},
+    NumberField<ControlEquation>{"sampling", &ControlEquation::sampling_s, "s", true, 1e-3}};
+
 inline constexpr std::array kinematic_numbers{
     NumberField<ControlKinematic>{"A", &ControlKinematic::A_um, "um", true},
     NumberField<ControlKinematic>{"B", &ControlKinematic::B, "1", true},

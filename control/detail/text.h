@@ -31,9 +31,10 @@ inline constexpr const char* control_tolerance = "1e-9";
 /// The lines that every file begins with: what it is, of which model, and what is not in it. Each
 /// begins with `mark`.
 [[nodiscard]] std::string control_heading(const ControlPlan& plan, std::string_view mark);
-/// The source and a note in such a line, read back; empty in others.
+/// The source, a note and a warning in such a line, read back; empty in others.
 [[nodiscard]] std::string source_in_heading(std::string_view line, std::string_view mark);
 [[nodiscard]] std::string note_in_heading(std::string_view line, std::string_view mark);
+[[nodiscard]] std::string warning_in_heading(std::string_view line, std::string_view mark);
 
 /// `text` with every `@KEY@` replaced.
 struct Replacement {

@@ -161,8 +161,9 @@ py::tuple export_correction(const EngineCorrection& correction, const std::strin
   control::ControlPlan plan = session::open_plan(heard, correction.source(), record.get());
   if (!accept_untrusted) session::require_trust(plan);
   const session::ControlExport made = session::export_plan(std::move(plan), format, output);
-  return py::make_tuple(made.text, notes_of(record::note::exported, made.plan.notes), made.hal,
-                        made.hal_shutdown);
+  std::vector<record::Note> notes = notes_of(record::note::exported, made.plan.notes);
+  append(notes, notes_of(record::note::polynomial, made.plan.warnings));
+  return py::make_tuple(made.text, notes, made.hal, made.hal_shutdown);
 }
 
 EngineAnswer fit_law(const Data& curve, double at_rpm, const py::kwargs& given) {

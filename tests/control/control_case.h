@@ -45,7 +45,8 @@ enum Flag {
   moving = 8192,
   disabled = 16384,
   restarted = 32768,
-  was_off = 65536
+  was_off = 65536,
+  wrong_interval = 131072
 };
 
 inline std::string text_of(const fs::path& path) {

@@ -26,6 +26,28 @@ TEST(ControlTableText, ReadsBackToTheSameProgramsAndTheSameTable) {
   EXPECT_EQ(control_c(read, "machine"), control_c(c.plan, "machine"));
 }
 
+TEST(ControlTableText, ReadsDifferenceEquationsBack) {
+  Case c(
+      "[correction]\ndisplacement = \"displacement_z_um\"\nsampling_s = 1\n"
+      "[[correction.channel]]\nname = \"y\"\ninput = \"room_temperature_C\"\n"
+      "numerator = [0.0557978, -0.0073149, -0.0481798]\n"
+      "denominator = [1, -0.1719017, -0.8278259]\n",
+      "time_s,room_temperature_C\n0,20\n1,20\n");
+  c.plan.check = made_up_check(c.plan, c.file.models);
+  const std::string table = control_csv(c.plan);
+  EXPECT_THAT(table, HasSubstr("\ndisplacement_z_um,y,equation 1,denominator 1,-0.1719017,1\n"));
+  EXPECT_THAT(table, HasSubstr("\ndisplacement_z_um,y,equation 1,sampling,1,s\n"));
+  const ControlPlan read = read_control_table(table, "table.csv");
+  EXPECT_EQ(control_csv(read), table);
+  EXPECT_EQ(control_python(read), control_python(c.plan));
+  EXPECT_EQ(control_c(read, "machine"), control_c(c.plan, "machine"));
+  EXPECT_EQ(read.warnings, c.plan.warnings);
+  std::string shorter = table;
+  const std::string row = "displacement_z_um,y,equation 1,denominator 2,-0.8278259,1\n";
+  shorter.replace(shorter.find(row), row.size(), "");
+  EXPECT_THROW((void)read_control_table(shorter, "table.csv"), text::InputError);
+}
+
 TEST(ControlTableText, TakesNumbersThatWereChanged) {
   const Case c(with_keys);
   std::string table = control_csv(c.plan);

@@ -159,7 +159,7 @@ TEST_P(Control, TurnsPolynomialsIntoSections) {
       "name = \"published\"\ninput = \"front_temperature_C\"\nnumerator = [4.30702, -4.28923]\n"
       "denominator = [1, -0.9984]\nscale = 0.9\n[[correction.channel]]\nname = \"two\"\n"
       "input = \"room_temperature_C\"\nnumerator = [0, 0.02, -0.018]\n"
-      "denominator = [1, -1.98, 0.9801]\n";  // (1 - 0.99/z)^2: refused below
+      "denominator = [1, -1.98, 0.9801]\n";  // (1 - 0.99/z)^2: no sections, below
   const std::string apart =
       std::string(model).replace(model.find("-1.98, 0.9801"), 13, "-1.985, 0.98505");
   std::string record = "time_s,front_temperature_C,room_temperature_C\n";
@@ -170,13 +170,115 @@ TEST_P(Control, TurnsPolynomialsIntoSections) {
   EXPECT_EQ(c.plan.axes[0].sections.size(), 3u);
   EXPECT_LT(distance(run(c, c.calls()), c.corrected()), tolerance());
   EXPECT_THAT(c.plan.notes, testing::Contains(HasSubstr("its polynomials became 2 sections")));
-  try {
-    (void)Case(model, record);
-    FAIL() << "a double pole is no sum of sections";
-  } catch (const text::InputError& e) {
-    EXPECT_THAT(e.what(),
-                HasSubstr("channel two: its polynomials cannot run together with sections: "));
+  const Case twice(model, record);
+  EXPECT_EQ(twice.plan.axes[0].equations.size(), 1u);
+  EXPECT_LT(distance(run(twice, twice.calls()), twice.corrected()), tolerance());
+}
+
+/// Published functions of a five-axis machine whose poles belong to no lag, one that swings, and one
+/// with an integrator that is cancelled on paper.
+const std::string printed_model =
+    "[correction]\ndisplacement = \"displacement_z_um\"\nsampling_s = 1\n"
+    "[[correction.channel]]\nname = \"amb\"\ninput = \"room_temperature_C\"\n"
+    "numerator = [0.0174675, -0.0174683]\n"
+    "denominator = [1, -1.0074457, -0.9830456, 0.99049153]\n"
+    "[[correction.channel]]\nname = \"x\"\ninput = \"front_temperature_C\"\n"
+    "numerator = [0.000870091]\ndenominator = [1, 0.000296341, -0.9995287]\n"
+    "[[correction.channel]]\nname = \"y\"\ninput = \"rear_temperature_C\"\nscale = 0.9\n"
+    "reference = \"room_temperature_C\"\nnumerator = [0.0557978, -0.0073149, -0.0481798]\n"
+    "denominator = [1, -0.1719017, -0.8278259]\n"
+    "[[correction.channel]]\nname = \"swings\"\ninput = \"speed_rpm\"\n"
+    "numerator = [0, 2e-6]\ndenominator = [1, -1.98, 0.9802]\n"
+    "[[correction.channel]]\nname = \"cancelled\"\ninput = \"room_temperature_C\"\n"
+    "numerator = [-0.0251, 0.0251]\ndenominator = [1, -1.9985, 0.9985]\n";
+
+std::string printed_record(int rows) {
+  std::string text =
+      "time_s,speed_rpm,front_temperature_C,rear_temperature_C,room_temperature_C\n";
+  for (int k = 0; k < rows; ++k)
+    text += fmt::format("{},{},{:.1f},{:.1f},{:.1f}\n", k, 1000 * (k / 300 % 4),
+                        22 + 8 * std::sin(k / 900.0), 21 + 5 * std::sin(k / 700.0),
+                        20 + std::sin(k / 2000.0));
+  return text;
+}
+
+TEST_P(Control, RunsPolynomialsOfNoLagAsDifferenceEquations) {
+  const Case c(printed_model, printed_record(4000));
+  EXPECT_EQ(c.plan.axes[0].equations.size(), 4u);
+  EXPECT_EQ(c.plan.axes[0].sections.size(), 1u);  // the cancelled one is a lag
+  const auto got = run(c, c.calls());
+  const auto expected = c.corrected();
+  EXPECT_LT(distance(got, expected), tolerance());
+  double largest = 0.0;
+  for (const auto& y : expected) largest = std::max(largest, std::abs(y[0]));
+  EXPECT_GT(largest, 10.0);
+  for (const Answer& a : got) ASSERT_EQ(a.flags, 0);
+  EXPECT_THAT(c.plan.notes,
+              testing::Contains(HasSubstr("channel x: runs as a difference equation, because the "
+                                          "pole -0.9999125037 does not lie between 0 and 1")));
+  EXPECT_THAT(c.plan.warnings,
+              testing::ElementsAre(HasSubstr("channel amb: negative real pole"),
+                                   HasSubstr("channel x: negative real pole"),
+                                   HasSubstr("channel y: negative real pole"),
+                                   HasSubstr("channel swings: complex poles")));
+}
+
+// Two coefficients, y(k) = 0.01 u(k-1) - 0.99 y(k-1): its sign shows how often it went on.
+TEST_P(Control, EquationsStandStillAtAnyOtherInterval) {
+  const Case c(
+      "[correction]\ndisplacement = \"displacement_z_um\"\nsampling_s = 2\n"
+      "[[correction.channel]]\nname = \"x\"\ninput = \"speed_rpm\"\nnumerator = [0, 0.01]\n"
+      "denominator = [1, 0.99]\n[export]\nlongest_gap_s = 1\n",
+      "time_s,speed_rpm\n0,100\n2,100\n");
+  EXPECT_EQ(c.plan.settings.longest_gap_s, 3);
+  const auto got = run(c,
+                       "u 0 100\nu 2 100\nu 4.09 100\nu 6.2 100\nu 7 100\nu 7 100\nrestart\n"
+                       "u 9 100\nu 30 100\nu 32 100\n");
+  const double first = 0, second = 1, third = 1 - 0.99, fourth = 1 - 0.99 * third,
+               fifth = 1 - 0.99 * fourth;
+  const double y[] = {first, second, third, third, third, third, fourth, fourth, fifth};
+  const int flags[] = {0, 0, 0, wrong_interval, wrong_interval, clock_stood, 0, wrong_interval, 0};
+  ASSERT_EQ(got.size(), std::size(y));
+  for (std::size_t k = 0; k < got.size(); ++k) {
+    EXPECT_NEAR(got[k].displacements[0], y[k], 1e-6) << k;
+    EXPECT_EQ(got[k].flags, flags[k]) << k;
   }
+}
+
+// The first row of a control's calls has no interval; a clock that stands is no other interval.
+TEST_P(Control, OffsetsOfEquationsStandAtAnyOtherInterval) {
+  const Case c(printed_model, printed_record(10));
+  std::string script;
+  for (const double t : {0.0, 1.0, 2.0, 5.5, 6.5})
+    script += fmt::format("g {} 1 1000 {} {} {}\n", t, 20 + t, 20 + t, 20.0);
+  const auto got = run(c, script);
+  ASSERT_EQ(got.size(), 5u);
+  EXPECT_EQ(got[3].flags & wrong_interval, wrong_interval);
+  for (const std::size_t k : {0u, 1u, 2u, 4u}) EXPECT_EQ(got[k].flags & wrong_interval, 0) << k;
+}
+
+TEST(ControlPlan, RefusesEquationsThatNeverDecayOrHaveTwoSamplings) {
+  const auto refused = [](const std::string& model) {
+    try {
+      (void)Case(model, "time_s,speed_rpm\n0,0\n1,1\n");
+    } catch (const text::InputError& e) {
+      return std::string(e.what());
+    }
+    return std::string("taken");
+  };
+  const auto model = [](const char* axis, int sampling, const char* denominator) {
+    return fmt::format(
+        "[[correction]]\ndisplacement = \"displacement_{}_um\"\nsampling_s = {}\n"
+        "[[correction.channel]]\nname = \"a\"\ninput = \"speed_rpm\"\nnumerator = [1]\n"
+        "denominator = {}\n",
+        axis, sampling, denominator);
+  };
+  EXPECT_THAT(refused(model("z", 1, "[1, 1.01]")),
+              HasSubstr("channel a: no control can run its polynomials: pole on or outside the "
+                        "unit circle"));
+  EXPECT_THAT(refused(model("z", 1, "[1, 0.5]") + model("y", 2, "[1, 0.5]")),
+              HasSubstr("for calls every 2 s, and those of another channel for every 1 s"));
+  EXPECT_EQ(refused(model("z", 2, "[1, 0.5]") + model("y", 2, "[1, 0.5]")), "taken");
 }
 
 TEST(ControlPython, ARecordWithOtherHeadersIsRefusedWithTheOnesThatAreNeeded) {
