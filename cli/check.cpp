@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cli/commands.h"
@@ -100,6 +101,32 @@ void print_defaults(const std::string& source, const std::vector<files::UsedDefa
   for (const std::string& line : files::short_lines(defaults)) fmt::print("  {}\n", line);
 }
 
+/// Scatter of the readings, as far as stops tell it.
+void print_noise(const correction::RecordCheck& c) {
+  constexpr std::size_t most_lines = 6;
+  const fit::Repeatability& r = c.repeatability;
+  if (!r.known()) {
+    if (std::isfinite(c.noise_at_most))
+      fmt::print("noise of a reading: {} um at most, by the calmest quarter of the readings\n",
+                 number(c.noise_at_most / um, 2));
+    return;
+  }
+  fmt::print(
+      "repeated readings in {} stops: a reading scatters by ±{} um (2 sigma, {} degrees of "
+      "freedom)\n",
+      r.stops.size(), number(2.0 * r.std / um, 2), r.degrees_of_freedom);
+  TextTable table(
+      {{"stop at", "s"}, {"readings", ""}, {"mean", "um"}, {"2 sigma of the mean", "um"}});
+  for (std::size_t k = 0; k < std::min(most_lines, r.stops.size()); ++k) {
+    const fit::Stop& s = r.stops[k];
+    table.add({number(s.time, 5), fmt::format("{}", s.readings), number(s.mean / um, 4),
+               number(2.0 * r.std / std::sqrt(s.readings) / um, 2)});
+  }
+  fmt::print("{}", table.text(terminal_width()));
+  if (r.stops.size() > most_lines)
+    fmt::print("... and {} more stops; --json has them all\n", r.stops.size() - most_lines);
+}
+
 /// What a record over time can tell, in lines.
 void print(const correction::RecordCheck& c) {
   fmt::print(
@@ -107,6 +134,7 @@ void print(const correction::RecordCheck& c) {
       "to "
       "{:.3g} s can be told\n",
       c.sampling, c.duration / 3600.0, c.readings, c.reading_interval, c.shortest, c.longest);
+  print_noise(c);
   for (const correction::RecordCheck::Quantum& q : c.quanta)
     fmt::print("{}: last digit {:.3g} {}\n", q.column->name, q.step / q.column->factor,
                text::difference_unit(*q.column));

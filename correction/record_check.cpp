@@ -152,6 +152,10 @@ class Checking {
       last = time[k];
     }
     result_.reading_interval = record::median(intervals);
+    result_.repeatability = fit::repeatability(record_, *model_.displacement);
+    if (result_.repeatability.known()) return;
+    if (result_.reading_interval > 120.0)
+      result_.noise_at_most = fit::noise_of_calm_readings(record_, *model_.displacement);
     if (result_.readings > 0 && result_.reading_interval > 120.0)
       warn(record::note::noise(fmt::format(
           "readings come every {:.3g} s: what scatters between them is not the noise of "

@@ -5,6 +5,7 @@
 
 #include "correction/model.h"
 #include "correction/transfer_function.h"
+#include "fit/noise.h"
 #include "record/record.h"
 
 namespace raceway::correction {
@@ -24,6 +25,8 @@ struct RecordCheck {
   double sampling = unset;                   ///< median time between rows [s]
   double duration = unset;                   ///< of the longest run [s]
   std::size_t readings = 0;                  ///< of the displacement
+  fit::Repeatability repeatability{};        ///< of readings that were repeated in stops
+  double noise_at_most = unset;              ///< of readings that stand far apart [m]
   double reading_interval = unset;           ///< median [s]
   double shortest = unset, longest = unset;  ///< time constants that it can tell [s]
   std::vector<Quantum> quanta{};

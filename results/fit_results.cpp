@@ -327,6 +327,21 @@ text::json printed_object(const correction::RecordCheck::Printed& p) {
           {"warnings", p.check.warnings}};
 }
 
+/// Null where no reading was repeated.
+text::json repeatability_object(const correction::RecordCheck& c) {
+  const fit::Repeatability& r = c.repeatability;
+  if (!r.known()) return nullptr;
+  text::json stops = text::json::array();
+  for (const fit::Stop& s : r.stops)
+    stops.push_back({{"time_s", s.time},
+                     {"readings", s.readings},
+                     {"mean_um", s.mean / um},
+                     {"two_sigma_um", 2.0 * s.std / um}});
+  return {{"two_sigma_um", 2.0 * r.std / um},
+          {"degrees_of_freedom", r.degrees_of_freedom},
+          {"stops", std::move(stops)}};
+}
+
 text::json over_time_object(const correction::RecordCheck& c) {
   text::json quanta = text::json::object(), printed = text::json::array();
   for (const correction::RecordCheck::Quantum& q : c.quanta)
@@ -336,6 +351,8 @@ text::json over_time_object(const correction::RecordCheck& c) {
                          {"duration_s", c.duration},
                          {"readings", c.readings},
                          {"reading_interval_s", c.reading_interval},
+                         {"repeatability", repeatability_object(c)},
+                         {"noise_at_most_um", c.noise_at_most / um},
                          {"time_constants_visible_s", {c.shortest, c.longest}},
                          {"quanta", std::move(quanta)},
                          {"warnings", nullptr}};  // check_json() has them

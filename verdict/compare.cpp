@@ -474,6 +474,11 @@ void estimate_unknown_noise(const fit::Subject& subject, const record::Record& r
                             std::vector<Comparison>& comparisons) {
   const auto unknown = [](const Comparison& c) { return c.noise.source == fit::NoiseSource::none; };
   if (std::none_of(comparisons.begin(), comparisons.end(), unknown)) return;
+  // Of what only comes near a diagnosis knows no noise; readings at stops bound it.
+  for (const fit::Measured& m : subject.measured())
+    for (Comparison& c : comparisons)
+      if (m.approximate && unknown(c) && *c.channel == *m.channel)
+        c.estimated_noise = fit::noise_of_calm_readings(record, *m.channel);
   const auto estimated = estimate_noise_as_diagnosis(subject, record);
   if (!estimated) return;
   for (const EstimatedNoise& noise : *estimated)

@@ -3,13 +3,75 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 #include "fit/noise_model.h"
 #include "record/repeats.h"
+#include "record/series_channel.h"
 #include "tests/support/rows.h"
 #include "tests/support/synthetic.h"
 
 namespace raceway::fit {
 namespace {
+
+/// Readings of a machine that warms up by 20 um in an hour, in stops of `approaches` every 5 min, 8
+/// s apart, of a sensor of 0.3 um.
+record::Record stops_of(int approaches, double last_hours = 0.0) {
+  const record::Channel& z = *record::series_channel("displacement_z_um");
+  std::vector<double> time, values;
+  std::mt19937 engine(5);
+  std::normal_distribution<double> noise(0.0, 0.3 * um);
+  for (int stop = 0; stop < 60; ++stop)
+    for (int k = 0; k < approaches; ++k) {
+      const double t = 300.0 * stop + 8.0 * k;
+      const double until = last_hours > 0.0 ? std::min(t, last_hours * 3600.0) : t;
+      time.push_back(t);
+      values.push_back(20.0 * um * -std::expm1(-until / 3600.0) + noise(engine));
+    }
+  record::Record record{.source = "stops.csv"};
+  record.set(record::time, time);
+  record.set(z, values);
+  return record;
+}
+
+const record::Channel& z_of_stops() { return *record::series_channel("displacement_z_um"); }
+
+TEST(Repeatability, OfFiveApproachesInAStopIsThatOfTheSensor) {
+  const Repeatability five = repeatability(stops_of(5), z_of_stops());
+  ASSERT_EQ(five.stops.size(), 60u);
+  EXPECT_EQ(five.stops.front().readings, 5);
+  EXPECT_EQ(five.degrees_of_freedom, 60 * 3);  // a line is taken off each
+  EXPECT_NEAR(five.std / um, 0.3, 0.05);
+  EXPECT_NEAR(five.stops.back().mean / um, 20.0 * -std::expm1(-17716.0 / 3600.0), 0.5);
+  EXPECT_EQ(noise_of_neighbours(stops_of(5), z_of_stops()), five.std);
+  // Of pairs the machine may move a little meanwhile.
+  const Repeatability two = repeatability(stops_of(2), z_of_stops());
+  EXPECT_EQ(two.degrees_of_freedom, 60);
+  EXPECT_NEAR(two.std / um, 0.3, 0.08);
+}
+
+TEST(Repeatability, IsNotKnownWhereNothingWasRepeated) {
+  EXPECT_FALSE(repeatability(stops_of(1), z_of_stops()).known());
+  EXPECT_TRUE(std::isnan(noise_of_neighbours(stops_of(1), z_of_stops())));
+  // A dense record with a few breaks has no stops.
+  record::Record dense{.source = "dense.csv"};
+  std::vector<double> time, values;
+  for (int k = 0; k < 300; ++k) {
+    time.push_back(10.0 * k + 500.0 * (k / 100));
+    values.push_back(1e-6 * k);
+  }
+  dense.set(record::time, time);
+  dense.set(z_of_stops(), values);
+  EXPECT_FALSE(repeatability(dense, z_of_stops()).known());
+}
+
+/// A third of the time the machine stands still.
+TEST(Repeatability, SingleReadingsAtStopsBoundTheNoise) {
+  const double bound = noise_of_calm_readings(stops_of(1, 3.3), z_of_stops());
+  EXPECT_GT(bound / um, 0.2);
+  EXPECT_LT(bound / um, 0.6);
+}
 
 TEST(Repeats, AreFoundWhereverTheyStandInTheFile) {
   const DataSet data = factorial_plan({1000, 5000}, {300, 600}, {40}, 3);
