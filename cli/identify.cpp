@@ -47,18 +47,19 @@ std::vector<results::Validation> validated(std::vector<correction::Identificatio
       fmt::print("on {}: {} RMS {} um, largest {} um, fit {} %\n", other.source,
                  model.displacement->name, number(m.rms / um, 3), number(m.max_abs / um, 3),
                  number(m.fit_percent, 3));
+    if (!flags.json) print_more_errors(*model.displacement, m);
     tell(one.warnings);
   }
   return list;
 }
 
-/// Shows what it is worth; a control is not given it.
+/// Shows what it is worth, and writes it as transfer functions where it is asked to.
 int run_arx(const IdentifyFlags& flags) {
-  if (!flags.output.empty())
-    throw text::InputError(
-        "--output: an ARX model is fitted one step ahead and is not written; sections are, without "
-        "--baseline",
-        {.key = "--output"});
+  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  if (flags.output == "-")
+    throw text::InputError("raceway identify: --output -: stdout shows the numbers; name a file",
+                           {.key = "--output"});
+  if (!flags.output.empty()) text::require_writable(flags.output, if_exists);
   flags.choices.check();
   const session::SeriesQuestion asked =
       session::ask_series(messages(), flags.model, flags.data, flags.reading);
@@ -69,6 +70,14 @@ int run_arx(const IdentifyFlags& flags) {
     tell(found.back().second.messages);
   }
   if (flags.json) put_document(results::arx_json(asked.file.source, asked.data, found));
+  if (!flags.output.empty()) {
+    const session::ArxText written = session::arx_text(asked, found);
+    text::write_text(flags.output,
+                     files::with_names_from(written.text, asked.file.files, flags.output),
+                     if_exists);
+    say(flags.output + " written");
+    tell(written.notes);
+  }
   return done;
 }
 
@@ -156,8 +165,8 @@ Run setup_identify(CLI::App& command) {
       ->excludes("--order");
   command
       .add_option("--baseline", flags->choices.baseline,
-                  "instead of sections: regression, on the inputs as they are; arx, by least\n"
-                  "squares of one step, to see why it is not used")
+                  "instead of sections: regression, on the inputs as they are; arx, transfer\n"
+                  "functions by least squares of one step, shown beside their simulation")
       ->check(CLI::IsMember({"regression", "arx"}))
       ->excludes("--lags")
       ->type_name("WHICH");

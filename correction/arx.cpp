@@ -8,6 +8,7 @@
 #include "algebra/detail/decompositions.h"
 #include "correction/baseline.h"
 #include "correction/series.h"
+#include "record/digits.h"
 #include "record/median.h"
 
 namespace raceway::correction {
@@ -19,6 +20,7 @@ struct Even {
   std::vector<double> y;                    ///< since the first reading of the run [um]
   std::vector<std::vector<double>> inputs;  ///< by input, in the units of the files
   std::vector<std::size_t> into_run;        ///< how many points of its run came before
+  double first_reading = 0.0;               ///< [m]
 };
 
 /// Straight between two rows; `at` moves on.
@@ -52,9 +54,12 @@ class Grid {
       runs.back().push_back(k);
     }
     if (steps.size() < 3) throw std::invalid_argument("too few readings");
-    even_.step = record::median(steps);
+    even_.step = record::with_digits(record::median(steps), 9);
     for (const std::vector<std::size_t>& run : runs)
-      if (run.size() > 2) add(run);
+      if (run.size() > 2) {
+        if (even_.y.empty()) even_.first_reading = read_[run.front()];
+        add(run);
+      }
     return std::move(even_);
   }
 
@@ -162,13 +167,41 @@ void find_poles(const Eigen::VectorXd& numbers, int order, double step, ArxFit& 
   }
 }
 
-ArxFit fit_of(const Even& even, int order) {
+/// Each input through a transfer function of its own; all have one denominator.
+std::vector<DrivenChannel> transfer_functions(const Eigen::VectorXd& numbers, int order,
+                                              std::vector<DrivenChannel> channels, double step) {
+  std::vector<double> denominator{1.0};
+  for (int i = 0; i < order; ++i) denominator.push_back(record::with_digits(-numbers[i], 15));
+  Eigen::Index at = order;
+  for (DrivenChannel& c : channels) {
+    TransferFunction f{.numerator = {}, .denominator = denominator, .sampling = step};
+    for (int i = 0; i <= order; ++i)
+      f.numerator.push_back(record::with_digits(numbers[at++], 15) * um / c.input.factor());
+    c.printed = std::move(f);
+    c.feedthrough = 0.0;
+  }
+  return channels;
+}
+
+/// What the constant of the equation comes to in the end [um]: the zero of the readings.
+double settled_constant(const Even& even, const Row& row, const Eigen::VectorXd& numbers) {
+  double left = 1.0;
+  const auto inputs = static_cast<Eigen::Index>(even.inputs.size());
+  const Eigen::Index order = (row.size() - 1 - inputs) / (inputs + 1);
+  for (Eigen::Index i = 0; i < order; ++i) left -= numbers[i];
+  return left > 0.0 ? numbers[row.size() - 1] / left : 0.0;
+}
+
+ArxFit fit_of(const Even& even, int order, const std::vector<DrivenChannel>& channels) {
   ArxFit fit{.order = order};
   const Row row(even, order);
   const Eigen::VectorXd numbers = one_step_fit(even, row, even.y.size());
   fit.one_step = metrics_um(even.y, predicted(even, row, numbers, true));
-  fit.simulated = metrics_um(even.y, predicted(even, row, numbers, false));
+  const std::vector<double> simulated = predicted(even, row, numbers, false);
+  fit.simulated = metrics_um(even.y, simulated);
+  fit.offset = even.first_reading + settled_constant(even, row, numbers) * um;
   find_poles(numbers, order, even.step, fit);
+  fit.channels = transfer_functions(numbers, order, channels, even.step);
   const std::size_t half = even.y.size() / 2;
   std::vector<double> whole = predicted(even, row, one_step_fit(even, row, half), false);
   std::fill_n(whole.begin(), half, unset);
@@ -178,15 +211,44 @@ ArxFit fit_of(const Even& even, int order) {
 
 }  // namespace
 
+const ArxFit* ArxBaseline::best() const {
+  const ArxFit* best = nullptr;
+  for (const ArxFit& f : fits)
+    if (f.stable && std::isfinite(f.second_half.rms) &&
+        (!best || f.second_half.rms < best->second_half.rms))
+      best = &f;
+  return best;
+}
+
+Model with_arx(const Model& model, const ArxBaseline& baseline, const ArxFit& fit) {
+  Model with{.name = model.name,
+             .displacement = model.displacement,
+             .tolerance = model.tolerance,
+             .measured_std = model.measured_std,
+             .sampling = baseline.sampling,
+             .offset = fit.offset,
+             .channels = fit.channels};
+  return with;
+}
+
 ArxBaseline arx_baseline(const Model& model, const std::vector<const Channel*>& offered,
                          const record::Record& record, int lowest, int highest) {
   ArxBaseline result;
-  const std::vector<DrivenChannel> channels = bare_channels(model, offered, result.messages);
+  std::vector<DrivenChannel> channels = bare_channels(model, offered, result.messages);
+  for (DrivenChannel& c : channels)
+    if (c.input.window && !c.input.window->of_input) {
+      result.messages.push_back(record::note::limits(
+          fmt::format("channel {}: an equation has no window of what is felt; it is left out",
+                      c.name),
+          {.key = c.name}));
+      c.input.window.reset();
+    }
   for (const DrivenChannel& c : channels) result.inputs.push_back(c.name);
   const Even even = Grid(model, channels, record).made();
   result.sampling = even.step;
   result.rows = even.y.size();
-  for (int order = lowest; order <= highest; ++order) result.fits.push_back(fit_of(even, order));
+  for (int order = lowest; order <= highest; ++order)
+    result.fits.push_back(fit_of(even, order, channels));
   return result;
 }
 

@@ -51,6 +51,9 @@ struct ArxFit {
   std::vector<std::complex<double>> poles{};  ///< of z, the largest first
   std::vector<double> time_constants{};       ///< of each [s]; NaN for one that is no decay
   bool stable = false;
+  /// The channels as transfer functions, one for each input, all with one denominator.
+  std::vector<DrivenChannel> channels{};
+  double offset = 0.0;  ///< mean of the readings less the simulation [m]
 };
 
 struct ArxBaseline {
@@ -59,7 +62,14 @@ struct ArxBaseline {
   std::vector<std::string> inputs{};
   std::vector<ArxFit> fits{};  ///< by order
   std::vector<record::Note> messages{};
+
+  /// The stable order that errs least over the second half, simulated by the fit of the first; null
+  /// where none is stable.
+  [[nodiscard]] const ArxFit* best() const;
 };
+
+/// The model as transfer functions of an order, for calls at the sampling of the baseline.
+[[nodiscard]] Model with_arx(const Model& model, const ArxBaseline& baseline, const ArxFit& fit);
 
 /// Fits on an even grid as fine as the readings come. Throws std::invalid_argument: no input, too
 /// few readings.

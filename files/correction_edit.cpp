@@ -127,7 +127,27 @@ std::string channel_text(const DrivenChannel& c) {
     text +=
         fmt::format("exponent = {}\n", text::toml_float(text::with_15_digits(c.input.exponent)));
   if (c.input.reference) text += fmt::format("reference = \"{}\"\n", c.input.reference->name);
+  if (c.input.window) {
+    const correction::Window& w = *c.input.window;
+    std::vector<std::string> points;
+    for (const double p : w.points)
+      points.push_back(text::toml_float(text::with_15_digits(w.column->in_unit(p))));
+    text +=
+        fmt::format("window = {{ column = \"{}\", points = [{}], acts_on = \"{}\" }}\n",
+                    w.column->name, fmt::join(points, ", "), w.of_input ? "input" : "displacement");
+  }
   if (!c.sections.empty()) text += fmt::format("sections = {}\n", sections_text(c));
+  if (c.printed) {
+    const auto list = [](const std::vector<double>& numbers, double unit) {
+      std::vector<std::string> texts;
+      for (const double n : numbers)
+        texts.push_back(text::toml_float(text::with_15_digits(n / unit)));
+      return fmt::format("[{}]", fmt::join(texts, ", "));
+    };
+    text += fmt::format("numerator = {}\ndenominator = {}\n",
+                        list(c.printed->numerator, um / c.input.factor()),
+                        list(c.printed->denominator, 1.0));
+  }
   if (c.feedthrough != 0.0)
     text +=
         fmt::format("feedthrough_um_{} = {}\n", c.input.key_unit(),
@@ -186,6 +206,8 @@ std::string head_text(const Model& m) {
   add("tolerance_um", m.tolerance);
   add("measurement_std_um", m.measured_std);
   add("offset_um", m.offset);
+  if (std::isfinite(m.sampling))
+    text += fmt::format("sampling_s = {}\n", text::toml_float(text::with_15_digits(m.sampling)));
   return text;
 }
 

@@ -148,6 +148,33 @@ correction::ArxBaseline arx_baseline(const SeriesQuestion& asked, const correcti
   }
 }
 
+ArxText arx_text(
+    const SeriesQuestion& asked,
+    const std::vector<std::pair<const record::Channel*, correction::ArxBaseline>>& found) {
+  std::vector<correction::Model> models;
+  ArxText result;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const auto& [displacement, baseline] = found[k];
+    const correction::ArxFit* const best = baseline.best();
+    if (!best)
+      throw text::InputError(
+          fmt::format("{}: ARX of {}: no order is stable: its simulation grows without end. "
+                      "Sections, without --baseline, are",
+                      asked.data.source, displacement->name),
+          {.file = asked.data.source, .key = "--baseline"});
+    models.push_back(correction::with_arx(asked.file.models[k], baseline, *best));
+    result.notes.push_back(record::note::limits(
+        fmt::format("{}: ARX of order {}, which errs least over the second half ({:.3g} um "
+                    "simulated, {:.3g} um one step ahead). A control gets the simulation, at calls "
+                    "every {:.10g} s alone",
+                    displacement->name, best->order, best->second_half.rms / um,
+                    best->one_step.rms / um, baseline.sampling),
+        {.file = asked.data.source}));
+  }
+  result.text = files::new_corrections(models, "ARX models of " + asked.data.source);
+  return result;
+}
+
 Validated validated(const correction::Model& model, const record::Record& other) {
   require_readings(model, other);
   const auto subject = correction::aligned(model, other, correction::Zero::mean);

@@ -37,10 +37,20 @@ struct IdentifyChoices {
                                                     const correction::Model& model,
                                                     const IdentifyChoices& choices);
 
-/// The baseline that is shown and not written. Throws as identified().
+/// An ARX model of every order. Throws as identified().
 [[nodiscard]] correction::ArxBaseline arx_baseline(const SeriesQuestion& asked,
                                                    const correction::Model& model,
                                                    const IdentifyChoices& choices);
+
+/// ARX models as a model file of transfer functions, the best stable order of each displacement.
+struct ArxText {
+  std::string text{};
+  std::vector<record::Note> notes{};
+};
+/// Throws text::InputError where no order of a displacement is stable.
+[[nodiscard]] ArxText arx_text(
+    const SeriesQuestion& asked,
+    const std::vector<std::pair<const record::Channel*, correction::ArxBaseline>>& found);
 
 /// Errors of a model on a record that it did not see, with warnings.
 struct Validated {

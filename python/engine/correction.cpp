@@ -54,6 +54,12 @@ EngineAnswer arx(Heard& heard, const EngineCorrection& correction, const Data& d
     append(answer.warnings, found.back().second.messages);
   }
   answer.json = results::arx_json(asked.file.source, asked.data, found);
+  const auto is_stable = [](const auto& one) { return one.second.best() != nullptr; };
+  if (std::all_of(found.begin(), found.end(), is_stable)) {
+    session::ArxText written = session::arx_text(asked, found);
+    answer.fitted.texts = {std::move(written.text)};
+    append(answer.notes, std::move(written.notes));
+  }
   return answer;
 }
 

@@ -141,7 +141,8 @@ class Correction(LoopModel):
             A bank instead: every input through each of these lags [s] (0: at once; ``"auto"``: by the
             length of the record), gains by ridge, for machines with many sensors.
         baseline : {"regression", "arx"}, optional
-            Instead of sections: regression on the inputs as they are; ARX, to see why it is not used.
+            Instead of sections: regression on the inputs as they are; ARX, transfer functions by
+            least squares of one step, shown beside their simulation.
         validate : Record, optional
             Another record, to judge what was found by.
         from_s, until_s : float, optional

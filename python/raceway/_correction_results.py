@@ -29,10 +29,10 @@ class Identification(_Answer):
         Raises
         ------
         ValueError
-            Of an ARX model, which is fitted one step ahead and is not used.
+            Of an ARX model of which no order is stable.
         """
         if self._found is None:
-            raise ValueError("an ARX model is fitted one step ahead and is no correction; sections are, without baseline")
+            raise ValueError("no order of the ARX model is stable: its simulation grows without end; sections, without baseline, are")
         return self._found
 
     @property

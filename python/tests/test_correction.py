@@ -89,6 +89,24 @@ def test_identify(document, asked, flags):
     assert found.data == document("identify", correction.source, record.name, *flags)
 
 
+def test_an_arx_model_is_written_as_transfer_functions(command, tmp_path):
+    correction, record = read(EXACT)
+    found = correction.identify(record, baseline="arx", order=1)
+    file = tmp_path / "arx.toml"
+    command("identify", correction.source, record.name, "--baseline", "arx", "--order", "1", "-o", str(file))
+    assert found.correction.text == file.read_text()
+    assert "denominator = [1" in found.correction.text
+    # What a paper printed runs as it stands, at its own interval.
+    printed = raceway.Correction.from_text(
+        '[correction]\ndisplacement = "displacement_z_um"\nsampling_s = 1\n[[correction.channel]]\nname = "x"\n'
+        'input = "spindle_power_W"\nnumerator = [0.000870091]\ndenominator = [1, 0.000296341, -0.9995287]\n',
+        "printed.toml",
+    )
+    program = printed.export("python")
+    assert '"denominator": [1, 0.000296341, -0.9995287]' in program.text
+    assert any("negative real pole" in str(note) for note in program.notes)
+
+
 def test_what_was_identified_is_the_file_of_the_command(command, tmp_path):
     correction, record = read(EXACT)
     other = raceway.Record.read(f"{EXACT}/test.csv")

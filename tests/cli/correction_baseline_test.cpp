@@ -1,4 +1,5 @@
 // Baselines: what others have to beat, and what is not used.
+#include <algorithm>
 #include <string>
 
 #include "tests/cli/correction_record.h"
@@ -76,7 +77,22 @@ TEST_F(CorrectionBaseline, ArxShowsWhyItIsNotUsed) {
     EXPECT_EQ(f["poles"].size(), f["order"]);
     EXPECT_TRUE(f.contains("stable"));
   }
-  expect_refused(run(command + " -o " + scratch_.file("arx.toml")), "is not written");
+  // As transfer functions: they run as the simulation does, and in a control.
+  const std::string written = scratch_.file("arx.toml");
+  const Result wrote = run(command + " -o " + written);
+  ASSERT_EQ(wrote.status, 0) << wrote.err;
+  EXPECT_THAT(wrote.err, HasSubstr("A control gets the simulation, at calls every 60 s alone"));
+  EXPECT_THAT(file_text(written), HasSubstr("sampling_s = 60"));
+  EXPECT_THAT(file_text(written), HasSubstr("numerator = ["));
+  const Result ran = run("correct " + written + " " + coarse + " --json");
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  const auto best =
+      *std::min_element(d["fits"].begin(), d["fits"].end(), [](const auto& a, const auto& b) {
+        return a["simulated_second_half"]["rmse_um"] < b["simulated_second_half"]["rmse_um"];
+      });
+  EXPECT_NEAR(parsed(ran)["metrics"]["rmse_um"].get<double>(),
+              best["simulated"]["rmse_um"].get<double>(), 0.02);
+  EXPECT_EQ(run("export " + written + " --format python -o " + scratch_.file("arx.py")).status, 0);
 }
 
 TEST_F(CorrectionBaseline, WrongUseIsRefused) {

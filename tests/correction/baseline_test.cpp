@@ -5,6 +5,7 @@
 #include <random>
 
 #include "correction/range.h"
+#include "correction/simulation.h"
 #include "tests/correction/made_record.h"
 
 namespace raceway::correction {
@@ -118,6 +119,22 @@ TEST(ArxBaseline, FindsAnExactLag) {
   EXPECT_NEAR(arx.fits[0].time_constants.front(), 1800.0, 1e-3);
   EXPECT_LT(arx.fits[0].simulated.rms, 1e-12);
   EXPECT_LT(arx.fits[0].second_half.rms, 1e-12);
+  // As a model of transfer functions it is the machine, too.
+  ASSERT_EQ(arx.best(), &arx.fits[0]);
+  const Model model = with_arx(bare_model({"a_feed_m_min"}), arx, arx.fits[0]);
+  EXPECT_EQ(model.sampling, 10.0);
+  std::vector<double> simulated(made.time.size());
+  simulate(model, Series(made.record), simulated);
+  for (std::size_t k = 0; k < y.size(); ++k) EXPECT_NEAR(simulated[k] / um, y[k], 1e-6) << k;
+}
+
+TEST(ArxBaseline, AnUnstableOrderIsNeverTheBest) {
+  ArxBaseline arx;
+  arx.fits = {ArxFit{.order = 1, .second_half = {.rms = 2e-6}, .stable = true},
+              ArxFit{.order = 2, .second_half = {.rms = 1e-6}, .stable = false}};
+  EXPECT_EQ(arx.best()->order, 1);
+  arx.fits[0].stable = false;
+  EXPECT_EQ(arx.best(), nullptr);
 }
 
 }  // namespace
