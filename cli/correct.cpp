@@ -65,6 +65,7 @@ void print(const std::vector<results::Corrected>& list, const record::Record& re
              (record.values(record::time).back() - record.values(record::time).front()) / 3600.0,
              table.text(terminal_width()));
   fmt::print("RMS and largest error of the readings when one constant is taken off\n");
+  for (const results::Corrected& c : list) print_more_errors(*c.displacement, c.metrics);
   for (const results::Corrected& c : list) print_band(c, record);
   for (const results::Corrected& c : list) print_trust(*c.displacement, c.trust);
 }
@@ -110,7 +111,8 @@ Run setup_correct(CLI::App& command) {
       .add_option("-o,--output", flags->output,
                   "CSV file to write, - for stdout: time_s, predicted_um, band_low_um and\n"
                   "band_high_um (95 %, of a model that was fitted), what each channel adds,\n"
-                  "residual_um; of several displacements predicted_COLUMN, residual_COLUMN")
+                  "residual_um; of several displacements predicted_COLUMN, CHANNEL_COLUMN,\n"
+                  "residual_COLUMN")
       ->type_name("FILE");
   flags->learning.declare(command);
   declare(command, flags->reading);

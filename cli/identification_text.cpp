@@ -102,6 +102,15 @@ void print_identification(const correction::Identification& found, const record:
       number(found.noise / um, 2), found.condition, found.correlation_time / 60.0);
 }
 
+void print_more_errors(const record::Channel& displacement, const correction::Metrics& m) {
+  if (m.readings == 0) return;
+  fmt::print(
+      "{}: mean absolute error {} um, peak to peak {} um; the largest error is {} % below the "
+      "largest displacement\n",
+      displacement.name, number(m.mean_abs / um, 3), number(m.peak_to_peak / um, 3),
+      number(m.reduction_of_max_percent, 3));
+}
+
 void print_baseline(const record::Channel& displacement, const correction::ArxBaseline& a,
                     const record::Record& record) {
   fmt::print("{} of {}: ARX from {} on {} points every {:.4g} s\n\n", displacement.name,

@@ -237,12 +237,12 @@ std::string corrected_text(const record::Record& record, const std::vector<Corre
     };
     of("predicted");
     if (!c.band.empty()) of("band_low"), of("band_high");
-    if (!several)
-      for (const correction::Contribution& part : c.parts) {
-        std::string column = part.name + "_um";
-        std::replace(column.begin(), column.end(), ':', '_');
-        name(column);
-      }
+    for (const correction::Contribution& part : c.parts) {
+      std::string column =
+          part.name + "_" + (several ? std::string(c.displacement->name) : std::string("um"));
+      std::replace(column.begin(), column.end(), ':', '_');
+      name(column);
+    }
     of("residual");
   }
   std::string result = fmt::to_string(head) + "\n";
@@ -259,8 +259,7 @@ std::string corrected_text(const record::Record& record, const std::vector<Corre
         cell(c.predicted[row] - c.band[row]);
         cell(c.predicted[row] + c.band[row]);
       }
-      if (!several)
-        for (const correction::Contribution& part : c.parts) cell(part.displacement[row]);
+      for (const correction::Contribution& part : c.parts) cell(part.displacement[row]);
       cell(record.value(*c.displacement, row) - c.predicted[row]);
     }
     result += '\n';

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/cli/correction_record.h"
 #include "tests/cli/sample.h"
 #include "tests/places.h"
 
@@ -268,6 +269,98 @@ TEST_F(Correction, CheckTellsWhatARecordIsWorth) {
   EXPECT_EQ(d["readings"], 2880);
   EXPECT_EQ(d["time_constants_visible_s"], (json{90.0, 43185.0}));
   EXPECT_NEAR(d["quanta"]["front_bearing_temperature_C"].get<double>(), 0.1, 1e-9);
+}
+
+/// The share of each channel for each axis, and the errors that papers state.
+TEST(CorrectionColumns, WritesTheShareOfEachChannelForEachAxis) {
+  const ScratchFolder scratch;
+  std::string model;
+  for (const char* axis : {"z", "y"})
+    model += fmt::format(
+        "[[correction]]\ndisplacement = \"displacement_{0}_um\"\n[[correction.channel]]\n"
+        "name = \"front\"\ninput = \"front_temperature_C\"\n"
+        "sections = [{{ gain_um_K = {1}, time_constant_s = 1800 }}]\n[[correction.channel]]\n"
+        "name = \"axis\"\ninput = \"x_position_mm\"\nfeedthrough_um_mm = {2}\n",
+        axis, axis[0] == 'z' ? 4 : 2, axis[0] == 'z' ? 0.01 : -0.02);
+  const std::string record = scratch.write(
+      "day.csv", RecordOfADay{.columns = ",x_position_mm",
+                              .cells = [](int k) { return fmt::format(",{}", (k / 30) % 2 * 400); },
+                              .moves = [](int k, double) { return (k / 30) % 2 * 4.0; }}
+                     .csv());
+  const std::string out = scratch.file("out.csv");
+  const Result ran = run("correct " + scratch.write("m.toml", model) + " " + record + " -o " + out);
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  const std::string text = file_text(out);
+  EXPECT_EQ(text.substr(0, text.find('\n')),
+            "time_s,predicted_displacement_z_um,front_displacement_z_um,axis_displacement_z_um,"
+            "residual_displacement_z_um,predicted_displacement_y_um,front_displacement_y_um,"
+            "axis_displacement_y_um,residual_displacement_y_um");
+  std::istringstream lines(text);
+  std::string line;
+  for (int k = 0; k < 100; ++k) std::getline(lines, line);
+  std::vector<double> cells;
+  std::istringstream words(line);
+  for (std::string cell; std::getline(words, cell, ',');)
+    cells.push_back(cell.empty() ? 0.0 : std::stod(cell));
+  EXPECT_NEAR(cells[1], cells[2] + cells[3], 1e-6);
+  EXPECT_NEAR(cells[5], cells[6] + cells[7], 1e-6);
+  EXPECT_NEAR(cells[6], 0.5 * cells[2], 1e-6);
+  EXPECT_THAT(ran.out, HasSubstr("displacement_z_um: mean absolute error"));
+  EXPECT_THAT(ran.out, HasSubstr("% below the largest displacement"));
+}
+
+/// Power and position as a control records them, found by their names.
+TEST(CorrectionColumns, RecordedColumnsDriveAModel) {
+  const ScratchFolder scratch;
+  const std::string record = scratch.write(
+      "day.csv",
+      RecordOfADay{
+          .columns = ",Spindle power [kW],x_position_mm",
+          .cells =
+              [](int k) { return fmt::format(",{},{}", (k / 200) % 2 * 1.5, (k / 30) % 2 * 400); },
+          .moves = [](int k, double) { return (k / 30) % 2 * 4.0; }}
+          .csv());
+  const std::string model =
+      z_model() +
+      "[[correction.channel]]\nname = \"power\"\ninput = \"spindle_power_W\"\n"
+      "sections = [{ gain_um_W = 0.001, time_constant_s = 900 }]\nwindow = { column = "
+      "\"x_position_mm\", points = [0, 400, inf, inf] }\n[[correction.channel]]\n"
+      "name = \"axis\"\ninput = \"x_position_mm\"\nfeedthrough_um_mm = 0.001\n";
+  const std::string found = scratch.file("found.toml");
+  const Result ran =
+      run("identify " + scratch.write("m.toml", model) + " " + record + " --order 1 -o " + found);
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_THAT(ran.out, testing::ContainsRegex("axis.feedthrough +0.01"));
+  EXPECT_THAT(ran.out, HasSubstr("um/mm"));
+  EXPECT_THAT(file_text(found), HasSubstr("points = [0, 400, inf, inf]"));
+  // What the model lacks is named by its column.
+  const Result named = run("diagnose " + scratch.write("z.toml", z_model()) + " " + record);
+  EXPECT_THAT(named.out, HasSubstr("input:x_position_mm")) << named.out << named.err;
+  const std::string better = scratch.file("better.toml");
+  ASSERT_EQ(run("add " + scratch.file("z.toml") + " input:x_position_mm --data " + record + " -o " +
+                better)
+                .status,
+            0);
+  EXPECT_THAT(file_text(better), testing::ContainsRegex("gain_um_mm = 0.0(1|09)"));
+  EXPECT_EQ(run("export " + better + " --format python -o " + scratch.file("z.py")).status, 0);
+}
+
+/// Five approaches of a probe in every stop.
+TEST(CorrectionStops, TellsTheRepeatabilityOfApproaches) {
+  const ScratchFolder scratch;
+  std::string text = "time_s,front_temperature_C,displacement_z_um\n";
+  for (int k = 0; k < 40; ++k)
+    for (int i = 0; i < 5; ++i)
+      text += fmt::format("{},{:.2f},{:.3f}\n", 600 * k + 6 * i, 20 + 0.1 * k,
+                          0.4 * k + 0.2 * ((7 * k + 3 * i * i) % 5 - 2));
+  const std::string command =
+      "check " + scratch.write("m.toml", z_model()) + " " + scratch.write("r.csv", text);
+  EXPECT_THAT(run(command).out,
+              HasSubstr("repeated readings in 40 stops: a reading scatters by ±"));
+  const auto document = parsed(run(command + " --json"));
+  EXPECT_EQ(document["repeatability"]["stops"].size(), 40u);
+  EXPECT_EQ(document["repeatability"]["stops"][3]["readings"], 5);
+  EXPECT_NEAR(document["repeatability"]["stops"][3]["mean_um"].get<double>(), 1.2, 0.4);
 }
 
 }  // namespace
