@@ -46,7 +46,8 @@ int run(const ExportFlags& flags) {
     text::write_files(files, if_exists);
     std::size_t parts = 0;
     for (const control::ControlAxis& a : plan.axes)
-      parts += a.sections.size() + a.elements.size() + a.feedthroughs.size() + a.equations.size() + a.kinematics.size();
+      parts += a.sections.size() + a.elements.size() + a.feedthroughs.size() + a.equations.size() +
+               a.kinematics.size();
     say(fmt::format("{} written: {} displacement{} of {} part{} from {} input{}", flags.output,
                     plan.axes.size(), plan.axes.size() == 1 ? "" : "s", parts,
                     parts == 1 ? "" : "s", plan.inputs.size(), plan.inputs.size() == 1 ? "" : "s"));

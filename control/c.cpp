@@ -22,7 +22,7 @@ class Numbers {
   }
 
   [[nodiscard]] std::vector<Replacement> replacements() const {
-    std::string input_names, output_names, lowest, highest, temperatures, offsets, uses;
+    std::string input_names, output_names, lowest, highest, temperatures, amounts, offsets, uses;
     std::string low, high, fastest, stuck, smoothing, sign, limit, slew, unit, counts;
     bool smooths = false;
     for (std::size_t k = 0; k < plan_.inputs.size(); ++k) {
@@ -34,6 +34,7 @@ class Numbers {
       lowest += real(std::isnan(in.lowest) ? -unbounded : in.lowest) + ", ";
       highest += real(std::isnan(in.highest) ? unbounded : in.highest) + ", ";
       temperatures += in.temperature ? "1, " : "0, ";
+      amounts += in.by_amount ? "1, " : "0, ";
       low += real_or(in.plausible_low, -unbounded) + ", ";
       high += real_or(in.plausible_high, unbounded) + ", ";
       fastest += real_or(in.fastest_per_s, unbounded) + ", ";
@@ -99,11 +100,13 @@ class Numbers {
             {"LOWEST", listed_or_zero(lowest)},
             {"HIGHEST", listed_or_zero(highest)},
             {"TEMPERATURES", listed_or_zero(temperatures)},
+            {"AMOUNTS", listed_or_zero(amounts)},
             {"OFFSETS", listed_or_zero(offsets)},
             {"POINTS", points_.empty() ? "  0\n" : points_},
             {"DRIVE_INPUTS", listed_or_zero(drive_inputs_)},
             {"DRIVES_COUNT", std::to_string(plan_.drives.size())},
-            {"DRIVES", rows(drives_, "{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}")},
+            {"DRIVES",
+             rows(drives_, "{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0, {0, 0, 0, 0}}")},
             {"TOGETHER_COUNT", std::to_string(plan_.together.size())},
             {"TOGETHER_INPUTS", listed_or_zero(together_inputs_)},
             {"TOGETHER_MEAN", listed_or_zero(together_mean_)},
@@ -179,14 +182,19 @@ class Numbers {
       speed_count = t.speed_rpm.size();
       temperature_count = t.temperature_C.size();
     }
-    drives_ += fmt::format("  {{{}_{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}},\n",
-                           name_, kinds[static_cast<std::size_t>(d.kind)], drive_input_count_,
-                           d.inputs.size(), place(d.reference), place(d.temperature),
-                           real(std::isnan(d.temperature_C) ? 0.0 : d.temperature_C),
-                           real(std::isnan(d.decay_rpm) ? 1.0 : d.decay_rpm),
-                           real(std::isnan(d.lowest) ? -unbounded : d.lowest),
-                           real(std::isnan(d.highest) ? unbounded : d.highest), speeds,
-                           temperatures, torques, speed_count, temperature_count, real(d.exponent));
+    const auto point = [&](double value) { return real(std::isnan(value) ? 0.0 : value); };
+    drives_ += fmt::format(
+        "  {{{}_{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, "
+        "{{{}, {}, {}, {}}}}},\n",
+        name_, kinds[static_cast<std::size_t>(d.kind)], drive_input_count_, d.inputs.size(),
+        place(d.reference), place(d.temperature),
+        real(std::isnan(d.temperature_C) ? 0.0 : d.temperature_C),
+        real(std::isnan(d.decay_rpm) ? 1.0 : d.decay_rpm),
+        real(std::isnan(d.lowest) ? -unbounded : d.lowest),
+        real(std::isnan(d.highest) ? unbounded : d.highest), speeds, temperatures, torques,
+        speed_count, temperature_count, real(d.exponent), place(d.window),
+        d.window_of_drive ? 1 : 0, point(d.window_from), point(d.window_full_from),
+        point(d.window_full_to), point(d.window_to));
     for (const std::size_t k : d.inputs) drive_inputs_ += fmt::format("{}, ", k);
     drive_input_count_ += d.inputs.size();
   }
@@ -217,9 +225,9 @@ class Numbers {
       feedthroughs_ += fmt::format("  {{{}, {}, {}}}, /* {} */\n", output, f.drive, real(f.gain),
                                    harmless(f.channel));
     for (const ControlEquation& e : a.equations) {
-      equations_ += fmt::format("  {{{}, {}, {}, {}, {}}}, /* {} */\n", output, e.drive,
-                                coefficient_count_, e.numerator.size(),
-                                control_number(e.scale, "1"), harmless(e.channel));
+      equations_ +=
+          fmt::format("  {{{}, {}, {}, {}, {}}}, /* {} */\n", output, e.drive, coefficient_count_,
+                      e.numerator.size(), control_number(e.scale, "1"), harmless(e.channel));
       numerators_ += control_numbers(e.numerator) + ", ";
       denominators_ += control_numbers(e.denominator) + ", ";
       coefficient_count_ += e.numerator.size();

@@ -25,7 +25,7 @@ using Rows = std::vector<ControlCheck::Row>;
 /// As what drives the plan has them: no farther than the models have seen.
 double held(const ControlInput& in, double value) {
   if (std::isnan(in.lowest)) return value;
-  if (in.temperature) return std::clamp(value, in.lowest, in.highest);
+  if (!in.by_amount) return std::clamp(value, in.lowest, in.highest);
   return std::copysign(std::min(std::abs(value), in.highest), value);
 }
 
@@ -169,8 +169,9 @@ ControlCheck made_up_check(const ControlPlan& plan, const std::vector<correction
         } else {
           const double high =
               std::isnan(in.highest) ? (in.unit == "rpm" ? 6000.0 : 10.0) : in.highest;
+          const double low = in.by_amount || std::isnan(in.lowest) ? 0.0 : in.lowest;
           const int block = (k / 6 + static_cast<int>(i)) % 5;
-          row.inputs.push_back(record::with_digits(share * high * 0.25 * block, 6));
+          row.inputs.push_back(record::with_digits(share * (low + (high - low) * 0.25 * block), 6));
         }
         row.inputs.back() = held(in, row.inputs.back());
       }

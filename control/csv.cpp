@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
@@ -56,6 +57,15 @@ constexpr std::string_view schema =
 #          slew a second; it is handed out over unit, rounded where counts is 1. Inputs beyond plausible, faster than
 #          fastest or longer still than stuck are at fault: docs/control.md
 # check    a record with the displacements that correct gives for it; without limits, slew, sign or touch-off
+)";
+
+constexpr std::string_view sign_formulas =
+    R"(# Inputs in other units than rpm, m/min, C, and 0 or 1, act with their sign, as they stand.
+)";
+
+constexpr std::string_view window_formulas =
+    R"(# window       share of its input x: 0 outside of window_from and window_to, 1 between window_full_from and window_full_to,
+#              straight between. Where it acts on the input u takes this factor, on the displacement what the part adds
 )";
 
 constexpr std::string_view equation_formulas =
@@ -143,7 +153,11 @@ class Table {
     for (const std::size_t k : d.inputs) word("input", plan_.inputs[k].column);
     if (d.reference != nowhere) word("reference", plan_.inputs[d.reference].column);
     if (d.temperature != nowhere) word("temperature", plan_.inputs[d.temperature].column);
-    numbers(d, drive_numbers);
+    if (d.window != nowhere) {
+      word("window", plan_.inputs[d.window].column);
+      word("window_acts_on", d.window_of_drive ? "input" : "displacement");
+    }
+    numbers(d, drive_numbers, d.window == nowhere ? "" : plan_.inputs[d.window].unit);
     if (d.kind != DriveKind::power) return;
     const ControlTable& t = plan_.tables[d.table];
     word("friction_table", t.file);
@@ -253,6 +267,12 @@ std::string control_csv(const ControlPlan& plan) {
   if (answers) text += answer_formulas;
   if (elements) text += element_formulas;
   if (equations) text += equation_formulas;
+  if (std::any_of(plan.inputs.begin(), plan.inputs.end(),
+                  [](const ControlInput& in) { return !in.by_amount && !in.temperature; }))
+    text += sign_formulas;
+  if (std::any_of(plan.drives.begin(), plan.drives.end(),
+                  [](const ControlDrive& d) { return d.window != nowhere; }))
+    text += window_formulas;
   return fmt::format("{}{}{}\n{}", text, schema, table_header, Table(plan).text());
 }
 

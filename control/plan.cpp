@@ -74,15 +74,16 @@ class Planner {
     if (known != nowhere) return known;
     ControlInput in{.column = std::string(c.name),
                     .unit = std::string(c.unit.empty() ? "0 or 1" : c.unit),
-                    .temperature = record::is_temperature(c)};
+                    .temperature = record::is_temperature(c),
+                    .by_amount = record::acts_by_amount(c)};
     // Of several models the narrower range: beyond it one of them is out of what it has seen.
     for (const Model& m : models_)
       for (const correction::SeenRange& r : m.range)
         if (r.column && *r.column == c) {
           double low = as_printed(text::value_in_unit(c, r.lower)),
                  high = as_printed(text::value_in_unit(c, r.upper));
-          // All but temperatures act by their size, and a spindle may turn the other way.
-          if (!in.temperature && low < 0.0) {
+          // A spindle may turn the other way.
+          if (in.by_amount && low < 0.0) {
             high = std::max(-low, high);
             low = 0.0;
           }
@@ -103,9 +104,12 @@ class Planner {
       const correction::ControlLimits limits = settings_.plausible.of(in.column);
       in.plausible_low = limits.low;
       in.plausible_high = limits.high;
-    } else if (!in.temperature && in.highest > 0.0 && in.column != "coolant_on") {
-      in.plausible_low = 0.0;  // a size
+    } else if (in.by_amount && in.highest > 0.0 && in.column != "coolant_on") {
+      in.plausible_low = 0.0;  // an amount
       in.plausible_high = far_beyond * in.highest;
+    } else if (!in.temperature && !in.by_amount && in.highest > in.lowest) {
+      in.plausible_high = far_beyond * std::max(std::abs(in.lowest), std::abs(in.highest));
+      in.plausible_low = -in.plausible_high;
     }
     const auto asked = [&](const correction::ByColumn<double>& by_column) {
       const double value = given(by_column) ? by_column.of(in.column) : 0.0;
@@ -201,6 +205,20 @@ class Planner {
       for (const Channel* c : in.columns) d.inputs.push_back(input(*c));
       if (in.reference) d.reference = input(*in.reference);
     }
+    if (in.window) {
+      constexpr double no_edge = 1e9;
+      const correction::Window& w = *in.window;
+      const auto point = [&](std::size_t k) {
+        return std::clamp(as_printed(text::value_in_unit(*w.column, w.points[k])), -no_edge,
+                          no_edge);
+      };
+      d.window = input(*w.column);
+      d.window_from = point(0);
+      d.window_full_from = point(1);
+      d.window_full_to = point(2);
+      d.window_to = point(3);
+      d.window_of_drive = w.of_input;
+    }
     plan_.drives.push_back(std::move(d));
     return plan_.drives.size() - 1;
   }
@@ -236,23 +254,25 @@ class Planner {
     if (correction::never_decays(*c.printed))
       throw refused(fmt::format("no control can run its polynomials: {}",
                                 correction::pole_warnings(*c.printed).front()));
-    const correction::TransferFunction f =
-        correction::direct_form(*c.printed, c.input.factor());
+    const correction::TransferFunction f = correction::direct_form(*c.printed, c.input.factor());
     if (const double other = sampling_of(plan_); !std::isnan(other) && other != f.sampling)
       throw refused(
           fmt::format("its polynomials are for calls every {:g} s, and those of another channel "
                       "for every {:g} s: export each displacement to a file of its own",
                       f.sampling, other));
-    note(fmt::format("channel {}: runs as a difference equation, because {}. It needs a call every "
-                     "{:g} s: after any other interval it stands still, with a flag",
-                     c.name, because, f.sampling));
+    note(
+        fmt::format("channel {}: runs as a difference equation, because {}. It needs a call every "
+                    "{:g} s: after any other interval it stands still, with a flag",
+                    c.name, because, f.sampling));
     for (const std::string& meaning : correction::pole_warnings(*c.printed))
       plan_.warnings.push_back(fmt::format("channel {}: {}", c.name, meaning));
     if (const double gap = 1.5 * f.sampling; plan_.settings.longest_gap_s < gap) {
-      note(fmt::format("longest_gap_s is {:g} s in place of {:g} s, so that a call every {:g} s is "
-                       "not late",
-                       gap, plan_.settings.longest_gap_s, f.sampling));
+      note(
+          fmt::format("longest_gap_s is {:g} s in place of {:g} s, so that a call every {:g} s is "
+                      "not late",
+                      gap, plan_.settings.longest_gap_s, f.sampling));
       plan_.settings.longest_gap_s = gap;
+      plan_.settings.clock_jump_s = std::max(plan_.settings.clock_jump_s, gap);
     }
     axis.equations.push_back({c.name, drive, c.scale, f.sampling, f.numerator, f.denominator});
   }
@@ -315,8 +335,11 @@ class Planner {
 
     void operator()(const correction::DrivenShare& s) const {
       if (s.gain == 0.0) return;
-      section(planner.drive(s.input, model, effect.where), s.gain, s.time_constant,
-              is_straight(s.input));
+      const std::size_t drive = planner.drive(s.input, model, effect.where);
+      if (std::isnan(s.time_constant))
+        axis.feedthroughs.push_back({full_id(effect), drive, s.gain});
+      else
+        section(drive, s.gain, s.time_constant, is_straight(s.input));
     }
     void operator()(const correction::MotorShare& s) const {
       if (s.gain == 0.0) return;
@@ -398,10 +421,13 @@ namespace {
 
 /// All that makes two drives different.
 std::string key_of(const ControlDrive& d) {
-  return fmt::format("{} {} {} {} {:.17g} {} {:.17g} {:.17g} {:.17g} {:.17g} {}",
-                     static_cast<int>(d.kind), fmt::join(d.inputs, ","), d.reference, d.temperature,
-                     d.temperature_C, d.table, d.exponent, d.decay_rpm, d.lowest, d.highest,
-                     d.unit);
+  return fmt::format(
+      "{} {} {} {} {:.17g} {} {:.17g} {:.17g} {:.17g} {:.17g} {} {} {:.17g} {:.17g} {:.17g} "
+      "{:.17g} "
+      "{}",
+      static_cast<int>(d.kind), fmt::join(d.inputs, ","), d.reference, d.temperature,
+      d.temperature_C, d.table, d.exponent, d.decay_rpm, d.lowest, d.highest, d.unit, d.window,
+      d.window_from, d.window_full_from, d.window_full_to, d.window_to, d.window_of_drive);
 }
 std::string key_of(const ControlTable& t) {
   return fmt::format("{} {:.17g} {:.17g} {:.17g} {:.17g}", t.file, t.axial_load_N,
@@ -478,7 +504,7 @@ std::vector<std::size_t> used_inputs(const ControlPlan& plan, const ControlAxis&
   const auto add_drive = [&](std::size_t index) {
     const ControlDrive& d = plan.drives[index];
     used.insert(d.inputs.begin(), d.inputs.end());
-    used.insert({d.reference, d.temperature});
+    used.insert({d.reference, d.temperature, d.window});
     if (d.kind == ControlDrive::Kind::power || d.kind == ControlDrive::Kind::motor)
       used.insert(plan.speed);
   };

@@ -28,6 +28,7 @@ struct ControlInput {
   std::string identifier{};  ///< the same for languages that know no hyphen, unlike all others
   std::string unit{};        ///< "C"
   bool temperature = false;
+  bool by_amount = true;  ///< acts without its sign: speeds, feeds, coolant
   /// Range of the input in the data of the fit; NaN where it is not known.
   double lowest = unset, highest = unset;
   /// Plausible range, largest rate [1/s] and longest standstill [s]; NaN: not checked.
@@ -56,7 +57,7 @@ struct ControlTable {
 struct ControlDrive {
   enum class Kind {
     rise,   ///< mean of temperatures less their first ones, and less the rise of the reference [K]
-    size,   ///< mean of sizes without their sign, to a power: x (x/1000)^(exponent - 1)
+    size,   ///< mean of inputs, speeds to a power: x (x/1000)^(exponent - 1)
     power,  ///< torque of a table times the speed [W]
     motor   ///< exp(-n/n0) while it turns, else 0
   } kind = Kind::size;
@@ -69,6 +70,11 @@ struct ControlDrive {
   double decay_rpm = unset;                ///< of motor
   double lowest = unset, highest = unset;  ///< of power, as for an input
   std::string unit{};                      ///< "K"
+  /// Share with which the parts of the drive act at this input: 0 outside of the outer points, 1
+  /// between the inner ones, straight between.
+  std::size_t window = nowhere;
+  double window_from = unset, window_full_from = unset, window_full_to = unset, window_to = unset;
+  bool window_of_drive = false;  ///< it is of u, else of what the parts add to the displacement
 };
 
 /// A lag of what drives it.
@@ -116,8 +122,8 @@ struct ControlFeedthrough {
 struct ControlEquation {
   std::string channel{};
   std::size_t drive = nowhere;
-  double scale = 1.0;                            ///< of y
-  double sampling_s = unset;                     ///< the same of all equations of a plan
+  double scale = 1.0;                              ///< of y
+  double sampling_s = unset;                       ///< the same of all equations of a plan
   std::vector<double> numerator{}, denominator{};  ///< [um] per unit of the drive; [1], alike long
 };
 

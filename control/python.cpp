@@ -31,7 +31,7 @@ std::string together_text(const ControlTogether& t) {
                      rows, number(t.farthest));
 }
 
-std::string drive_text(const ControlDrive& d, const ControlPlan& plan) {
+std::string plain_drive_text(const ControlDrive& d, const ControlPlan& plan) {
   switch (d.kind) {
     case ControlDrive::Kind::rise:
       return fmt::format(R"({{"kind": "rise", "inputs": [{}], "reference": {}}})",
@@ -58,6 +58,16 @@ std::string drive_text(const ControlDrive& d, const ControlPlan& plan) {
       "      \"temperature_C\": {},\n      \"torque_Nmm\": [\n{}     ]}}}}",
       place(d.temperature), number(d.temperature_C), number(d.lowest), number(d.highest),
       harmless(t.file), t.axial_load_N, list(t.speed_rpm), list(t.temperature_C), rows);
+}
+
+std::string drive_text(const ControlDrive& d, const ControlPlan& plan) {
+  std::string text = plain_drive_text(d, plan);
+  if (d.window == nowhere) return text;
+  text.insert(text.size() - 1,
+              fmt::format(R"(, "window": ({}, {}, {}))", d.window,
+                          list({d.window_from, d.window_full_from, d.window_full_to, d.window_to}),
+                          d.window_of_drive ? "True" : "False"));
+  return text;
 }
 
 std::string curve_text(const ControlCurve& c) {

@@ -140,7 +140,8 @@ class TableReader {
     if (!make || !c || !c->is_input()) fail(r, "is no input of a correction");
     plan_.inputs.push_back({.column = std::string(r.of),
                             .unit = std::string(c->unit.empty() ? "0 or 1" : c->unit),
-                            .temperature = record::is_temperature(*c)});
+                            .temperature = record::is_temperature(*c),
+                            .by_amount = record::acts_by_amount(*c)});
     return plan_.inputs.back();
   }
   ControlAxis& axis(const Row& r, bool make = false) {
@@ -315,6 +316,12 @@ class TableReader {
         d.reference = input_named(r, r.value);
       } else if (r.name == "temperature") {
         d.temperature = input_named(r, r.value);
+      } else if (r.name == "window") {
+        d.window = input_named(r, r.value);
+      } else if (r.name == "window_acts_on") {
+        if (r.value != "input" && r.value != "displacement")
+          fail(r, "must be input or displacement");
+        d.window_of_drive = r.value == "input";
       } else if (r.name == "friction_table") {
         t.file = text_of(r.value);
       } else if (r.name == "axial_load") {
@@ -342,6 +349,10 @@ class TableReader {
     if (d.kind == Kind::motor && std::isnan(d.decay_rpm)) fail_missing(first, "decay_speed");
     if ((d.kind == Kind::power || d.kind == Kind::motor) && place_of("speed_rpm") == nowhere)
       fail(first, "goes by the speed, and no row is of speed_rpm as an input");
+    const bool rises = d.window_from <= d.window_full_from &&
+                       d.window_full_from <= d.window_full_to && d.window_full_to <= d.window_to;
+    if (d.window != nowhere && !rises)
+      fail(first, "window_from, window_full_from, window_full_to and window_to must rise");
     if (d.kind == Kind::rise) d.unit = "K";
     if (d.kind == Kind::size) d.unit = plan_.inputs[d.inputs.front()].unit;
     if (d.kind == Kind::motor) d.unit = "1";
@@ -453,10 +464,9 @@ class TableReader {
     for (const ControlAxis& a : plan_.axes)
       for (const ControlEquation& e : a.equations)
         if (e.sampling_s != sampling_of(plan_))
-          throw text::InputError(
-              fmt::format("{}: {}: equations of two samplings, {} s and {} s", source_, a.column,
-                          sampling_of(plan_), e.sampling_s),
-              {.file = source_, .key = "sampling"});
+          throw text::InputError(fmt::format("{}: {}: equations of two samplings, {} s and {} s",
+                                             source_, a.column, sampling_of(plan_), e.sampling_s),
+                                 {.file = source_, .key = "sampling"});
     for (const ControlInput& in : plan_.inputs)
       if (!(in.lowest <= in.highest) && !(std::isnan(in.lowest) && std::isnan(in.highest)))
         throw text::InputError(fmt::format("{}: {}, input: lowest = {} and highest = {}", source_,

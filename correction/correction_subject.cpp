@@ -58,7 +58,9 @@ class CorrectionPredictor : public fit::Predictor {
       if (size == 0.0) continue;
       if (b.is_state) {
         const Series::Values decay = decay_of(b);
-        for (std::size_t k = 0; k < out.size(); ++k) out[k] += size * (*decay)[k];
+        const Series::Values share = series_->shown_share(model_.channels[b.channel].input);
+        for (std::size_t k = 0; k < out.size(); ++k)
+          out[k] += size * (*decay)[k] * (share ? (*share)[k] : 1.0);
       } else {
         for (std::size_t k = 0; k < out.size(); ++k)
           if (series_->zero()[k] == b.zero) out[k] += size;

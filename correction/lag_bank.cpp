@@ -89,6 +89,16 @@ class Bank {
     add_channel(std::move(c), of_speed);
   }
 
+  /// That of the file for temperatures and feeds, which go over some tens of it; else a tenth of
+  /// the range of the column.
+  [[nodiscard]] double unit_of(const Input& input) const {
+    const Channel& column = *input.columns.front();
+    if (record::is_temperature(column) || record::acts_by_amount(column)) return input.factor();
+    const std::span<const double> values = record_.values(column);
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    return *high > *low ? 0.1 * (*high - *low) : input.factor();
+  }
+
   void add_channel(DrivenChannel c, bool of_speed) {
     for (const double lag : lags_) {
       if (lag == 0.0 && of_speed) continue;
@@ -96,7 +106,7 @@ class Bank {
       inputs_.push_back({.channel = model_.channels.size(),
                          .time_constant = lag,
                          .of_speed = of_speed,
-                         .unit = of_speed ? krpm : c.input.factor()});
+                         .unit = of_speed ? krpm : unit_of(c.input)});
     }
     model_.channels.push_back(std::move(c));
   }

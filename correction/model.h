@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,9 +24,22 @@ using record::Channel;
 
 class OwnEffect;
 
+/// Share with which a channel acts at a position of an axis: 0 outside of the outer points, 1
+/// between the inner ones, straight between an outer and an inner one.
+struct Window {
+  const Channel* column = nullptr;  ///< the position
+  std::array<double, 4> points{};   ///< rising, SI; infinite where it has no edge
+  /// Of what drives the channel, before its lags: heat that arises there. Otherwise of the
+  /// displacement: a body that is felt there.
+  bool of_input = false;
+
+  [[nodiscard]] double operator()(double position) const;
+};
+
 /// Input of a channel.
 ///
-/// Temperatures count from the first row of a run. Feeds and speeds act by their absolute value.
+/// Temperatures count from the first row of a run. Feeds and speeds act by their absolute value,
+/// other columns with their sign.
 struct Input {
   std::string name{};                     ///< as the file has it: "power_W", or the only column
   std::vector<const Channel*> columns{};  ///< of which the mean drives
@@ -39,6 +53,7 @@ struct Input {
   double temperature = unset;                    ///< [K], of the power, where no column has it
   const Channel* temperature_column = nullptr;
   Interval within{};  ///< to which the power is held [W]
+  std::optional<Window> window{};
   std::shared_ptr<const OwnEffect>
       formula{};  ///< of columns, and of these values of its parameters
   std::vector<double> formula_values{};

@@ -111,6 +111,13 @@ class List {
 
 }  // namespace
 
+double Window::operator()(double position) const {
+  const auto& [from, full_from, full_to, to] = points;
+  if (!(position >= from && position <= to)) return 0.0;
+  if (position < full_from) return (position - from) / (full_from - from);
+  return position > full_to ? (to - position) / (to - full_to) : 1.0;
+}
+
 std::string_view Input::unit() const {
   if (formula) return "1";
   if (is_power()) return "W";

@@ -18,13 +18,13 @@ constexpr double apart = 0.01;       // that correlations are kept from 1 and -1
 constexpr double rounding = 1e-9;    // of a range as it is written
 constexpr double same_cloud = 1e-4;  // of a distance
 
-/// Temperatures act as they stand, all else by its amount.
+/// Speeds and feeds act by their amount, all else as it stands.
 double acting(const Channel& column, double value) {
-  return record::is_temperature(column) ? value : std::abs(value);
+  return record::acts_by_amount(column) ? std::abs(value) : value;
 }
 
 Interval acting(const SeenRange& r) {
-  if (!r.column || record::is_temperature(*r.column) || r.lower >= 0.0) return {r.lower, r.upper};
+  if (!r.column || !record::acts_by_amount(*r.column) || r.lower >= 0.0) return {r.lower, r.upper};
   return {0.0, std::max(-r.lower, r.upper)};
 }
 

@@ -18,7 +18,7 @@ constexpr std::size_t most_kept = std::size_t{96} << 20U;  // bytes
 
 /// Kinds of what is kept, the first number of a key.
 constexpr double of_input = 0, of_lag = 1, of_law = 2, of_motor = 3, of_decay = 4, of_settling = 5,
-                 of_formula = 6;
+                 of_formula = 6, of_window = 7;
 
 Hold hold_of(record::Course course) {
   return course == record::Course::straight ? Hold::straight : Hold::held;
@@ -81,6 +81,9 @@ double Series::id_of(const Input& input) const {
   for (const record::Channel* c : input.columns) text += std::string(c->name) + " ";
   if (input.formula) text += "formula " + input.name;
   if (input.reference) text += "- " + std::string(input.reference->name);
+  if (input.window)
+    text += fmt::format(" at {} {} {}", input.window->column->name,
+                        fmt::join(input.window->points, " "), input.window->of_input);
   if (input.exponent != 1.0)
     text += fmt::format("^{} {} {}", input.exponent, input.seen.lower, input.seen.upper);
   if (input.is_power())
@@ -160,46 +163,80 @@ std::size_t Series::rows_beyond_table(const Input& input) const {
   return count;
 }
 
-Series::Values Series::input(const Input& input) const {
-  return kept(key_of(input), [&](std::vector<double>& out) {
-    if (input.formula) {
-      out = formula(input);
-      return;
-    }
-    if (input.is_power()) {
-      out = power(input);
-      return;
-    }
-    const bool from_first = input.course() == record::Course::straight;
-    const Interval from_rest{0.0, input.seen.upper};
-    const auto size = [&](double v) {
-      return continued([&](double n) { return driving_size(n, input.exponent); }, from_rest,
-                       std::abs(v));
-    };
-    const auto add = [&](const record::Channel& channel, double weight) {
-      const std::span<const double> values = record_.values(channel);
-      if (values.empty())
-        throw std::invalid_argument(
-            fmt::format("column {} is missing, which the model needs", channel.name));
-      double first = 0.0;
-      for (std::size_t k = 0; k < rows(); ++k) {
-        if (clock_.begins[k]) first = from_first ? values[k] : 0.0;
-        out[k] += weight * (from_first ? values[k] - first : size(values[k]));
-      }
-    };
-    for (const record::Channel* c : input.columns)
-      add(*c, 1.0 / static_cast<double>(input.columns.size()));
-    if (input.reference) add(*input.reference, -1.0);
+std::span<const double> Series::positions(const Window& window) const {
+  const std::span<const double> values = record_.values(*window.column);
+  if (values.empty())
+    throw std::invalid_argument(
+        fmt::format("column {} is missing, which the model needs", window.column->name));
+  return values;
+}
+
+Series::Values Series::shown_share(const Input& input) const {
+  if (!input.window || input.window->of_input) return nullptr;
+  return kept({of_window, id_of(input)}, [&](std::vector<double>& out) {
+    const std::span<const double> at = positions(*input.window);
+    for (std::size_t k = 0; k < rows(); ++k) out[k] = (*input.window)(at[clock_.seen_at(k)]);
   });
+}
+
+Series::Values Series::input(const Input& of) const {
+  return kept(key_of(of), [&](std::vector<double>& all) {
+    Input plain = of;
+    plain.window.reset();
+    if (of.window) {
+      all = *input(plain);
+      if (!of.window->of_input) return;
+      const std::span<const double> at = positions(*of.window);
+      for (std::size_t k = 0; k < rows(); ++k) all[k] *= (*of.window)(at[k]);
+      return;
+    }
+    fill(of, all);
+  });
+}
+
+void Series::fill(const Input& input, std::vector<double>& out) const {
+  if (input.formula) {
+    out = formula(input);
+    return;
+  }
+  if (input.is_power()) {
+    out = power(input);
+    return;
+  }
+  const bool from_first = input.course() == record::Course::straight;
+  const Interval from_rest{0.0, input.seen.upper};
+  const auto size = [&](double v) {
+    return continued([&](double n) { return driving_size(n, input.exponent); }, from_rest,
+                     std::abs(v));
+  };
+  const auto acting = [&](const record::Channel& channel, double v) {
+    return record::acts_by_amount(channel) ? size(v) : v;
+  };
+  const auto add = [&](const record::Channel& channel, double weight) {
+    const std::span<const double> values = record_.values(channel);
+    if (values.empty())
+      throw std::invalid_argument(
+          fmt::format("column {} is missing, which the model needs", channel.name));
+    double first = 0.0;
+    for (std::size_t k = 0; k < rows(); ++k) {
+      if (clock_.begins[k]) first = from_first ? values[k] : 0.0;
+      out[k] += weight * (from_first ? values[k] - first : acting(channel, values[k]));
+    }
+  };
+  for (const record::Channel* c : input.columns)
+    add(*c, 1.0 / static_cast<double>(input.columns.size()));
+  if (input.reference) add(*input.reference, -1.0);
 }
 
 Series::Values Series::at_once(const Input& of) const {
   Values driving = input(of);
-  if (clock_.settings_hold != record::SettingsHold::from_row ||
-      of.course() == record::Course::straight)
-    return driving;
+  const Values share = shown_share(of);
+  const bool as_it_is = clock_.settings_hold != record::SettingsHold::from_row ||
+                        of.course() == record::Course::straight;
+  if (as_it_is && !share) return driving;
   auto seen = std::make_shared<std::vector<double>>(rows());
-  for (std::size_t k = 0; k < rows(); ++k) (*seen)[k] = (*driving)[clock_.seen_at(k)];
+  for (std::size_t k = 0; k < rows(); ++k)
+    (*seen)[k] = (share ? (*share)[k] : 1.0) * (*driving)[as_it_is ? k : clock_.seen_at(k)];
   return seen;
 }
 
@@ -250,6 +287,8 @@ Series::Values Series::lag(const Input& of, double time_constant, const Answer& 
       lag_response(clock_, *driving, hold_of(of.course()), time_constant, 0.0, out);
     else
       answer(*driving, of.course(), time_constant, by, out);
+    if (const Values share = shown_share(of))
+      for (std::size_t k = 0; k < out.size(); ++k) out[k] *= (*share)[k];
   });
 }
 

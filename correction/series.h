@@ -52,15 +52,19 @@ class Series {
   [[nodiscard]] std::span<const double> coolant() const { return coolant_; }
 
   using Values = std::shared_ptr<const std::vector<double>>;
-  /// Input at every row, SI: a rise of temperature [K], a power [W], a speed, a feed. Throws
+  /// Input at every row, SI: a rise of temperature [K], a power [W], a speed, a feed, times the
+  /// share of a window of the input. Throws
   /// std::invalid_argument for a column that the record lacks.
   [[nodiscard]] Values input(const Input& input) const;
-  /// Input of a part that answers at once, as the reading in each row sees it.
+  /// Input of a part that answers at once, as the reading in each row sees it; with its window.
   [[nodiscard]] Values at_once(const Input& input) const;
+  /// Share with which the window of an input lets its channel act, as the reading in each row sees
+  /// it; null for an input without a window of the displacement.
+  [[nodiscard]] Values shown_share(const Input& input) const;
   /// Rows at which it turns and the power lies outside the axes of its friction table.
   [[nodiscard]] std::size_t rows_beyond_table(const Input& input) const;
 
-  /// State of a lag of that input, in its unit.
+  /// State of a lag of that input, in its unit; with its window.
   [[nodiscard]] Values lag(const Input& input, double time_constant, const Answer& answer) const;
   /// n^(1 - B exp(-C n)), of speed in rpm. Above the speeds that were seen it is continued(); below
   /// them it ends at rest, where it is known to be 0.
@@ -82,6 +86,9 @@ class Series {
   [[nodiscard]] std::vector<double> formula(const Input& input) const;
   /// Key of the stored values of `input`.
   [[nodiscard]] Key key_of(const Input& input) const;
+  /// Input at every row, without a window.
+  void fill(const Input& input, std::vector<double>& out) const;
+  [[nodiscard]] std::span<const double> positions(const Window& window) const;
   void answer(const std::vector<double>& input, record::Course course, double time_constant,
               const Answer& answer, std::vector<double>& state) const;
 

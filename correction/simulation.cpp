@@ -50,14 +50,17 @@ void add_channel(const Model& model, const DrivenChannel& channel, const Series&
   DrivenChannel c = channel;
   if (c.input.exponent != 1.0) c.input.seen = seen_of(model, *c.input.columns.front());
   const Series::Values input = series.input(c.input);
+  const Series::Values share = series.shown_share(c.input);
+  const auto show = [&](std::vector<double> u) {
+    for (std::size_t k = 0; share && k < u.size(); ++k) u[k] *= (*share)[k];
+    sink(c.scale, std::make_shared<const std::vector<double>>(std::move(u)));
+  };
   if (c.element) {
-    auto u = std::make_shared<std::vector<double>>(series.rows());
-    delay_response(series.clock(), *input, *c.element, *u, seen_power(model, c));
-    sink(c.scale, u);
+    std::vector<double> u(series.rows());
+    delay_response(series.clock(), *input, *c.element, u, seen_power(model, c));
+    show(std::move(u));
   }
-  if (c.printed)
-    sink(c.scale,
-         std::make_shared<const std::vector<double>>(run_printed(c, series, *input)));
+  if (c.printed) show(run_printed(c, series, *input));
   if (c.feedthrough != 0.0) sink(c.scale * c.feedthrough, series.at_once(c.input));
   const Answer answer = answer_of(model, channel);
   for (const Section& s : c.sections)
@@ -117,6 +120,7 @@ std::vector<const Channel*> inputs_of(const Model& model) {
   const auto add_input = [&](const Input& input) {
     for (const Channel* c : input.columns) add(c);
     add(input.reference);
+    if (input.window) add(input.window->column);
     if (input.formula)
       for (const Channel* c : input.formula->columns()) add(c);
     if (!input.is_power()) return;

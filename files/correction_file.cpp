@@ -63,11 +63,15 @@ constexpr Key correction_channel_keys[]{
      "a temperature whose rise is subtracted from the rise of the input"},
     {"sections", a_list, unset, "lags, with gain and time constant"},
     {"scale", between(-1e6, 1e6), 1.0, "of all of the channel: the gain of a sister spindle"},
+    {"window", a_table, unset,
+     "{ column, points, acts_on }: share with which the channel acts at a position of an axis"},
     {"friction_table", a_text, unset,
      "of \"power_W\": a CSV with speed_rpm, axial_load_N, temperature_C, friction_torque_Nmm, "
      "in the folder of the model"},
     {"axial_load_N", between(-1e8, 1e8, "N"), 0.0,
      "of \"power_W\": the load at which the table is read"},
+    {"radial_load_N", between(0, 1e8, "N"), unset,
+     "of \"power_W\": the radial load at which a table with several of them is read"},
     {"temperature_C", between(-273, 500, "C"), unset,
      "of \"power_W\": a number or a column at which the table is read"},
     {"gain", a_table, unset,
@@ -79,14 +83,25 @@ constexpr Key correction_channel_keys[]{
      "in place of sections: polynomial in z^-1, um per unit of the input"},
     {"denominator", a_list, unset, "in place of sections: polynomial in z^-1"},
 };
+constexpr Key window_keys[]{
+    {"column", a_text, is_required, "the position, NAME_position_mm, or another column"},
+    {"points", a_list, is_required,
+     "[from, full_from, full_to, to] in the unit of the column: the share is 0 outside of the "
+     "outer "
+     "points, 1 between the inner ones and straight between; [from, to] has sharp edges; -inf and "
+     "inf are no edges"},
+    {"acts_on", one_of("displacement|input"), "displacement",
+     "displacement: a body that is felt there; input: heat that arises there"},
+};
 // Of an input in kelvin; the names of others end in their unit.
-constexpr Key feedthrough_keys[]{
-    {"feedthrough_um_K", between(-most, most, "um/K"), 0.0,
-     "share that follows at once; ends in the unit of the input: um_K, um_W, um_m_min, um_rpm"}};
+constexpr Key feedthrough_keys[]{{"feedthrough_um_K", between(-most, most, "um/K"), 0.0,
+                                  "share that follows at once; ends in the unit of the input: "
+                                  "um_K, um_W, um_m_min, um_rpm, um_A, "
+                                  "um_mm ..."}};
 constexpr Key section_gain_keys[]{
     {"gain_um_K", between(-most, most, "um/K"), is_required,
      "displacement in the end, per unit of the input; ends in that unit: um_K, um_W, um_m_min, "
-     "um_rpm"}};
+     "um_rpm, um_A, um_mm ..."}};
 constexpr Key section_time_keys[]{
     {"time_constant_s", between(1e-3, most, "s"), is_required, "of the lag"}};
 constexpr Key element_gain_keys[]{
@@ -207,7 +222,9 @@ class CorrectionReader {
     const Channel* const c = record::series_channel(name);
     if (!c || !c->is_input())
       s.fail(key, fmt::format("{} = \"{}\": must be power_W, speed_rpm, coolant_on, or a column "
-                              "NAME_temperature_C, NAME_feed_m_min or NAME_speed_rpm",
+                              "NAME_temperature_C, NAME_feed_m_min, NAME_speed_rpm, "
+                              "NAME_position_mm, NAME_current_A, NAME_voltage_V, or NAME in W, N, "
+                              "Nm, l_min, bar or percent, as spindle_power_W",
                               key, name));
     return c;
   }
@@ -237,9 +254,11 @@ class CorrectionReader {
       in.name = "power_W";
       const auto file = s.text("friction_table");
       if (!file)
-        s.fail("input",
-               "input = \"power_W\": needs friction_table, a CSV with speed_rpm, axial_load_N, "
-               "temperature_C and friction_torque_Nmm, as raceway table writes it");
+        s.fail(
+            "input",
+            "input = \"power_W\": needs friction_table, a CSV with speed_rpm, axial_load_N, "
+            "temperature_C and friction_torque_Nmm, as raceway table writes it; a power that was "
+            "recorded has a name of its own, as spindle_power_W");
       in.table = std::make_shared<const correction::FrictionTable>(table(s, *file));
       in.axial_load = s.value("axial_load_N");
       read_temperature(s, in);
@@ -247,9 +266,12 @@ class CorrectionReader {
       if (!s.find("input")) s.fail_missing("input", ", the column that drives the channel");
       in.columns = columns(s, "input");
       in.name = in.columns.front()->name;
-      for (const std::string_view key : {"friction_table", "axial_load_N", "temperature_C"})
+      for (const std::string_view key :
+           {"friction_table", "axial_load_N", "radial_load_N", "temperature_C"})
         if (s.find(key)) s.fail(key, fmt::format("{}: belongs to input = \"power_W\"", key));
     }
+    if (const toml::node* const node = s.find("window"))
+      in.window = window(part_of(s, "correction.channel.window", *node, {window_keys}));
     in.exponent = s.value("exponent");
     if (s.find("exponent") && in.unit() != "rpm")
       s.fail("exponent", "exponent: belongs to an input that is a speed");
@@ -262,11 +284,33 @@ class CorrectionReader {
     return in;
   }
 
+  correction::Window window(const Section& s) {
+    const auto column = s.text("column");
+    if (!column) s.fail_missing("column", ", the position, such as \"x_position_mm\"");
+    correction::Window w{.column = input_column(s, "column", *column)};
+    const toml::node* const node = s.find("points");
+    if (!node) s.fail_missing("points", ", [from, full_from, full_to, to]");
+    std::vector<double> points;
+    if (const toml::array* const list = node->as_array())
+      for (const toml::node& one : *list)
+        if (const auto value = one.value<double>(); value && one.is_number())
+          points.push_back(*value);
+    if (points.size() == 2) points = {points[0], points[0], points[1], points[1]};
+    if (points.size() != 4 || !std::is_sorted(points.begin(), points.end()) || !node->is_array() ||
+        std::any_of(points.begin(), points.end(), [](double p) { return std::isnan(p); }))
+      s.fail("points", fmt::format("points = {}: must be [from, full_from, full_to, to] or [from, "
+                                   "to], rising",
+                                   text::shown(*node)));
+    for (std::size_t k = 0; k < 4; ++k) w.points[k] = w.column->to_SI(points[k]);
+    w.of_input = tables_.choice(s, "acts_on") == "input";
+    return w;
+  }
+
   correction::FrictionTable table(const Section& s, const std::string& file) const {
     try {
       NamedFiles& files = tables_.files();
-      correction::FrictionTable read =
-          parse_friction_table(files.read(file).text, files.shown(file));
+      correction::FrictionTable read = parse_friction_table(
+          files.read(file).text, files.shown(file), s.number("radial_load_N").value_or(unset));
       read.file = file;
       return read;
     } catch (const text::InputError& e) {
@@ -485,8 +529,8 @@ class CorrectionReader {
     Effect e{.id = id};
     e.values.push_back(s.required("gain_um"));
     if (given.lags) e.values.push_back(s.required("time_constant_s"));
-    Names known{"speed_rpm",      "NAME_temperature_C", "NAME_feed_m_min",
-                "NAME_speed_rpm", "coolant_on",         "time_s"};
+    Names known{"speed_rpm",        "NAME_temperature_C", "NAME_feed_m_min", "NAME_speed_rpm",
+                "NAME_position_mm", "coolant_on",         "time_s"};
     for (const correction::OwnEffect::Number& n : given.parameters) {
       e.values.push_back(n.value);
       known.push_back(n.name);
@@ -585,6 +629,7 @@ std::vector<KeyTable> correction_tables() {
   return {{"correction", correction_keys},
           {"correction.channel", correction_channel_keys},
           {"correction.channel", feedthrough_keys},
+          {"correction.channel.window", window_keys},
           {"correction.channel.sections", section_gain_keys},
           {"correction.channel.sections", section_time_keys},
           {"correction.channel.gain", element_gain_keys},

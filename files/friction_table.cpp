@@ -60,19 +60,29 @@ std::size_t place_on(const std::vector<double>& axis, double value) {
   return static_cast<std::size_t>(std::lower_bound(axis.begin(), axis.end(), value) - axis.begin());
 }
 
-}  // namespace
+/// Columns of a table, and the line of each row.
+struct Points {
+  std::vector<double> speed, load, radial, temperature, torque;
+  std::vector<int> line;
 
-correction::FrictionTable parse_friction_table(std::string text, const std::string& source) {
-  const text::CsvTable csv = text::parse_csv(std::move(text), source);
-  text::BadCells bad(csv.source, csv.rows());
-  const std::vector<double> speed = values_of(csv, record::speed, true, bad);
-  std::vector<double> load = values_of(csv, record::axial_load, false, bad);
-  std::vector<double> temperature = values_of(csv, record::temperature, false, bad);
-  const std::vector<double> torque = values_of(csv, record::friction_torque, true, bad);
-  bad.throw_if_any();
-  if (load.empty()) load.assign(speed.size(), 0.0);
-  if (temperature.empty()) temperature.assign(speed.size(), 0.0);
-  correction::FrictionTable table{.file = source,
+  /// Those at one radial load.
+  [[nodiscard]] Points at_radial(double of) const {
+    Points some;
+    for (std::size_t row = 0; row < speed.size(); ++row) {
+      if (radial[row] != of) continue;
+      some.speed.push_back(speed[row]);
+      some.load.push_back(load[row]);
+      some.temperature.push_back(temperature[row]);
+      some.torque.push_back(torque[row]);
+      some.line.push_back(line[row]);
+    }
+    return some;
+  }
+};
+
+correction::FrictionTable grid_of(const Points& points_of, const text::CsvTable& csv) {
+  const auto& [speed, load, radial, temperature, torque, line] = points_of;
+  correction::FrictionTable table{.file = csv.source,
                                   .speed = axis_of(speed),
                                   .axial_load = axis_of(load),
                                   .temperature = axis_of(temperature)};
@@ -94,11 +104,9 @@ correction::FrictionTable parse_friction_table(std::string text, const std::stri
                      place_on(table.speed, speed[row])];
     if (!std::isnan(at))
       throw text::InputError(
-          fmt::format("{}:{}: the point {} rpm, {} N, {} C stands twice; of a table with "
-                      "radial loads keep one of them",
-                      csv.source, csv.line(row), speed[row] / rpm, load[row],
-                      celsius(temperature[row])),
-          {csv.source, csv.line(row)});
+          fmt::format("{}:{}: the point {} rpm, {} N, {} C stands twice", csv.source, line[row],
+                      speed[row] / rpm, load[row], celsius(temperature[row])),
+          {csv.source, line[row]});
     at = torque[row];
   }
   const auto hole = std::find_if(table.torque.begin(), table.torque.end(),
@@ -113,6 +121,57 @@ correction::FrictionTable parse_friction_table(std::string text, const std::stri
         {csv.source});
   }
   return table;
+}
+
+/// Between the grids of two radial loads; the edge holds beyond them.
+correction::FrictionTable at_radial_load(const Points& points, double radial,
+                                         const text::CsvTable& csv) {
+  const std::vector<double> loads = axis_of(points.radial);
+  if (loads.size() == 1 && !(radial != loads.front() && !std::isnan(radial)))
+    return grid_of(points, csv);
+  if (!(radial >= loads.front() && radial <= loads.back())) {
+    std::vector<std::string> known;
+    for (const double load : loads) known.push_back(fmt::format("{:g}", load));
+    throw text::InputError(
+        fmt::format("{}: has the radial load{} {} N: radial_load_N {}", csv.source,
+                    known.size() == 1 ? "" : "s", text::listed(known),
+                    std::isnan(radial) ? "says at which it is read"
+                                       : fmt::format("= {:g} N lies beyond", radial)),
+        {csv.source});
+  }
+  const std::size_t above = std::max<std::size_t>(1, place_on(loads, radial));
+  const double share = (radial - loads[above - 1]) / (loads[above] - loads[above - 1]);
+  correction::FrictionTable table = grid_of(points.at_radial(loads[above - 1]), csv);
+  const correction::FrictionTable next = grid_of(points.at_radial(loads[above]), csv);
+  if (table.speed != next.speed || table.axial_load != next.axial_load ||
+      table.temperature != next.temperature)
+    throw text::InputError(fmt::format("{}: the grids at {:g} and {:g} N of radial load differ",
+                                       csv.source, loads[above - 1], loads[above]),
+                           {csv.source});
+  for (std::size_t k = 0; k < table.torque.size(); ++k)
+    table.torque[k] += share * (next.torque[k] - table.torque[k]);
+  return table;
+}
+
+}  // namespace
+
+correction::FrictionTable parse_friction_table(std::string text, const std::string& source,
+                                               double radial_load) {
+  const text::CsvTable csv = text::parse_csv(std::move(text), source);
+  text::BadCells bad(csv.source, csv.rows());
+  Points points{.speed = values_of(csv, record::speed, true, bad),
+                .load = values_of(csv, record::axial_load, false, bad),
+                .radial = values_of(csv, record::radial_load, false, bad),
+                .temperature = values_of(csv, record::temperature, false, bad),
+                .torque = values_of(csv, record::friction_torque, true, bad),
+                .line = {}};
+  bad.throw_if_any();
+  const std::size_t rows = points.speed.size();
+  for (std::vector<double>* column : {&points.load, &points.radial, &points.temperature})
+    if (column->empty()) column->assign(rows, 0.0);
+  for (std::size_t row = 0; row < rows; ++row) points.line.push_back(csv.line(row));
+  if (rows == 0) return grid_of(points, csv);
+  return at_radial_load(points, radial_load, csv);
 }
 
 correction::Characteristic::Table parse_characteristic(std::string text, const std::string& source,

@@ -156,11 +156,13 @@ class SeriesReader {
     kept_ = kept_columns(table_, found_.others);
     unknown_ = kept_.statements(!map.rules.empty());
     if (!unknown_.empty() && map.rules.empty())
-      unknown_.back() += fmt::format(
-          " (a record {})", of_spindle_ ? "of a spindle has " + text::listed(known)
-                                        : "over time has NAME_temperature_C, NAME_feed_m_min, "
-                                          "NAME_speed_rpm, coolant_on, displacement_NAME_um, "
-                                          "offset_NAME_um");
+      unknown_.back() +=
+          fmt::format(" (a record {})",
+                      of_spindle_ ? "of a spindle has " + text::listed(known)
+                                  : "over time has NAME_temperature_C, NAME_feed_m_min, "
+                                    "NAME_speed_rpm, NAME_position_mm, NAME_current_A, "
+                                    "NAME_voltage_V, NAME in W, N, Nm, l_min, bar or percent, "
+                                    "coolant_on, displacement_NAME_um, offset_NAME_um");
   }
 
   void set_constant(const Recognised::Constant& constant, Record& result) {
@@ -242,7 +244,9 @@ void note_gaps(Record& result) {
 void leave_out_impossible_inputs(Record& record) {
   std::vector<const Channel*> inputs;
   for (const record::Column& c : record.columns)
-    if (c.channel->is_input() && c.channel->kind != record::offset_kind)
+    // A load or a power may leap for a moment.
+    if (c.channel->is_input() && c.channel->kind != record::offset_kind &&
+        (record::is_temperature(*c.channel) || record::acts_by_amount(*c.channel)))
       inputs.push_back(c.channel);
   for (const Channel* channel : inputs) {
     fit::Isolated isolated = fit::without_isolated_readings(

@@ -9,54 +9,79 @@
 namespace raceway::record {
 namespace {
 
-/// Columns of one kind: a name between `begin` and `end`.
+constexpr std::string_view position_kind = "position";
+
+/// Columns of one kind: a name between `begin` and `end`, which ends in `unit`.
 struct Family {
-  std::string_view begin, end;
+  std::string_view begin, end, unit;
   Channel like;  ///< all but the names
 };
 
-constexpr std::array families{Family{"displacement_", "_um",
-                                     Channel{.name = {},
-                                             .unit = "um",
-                                             .factor = um,
-                                             .lower = -1e6,
-                                             .upper = 1e6,
-                                             .role = Role::measured,
-                                             .direction = "positive towards the tool"}},
-                              Family{"offset_", "_um",
-                                     Channel{.name = {},
-                                             .unit = "um",
-                                             .factor = um,
-                                             .lower = -1e6,
-                                             .upper = 1e6,
-                                             .kind = offset_kind}},
-                              Family{"", "_temperature_C",
-                                     Channel{.name = {},
-                                             .unit = "C",
-                                             .offset = celsius_zero,
-                                             .lower = -273,
-                                             .upper = 500,
-                                             .role = Role::recorded,
-                                             .step = 0.5,
-                                             .kind = "temperature"}},
-                              Family{"", "_feed_m_min",
-                                     Channel{.name = {},
-                                             .unit = "m/min",
-                                             .factor = 1.0 / 60.0,
-                                             .lower = -1e4,
-                                             .upper = 1e4,
-                                             .step = 5e-3,
-                                             .ratio = true,
-                                             .kind = "feed"}},
-                              Family{"", "_speed_rpm",
-                                     Channel{.name = {},
-                                             .unit = "rpm",
-                                             .factor = rpm,
-                                             .lower = -1e6,
-                                             .upper = 1e6,
-                                             .step = 5e-3,
-                                             .ratio = true,
-                                             .kind = "speed"}}};
+/// What a machine records beside temperatures, speeds and feeds, with its sign.
+constexpr Channel recorded(std::string_view unit, double factor, std::string_view kind) {
+  return {.name = {},
+          .unit = unit,
+          .factor = factor,
+          .lower = -1e9,
+          .upper = 1e9,
+          .role = Role::recorded,
+          .step = 5e-3,
+          .ratio = true,
+          .kind = kind};
+}
+
+constexpr std::array families{
+    Family{"displacement_", "_um", "_um",
+           Channel{.name = {},
+                   .unit = "um",
+                   .factor = um,
+                   .lower = -1e6,
+                   .upper = 1e6,
+                   .role = Role::measured,
+                   .direction = "positive towards the tool"}},
+    Family{"offset_", "_um", "_um",
+           Channel{.name = {},
+                   .unit = "um",
+                   .factor = um,
+                   .lower = -1e6,
+                   .upper = 1e6,
+                   .kind = offset_kind}},
+    Family{"", "_temperature_C", "_C",
+           Channel{.name = {},
+                   .unit = "C",
+                   .offset = celsius_zero,
+                   .lower = -273,
+                   .upper = 500,
+                   .role = Role::recorded,
+                   .step = 0.5,
+                   .kind = "temperature"}},
+    Family{"", "_feed_m_min", "_m_min",
+           Channel{.name = {},
+                   .unit = "m/min",
+                   .factor = 1.0 / 60.0,
+                   .lower = -1e4,
+                   .upper = 1e4,
+                   .step = 5e-3,
+                   .ratio = true,
+                   .kind = "feed"}},
+    Family{"", "_speed_rpm", "_rpm",
+           Channel{.name = {},
+                   .unit = "rpm",
+                   .factor = rpm,
+                   .lower = -1e6,
+                   .upper = 1e6,
+                   .step = 5e-3,
+                   .ratio = true,
+                   .kind = "speed"}},
+    Family{"", "_position_mm", "_mm", recorded("mm", mm, position_kind)},
+    Family{"", "_current_A", "_A", recorded("A", 1.0, "current")},
+    Family{"", "_voltage_V", "_V", recorded("V", 1.0, "voltage")},
+    Family{"", "_W", "_W", recorded("W", 1.0, "power")},
+    Family{"", "_N", "_N", recorded("N", 1.0, "load")},
+    Family{"", "_Nm", "_Nm", recorded("N m", 1.0, "torque")},
+    Family{"", "_l_min", "_l_min", recorded("l/min", 1.0 / 60000.0, "flow")},
+    Family{"", "_bar", "_bar", recorded("bar", 1e5, "pressure")},
+    Family{"", "_percent", "_percent", recorded("%", 0.01, "share")}};
 
 constexpr Channel coolant{.name = "coolant_on",
                           .variable = "coolant",
@@ -105,11 +130,7 @@ const Channel* series_channel(std::string_view name) {
       if (one.name == name) return &one.channel;
     Owned& one = made.emplace_back();
     one.name = name;
-    // The unit begins with the second underscore of "_feed_m_min", with the only one of "_um".
-    const std::size_t second = family.end.find('_', 1);
-    const std::size_t unit =
-        second == family.end.npos ? family.end.size() : family.end.size() - second;
-    one.variable = name.substr(0, name.size() - unit);
+    one.variable = name.substr(0, name.size() - family.unit.size());
     one.words = in_words(one.variable);
     one.channel = family.like;
     one.place = std::string(family.like.unit) + " of " + one.words;
@@ -127,6 +148,13 @@ Course course_of(const Channel& channel) {
 }
 
 bool is_temperature(const Channel& channel) { return channel.offset != 0.0; }
+
+bool acts_by_amount(const Channel& channel) {
+  return channel == speed || channel == coolant || channel.kind == "speed" ||
+         channel.kind == "feed";
+}
+
+bool is_position(const Channel& channel) { return channel.kind == position_kind; }
 
 bool is_ambient(const Channel& channel) {
   if (!is_temperature(channel)) return false;

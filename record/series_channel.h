@@ -15,12 +15,17 @@ enum class Course {
 /// The quantity of a column of a record over time, null for a name that is none. A machine has as
 /// many of them as it has sensors, so that they are made as they are met, once each:
 /// NAME_temperature_C, NAME_feed_m_min, NAME_speed_rpm, coolant_on, setup_id, displacement_NAME_um,
-/// offset_NAME_um, and of the table time_s, speed_rpm, run_id. May be called by several threads at
+/// offset_NAME_um, NAME_position_mm, NAME_current_A, NAME_voltage_V, NAME in W, N, Nm, l_min, bar
+/// or percent, and of the table time_s, speed_rpm, run_id. May be called by several threads at
 /// once.
 [[nodiscard]] const Channel* series_channel(std::string_view name);
 
 [[nodiscard]] Course course_of(const Channel& channel);
 [[nodiscard]] bool is_temperature(const Channel& channel);
+/// True for inputs that act by their amount, whatever their sign: speeds, feeds, coolant. All else
+/// acts as it stands.
+[[nodiscard]] bool acts_by_amount(const Channel& channel);
+[[nodiscard]] bool is_position(const Channel& channel);
 /// Kind of offset_NAME_um, the offset that a control added while the record was taken. The reader
 /// subtracts it from the displacement; a record does not keep it.
 inline constexpr std::string_view offset_kind = "offset";

@@ -92,13 +92,20 @@ constexpr std::array all_units{
     Unit{"rad", "rad", D::angle, 1.0, 0, "", "radian radians"},
     Unit{"MPa", "MPa", D::pressure, MPa},
     Unit{"GPa", "GPa", D::pressure, GPa},
+    Unit{"bar", "bar", D::pressure, 1e5},
     Unit{"W", "W", D::power, 1.0, 0, "", "watt watts"},
     Unit{"kW", "kW", D::power, 1e3, 0, "", "kw kilowatt kilowatts"},
     Unit{"mm2_s", "mm2/s", D::viscosity, mm2_per_s, 0, "cSt", "cst"},
     Unit{"N_um", "N/um", D::stiffness, N_per_um},
     Unit{"V", "V", D::voltage, 1.0, 0, "", "volt volts"},
     Unit{"mV", "mV", D::voltage, 1e-3, 0, "", "millivolt millivolts"},
-    Unit{"uV", "uV", D::voltage, 1e-6, 0, "", "microvolt microvolts"}};
+    Unit{"uV", "uV", D::voltage, 1e-6, 0, "", "microvolt microvolts"},
+    Unit{"A", "A", D::current, 1.0, 0, "", "ampere amperes amp amps"},
+    Unit{"mA", "mA", D::current, 1e-3, 0, "", "milliampere milliamperes"},
+    Unit{"l_min", "l/min", D::flow, 1.0 / 60000.0, 0, "L_min", "lpm"},
+    Unit{"l_h", "l/h", D::flow, 1.0 / 3.6e6, 0, "L_h"},
+    Unit{"m3_h", "m3/h", D::flow, 1.0 / 3600.0},
+    Unit{"percent", "%", D::share, 0.01, 0, "%", "pct"}};
 
 /// Without blanks, brackets and dots of products; micro is "u", a degree sign "deg", a superscript
 /// the digit, a slash "_".

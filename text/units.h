@@ -21,7 +21,10 @@ enum class Dimension {
   power,
   viscosity,
   stiffness,
-  voltage
+  voltage,
+  current,
+  flow,
+  share
 };
 
 /// A unit that files may have.

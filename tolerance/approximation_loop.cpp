@@ -352,13 +352,29 @@ class Inquiry {
     return set;
   }
 
-  /// All of a list in its order, or those alone that a mechanism stands for: a column that happens
-  /// to follow the displacement is no explanation where one of these is.
-  [[nodiscard]] static std::vector<const Tried*> chosen(const std::vector<Tried>& list,
-                                                        bool with_columns) {
+  /// Price of having tried many columns: one of them is an explanation where -2 ln L, of as many
+  /// independent readings as half hours, falls by more than ln N + 2 ln m against what explains
+  /// without it.
+  [[nodiscard]] bool is_worth_its_column(const Tried& t, double error_without) const {
+    const auto columns = std::count_if(candidates_.begin(), candidates_.end(),
+                                       [](const fit::Candidate& c) { return c.by_column; });
+    const double half_hours = std::max(2.0, recorded_.duration / half_an_hour);
+    const double fall = 2.0 * half_hours * std::log(error_without / t.error());
+    return fall > std::log(half_hours) + 2.0 * std::log(static_cast<double>(columns));
+  }
+
+  /// All of a list in its order that are worth their price, or those alone that a mechanism stands
+  /// for: a column that happens to follow the displacement is no explanation where one of these is.
+  [[nodiscard]] std::vector<const Tried*> chosen(const std::vector<Tried>& list,
+                                                 bool with_columns) const {
+    const auto mechanism = std::find_if(singles_.begin(), singles_.end(),
+                                        [](const Tried& t) { return !t.has_column(); });
+    const double without = &list == &singles_ || mechanism == singles_.end()
+                               ? base_.rms_held_out
+                               : std::min(base_.rms_held_out, mechanism->error());
     std::vector<const Tried*> some;
     for (const Tried& t : list)
-      if (with_columns || !t.has_column()) some.push_back(&t);
+      if (!t.has_column() || (with_columns && is_worth_its_column(t, without))) some.push_back(&t);
     return some;
   }
 
@@ -436,11 +452,12 @@ class Inquiry {
     for (const bool with_columns : {false, true})
       if (explained_by_pairs(chosen(pairs_, with_columns))) return;
     const double base = base_.rms_held_out;
-    const bool like = !singles_.empty() && singles_.front().error() * singles_.front().error() <=
-                                               much_of_it * base * base;
-    if (like) found_ = {&singles_.front()};
+    const std::vector<const Tried*> worth = chosen(singles_, true);
+    const bool like = !worth.empty() &&
+                      worth.front()->error() * worth.front()->error() <= much_of_it * base * base;
+    if (like) found_ = {worth.front()};
     result_.verdict = like ? verdict::Verdict::effect_like : verdict::Verdict::not_in_catalogue;
-    result_.course = course_of_worst(like ? singles_.front().fit : base_);
+    result_.course = course_of_worst(like ? worth.front()->fit : base_);
   }
 
   /// A size that a fit drives to its bound explains nothing, where all that is known of an effect

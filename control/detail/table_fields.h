@@ -97,7 +97,11 @@ inline constexpr std::array drive_numbers{
     NumberField<ControlDrive>{"decay_speed", &ControlDrive::decay_rpm, "rpm", false, 1e-9},
     NumberField<ControlDrive>{"temperature_value", &ControlDrive::temperature_C, "C"},
     NumberField<ControlDrive>{"lowest_power", &ControlDrive::lowest, "W"},
-    NumberField<ControlDrive>{"highest_power", &ControlDrive::highest, "W"}};
+    NumberField<ControlDrive>{"highest_power", &ControlDrive::highest, "W"},
+    NumberField<ControlDrive>{"window_from", &ControlDrive::window_from, "input"},
+    NumberField<ControlDrive>{"window_full_from", &ControlDrive::window_full_from, "input"},
+    NumberField<ControlDrive>{"window_full_to", &ControlDrive::window_full_to, "input"},
+    NumberField<ControlDrive>{"window_to", &ControlDrive::window_to, "input"}};
 inline constexpr std::array drive_kinds{"rise", "size", "power", "motor"};
 
 }  // namespace raceway::control

@@ -6,14 +6,19 @@
 
 namespace raceway::correction {
 
-/// A temperature that was recorded and that the model does not use: a lag of it. It counts above
-/// the reference of the model's channels, where they have one in common.
+/// A column that was recorded and that the model does not use: a lag of it, and of a position,
+/// which is no heat, the column itself. A temperature counts above the reference of the model's
+/// channels, where they have one in common.
 struct RecordedInput final : EffectKind {
   static constexpr EffectCard recorded_card{
       .id = "input",
-      .title = "a recorded temperature that the model does not use moves the machine",
-      .form = "+ K/(1 + tau s) T, less the reference that all channels of temperatures have",
-      .needs = "a temperature that varies and that the model does not use",
+      .title = "a recorded column that the model does not use moves the machine",
+      .form =
+          "+ K/(1 + tau s) u, of a position + K u; temperatures less the reference that all "
+          "channels of temperatures have",
+      .needs =
+          "a column that varies and that the model does not use: a temperature, power, current, "
+          "load, torque, flow, pressure or position",
       .confused = "ambient-drift; motor-heat; a body that warms up with the one that was read",
       .numbers = gain_and_time_constant,
       .by_column = true,
@@ -23,9 +28,15 @@ struct RecordedInput final : EffectKind {
 
   [[nodiscard]] std::vector<Effect> possible(const Surroundings& in) const override {
     std::vector<Effect> list;
-    for (const Channel* c : in.unused(is_nameless)) list.push_back(at({}, {c}));
+    for (const Channel* c : in.unused(is_nameless)) {
+      list.push_back(at({}, {c}));
+      if (record::is_position(*c)) list.back().values.resize(1);
+    }
     return list;
   }
+
+  /// A file without the time constant has the column itself.
+  [[nodiscard]] bool may_end_before(std::size_t number) const override { return number == 1; }
 
   [[nodiscard]] Input input(const Effect& e, const Model& m) const override {
     Input driving = EffectKind::input(e, m);
@@ -34,13 +45,14 @@ struct RecordedInput final : EffectKind {
   }
 
   [[nodiscard]] Share share(const Effect& e, const Model& m) const override {
-    return lag_of_input(*this, e, m);
+    if (e.values.size() > 1) return lag_of_input(*this, e, m);
+    return DrivenShare{input(e, m), e.values.front()};
   }
 
  private:
-  /// Temperatures of the room belong to ambient-drift.
+  /// Temperatures of the room belong to ambient-drift, feeds and speeds to effects of their own.
   static bool is_nameless(const Channel& c) {
-    return record::is_temperature(c) && !record::is_ambient(c);
+    return !record::is_ambient(c) && !record::acts_by_amount(c) && c.kind != record::offset_kind;
   }
   /// Reference that all temperature-driven channels share, the channel of the reference itself
   /// aside; null for none.

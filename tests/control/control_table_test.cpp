@@ -48,6 +48,24 @@ TEST(ControlTableText, ReadsDifferenceEquationsBack) {
   EXPECT_THROW((void)read_control_table(shorter, "table.csv"), text::InputError);
 }
 
+TEST(ControlTableText, ReadsWindowsBack) {
+  Case c(
+      "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\n"
+      "name = \"screw\"\ninput = \"x_drive_W\"\n"
+      "sections = [{ gain_um_W = 0.02, time_constant_s = 1500 }]\n"
+      "window = { column = \"x_position_mm\", points = [0, 500, inf, inf] }\n"
+      "[correction.range]\nx_drive_W = [-50, 400]\nx_position_mm = [0, 500]\n",
+      "time_s,x_drive_W,x_position_mm\n0,20,0\n1,20,100\n");
+  EXPECT_EQ(c.plan.inputs[0].plausible_low, -4000);
+  c.plan.check = made_up_check(c.plan, c.file.models);
+  EXPECT_EQ(c.plan.check.rows.size(), 60u);
+  const std::string table = control_csv(c.plan);
+  const ControlPlan read = read_control_table(table, "table.csv");
+  EXPECT_EQ(control_csv(read), table);
+  EXPECT_EQ(control_python(read), control_python(c.plan));
+  EXPECT_EQ(control_c(read, "machine"), control_c(c.plan, "machine"));
+}
+
 TEST(ControlTableText, TakesNumbersThatWereChanged) {
   const Case c(with_keys);
   std::string table = control_csv(c.plan);

@@ -175,8 +175,8 @@ TEST_P(Control, TurnsPolynomialsIntoSections) {
   EXPECT_LT(distance(run(twice, twice.calls()), twice.corrected()), tolerance());
 }
 
-/// Published functions of a five-axis machine whose poles belong to no lag, one that swings, and one
-/// with an integrator that is cancelled on paper.
+/// Published functions of a five-axis machine whose poles belong to no lag, one that swings, and
+/// one with an integrator that is cancelled on paper.
 const std::string printed_model =
     "[correction]\ndisplacement = \"displacement_z_um\"\nsampling_s = 1\n"
     "[[correction.channel]]\nname = \"amb\"\ninput = \"room_temperature_C\"\n"
@@ -193,8 +193,7 @@ const std::string printed_model =
     "numerator = [-0.0251, 0.0251]\ndenominator = [1, -1.9985, 0.9985]\n";
 
 std::string printed_record(int rows) {
-  std::string text =
-      "time_s,speed_rpm,front_temperature_C,rear_temperature_C,room_temperature_C\n";
+  std::string text = "time_s,speed_rpm,front_temperature_C,rear_temperature_C,room_temperature_C\n";
   for (int k = 0; k < rows; ++k)
     text += fmt::format("{},{},{:.1f},{:.1f},{:.1f}\n", k, 1000 * (k / 300 % 4),
                         22 + 8 * std::sin(k / 900.0), 21 + 5 * std::sin(k / 700.0),
@@ -216,11 +215,50 @@ TEST_P(Control, RunsPolynomialsOfNoLagAsDifferenceEquations) {
   EXPECT_THAT(c.plan.notes,
               testing::Contains(HasSubstr("channel x: runs as a difference equation, because the "
                                           "pole -0.9999125037 does not lie between 0 and 1")));
-  EXPECT_THAT(c.plan.warnings,
-              testing::ElementsAre(HasSubstr("channel amb: negative real pole"),
-                                   HasSubstr("channel x: negative real pole"),
-                                   HasSubstr("channel y: negative real pole"),
-                                   HasSubstr("channel swings: complex poles")));
+  EXPECT_THAT(c.plan.warnings, testing::ElementsAre(HasSubstr("channel amb: negative real pole"),
+                                                    HasSubstr("channel x: negative real pole"),
+                                                    HasSubstr("channel y: negative real pole"),
+                                                    HasSubstr("channel swings: complex poles")));
+}
+
+/// Columns with a sign, and windows of a position: of what drives, and of what is felt.
+TEST_P(Control, RunsRecordedColumnsAndWindows) {
+  const std::string channel = "[[correction.channel]]\nname = \"";
+  const Case c(
+      "[correction]\ndisplacement = \"displacement_z_um\"\n" + channel +
+          "load\"\ninput = \"axial_load_N\"\nfeedthrough_um_N = 0.002\n"
+          "sections = [{ gain_um_N = 0.01, time_constant_s = 900 }]\n" +
+          channel +
+          "screw\"\ninput = \"x_feed_m_min\"\n"
+          "sections = [{ gain_um_m_min = 2, time_constant_s = 1500 }]\nfeedthrough_um_m_min = 0.1\n"
+          "window = { column = \"x_position_mm\", points = [0, 500, inf, inf] }\n" +
+          channel +
+          "nut\"\ninput = \"x_feed_m_min\"\n"
+          "sections = [{ gain_um_m_min = 1, time_constant_s = 600 }]\nwindow = { column = "
+          "\"x_position_mm\", points = [100, 300], acts_on = \"input\" }\n" +
+          channel +
+          "bed\"\ninput = \"room_temperature_C\"\n"
+          "sections = [{ gain_um_K = -3, time_constant_s = 4000 }]\nwindow = { column = "
+          "\"x_position_mm\", points = [-200, 0, 100, 400] }\n"
+          "[[correction.effect]]\nid = \"input\"\ninput = \"x_position_mm\"\n"
+          "gain_um_mm = 0.004\n",
+      [] {
+        std::string text = "time_s,axial_load_N,x_feed_m_min,x_position_mm,room_temperature_C\n";
+        for (int k = 0; k < 600; ++k)
+          text += fmt::format("{},{},{},{:.2f},{:.2f}\n", 20 * k + k % 7,
+                              k / 40 % 3 == 0 ? -300 : 500, k / 25 % 2 == 0 ? -10 : 4,
+                              250 + 400 * std::sin(k / 31.0), 20 + std::sin(k / 60.0));
+        return text;
+      }());
+  const auto expected = c.corrected();
+  const auto got = run(c, c.calls());
+  EXPECT_LT(distance(got, expected), tolerance());
+  double low = 0, high = 0;
+  for (const auto& y : expected) low = std::min(low, y[0]), high = std::max(high, y[0]);
+  EXPECT_LT(low, -1.0);
+  EXPECT_GT(high, 10.0);
+  const std::string table = control_csv(c.plan);
+  EXPECT_THAT(table, HasSubstr(",window_full_from,500,mm\n"));
 }
 
 // Two coefficients, y(k) = 0.01 u(k-1) - 0.99 y(k-1): its sign shows how often it went on.
@@ -250,7 +288,7 @@ TEST_P(Control, OffsetsOfEquationsStandAtAnyOtherInterval) {
   const Case c(printed_model, printed_record(10));
   std::string script;
   for (const double t : {0.0, 1.0, 2.0, 5.5, 6.5})
-    script += fmt::format("g {} 1 1000 {} {} {}\n", t, 20 + t, 20 + t, 20.0);
+    script += fmt::format("g {} 1 {} {} {} 1000\n", t, 20.0, 20 + 0.1 * t, 20 + 0.1 * t);
   const auto got = run(c, script);
   ASSERT_EQ(got.size(), 5u);
   EXPECT_EQ(got[3].flags & wrong_interval, wrong_interval);

@@ -82,6 +82,65 @@ TEST(RecordedInput, ColumnsThatMoveNothingAreNotNamed) {
   EXPECT_EQ(d.verdict, verdict::Verdict::nothing_missing) << d.sentence;
 }
 
+/// As of_spindle_and_table(), and what else a control records: the power of the table, an axis.
+MadeRecord with_power_and_position(double power_um_W, double position_um_mm) {
+  MadeRecord made = of_spindle_and_table(0.0, 2);
+  made.with("table_W", [](double t) { return 150 + 150 * std::sin(t / (1.9 * hour_s)); })
+      .with("x_position_mm", [](double t) { return 300 + 250 * std::sin(t / 900); });
+  std::vector<double> x(made.time.size());
+  const auto power = made.record.values(*record::series_channel("table_W"));
+  const auto position = made.record.values(*record::series_channel("x_position_mm"));
+  std::vector<double>& z = made.record.find(*record::series_channel("displacement_z_um"))->values;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    if (k > 0)
+      x[k] = x[k - 1] + (made.time[k] - made.time[k - 1]) / 4000 * (power[k - 1] - x[k - 1]);
+    z[k] += power_um_W * um * x[k] + position_um_mm * um * (position[k] / 1e-3);
+  }
+  return made;
+}
+
+std::vector<std::string> named_by(const MadeRecord& made) {
+  const verdict::Diagnosis d =
+      loop::diagnose(CorrectionSubject(of_the_spindle_alone()), made.record);
+  EXPECT_EQ(d.verdict, verdict::Verdict::effect) << d.sentence;
+  return d.sets.empty() ? std::vector<std::string>{} : d.sets.front();
+}
+
+TEST(RecordedInput, APowerOrAPositionIsNamed) {
+  EXPECT_THAT(named_by(with_power_and_position(0.06, 0)), ElementsAre("input:table_W"));
+  const MadeRecord made = with_power_and_position(0, 0.03);
+  EXPECT_THAT(named_by(made), ElementsAre("input:x_position_mm"));
+  const std::vector<std::string> ids{"input:x_position_mm"};
+  const auto added = loop::add(CorrectionSubject(of_the_spindle_alone()), ids, made.record);
+  const Model found = model_of(*added.calibration.subject);
+  ASSERT_EQ(found.effects.size(), 1U);
+  ASSERT_EQ(found.effects[0].values.size(), 1U);  // at once
+  EXPECT_NEAR(found.effects[0].values[0], 0.03, 0.001);
+}
+
+// Thirty columns that wander have nothing to do with a misfit that wanders, too.
+TEST(RecordedInput, OneOfManyThatHappensToFollowIsNotNamed) {
+  int named = 0;
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    MadeRecord made(12 * hour_s, 120);
+    std::mt19937 engine(seed);
+    std::normal_distribution<double> step(0.0, 1.0);
+    const auto walk = [&](const std::string& name, double size) {
+      double x = 0.0;
+      made.with(name, [&](double) { return x = 0.995 * x + size * step(engine); });
+    };
+    walk("spindle_temperature_C", 0.3);
+    made.with("base_temperature_C", [](double t) { return 21 + 0.3 * std::sin(t / 9000); });
+    for (int k = 0; k < 30; ++k) walk("drive" + std::to_string(k) + "_W", 10.0);
+    walk("displacement_z_um", 0.6);
+    const verdict::Diagnosis d =
+        loop::diagnose(CorrectionSubject(of_the_spindle_alone()), made.record);
+    for (const std::vector<std::string>& set : d.sets)
+      for (const std::string& id : set) named += id.starts_with("input:drive") ? 1 : 0;
+  }
+  EXPECT_EQ(named, 0);
+}
+
 // A test piece is touched every two hours.
 TEST(FewReadings, GetAVerdictWithACaution) {
   const verdict::Diagnosis d = loop::diagnose(CorrectionSubject(of_the_spindle_alone()),

@@ -49,6 +49,50 @@ TEST(CorrectionFile, IsReadIntoSI) {
   EXPECT_EQ(m.kinematic->B, 0.697);
 }
 
+TEST(CorrectionFile, AFrictionTableIsReadAtOneRadialLoad) {
+  const std::string table =
+      "speed_rpm,axial_load_N,radial_load_N,friction_torque_Nmm\n0,100,0,10\n1000,100,0,20\n"
+      "0,100,500,30\n1000,100,500,60\n0,100,2000,60\n1000,100,2000,120\n";
+  const auto torque = [&](const std::string& text, const std::string& key) {
+    const CorrectionFile file = parse_correction(
+        head + "[[correction.channel]]\ninput = \"power_W\"\nfriction_table = \"t.csv\"\n" + key +
+            "sections = [{ gain_um_W = 1, time_constant_s = 900 }]\n",
+        "z.toml", {{.name = "t.csv", .path = "/t.csv", .text = text}});
+    const correction::Input& in = file.models[0].channels[0].input;
+    return (*in.table)(1000 * rpm, 100, in.temperature) / N_mm;
+  };
+  EXPECT_NEAR(torque(table, "radial_load_N = 500\n"), 60, 1e-9);
+  EXPECT_NEAR(torque(table, "radial_load_N = 1250\n"), 90, 1e-9);
+  EXPECT_NEAR(torque(table, "radial_load_N = 0\n"), 20, 1e-9);
+  EXPECT_THAT([&] { (void)torque(table, ""); }, refused("radial_load_N says at which it is read"));
+  EXPECT_THAT(
+      [&] { (void)torque(table, "radial_load_N = 2001\n"); },
+      refused("has the radial loads 0, 500 and 2000 N: radial_load_N = 2001 N lies beyond"));
+  const std::string without = "speed_rpm,friction_torque_Nmm\n0,10\n1000,20\n";
+  EXPECT_NEAR(torque(without, ""), 20, 1e-9);
+  EXPECT_THAT([&] { (void)torque(without, "radial_load_N = 5\n"); }, refused("lies beyond"));
+}
+
+TEST(CorrectionFile, AWindowRises) {
+  const auto with = [](const std::string& window) {
+    return head + "[[correction.channel]]\ninput = \"spindle_power_W\"\nwindow = " + window +
+           "\nsections = [{ gain_um_W = 1, time_constant_s = 900 }]\n";
+  };
+  const CorrectionFile file = parse_correction(
+      with("{ column = \"x_position_mm\", points = [0, 500, inf, inf], acts_on = \"input\" }"),
+      "z.toml");
+  const correction::Window& w = *file.models[0].channels[0].input.window;
+  EXPECT_NEAR(w(0.25), 0.5, 1e-12);
+  EXPECT_TRUE(w.of_input);
+  EXPECT_THAT(reading(with("{ column = \"x_position_mm\", points = [0, 500, 400, 600] }")),
+              refused("points = [ 0, 500, 400, 600 ]: must be"));
+  EXPECT_THAT(reading(with("{ column = \"x_position_mm\", points = [0, 500, 600] }")),
+              refused("must be [from, full_from, full_to, to] or [from, to], rising"));
+  EXPECT_THAT(reading(with("{ points = [0, 500] }")), refused("column is missing"));
+  EXPECT_THAT(reading(with("{ column = \"x_position\", points = [0, 500] }")),
+              refused("NAME_position_mm"));
+}
+
 TEST(CorrectionFile, SeveralDisplacementsAreAListOfTables) {
   const std::string text = "[[correction]]\ndisplacement = \"displacement_z_um\"\n" + channel_text +
                            "[[correction]]\ndisplacement = \"displacement_y_um\"\n" + channel_text;
