@@ -152,17 +152,24 @@ std::vector<int> in_parts_of_runs(const fit::Record& record, std::span<const std
   return part;
 }
 
-/// An input that moves within one part alone: without that part nothing is known of its channel.
+/// An input that moves within one part alone: without that part nothing is known of its channel. Of
+/// what a control records besides temperatures, speeds and feeds those count that the model uses.
 struct WithinPart {
   const Channel* input = nullptr;
   int part = 0;
 };
 
-std::vector<WithinPart> inputs_within_a_part(const fit::Record& record, std::span<const int> part) {
+std::vector<WithinPart> inputs_within_a_part(const Model& model, const fit::Record& record,
+                                             std::span<const int> part) {
   constexpr double nearly_all = 0.8;  // of the sum of squares of its rise
+  const std::vector<const Channel*> used = inputs_of(model);
   std::vector<WithinPart> list;
   for (const record::Column& c : record.columns) {
     if (!c.channel->is_input()) continue;
+    const bool counts =
+        record::is_temperature(*c.channel) || record::acts_by_amount(*c.channel) ||
+        std::any_of(used.begin(), used.end(), [&](const Channel* u) { return *u == *c.channel; });
+    if (!counts) continue;
     const bool from_first = record::course_of(*c.channel) == record::Course::straight;
     std::array<double, parts> squares{};
     double first = 0.0;
@@ -460,9 +467,9 @@ std::vector<fit::Blocking> CorrectionSubject::blockings(const fit::Record& recor
   if (read.size() < static_cast<std::size_t>(2 * parts)) return {};
   fit::Blocking blocking{
       .variable = "time", .block = in_parts(record.rows(), read), .blocks = parts};
-  if (record.runs.size() > 1 && !inputs_within_a_part(record, blocking.block).empty())
+  if (record.runs.size() > 1 && !inputs_within_a_part(model_, record, blocking.block).empty())
     blocking.block = in_parts_of_runs(record, read);
-  for (const WithinPart& only : inputs_within_a_part(record, blocking.block)) {
+  for (const WithinPart& only : inputs_within_a_part(model_, record, blocking.block)) {
     std::replace(blocking.block.begin(), blocking.block.end(), only.part, -1);
     blocking.untold.emplace_back(only.input->words);
   }
