@@ -194,9 +194,13 @@ class SeriesProposals {
       for (const Channel* c : correction::inputs_of(m)) want(*c);
     }
     for (const ColumnRule& rule : given.rules) std::erase(wanted_, rule.channel);
-    for (std::size_t c = 0; c < table.header.size(); ++c)
-      if (!given.find(table.header[c]))
-        if (auto column = column_of_series(table, c)) columns_.push_back(*std::move(column));
+    for (std::size_t c = 0; c < table.header.size(); ++c) {
+      if (given.find(table.header[c])) continue;
+      if (auto column = column_of_series(table, c))
+        columns_.push_back(*std::move(column));
+      else
+        take_as_recorded(c);
+    }
   }
 
   SeriesColumns proposed() {
@@ -208,6 +212,7 @@ class SeriesProposals {
     for (const SeriesKind& kind : series_kinds)
       for (const ColumnProposal& p : chosen_)
         if (kind_of(*p.channel) == &kind) in_order.push_back(p);
+    in_order.insert(in_order.end(), recorded_.begin(), recorded_.end());
     std::vector<std::string> missing;
     for (const Channel* c : wanted_)
       missing.push_back(fmt::format("# {} = \"...\"  # not found, and needed", c->name));
@@ -231,6 +236,14 @@ class SeriesProposals {
     chosen_.push_back(std::move(p));
     columns_.erase(columns_.begin() + static_cast<std::ptrdiff_t>(column));
     std::erase(wanted_, &channel);
+  }
+
+  /// A power, a load or the like, which is known by its name and unit alone.
+  void take_as_recorded(std::size_t column) {
+    const auto named = named_series_channel(table_.header[column]);
+    if (!named || !named->channel->is_input()) return;
+    recorded_.push_back({.channel = named->channel, .column = column, .has_our_name = true});
+    std::erase(wanted_, named->channel);
   }
 
   /// A header that is one of our names already.
@@ -303,7 +316,7 @@ class SeriesProposals {
   bool has_inputs_ = false;
   std::vector<const Channel*> wanted_{};
   std::vector<SeriesColumn> columns_{};  ///< not chosen yet
-  std::vector<ColumnProposal> chosen_{};
+  std::vector<ColumnProposal> chosen_{}, recorded_{};
 };
 
 }  // namespace

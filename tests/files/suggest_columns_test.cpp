@@ -138,7 +138,7 @@ TEST(SuggestColumns, OfACorrectionAreWhatItAsksForByTheWordsOfTheirNames) {
         "\nspeed_rpm = { column = \"n Spindel [1/min]\", unit = \"rpm\" }  # not asked for by the "
         "model\n",
         "\nx_feed_m_min = { column = \"Vorschub X [mm/min]\", unit = \"mm_min\" }",
-        "\ncoolant_on = \"KSS\"", "\n# not used: \"Moment [Nm]\"\n"})
+        "\ncoolant_on = \"KSS\"", "\n# \"Moment [Nm]\" has our name already\n"})
     EXPECT_THAT(map, HasSubstr(line));
   // As it stands it is a map.
   const ColumnMap columns = parse_column_map(map, "map.toml");
