@@ -300,8 +300,11 @@ void fill_inputs(Record& record, const Channels& needed, bool of_spindle) {
         std::any_of(needed.begin(), needed.end(), [&](const Channel* n) { return *n == *channel; });
     const std::size_t count = filled.far.empty() ? filled.empty.size() : filled.far.size();
     const bool may_be_needed = is_needed || (needed.empty() && filled.far.empty());
-    if (!may_be_needed &&
-        static_cast<double>(count) > most_of_others * static_cast<double>(record.rows())) {
+    // No row is lost for a power or a load that nobody asked for.
+    const bool costs_rows = !is_needed && !filled.empty.empty() &&
+                            !record::is_temperature(*channel) && !record::acts_by_amount(*channel);
+    if (costs_rows || (!may_be_needed && static_cast<double>(count) >
+                                             most_of_others * static_cast<double>(record.rows()))) {
       record.notes.push_back(record::note::unused(
           fmt::format("{} has no value for {} of {} rows: the column is left out", channel->name,
                       count, record.rows()),

@@ -386,6 +386,20 @@ TEST(SeriesFile, RowsWithoutAnInputAreLeftOutOrBreakTheRecord) {
               Contains("front_temperature_C has no value for 1 of 5 rows: the column is left out"));
 }
 
+TEST(SeriesFile, NoRowIsLostForAPowerThatNobodyAskedFor) {
+  const std::string text =
+      "time_s,front_temperature_C,drive_W,displacement_z_um\n0,20,,1\n60,20,5,1\n120,21,6,1\n";
+  const record::Channel &z = *record::series_channel("displacement_z_um"),
+                        &front = *record::series_channel("front_temperature_C"),
+                        &drive = *record::series_channel("drive_W");
+  const record::Record unasked = read_series({"r.csv", text}, {&z}, {&front});
+  EXPECT_EQ(unasked.rows(), 3u);
+  EXPECT_FALSE(unasked.has(drive));
+  EXPECT_THAT(texts(unasked.notes),
+              Contains("drive_W has no value for 1 of 3 rows: the column is left out"));
+  EXPECT_EQ(read_series({"r.csv", text}, {&z}, {&front, &drive}).rows(), 2u);
+}
+
 TEST(SeriesFile, NumbersThatMarkAMissingReadingAreNone) {
   const record::Record r = series(displacement_header +
                                   "0,100,20,1\n60,100,21,-9999\n120,100,22,9.9e37\n180,100,22,2\n");
