@@ -11,6 +11,7 @@
 #include "cli/messages.h"
 #include "cli/text_bars.h"
 #include "cli/text_table.h"
+#include "results/correction_results.h"
 
 namespace raceway::cli {
 namespace {
@@ -64,6 +65,11 @@ void print_summary(const verdict::Comparison& c) {
              error_text(c.mae, *c.channel), unit, error_text(c.max_abs, *c.channel), unit);
   if (!std::isnan(c.fit_percent))
     fmt::print("fit             {:>10} %\n", number(c.fit_percent, 3));
+  if (!c.begins.empty() && c.channel->unit == "um") {
+    const correction::Metrics m = results::metrics_of(c);
+    fmt::print("peak to peak    {:>10} {}   largest error     {:>10} % below the largest reading\n",
+               error_text(m.peak_to_peak, *c.channel), unit, number(m.reduction_of_max_percent, 3));
+  }
   fmt::print("noise of the data: {}\n", noise_text(c));
   if (!std::isnan(c.lack_of_fit.p_value))
     fmt::print("lack of fit: {} = {}, {}\n",

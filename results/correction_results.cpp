@@ -184,6 +184,15 @@ void add_axes(text::json& document, text::json axes) {
 
 }  // namespace
 
+Metrics metrics_of(const verdict::Comparison& c) {
+  std::vector<double> measured, predicted;
+  for (const verdict::RowError& e : c.errors) {
+    measured.push_back(e.measured);
+    predicted.push_back(e.predicted);
+  }
+  return correction::metrics(measured, predicted);
+}
+
 text::json metrics_object(const Metrics& m) {
   return {{"readings", m.readings},
           {"rmse_um", m.rms / um},

@@ -9,6 +9,7 @@
 #include "correction/simulation.h"
 #include "correction/trust.h"
 #include "record/record.h"
+#include "verdict/compare.h"
 
 namespace raceway::results {
 
@@ -31,6 +32,9 @@ struct Validation {
 [[nodiscard]] std::string arx_json(
     const std::string& model_file, const record::Record& record,
     const std::vector<std::pair<const record::Channel*, correction::ArxBaseline>>& found);
+
+/// The errors of a comparison by the definitions of papers.
+[[nodiscard]] correction::Metrics metrics_of(const verdict::Comparison& comparison);
 
 /// Result of a correction on a record.
 struct Corrected {

@@ -6,6 +6,7 @@
 #include "fit/dwells.h"
 #include "results/detail/correction_objects.h"
 #include "results/detail/fit_objects.h"
+#include "results/correction_results.h"
 #include "results/results.h"
 #include "text/number_text.h"
 
@@ -51,15 +52,6 @@ text::json records_of(const verdict::Comparison& c, const record::Record& record
                     {"rmse", r.rmse / c.channel->factor},
                     {"bias", r.bias / c.channel->factor}});
   return list;
-}
-
-correction::Metrics metrics_of(const verdict::Comparison& c) {
-  std::vector<double> measured, predicted;
-  for (const verdict::RowError& e : c.errors) {
-    measured.push_back(e.measured);
-    predicted.push_back(e.predicted);
-  }
-  return correction::metrics(measured, predicted);
 }
 
 /// What a comparison says of one channel.
