@@ -4,9 +4,9 @@
 
 #include "correction/metrics.h"
 #include "fit/dwells.h"
+#include "results/correction_results.h"
 #include "results/detail/correction_objects.h"
 #include "results/detail/fit_objects.h"
-#include "results/correction_results.h"
 #include "results/results.h"
 #include "text/number_text.h"
 
