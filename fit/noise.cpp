@@ -98,16 +98,16 @@ SecondDifferences second_differences(const record::Record& record,
 }
 
 /// Sum of squares of readings about their mean, or about a line through 4 or more.
-struct Scatter {
+struct StopScatter {
   double mean = 0.0, squares = 0.0;
   int degrees_of_freedom = 0;
 };
 
-Scatter scatter_of(std::span<const std::size_t> rows, std::span<const double> time,
-                   std::span<const double> read) {
+StopScatter scatter_in_stop(std::span<const std::size_t> rows, std::span<const double> time,
+                            std::span<const double> read) {
   constexpr std::size_t fewest_for_a_line = 4;
   const auto n = static_cast<double>(rows.size());
-  Scatter s{.degrees_of_freedom = static_cast<int>(rows.size()) - 1};
+  StopScatter s{.degrees_of_freedom = static_cast<int>(rows.size()) - 1};
   double middle = 0.0;
   for (const std::size_t k : rows) s.mean += read[k] / n, middle += time[k] / n;
   double across = 0.0, along = 0.0;
@@ -125,12 +125,12 @@ Scatter scatter_of(std::span<const std::size_t> rows, std::span<const double> ti
 /// Readings of one run in groups, with breaks longer than `longest` between them.
 std::vector<std::vector<std::size_t>> groups_of(const record::Record& record,
                                                 const std::vector<std::size_t>& rows,
-                                                double longest) {
+                                                double longest_step) {
   const std::span<const double> time = record.values(record::time);
   std::vector<std::vector<std::size_t>> groups;
   for (const std::size_t k : rows) {
     if (groups.empty() || record.run_of(groups.back().back()) != record.run_of(k) ||
-        time[k] - time[groups.back().back()] > longest)
+        time[k] - time[groups.back().back()] > longest_step)
       groups.emplace_back();
     groups.back().push_back(k);
   }
@@ -158,7 +158,7 @@ Repeatability repeatability(const record::Record& record, const record::Channel&
   std::size_t repeated = 0, gathered = 0;
   for (const std::vector<std::size_t>& group : groups_of(record, rows, within)) {
     if (group.size() > most_in_a_stop) return {};
-    const Scatter s = scatter_of(group, time, read);
+    const StopScatter s = scatter_in_stop(group, time, read);
     found.stops.push_back(
         {.time = time[group.front()],
          .readings = static_cast<int>(group.size()),

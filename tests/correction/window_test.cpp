@@ -38,7 +38,7 @@ Model with_window(const std::optional<Window>& window) {
   return m;
 }
 
-std::vector<double> simulated(const Model& model, const MadeRecord& made) {
+std::vector<double> displacement_of(const Model& model, const MadeRecord& made) {
   std::vector<double> y(made.time.size());
   simulate(model, Series(made.record), y);
   return y;
@@ -68,8 +68,8 @@ TEST(Window, IsZeroOutsideOneInsideAndStraightBetween) {
 TEST(Window, OfTheDisplacementShowsTheWarmBodyWhereTheAxisStands) {
   const MadeRecord made = of_screw();
   const Window w = at_x({0, 500, endless_mm, endless_mm});
-  const std::vector<double> all = simulated(with_window({}), made),
-                            y = simulated(with_window(w), made);
+  const std::vector<double> all = displacement_of(with_window({}), made),
+                            y = displacement_of(with_window(w), made);
   const auto x = made.record.values(*w.column);
   for (std::size_t k = 0; k < y.size(); ++k) EXPECT_NEAR(y[k], all[k] * x[k] / 0.5, 1e-15) << k;
 }
@@ -77,11 +77,11 @@ TEST(Window, OfTheDisplacementShowsTheWarmBodyWhereTheAxisStands) {
 TEST(Window, OfTheInputWarmsTheBodyWhileTheAxisIsThere) {
   MadeRecord made = of_screw();
   const Window w = at_x({300, 300, 500, 500}, true);
-  const std::vector<double> y = simulated(with_window(w), made);
+  const std::vector<double> y = displacement_of(with_window(w), made);
   made.with("x_drive_W", [](double t) {
     return 250.0 + 250.0 * std::sin(t / 700.0) >= 300.0 ? (t < 18000 ? 300.0 : 40.0) : 0.0;
   });
-  const std::vector<double> product = simulated(with_window({}), made);
+  const std::vector<double> product = displacement_of(with_window({}), made);
   EXPECT_EQ(y, product);
   EXPECT_GT(*std::max_element(y.begin(), y.end()), 5e-6);
 }
