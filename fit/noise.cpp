@@ -122,7 +122,7 @@ StopScatter scatter_in_stop(std::span<const std::size_t> rows, std::span<const d
   return s;
 }
 
-/// Readings of one run in groups, with breaks longer than `longest` between them.
+/// Readings of one run in groups, with breaks longer than `longest_step` between them.
 std::vector<std::vector<std::size_t>> groups_of(const record::Record& record,
                                                 const std::vector<std::size_t>& rows,
                                                 double longest_step) {
