@@ -53,7 +53,8 @@ struct ArxFit {
   bool stable = false;
   /// The channels as transfer functions, one for each input, all with one denominator.
   std::vector<DrivenChannel> channels{};
-  double offset = 0.0;  ///< mean of the readings less the simulation [m]
+  double offset =
+      0.0;  ///< what the constant of the equation settles at, above the first reading [m]
 };
 
 struct ArxBaseline {

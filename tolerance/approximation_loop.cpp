@@ -352,15 +352,25 @@ class Inquiry {
     return set;
   }
 
-  /// Price of having tried many columns: one of them is an explanation where -2 ln L, of as many
-  /// independent readings as half hours, falls by more than ln N + 2 ln m against what explains
-  /// without it.
+  /// Independent stretches of the residual: what wanders for an hour says as much as one reading.
+  [[nodiscard]] double independent_stretches() const {
+    const double correlation = result_.channels.front().baseline.correlation_time;
+    const double length =
+        std::isfinite(correlation) ? std::max(half_an_hour, 2.0 * correlation) : half_an_hour;
+    return std::max(2.0, recorded_.duration / length);
+  }
+
+  /// Price of having tried many columns: one of them is an explanation where -2 ln L, of N
+  /// independent stretches, falls by more than k ln N + 2 ln m against what explains without it: k
+  /// numbers, m columns.
   [[nodiscard]] bool is_worth_its_column(const Tried& t, double error_without) const {
-    const auto columns = std::count_if(candidates_.begin(), candidates_.end(),
-                                       [](const fit::Candidate& c) { return c.by_column; });
-    const double half_hours = std::max(2.0, recorded_.duration / half_an_hour);
-    const double fall = 2.0 * half_hours * std::log(error_without / t.error());
-    return fall > std::log(half_hours) + 2.0 * std::log(static_cast<double>(columns));
+    double columns = 0.0, numbers = 0.0;
+    for (const fit::Candidate& c : candidates_) columns += c.by_column ? 1.0 : 0.0;
+    for (const fit::Candidate* c : t.on)
+      if (c->by_column) numbers += static_cast<double>(c->parameters.size());
+    const double stretches = independent_stretches();
+    return 2.0 * stretches * std::log(error_without / t.error()) >
+           numbers * std::log(stretches) + 2.0 * std::log(columns);
   }
 
   /// All of a list in its order that are worth their price, or those alone that a mechanism stands
