@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "record/series_channel.h"
 #include "record/spindle_channel.h"
 #include "text/csv_form.h"
 #include "text/error.h"
@@ -132,13 +133,19 @@ std::optional<NamedChannel> named_column(std::string_view name, bool over_time, 
   return over_time ? named_series_channel(name) : named_channel(name, file_channels());
 }
 
+/// A power, a load or the like of any name: without that unit it may be anything.
+bool is_known_by_its_unit(const Channel& channel) {
+  return channel.role == record::Role::recorded && !record::is_temperature(channel);
+}
+
 /// The channel of a name that ends in a unit in brackets which is not known: "axial load [lbz]".
 const Channel* channel_without_unit(std::string_view header, bool over_time, bool of_spindle) {
   if (text::states_no_unit(text::in_brackets(header))) return nullptr;
   const std::string_view name = text::header_parts(header).name;
   for (const text::Unit& unit : text::units())
     if (const auto named =
-            named_column(fmt::format("{} [{}]", name, unit.suffix), over_time, of_spindle))
+            named_column(fmt::format("{} [{}]", name, unit.suffix), over_time, of_spindle);
+        named && !is_known_by_its_unit(*named->channel))
       return named->channel;
   return nullptr;
 }
