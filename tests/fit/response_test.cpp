@@ -49,6 +49,21 @@ TEST(FitResponse, TriesOtherStartsUntilTheBestIsReachedTwice) {
   EXPECT_LT(fit.misfit, 1e-3);
 }
 
+TEST(CoarseFit, ComesAsNearAsItSaysWithoutTheLastSteps) {
+  const Response response =
+      decay(parameter("b", 1.0, -10.0, 10.0, 1.0), parameter("t", 4.0, 0.5, 100.0, 10.0));
+  Eigen::VectorXd measured = response.readings(Eigen::Vector3d(2.0, 3.0, 12.0));
+  for (Eigen::Index i = 0; i < measured.size(); ++i) measured[i] += i % 2 == 0 ? 0.01 : -0.01;
+  const Eigen::VectorXd start = response.start();
+  const ResponseFit whole = fit_response(response, unit_noise(), measured, {start, 1.25 * start});
+  const ResponseFit coarse = coarse_fit(response, unit_noise(), measured, start);
+  ASSERT_TRUE(whole.converged && coarse.converged);
+  EXPECT_GE(coarse.misfit, whole.misfit - 1e-6);
+  EXPECT_LT(coarse.misfit, whole.misfit + 0.1);
+  EXPECT_LT(coarse.iterations, whole.iterations);
+  EXPECT_TRUE(coarse.standard_errors.isApprox(whole.standard_errors, 0.05));
+}
+
 /// Beyond x = 1 there is no balance: a search that runs into it has found no minimum.
 TEST(FitResponse, AWallWithoutBalanceIsNoMinimum) {
   Response response;

@@ -209,6 +209,10 @@ TEST(Traction, SideBySideIsThatOfThePlainVersion) {
                                : rolling_traction(TractionField<FilmShear, 12, 16>(e, shear));
     ASSERT_TRUE(fast.converged && plain.converged) << i;
     ASSERT_NEAR(fast.power, plain.power, 1e-6 * plain.power) << i;
+    double centre = between(0.01, 0.9);
+    const Traction from_elsewhere = film_traction(e, shear, centre);
+    ASSERT_TRUE(from_elsewhere.converged) << i;
+    ASSERT_NEAR(from_elsewhere.power, plain.power, 1e-6 * plain.power) << i;
     ASSERT_NEAR(fast.spin_moment, plain.spin_moment, 1e-4 * plain.mean_friction * e.load * 6e-4);
     ASSERT_NEAR(fast.mean_slip, plain.mean_slip, 1e-4 * plain.mean_slip) << i;
     // |τ| turns within the small speed of asperities, which is below the 1e-6 of v_x0.
