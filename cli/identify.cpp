@@ -166,7 +166,7 @@ Run setup_identify(CLI::App& command) {
   command
       .add_option("--baseline", flags->choices.baseline,
                   "instead of sections: regression, on the inputs as they are; arx, transfer\n"
-                  "functions by least squares of one step, shown beside their simulation")
+                  "functions by least squares of one step, shown next to their simulation")
       ->check(CLI::IsMember({"regression", "arx"}))
       ->excludes("--lags")
       ->type_name("WHICH");

@@ -257,8 +257,8 @@ class Planner {
     const correction::TransferFunction f = correction::direct_form(*c.printed, c.input.factor());
     if (const double other = sampling_of(plan_); !std::isnan(other) && other != f.sampling)
       throw refused(
-          fmt::format("its polynomials are for calls every {:g} s, and those of another channel "
-                      "for every {:g} s: export each displacement to a file of its own",
+          fmt::format("its polynomials are for calls every {:g} s, and another channel has "
+                      "polynomials for every {:g} s: export each displacement to a file of its own",
                       f.sampling, other));
     note(
         fmt::format("channel {}: runs as a difference equation, because {}. It needs a call every "

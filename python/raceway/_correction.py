@@ -142,7 +142,7 @@ class Correction(LoopModel):
             length of the record), gains by ridge, for machines with many sensors.
         baseline : {"regression", "arx"}, optional
             Instead of sections: regression on the inputs as they are; ARX, transfer functions by
-            least squares of one step, shown beside their simulation.
+            least squares of one step, shown next to their simulation.
         validate : Record, optional
             Another record, to judge what was found by.
         from_s, until_s : float, optional

@@ -315,7 +315,7 @@ TEST(ControlPlan, RefusesEquationsThatNeverDecayOrHaveTwoSamplings) {
               HasSubstr("channel a: no control can run its polynomials: pole on or outside the "
                         "unit circle"));
   EXPECT_THAT(refused(model("z", 1, "[1, 0.5]") + model("y", 2, "[1, 0.5]")),
-              HasSubstr("for calls every 2 s, and those of another channel for every 1 s"));
+              HasSubstr("for calls every 2 s, and another channel has polynomials for every 1 s"));
   EXPECT_EQ(refused(model("z", 2, "[1, 0.5]") + model("y", 2, "[1, 0.5]")), "taken");
 }
 
