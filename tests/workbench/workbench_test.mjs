@@ -25,7 +25,7 @@ before(async () => {
 after(() => server?.close());
 
 const idle = (page) => page.waitForFunction(() => document.documentElement.dataset.idle === 'yes');
-const sentence = (page) => page.textContent('#sentence');
+const sentence = async (page) => (await page.textContent('#sentence')).replaceAll('\u00a0', ' ');
 const errors = (page) => page.$$eval('.callout.error', (all) => all.map((e) => e.textContent));
 const bars = (page) => page.$$eval('#error-bars .bar-now', (all) => all.map((bar) => Number.parseFloat(bar.style.width)));
 

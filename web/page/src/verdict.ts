@@ -11,7 +11,8 @@ export const printed = (text: string): string =>
     .replace(/ -> /g, ' → ')
     .replace(/\+- /g, '± ')
     .replace(/\bum\b/g, 'µm')
-    .replace(/ C\b(?= |\.|,|$|\))/g, ' °C');
+    .replace(/(\d) (?=\d{3}\b|N mm|rpm|µm|N\b|K\b|C\b)/g, '$1\u00a0')
+    .replace(/[ \u00a0]C\b(?= |\.|,|;|$|\))/g, '\u00a0°C');
 
 interface Errors {
   before: number;
