@@ -110,7 +110,7 @@ int run_steady(const SpindleFlags& f, const files::ModelFile& file) {
               fmt::format(", {} speed{}", count, count == 1 ? "" : "s"));
   if (found.states.back().report.converged()) put_ends(f, found, found.end);
   if (f.json)
-    put_document(found.json());
+    put_document(found.json(f.assumptions));
   else if (f.output != "-")
     print_steady(found);
   f.report.write([&] { return found.page(); }, f.force);
@@ -133,7 +133,7 @@ int run_profile(const SpindleFlags& f, const files::ModelFile& file) {
               fmt::format(", {} rows", found.run.moments.size()));
   put_ends(f, found, found.run.end);
   if (f.json)
-    put_document(found.json());
+    put_document(found.json(f.assumptions));
   else if (f.output != "-")
     print_run(found);
   f.report.write([&] { return found.page(); }, f.force);

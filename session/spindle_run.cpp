@@ -130,8 +130,9 @@ std::vector<record::Note> SpindleRun::warnings() const {
   return notes;
 }
 
-std::string SpindleRun::json() const {
-  return results::spindle_run_json(file.model, profile, run, mesh, findings, assumptions);
+std::string SpindleRun::json(bool with_assumptions) const {
+  return results::spindle_run_json(file.model, profile, run, mesh, findings,
+                                   with_assumptions ? assumptions : results::Assumptions{});
 }
 
 std::string SpindleRun::csv() const {

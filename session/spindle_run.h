@@ -47,7 +47,7 @@ struct SpindleRun {
   [[nodiscard]] std::vector<std::string> notes() const { return model::notes_of(findings); }
   /// Place and reason of an early end, and limits that it passes.
   [[nodiscard]] std::vector<record::Note> warnings() const;
-  [[nodiscard]] std::string json() const;
+  [[nodiscard]] std::string json(bool with_assumptions = true) const;
   [[nodiscard]] std::string csv() const;
   [[nodiscard]] std::string page() const;
   [[nodiscard]] std::string end_state() const;

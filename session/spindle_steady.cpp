@@ -228,8 +228,9 @@ std::vector<record::Note> SteadySpindle::warnings() const {
   return notes;
 }
 
-std::string SteadySpindle::json() const {
-  return results::spindle_steady_json(file.model, states, mesh, findings, assumptions);
+std::string SteadySpindle::json(bool with_assumptions) const {
+  return results::spindle_steady_json(file.model, states, mesh, findings,
+                                      with_assumptions ? assumptions : results::Assumptions{});
 }
 
 std::string SteadySpindle::csv() const {

@@ -53,7 +53,7 @@ struct SteadySpindle {
   [[nodiscard]] std::vector<std::string> notes() const;
   /// The speeds that have no steady state, and why, and limits that the others pass.
   [[nodiscard]] std::vector<record::Note> warnings() const;
-  [[nodiscard]] std::string json() const;
+  [[nodiscard]] std::string json(bool with_assumptions = true) const;
   [[nodiscard]] std::string csv() const;
   [[nodiscard]] std::string page() const;
   [[nodiscard]] std::string end_state() const;

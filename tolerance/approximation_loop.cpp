@@ -361,16 +361,17 @@ class Inquiry {
   }
 
   /// Price of having tried many columns: one of them is an explanation where -2 ln L, of N
-  /// independent stretches, falls by more than k ln N + 2 ln m against what explains without it: k
-  /// numbers, m columns.
+  /// independent stretches of which its k numbers take as many, falls so far against what explains
+  /// without it that one of m columns that have nothing to do with it does as well in 1 % of such
+  /// records: m exp(-x/2) = 0.01, by chi squared of two degrees.
   [[nodiscard]] bool is_worth_its_column(const Tried& t, double error_without) const {
+    constexpr double by_chance = 0.01;
     double columns = 0.0, numbers = 0.0;
     for (const fit::Candidate& c : candidates_) columns += c.by_column ? 1.0 : 0.0;
     for (const fit::Candidate* c : t.on)
       if (c->by_column) numbers += static_cast<double>(c->parameters.size());
-    const double stretches = independent_stretches();
-    return 2.0 * stretches * std::log(error_without / t.error()) >
-           numbers * std::log(stretches) + 2.0 * std::log(columns);
+    return (independent_stretches() - numbers) * std::log(error_without / t.error()) >
+           std::log(columns / by_chance);
   }
 
   /// All of a list in its order that are worth their price, or those alone that a mechanism stands

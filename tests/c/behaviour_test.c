@@ -44,7 +44,7 @@ static void wrong_texts_are_refused_in_the_words_of_the_command(void) {
 static void what_reading_said_can_be_asked_for(void) {
   raceway_model* model = model_of(rig_text);
   CHECK_TEXT(raceway_messages(model), said_by_the_command("my.toml", rig_text, 0));
-  CHECK(strstr(raceway_messages(model), "defaults: raceway check my.toml lists them") != NULL);
+  CHECK(strstr(raceway_messages(model), "; raceway check my.toml lists ") != NULL);
   raceway_free(model);
   /* Without effects the law takes no account of the balls. */
   char text[2000];

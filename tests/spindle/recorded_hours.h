@@ -29,6 +29,7 @@ inline record::Record recorded(const model::Model& model) {
     for (std::size_t s = 0; s < read.size(); ++s) read[s].push_back(run.moments[k].sensors[s]);
   }
   record::Record record;
+  record.settings_hold = record::SettingsHold::until_row;
   record.set(record::time, time);
   record.set(record::speed, speeds);
   record.set(*record::spindle_channel("ambient_temperature_C"), ambient);
