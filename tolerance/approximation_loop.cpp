@@ -360,18 +360,16 @@ class Inquiry {
     return std::max(2.0, recorded_.duration / length);
   }
 
-  /// Price of having tried many columns: one of them is an explanation where -2 ln L, of N
-  /// independent stretches of which its k numbers take as many, falls so far against what explains
-  /// without it that one of m columns that have nothing to do with it does as well in 1 % of such
-  /// records: m exp(-x/2) = 0.01, by chi squared of two degrees.
+  /// Price of having tried many columns: one of them is an explanation where -2 ln L, of
+  /// independent stretches, falls so far against what explains without it that one of m columns
+  /// that have nothing to do with it does as well in 1 % of such records: m exp(-x/2) = 0.01, by
+  /// chi squared of two degrees, gain and time constant.
   [[nodiscard]] bool is_worth_its_column(const Tried& t, double error_without) const {
     constexpr double by_chance = 0.01;
-    double columns = 0.0, numbers = 0.0;
-    for (const fit::Candidate& c : candidates_) columns += c.by_column ? 1.0 : 0.0;
-    for (const fit::Candidate* c : t.on)
-      if (c->by_column) numbers += static_cast<double>(c->parameters.size());
-    return (independent_stretches() - numbers) * std::log(error_without / t.error()) >
-           std::log(columns / by_chance);
+    const auto columns = std::count_if(candidates_.begin(), candidates_.end(),
+                                       [](const fit::Candidate& c) { return c.by_column; });
+    return independent_stretches() * std::log(error_without / t.error()) >
+           std::log(static_cast<double>(columns) / by_chance);
   }
 
   /// All of a list in its order that are worth their price, or those alone that a mechanism stands
