@@ -19,7 +19,6 @@ export function workerScript(engine, packages) {
     .buildSync({
       entryPoints: [join(here, 'engine/worker.mjs')],
       alias: { 'raceway.mjs': join(engine, 'raceway.mjs') },
-      external: ['fs', 'path', 'module', 'crypto'], // of Node, which the factory asks for nowhere else
       bundle: true,
       minify: true,
       write: false,

@@ -13,6 +13,8 @@ import { nativeEngine } from './native.mjs';
 const root = join(dirname(fileURLToPath(import.meta.url)), '../..');
 const folder = resolve(process.env.ENGINE ?? join(root, 'build/wasm'));
 const program = resolve(process.env.RACEWAY ?? join(root, 'build/release/raceway'));
+// The factory is made for a worker.
+globalThis.self ??= { location: new URL('blob:') };
 const { default: factory } = await import(pathToFileURL(join(folder, 'raceway.mjs')));
 const ask = engine(factory, await WebAssembly.compile(readFileSync(join(folder, 'raceway.wasm'))));
 const askProgram = nativeEngine(program);
