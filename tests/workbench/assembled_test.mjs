@@ -1,0 +1,86 @@
+// The workbench as people open it: one file with the WebAssembly inside, from the disk, in Chromium.
+//   node --test tests/workbench/assembled_test.mjs
+// Environment: that of tests/report/pages.mjs, and WORKBENCH, the file (cmake --build --preset wasm).
+import assert from 'node:assert/strict';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { file, raceway, ROOT, visit } from '../report/pages.mjs';
+
+const rigs = join(ROOT, 'tests/hidden_effect/rigs');
+const address = pathToFileURL(process.env.WORKBENCH).href;
+const idle = (page) => page.waitForFunction(() => document.documentElement.dataset.idle === 'yes', undefined, { timeout: 60000 });
+const sentence = async (page) => (await page.textContent('#sentence')).replaceAll('\u00a0', ' ');
+const errors = (page) => page.$$eval('.callout.error', (all) => all.map((e) => e.textContent));
+const bars = (page) => page.$$eval('#error-bars .bar-now', (all) => all.map((bar) => Number.parseFloat(bar.style.width)));
+const headline = (...words) => JSON.parse(raceway('diagnose', ...words, '--json')).headline.replace('->', '→');
+
+async function open() {
+  const opened = await visit(address);
+  await idle(opened.page);
+  return opened;
+}
+
+test('the verdict of the built-in rig is that of the program; an effect is added and the error falls', async () => {
+  const { page, faults, close } = await open();
+  assert.equal(await sentence(page), headline(join(rigs, 'dev-03/model.toml'), join(rigs, 'dev-03/train.csv')));
+  const before = await bars(page);
+  await page.click('#add-0');
+  await idle(page);
+  const after = await bars(page);
+  assert.equal(after.length, 2);
+  after.forEach((width, k) => assert.ok(width < 0.4 * before[k], `${before[k]} -> ${width}`));
+  assert.match(await sentence(page), /^With lubricant drag: nothing is missing/);
+  assert.match(await page.textContent('[id="candidate-law:contact"]'), /\d/);
+  assert.deepEqual(await errors(page), []);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('a file is dropped, a bearing named: the model and verdict are those of the program; a wrong file gets its words', async () => {
+  const { page, faults, close } = await open();
+  const drop = async (files) => {
+    await page.setInputFiles('#file', files);
+    await idle(page);
+  };
+  await drop({ name: 'wrong.csv', mimeType: 'text/csv', buffer: Buffer.from('speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n1000,500,30,12\n2000,500,30,x\n') });
+  assert.match((await errors(page))[0], /wrong\.csv:3: /);
+  await drop(join(rigs, 'dev-05/train.csv'));
+  await page.click('#next');
+  await page.fill('#designation', '7014 AC');
+  await page.fill('#oil', 'VG 32');
+  await page.keyboard.press('Enter');
+  await idle(page);
+  assert.deepEqual(await errors(page), []);
+  const said = await sentence(page);
+  await page.click('#step-home');
+  const folder = file('assembled');
+  mkdirSync(folder);
+  for (const id of ['model', 'columns']) {
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click(`#save-${id}`)]);
+    writeFileSync(join(folder, download.suggestedFilename()), readFileSync(await download.path()));
+  }
+  assert.equal(said, headline(join(folder, 'model.toml'), join(rigs, 'dev-05/train.csv'), '--columns', join(folder, 'columns.toml')));
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('a question is stopped, and the next one is answered by a new worker', async () => {
+  const { page, faults, close } = await open();
+  const before = await sentence(page);
+  const waits = page.waitForSelector('#stop', { state: 'visible' });
+  await page.click('#candidate-lubricant-drag');
+  await waits;
+  await page.keyboard.press('Escape');
+  await idle(page);
+  assert.match(await page.textContent('body'), /Stopped/);
+  await page.click('#candidate-lubricant-drag');
+  await idle(page);
+  assert.equal(await sentence(page), before);
+  await page.click('#candidate-lubricant-drag');
+  await idle(page);
+  assert.match(await sentence(page), /^With lubricant drag/);
+  assert.deepEqual(faults, []);
+  await close();
+});
