@@ -22,8 +22,14 @@ async function open() {
   return opened;
 }
 
-test('the verdict of the built-in rig is that of the program; an effect is added and the error falls', async () => {
-  const { page, faults, close } = await open();
+test('the verdict of the built-in rig is that of the program; an effect is added and the error falls', async (t) => {
+  const since = performance.now();
+  const { page, faults, close } = await visit(address);
+  await page.waitForFunction(() => /is missing/.test(document.getElementById('sentence')?.textContent));
+  const verdict = performance.now() - since;
+  await idle(page);
+  const drawn = await page.evaluate(() => performance.getEntriesByName('first-contentful-paint')[0].startTime);
+  t.diagnostic(`opened: first picture ${drawn.toFixed(0)} ms, verdict ${verdict.toFixed(0)} ms, all laws ${(performance.now() - since).toFixed(0)} ms`);
   assert.equal(await sentence(page), headline(join(rigs, 'dev-03/model.toml'), join(rigs, 'dev-03/train.csv')));
   const before = await bars(page);
   await page.click('#add-0');

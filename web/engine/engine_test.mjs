@@ -6,17 +6,15 @@ import assert from 'node:assert/strict';
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { test } from 'node:test';
-import { fileURLToPath, pathToFileURL } from 'node:url';
-import { engine, progressOf } from './engine.mjs';
+import { fileURLToPath } from 'node:url';
+import { progressOf } from './engine.mjs';
 import { nativeEngine } from './native.mjs';
+import { engineOf } from './node.mjs';
 
 const root = join(dirname(fileURLToPath(import.meta.url)), '../..');
 const folder = resolve(process.env.ENGINE ?? join(root, 'build/wasm'));
 const program = resolve(process.env.RACEWAY ?? join(root, 'build/release/raceway'));
-// The factory is made for a worker.
-globalThis.self ??= { location: new URL('blob:') };
-const { default: factory } = await import(pathToFileURL(join(folder, 'raceway.mjs')));
-const ask = engine(factory, await WebAssembly.compile(readFileSync(join(folder, 'raceway.wasm'))));
+const ask = await engineOf(folder);
 const askProgram = nativeEngine(program);
 
 const text = (path) => readFileSync(join(root, path), 'utf8');
