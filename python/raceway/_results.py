@@ -111,7 +111,8 @@ class Solution(Mapping[str, numpy.ndarray]):
         def shown(values: numpy.ndarray) -> str:
             if values.size == 1:
                 return f"{values.item():.5g}"
-            ends = values.ravel() if values.size <= 6 else [*values.ravel()[:3], None, *values.ravel()[-2:]]
+            flat = values.ravel().tolist()
+            ends = flat if len(flat) <= 6 else [*flat[:3], None, *flat[-2:]]
             return "  ".join("..." if v is None else f"{v:.5g}" for v in ends)
 
         given = {name: numpy.broadcast_to(values, self._status.shape) for name, values in self._given.items()}

@@ -402,8 +402,7 @@ TEST(LoggerExports, ColumnsThatNoModelHasAreKeptAndSharesAreInputs) {
   const std::string rows = more.folder.file("rows.csv");
   const Result checked = run("check " + record_model + " " + more.file + " -o " + rows);
   ASSERT_EQ(checked.status, 0) << checked.err;
-  EXPECT_THAT(checked.err,
-              HasSubstr("columns kept, but used by no model: X axis [mm]\n"));
+  EXPECT_THAT(checked.err, HasSubstr("columns kept, but used by no model: X axis [mm]\n"));
   EXPECT_THAT(checked.err, HasSubstr("column operator is unknown and ignored"));
   EXPECT_THAT(checked.out, testing::ContainsRegex("X axis .mm. +0 +49"));
   EXPECT_THAT(file_text(rows), HasSubstr("X axis [mm]\n"));
