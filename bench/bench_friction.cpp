@@ -127,7 +127,7 @@ BENCHMARK_CAPTURE(table_of_a_million, two, 2)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
-/// The same points with the contact law, without the file.
+/// A million points of the contact law, without writing the file.
 void contact_table_of_a_million(benchmark::State& state) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 2);
   const model::Model model = model::with_law(spindle_model(false), friction::FrictionLaw::contact);

@@ -42,7 +42,7 @@ std::optional<spindle::Unbalance> unbalance_of(const ModesFlags& f) {
                             .damping_ratio = f.damping};
 }
 
-/// Where an excitation meets a mode, a line each.
+/// Prints one line for each speed at which an excitation meets a mode.
 void print_crossings(const std::vector<results::ModesAtSpeed>& speeds) {
   TextTable table(
       {{"excitation", "", true}, {"mode", "", true}, {"speed", "rpm"}, {"frequency", "Hz"}});

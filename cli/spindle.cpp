@@ -32,7 +32,7 @@ struct SpindleFlags {
   CsvStyle csv;
   ReportFlag report;
 
-  /// Whether the assumptions that matter most are wanted; they take some fifty steady states.
+  /// True if the assumptions that matter most are printed; they take some fifty steady states.
   [[nodiscard]] bool tells_assumptions() const {
     return assumptions || (!json && output != "-") || !report.path.empty();
   }

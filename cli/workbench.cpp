@@ -33,7 +33,7 @@ json named(const std::string& file) {
           {"text", utf8(file)}};
 }
 
-/// What the page opens with, as it stands inside a <script>: no tag can end it.
+/// JSON that the page opens with, for the inside of a <script>: no tag in it can end the element.
 std::string loaded(const WorkbenchFlags& flags) {
   json all = {{"data", json::array()}};
   for (const std::string& file : flags.files) {

@@ -183,7 +183,7 @@ std::vector<DrivenChannel> transfer_functions(const Eigen::VectorXd& numbers, in
   return channels;
 }
 
-/// What the constant of the equation comes to in the end [um]: the zero of the readings.
+/// Steady-state response to the constant of the equation [um]: the zero of the readings.
 double settled_constant(const Even& even, const Row& row, const Eigen::VectorXd& numbers) {
   double left = 1.0;
   const auto inputs = static_cast<Eigen::Index>(even.inputs.size());

@@ -68,8 +68,8 @@ class CorrectionPredictor : public fit::Predictor {
     }
   }
 
-  /// What the readings are made of is kept under the numbers that it was made of: a parameter bends
-  /// what is another object after it has moved.
+  /// Columns are cached by their parameters. A parameter bends a column if moving it gives another
+  /// object.
   [[nodiscard]] bool bends(std::size_t parameter, std::size_t of) override {
     if (bends_.empty()) find_bends();
     return bends_.at(parameter).at(of == none ? places_.size() : of);
@@ -94,7 +94,7 @@ class CorrectionPredictor : public fit::Predictor {
     return terms;
   }
 
-  /// Where parameters begin, a little inwards: at a bound an effect may change nothing.
+  /// Starts a little inside the bounds of the parameters: at a bound an effect may change nothing.
   void find_bends() {
     std::vector<double> by;
     for (std::size_t k = 0; k < places_.size(); ++k) {

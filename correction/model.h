@@ -29,8 +29,8 @@ class OwnEffect;
 struct Window {
   const Channel* column = nullptr;  ///< the position
   std::array<double, 4> points{};   ///< rising, SI; infinite where it has no edge
-  /// Of what drives the channel, before its lags: heat that arises there. Otherwise of the
-  /// displacement: a body that is felt there.
+  /// True: the window scales the input, before the lags, as for heat that arises in it. False: it
+  /// scales the displacement, as for a body that moves the tool only there.
   bool of_input = false;
 
   [[nodiscard]] double operator()(double position) const;

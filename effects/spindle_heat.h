@@ -98,9 +98,8 @@ inline constexpr SpindleHeatCard<4> front_bearing_heat{
     .id = "front-bearing-heat",
     .title = "heat at the front bearings that their law of friction lacks",
     .mechanism =
-        "Seals, grease or a load that the model does not know warm both rings of the front set: "
-        "its "
-        "rings are hot first, those of the rear bearing are as predicted.",
+        "Seals, grease or a load that the model does not know warm both rings of the front set. "
+        "They are hot first; those of the rear bearing are as predicted.",
     .source = "constant moment",
     .confused_with = {"seal-heat", "f0", "lubricant-drag", "preload_N"},
     .size = {.name = "heat_at_10000_rpm_W",

@@ -65,7 +65,7 @@ double change(const Assumption& a, double displacement) {
   return std::max(std::abs(a.low - displacement), std::abs(a.high - displacement));
 }
 
-/// Hears nothing: what there is to say of the model has been said with its answer.
+/// Drops all messages: they were printed with the answer.
 struct Silent final : Messages {
   void hear(const record::Note&) override {}
 };

@@ -1,38 +1,11 @@
 // Serves the page of the workbench with the program of this machine as its engine, for development and tests.
 //   RACEWAY=build/release/raceway node web/page/dev_server.mjs [PORT] [FOLDER_OF_NODE_MODULES]
 // Listens on the loopback alone, and answers POST /ask: a question runs the program in a temporary folder.
-import { spawn } from 'node:child_process';
-import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
-import { tmpdir } from 'node:os';
-import { join, resolve } from 'node:path';
+import { resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { nativeEngine } from '../engine/native.mjs';
 import { workbench } from './bundle.mjs';
-
-/// Runs the program on a question, {arguments, files}; `child` hears of the process.
-export function answer(program, question, child = () => {}) {
-  const folder = mkdtempSync(join(tmpdir(), 'raceway-workbench-'));
-  for (const [name, text] of Object.entries(question.files)) {
-    if (!/^[^/\0]+$/.test(name) || name === '..' || name === '.') throw new Error(`no file name: ${name}`);
-    writeFileSync(join(folder, name), text);
-  }
-  return new Promise((done, fail) => {
-    const process = spawn(program, question.arguments, { cwd: folder, stdio: ['ignore', 'pipe', 'pipe'] });
-    child(process);
-    const texts = { stdout: '', stderr: '' };
-    for (const stream of ['stdout', 'stderr']) process[stream].setEncoding('utf8').on('data', (text) => (texts[stream] += text));
-    process.on('error', fail);
-    process.on('close', (status) => {
-      const files = {};
-      for (const name of readdirSync(folder)) {
-        const text = readFileSync(join(folder, name), 'utf8');
-        if (text !== question.files[name]) files[name] = text;
-      }
-      rmSync(folder, { recursive: true, force: true });
-      done({ status, out: texts.stdout, err: texts.stderr, files });
-    });
-  });
-}
 
 /// Key of a question among recorded answers.
 export const recordKey = (question) => JSON.stringify([question.arguments, question.files]);
@@ -50,7 +23,7 @@ export function serve(program, page, port = 0, recorded = undefined) {
       try {
         const question = JSON.parse(body);
         const key = recordKey(question);
-        const answered = recorded?.get(key) ?? (await answer(program, question, (child) => response.on('close', () => child.kill())));
+        const answered = recorded?.get(key) ?? (await nativeEngine(program)(question, { child: (process) => response.on('close', () => process.kill()) }));
         recorded?.set(key, answered);
         reply(200, 'application/json', JSON.stringify(answered));
       } catch (error) {
