@@ -14,6 +14,7 @@ import sys
 from pathlib import Path
 
 import docs_cpp
+import docs_json
 
 ROOT = Path(__file__).resolve().parent.parent
 WORK = ROOT / "build/docs"
@@ -282,6 +283,14 @@ def key_pages():
     write("reference/keys/index.md", text)
 
 
+def document_page():
+    """The documents of --json and the codes of notes."""
+    text, codes = docs_json.page(ROOT, PROGRAM, for_table)
+    write("reference/documents.md", text)
+    for code_of_note in codes:
+        expect(code_of_note, "reference/documents", "code of a note")
+
+
 LAWS = {
     "palmgren": ["friction/palmgren.h"],
     "skf": ["friction/skf.h"],
@@ -457,6 +466,7 @@ def main():
     command_pages()
     effect_pages()
     key_pages()
+    document_page()
     law_page()
     python_pages()
     cpp_pages()

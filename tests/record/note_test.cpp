@@ -2,11 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <set>
-#include <sstream>
-
-#include "tests/places.h"
+#include <string_view>
 
 namespace raceway::record {
 namespace {
@@ -18,17 +15,11 @@ TEST(Note, HasTheKindOfItsCodeAndItsPlace) {
   EXPECT_EQ(said.place.text(), "a.csv:3");
 }
 
-TEST(Note, EachCodeIsListedOnceInThePagesToo) {
-  std::ifstream page(tests::source_dir() + "/docs/files.md");
-  std::stringstream text;
-  text << page.rdbuf();
+TEST(Note, EachCodeHasANameOfItsOwnAndAMeaning) {
   std::set<std::string_view> names;
   for (const NoteCode* code : note_codes()) {
     EXPECT_TRUE(names.insert(code->name).second) << code->name;
-    const std::string row = "| `" + std::string(code->name) + "` | " +
-                            std::string(name(code->kind)) + " | " + std::string(code->meaning) +
-                            " |\n";
-    EXPECT_NE(text.str().find(row), std::string::npos) << row;
+    EXPECT_FALSE(code->meaning.empty()) << code->name;
   }
 }
 
