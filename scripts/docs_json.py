@@ -37,7 +37,12 @@ DOCUMENTS = {
         "solve fitted.toml --speed 10000 --axial-load 600 --band",
     ],
     "solve, cylindrical rollers": ["solve data/examples/n1012.toml --speed 6000 --radial-load 2000"],
-    "table": ["table fitted.toml --speed 6000 --axial-load 300 --band"],
+    "table": [
+        "table fitted.toml --speed 6000 --axial-load 300 --band",
+        "table contact.toml --speed 6000 --axial-load 300",
+        "table data/spindles/two_against_one.toml --speed 6000",
+        "table data/examples/n1012.toml --speed 6000 --radial-load 2000",
+    ],
     "displacement": ["displacement data/spindles/two_against_one.toml --speed 6000"],
     "sensitivity": ["sensitivity my.toml --speed 8000 --axial-load 300", "sensitivity my.toml --speed 8000 --axial-load 300 --global 64"],
     "check": ["check rig/model.toml rig/train.csv"],

@@ -283,6 +283,18 @@ def key_pages():
     write("reference/keys/index.md", text)
 
 
+def unit_page():
+    """The units of columns and their spellings, from the table that reads them."""
+    source = (ROOT / "text/units.cpp").read_text(encoding="utf-8")
+    units = re.findall(r'Unit\{"([^"]*)", "([^"]*)", D::(\w+),(.*?)\}(?:,|;)', source, re.S)
+    text = "# Units\n\nThe units that a column may have, at the end of its name or in brackets: [files](../docs/files.md#units). An `_` is a `/` in a header.\n\n"
+    text += code("friction_torque_Nm\nspeed [1/min]\nDrehmoment (N m)", "text") + "\n| quantity | unit | also |\n| --- | --- | --- |\n"
+    for suffix, words, dimension, rest in units:
+        also = " ".join("".join(re.findall('"([^"]*)"', one)) for one in re.split(r",\s+", rest) if '"' in one).split()
+        text += f"| {dimension.replace('moment', 'torque')} | `{suffix}`, {for_table(words)} | {for_table(', '.join(dict.fromkeys(also)))} |\n"
+    write("reference/units.md", text)
+
+
 def document_page():
     """The documents of --json and the codes of notes."""
     text, codes = docs_json.page(ROOT, PROGRAM, for_table)
@@ -466,6 +478,7 @@ def main():
     command_pages()
     effect_pages()
     key_pages()
+    unit_page()
     document_page()
     law_page()
     python_pages()
