@@ -284,14 +284,20 @@ def key_pages():
 
 
 def unit_page():
-    """The units of columns and their spellings, from the table that reads them."""
+    """The units of columns with their spellings, and the columns of measurements, from the tables that read them."""
     source = (ROOT / "text/units.cpp").read_text(encoding="utf-8")
     units = re.findall(r'Unit\{"([^"]*)", "([^"]*)", D::(\w+),(.*?)\}(?:,|;)', source, re.S)
-    text = "# Units\n\nThe units that a column may have, at the end of its name or in brackets: [files](../docs/files.md#units). An `_` is a `/` in a header.\n\n"
+    text = "# Units and columns\n\nThe units that a column may have, at the end of its name or in brackets: [files](../docs/files.md#units). An `_` is a `/` in a header.\n\n"
     text += code("friction_torque_Nm\nspeed [1/min]\nDrehmoment (N m)", "text") + "\n| quantity | unit | also |\n| --- | --- | --- |\n"
     for suffix, words, dimension, rest in units:
         also = " ".join("".join(re.findall('"([^"]*)"', one)) for one in re.split(r",\s+", rest) if '"' in one).split()
         text += f"| {dimension.replace('moment', 'torque')} | `{suffix}`, {for_table(words)} | {for_table(', '.join(dict.fromkeys(also)))} |\n"
+    text += "\n## Columns of measurements\n\n| column | | range |\n| --- | --- | --- |\n"
+    for fields in re.findall(r"Channel\{(\.name = .*?)\}", (ROOT / "record/channel.h").read_text(encoding="utf-8"), re.S):
+        field = {key: value.strip().strip('"') for key, value in re.findall(r"\.(\w+) = ([^,]*)", fields)}
+        limits = [field.get(key, "") for key in ("lower", "upper")]
+        limits = "" if "" in limits or "endless" in limits else f"{limits[0]} to {limits[1]} {field['unit']}"
+        text += f"| `{field['name']}` | {field.get('role', 'setting').removeprefix('Role::')} | {for_table(limits)} |\n"
     write("reference/units.md", text)
 
 
