@@ -58,6 +58,7 @@ DOCUMENTS = {
     ],
     "diagnose": [
         "diagnose rig/model.toml rig/train.csv --tolerance 2Nmm",
+        "diagnose data/spindles/two_against_one.toml data/spindles/ring_growth_sweep.csv",
         "diagnose tests/cli/everyday/law-skf/model.toml tests/cli/everyday/law-skf/train.csv",
         "diagnose tests/cli/everyday/scatter-with-speed/model.toml tests/cli/everyday/scatter-with-speed/train.csv",
         "diagnose tests/cli/everyday/logger-states/model.toml tests/cli/everyday/logger-states/train.csv",
@@ -126,11 +127,12 @@ MEANINGS = {
     "sensitivity": {
         "predictions[].data[].name": "sorted by change, largest first",
         "predictions[].data[].origin": "file, default, catalogue or asked",
+        "global.failed": "with first_failed {why, data} where some have no value",
         "predictions[].data[].global.first": "with --global; null where it was not sampled",
     },
     "check": {"effects[].ruled_out": "by the supply of lubricant"},
     "check, record over time": {
-        "repeatability": "null where no reading was repeated",
+        "repeatability": "null where no reading was repeated, else {two_sigma_um, degrees_of_freedom, stops [{time_s, readings, mean_um, two_sigma_um}]}",
         "polynomials[].channel": "the first of them stands at the top, too",
     },
     "compare": {
@@ -156,9 +158,13 @@ MEANINGS = {
         "correlation.names": "of the first explanation; of the model where there is none",
         "other_bases[].id": "other base laws that were tried, the best first",
         "given_other_base.verdict": "with the first of them, where it is worth it",
+        "suggested_measurements[].difference_in_sigma": "of the explanations that the point separates",
         "shape.torque_Nmm": "where nothing in the catalogue explains the misfit",
     },
-    "diagnose, record over time": {"effects[].channel": "or axis: where one of its kind acts; ids are those of the catalogue"},
+    "diagnose, record over time": {
+        "effects[].channel": "or axis: where one of its kind acts; ids are those of the catalogue",
+        "verdict": "with not-in-catalogue also shape {when [[from, to], ...], period_s, time_constant_s} in s",
+    },
     "identify": {"validation": "null without --validate", "ahead[].from_s": "of a bank of lags; rmse_held_out_um is then the mean of ahead"},
     "calibrate-sensor": {"hysteresis.largest_percent": "of the signal of the whole range, as all per cents here"},
     "spindle": {
