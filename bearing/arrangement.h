@@ -108,8 +108,8 @@ class Arrangement {
   ///   (1 - m) entered + m other   of   (c K_r, K_r) rigid, (1, k) entered spring, (1, 0) other one
   ///
   /// with K_r the stiffness of the rear set as mounted. Rear set and seat in series are then as
-  /// stiff as (1 - m) K_r for a rigid set with c = 0, and as m K_r for a spring with k = 0: what is
-  /// left of the preload's variation is linear in m.
+  /// stiff as (1 - m) K_r for a rigid set with c = 0, and as m K_r for a spring with k = 0: the
+  /// remaining variation of the preload is linear in m.
   struct Seat {
     double softness, hardness;
   };

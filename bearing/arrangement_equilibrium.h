@@ -11,8 +11,8 @@ namespace raceway::bearing {
 
 /// Shifts of the grooves of one bearing of an arrangement from the mounted state [m].
 struct RingShift {
-  double axial = 0.0;         ///< inner ring pressed further into the bearing
-  double radial = 0.0;        ///< circle of inner groove centres grows beyond that of the outer
+  double axial = 0.0;   ///< inner ring pressed further into the bearing
+  double radial = 0.0;  ///< growth of the circle of inner groove centres beyond the outer circle
   double inner_length = 0.0;  ///< inner groove centre to ball centre, without load
   double outer_length = 0.0;  ///< outer groove centre to ball centre
   [[nodiscard]] bool operator==(const RingShift&) const = default;

@@ -63,7 +63,7 @@ class DisplacedBearing {
 };
 
 /// The bearings of an arrangement in balance with their whole tangent stiffness, in the frame of
-/// each: +x where its inner ring is pressed. Front set first. `condition` is that of the balance.
+/// each: +x where its inner ring is pressed. Front set first. `condition` belongs to the balance.
 [[nodiscard]] std::vector<BearingEquilibrium> bearings_in_set(
     const Arrangement& arrangement, const ArrangementCondition& condition,
     const ArrangementEquilibrium& equilibrium, const EquilibriumOptions& options = {});

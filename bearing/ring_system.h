@@ -51,7 +51,7 @@ class RingSystem {
   [[nodiscard]] int iterations() const { return iterations_; }
   /// Why newton() failed: no_equilibrium unless every attempt was singular or not finite.
   [[nodiscard]] SolveStatus failure() const { return failure_; }
-  /// Gives what follows that many steps at most, beside the limit of the options.
+  /// Limits the following search to that many steps, in addition to the limit of the options.
   void allow(int steps) { end_ = std::min(options_.max_iterations, iterations_ + steps); }
   /// The steps that were allowed have been made; newton() then makes none.
   [[nodiscard]] bool exhausted() const { return iterations_ >= end_; }

@@ -70,7 +70,7 @@ inline constexpr std::size_t lamina_count = 41;
 ///
 ///   q = c1 δ^(10/9),   c1 = 2^(10/9) cs,   cs = 35948 L^(8/9)/ns   [N, mm]
 ///
-/// cs is the stiffness of both contacts of a roller in series, c1 that of one of them; with other
+/// cs is the stiffness of both contacts of a roller in series, c1 of a single one; with other
 /// materials than steel both are multiplied by 2 k(steel)/(k(roller) + k(ring)), k = (1 - ν²)/E.
 ///
 /// Source:   [ISO16281], read in two programs; two equal contacts in series and the factor of the

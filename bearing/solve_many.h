@@ -31,8 +31,8 @@ struct BearingCase {
 /// Points are solved in SIMD lanes where Newton's method converges from the thrust start; others
 /// are handed to the search that a single solve has. Threads share fixed chunks. The result of a
 /// point depends on nothing but itself and the instruction set: neither on the other points nor on
-/// the number of threads, to the last bit. Memory: that of the results, and a fixed amount per
-/// thread; results that already have room for their balls are filled without allocation.
+/// the number of threads, to the last bit. Memory: the results, and a fixed amount per thread;
+/// results that already have room for their balls are filled without allocation.
 ///
 /// Throws std::invalid_argument if the sizes differ, or for points that are out of range.
 void solve_many(const Bearing& bearing, std::span<const OperatingPoint> points,

@@ -104,7 +104,7 @@ template <typename T>
 ///   d sin αo = -cos αo sin² αo dt,   d cos αo = sin³ αo dt,   dδ = (2/3) (δ/Q) dQ
 ///
 /// (under inner control with the same slopes, which then leave out how the couple changes). The
-/// last step is taken along the slopes, that of sin αi to second order, without another look. Most
+/// last step is taken along the slopes, for sin αi to second order, without another look. Most
 /// loads need two looks; true in the lanes that have it.
 template <RaceControl control, typename T>
 Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const T& thrust,
@@ -213,8 +213,8 @@ Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, 
 }
 
 /// Solves the remaining equation in cot αi by a bracketing secant: the radial distances add up to
-/// that of the groove centres. False where it has no root: no equilibrium under pure thrust. Lanes
-/// with a root keep it while others go on.
+/// the distance of the groove centres. False where it has no root: no equilibrium under pure
+/// thrust. Lanes with a root keep it while others go on.
 template <RaceControl control, typename T>
 Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const T& thrust,
                      ThrustStart<T>& start) {

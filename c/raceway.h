@@ -91,7 +91,7 @@ RACEWAY_API int raceway_column_index(const raceway_model* model, const char* nam
 ///           NULL, for languages without one. NULL: all are 1.
 /// columns   `column_count` columns to compute, from raceway_column_index(). NULL or a count
 ///           of 0: all, in their order.
-/// values    [count x columns], column behind column: that of state i and the j-th wanted column
+/// values    [count x columns], column behind column: state i of the j-th wanted column
 ///           is values[j * count + i], in Fortran and MATLAB values(i, j). NaN where there is none.
 /// status    [count], a number of raceway_status_name(); NULL: not wanted.
 ///
@@ -116,7 +116,7 @@ RACEWAY_API int raceway_solve(const raceway_model* model, size_t count, const do
 ///           column values[j * points + i]; in Fortran and MATLAB values(s, a, r, t, j).
 /// status    [points] or NULL.
 ///
-/// Columns, returns and errors are those of raceway_solve().
+/// Columns, returns and errors as in raceway_solve().
 RACEWAY_API int raceway_table(const raceway_model* model, const double* speed_rpm,
                               size_t speed_count, const double* axial_load_N,
                               size_t axial_load_count, const double* radial_load_N,
@@ -129,7 +129,7 @@ RACEWAY_API int raceway_table(const raceway_model* model, const double* speed_rp
 /// bearing, without them. Balls are solved for only where the model needs them, so it is several
 /// times faster than raceway_solve().
 ///
-/// States, strides, returns and errors are those of raceway_solve(). `readings_Nmm` [count],
+/// States, strides, returns and errors as in raceway_solve(). `readings_Nmm` [count],
 /// `status` [count] or NULL. A shaft, or a model with an effect that needs an input that states
 /// lack, as a time, is wrong input, too.
 RACEWAY_API int raceway_predict(const raceway_model* model, size_t count, const double* speed_rpm,

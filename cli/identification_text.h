@@ -10,8 +10,8 @@ namespace raceway::cli {
 /// The line of trust.
 void print_trust(const record::Channel& displacement, const correction::Trust& trust);
 
-/// The errors that papers state beside RMS and fit: mean absolute, peak to peak, reduction of the
-/// largest; nothing where nothing was read.
+/// Errors that papers state in addition to RMS and fit: mean absolute, peak to peak, reduction of
+/// the largest; nothing where nothing was read.
 void print_more_errors(const record::Channel& displacement, const correction::Metrics& m);
 
 /// The text of an identification: lags, gains, and the error they leave.

@@ -16,7 +16,7 @@
 ///   s += (1 - exp(-dt/tau)) (target - s),   dt the time since the last call, as measured
 ///
 /// For an input that goes straight between two samples, as temperatures do, the exact step for a
-/// ramp is used. Polynomials become sections where their poles are those of lags; else they run as
+/// ramp is used. Polynomials become sections where their poles are poles of lags; else they run as
 /// the difference equation that they are, at one interval between calls.
 namespace raceway::control {
 
@@ -123,7 +123,7 @@ struct ControlEquation {
   std::string channel{};
   std::size_t drive = nowhere;
   double scale = 1.0;                              ///< of y
-  double sampling_s = unset;                       ///< the same of all equations of a plan
+  double sampling_s = unset;                       ///< equal in all equations of a plan
   std::vector<double> numerator{}, denominator{};  ///< [um] per unit of the drive; [1], alike long
 };
 

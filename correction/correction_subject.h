@@ -31,7 +31,7 @@ class CorrectionSubject : public fit::Subject {
   /// covariance and evidence of other records are dropped.
   [[nodiscard]] std::unique_ptr<fit::Subject> informed_by(const fit::Record& record) const override;
 
-  /// The range of a model, where its numbers are held against another record.
+  /// The range of a model, where its numbers are compared with another record.
   void keep_range(const Model& model);
 
   [[nodiscard]] std::vector<fit::Parameter> parameters() const override;

@@ -14,8 +14,8 @@ namespace raceway::correction {
 
 struct IdentifyOptions {
   int lowest_order = 1, highest_order = 3;  ///< sections of a channel
-  /// Columns that may drive a channel of their own, beside those of the model: taken up one by one
-  /// as long as the error on parts held out falls.
+  /// Columns that may drive a channel of their own, in addition to the channels of the model: taken
+  /// up one by one as long as the error on parts held out falls.
   std::vector<const Channel*> offered{};
   std::size_t most_channels = 6;
   std::function<void(double share, std::string_view step)> progress{};
@@ -54,8 +54,8 @@ struct Identification {
   Metrics metrics{};                            ///< on the record, one constant removed
   double rms_held_out = unset;                  ///< [m]
   double condition = unset;
-  double correlation_time = unset;   ///< of what is left [s]
-  double whiteness_p_value = unset;  ///< that what is left does not follow the rows before it
+  double correlation_time = unset;   ///< of the residual [s]
+  double whiteness_p_value = unset;  ///< that the residual does not follow the rows before it
   double noise = unset;              ///< of a single reading [m]
   fit::NoiseSource noise_source = fit::NoiseSource::none;
   std::vector<std::string> at_bound{};

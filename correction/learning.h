@@ -97,7 +97,7 @@ struct Learning {
 /// Source:   a Kalman filter; sizes and times are ours, chosen on the record of docs/correction.md
 ///           with models of three beginnings of it.
 /// Domain:   records over time; a lag is sought where the model knows the range of its input.
-/// Accuracy: physical; the standard deviation is that of these assumptions.
+/// Accuracy: physical; the standard deviation rests on these assumptions.
 ///
 /// Throws std::invalid_argument: no column of the displacement, no reading, an input missing.
 [[nodiscard]] Learning learn(const Model& model, const record::Record& record,

@@ -19,7 +19,8 @@ struct Contribution {
 /// Displacement at every row of a record from rest [m], the offset of the model included. NaN from
 /// where a power leaves the range of a delay element to the end of that run. Beyond the range of
 /// the model lags go on in proportion, and laws as continued() says. Throws std::invalid_argument
-/// where the record lacks an input, or its sampling is not that of printed coefficients.
+/// where the record lacks an input, or its sampling differs from the interval of printed
+/// coefficients.
 void simulate(const Model& model, const Series& series, std::span<double> displacement);
 
 /// Gives all that simulate() adds to the offset to a sink.

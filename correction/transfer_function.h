@@ -65,7 +65,7 @@ struct ParallelForm {
 /// complex.
 [[nodiscard]] std::vector<std::string> pole_warnings(const TransferFunction& printed);
 
-/// Whether a pole of the reduced function lies on or outside the unit circle.
+/// True where a pole of the reduced function lies on or outside the unit circle.
 [[nodiscard]] bool never_decays(const TransferFunction& printed);
 
 /// Properties of printed coefficients.

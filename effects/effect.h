@@ -22,8 +22,8 @@ namespace raceway::effects {
 
 class OwnMoment;
 
-/// Which form of an effect: that of a bearing on a rig, that of the sets on a shaft, or that of a
-/// whole spindle, with temperatures of its own.
+/// Form of an effect: for a bearing on a rig, for the sets on a shaft, or for a whole spindle with
+/// temperatures of its own.
 enum class Form { rig, shaft, spindle };
 inline constexpr std::array all_the_forms{Form::rig, Form::shaft, Form::spindle};
 
@@ -94,7 +94,7 @@ struct BaseLaw {
 struct Entry {
   double viscosity_40C, viscosity_100C;  ///< of the oil
   double temperature;                    ///< of the row
-  double room;  ///< at which a sensor reads what there is: that of the rig, or the coldest row
+  double room;  ///< at which a sensor reads true: the rig's own, or the coldest row's
 };
 
 /// Inputs of an effect on the condition of the bearing.
@@ -169,7 +169,7 @@ struct Card {
 /// Requirements of an effect on a model and its data.
 struct Requirements {
   std::span<const Need> needs = {};
-  /// Channels that must have a number in every row, beside those that `needs` says.
+  /// Channels that must have a number in every row, in addition to `needs`.
   std::span<const record::Channel* const> channels = {};
   /// Supplies of lubricant with which it can be at work; any where empty.
   std::span<const friction::Supply> supplies = {};
@@ -199,9 +199,9 @@ struct Requirements {
 /// Properties by which a verdict weighs and words an effect.
 struct Nature {
   /// Whatever turns on the shaft adds to it. On a rig that coasts down it is the drag on all that,
-  /// once and not once per bearing; the plausible range is that of the bearing alone.
+  /// once and not once per bearing; the plausible range is for the bearing alone.
   bool drags_on_the_rotor = false;
-  /// The range in which its size is met is that of a pitch diameter of 60 mm, and goes with this
+  /// The range in which its size is met holds for a pitch diameter of 60 mm, and goes with this
   /// power of it: 0 where bearings of all sizes have one.
   double size_power = 0.0;
   /// Warms up and cools down with the machine: what tells it from the rest is temperature or lag.

@@ -87,8 +87,8 @@ struct FilmSelfHeating {
   };
 
   /// Solves by Newton's method from `temperature`; `tangent_about` returns a remembered tangent at
-  /// or near a temperature. M is convex in T, so each tangent leads to a temperature at or below
-  /// that of the film, and the next one nearer. False if it finds none.
+  /// or near a temperature. M is convex in T, so each tangent leads to a temperature not above the
+  /// film's, and the next one nearer. False if it finds none.
   template <typename TangentAbout>
   static bool lubricant_by_tangents(const LubricantInputs& in, std::span<const double> values,
                                     double temperature, const TangentAbout& tangent_about,

@@ -25,8 +25,8 @@ class OwnMoment {
 };
 
 /// A friction moment that a user wrote as a formula, in the units of the files:
-/// "c * (speed_rpm/1000)^2" in N mm. Names are those of variables() and of its own parameters;
-/// operators and functions those of muParser. May be evaluated by several threads at once.
+/// "c * (speed_rpm/1000)^2" in N mm. Names come from variables() and its own parameters; operators
+/// and functions from muParser. May be evaluated by several threads at once.
 class Formula : public OwnMoment {
  public:
   /// Throws FormulaError: no formula, or a name that is neither variable nor parameter.

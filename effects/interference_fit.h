@@ -21,8 +21,8 @@ namespace raceway::effects {
 ///           speed itself is another effect.
 /// Domain:   speed >= 0; the slope in ω jumps where the ring comes loose.
 ///
-/// In the sets of a shaft the fit is part of the mounted state: a preload entered as a force is
-/// that of the rings on their shaft, so that at speed only the loosening moves the sets; a preload
+/// In the sets of a shaft the fit is part of the mounted state: a preload entered as a force holds
+/// for the rings on their shaft, so that at speed only the loosening moves the sets; a preload
 /// entered as an offset or a class is ground into free bearings, and the fit adds to it.
 struct InterferenceFit {
   static constexpr std::string_view id = "interference-fit";

@@ -18,7 +18,7 @@ namespace raceway::effects {
 /// Source:   definition. Load cells are good for 0.1 to 1 % of full scale; a lever arm, a friction
 ///           in the loading device or a wrong sensitivity is off by some ten percent.
 /// Domain:   s > 0. Palmgren's load moment goes with a power of the load, so that z takes this up
-///           where the radial load is none: it is felt beside a radial load and by effects that use
+///           where the radial load is none: it is felt under a radial load and by effects that use
 ///           ball loads.
 struct LoadCalibration {
   static constexpr std::string_view id = "load-calibration";

@@ -14,7 +14,7 @@ namespace raceway::effects {
 /// Source:   inertia of a fluid that is pushed aside; the first term of the drag moment in the SKF
 ///           catalogues, 0.4 V_M K_ball d_m^5 n², has this form. The published constants of both
 ///           terms depend on the oil level and are left to c.
-/// Domain:   every speed. Of an oil bath, and by SKF twice that of the bath with an oil jet; the
+/// Domain:   every speed. With an oil bath; by SKF twice as much with an oil jet; the
 ///           drops of oil-air and worked-in grease are not pushed aside by whole balls.
 struct LubricantDrag {
   static constexpr std::string_view id = "lubricant-drag";

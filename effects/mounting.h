@@ -18,7 +18,7 @@ namespace raceway::effects {
 /// and (1, 0) on a spring of constant force (see ArrangementDesign::other_mounting). In a rigid set
 /// c is the share of the preload's variation that a spring in series relieves, since rear set and
 /// seat together are as stiff as (1 - c) K_r; 0 is the set as entered, 1 a constant force. The
-/// force as mounted is that of the model throughout.
+/// force as mounted stays the model's throughout.
 ///
 /// Source:   springs in series, derived.
 /// Domain:   0 <= c <= 1, sets at both ends. Values between are soft housings and springs with a

@@ -8,13 +8,13 @@
 
 namespace raceway::effects {
 
-/// Friction that follows the forces of the warm sets where the model takes those of the cold ones.
+/// Friction that follows the forces of the warm sets where the model takes the cold ones.
 ///
 ///   P = (1 - s) P(cold) + s P(warm)
 ///
-/// Source:   loop of heat, expansion and preload (Bossmanns and Tu 1999); the share is that of two
-///           models, derived.
-/// Domain:   0 <= s <= 1, of a model with preload_feedback = false. 1 is the whole loop.
+/// Source:   loop of heat, expansion and preload (Bossmanns and Tu 1999); the share between two
+/// models is derived. Domain:   0 <= s <= 1, of a model with preload_feedback = false. 1 is the
+/// whole loop.
 struct PreloadGrowth {
   static constexpr Form form = Form::spindle;
   static constexpr std::string_view id = "preload-growth";

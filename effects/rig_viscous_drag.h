@@ -13,7 +13,7 @@ namespace raceway::effects {
 ///   M = c (n/10 000 rpm)
 ///
 /// Source:   shear of a film of constant height, η ω A r²/h, derived; its viscosity is taken as
-///           constant, since its temperature is not that of the bearing.
+///           constant, since it does not have the temperature of the bearing.
 /// Domain:   every speed. A tare run without the bearing separates it from the bearing.
 struct RigViscousDrag {
   static constexpr std::string_view id = "rig-viscous-drag";

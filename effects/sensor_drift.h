@@ -13,7 +13,7 @@ namespace raceway::effects {
 ///
 /// Source:   definition. T0, the temperature at which the sensor was zeroed, is rarely recorded:
 ///           it is fitted too, within the temperatures of the record.
-/// Domain:   every reading; T is the temperature of the row (temperature_C), not that of a ring.
+/// Domain:   every reading; T is the temperature of the row (temperature_C), not of a ring.
 template <const auto& card>
 struct SensorTemperatureDrift : SensorFault<card> {
   static constexpr std::array parameters{card.size, Parameter{.name = "zero_at_C",

@@ -14,7 +14,7 @@ namespace raceway::effects {
 ///
 /// Source:   [CaseStudy, eq. 23; Harris2006, vol. 2, ch. 5]; μ of 0.04 to 0.08 is usual.
 /// Domain:   converged equilibrium, else NaN; see unit_spin_friction() for standstill.
-/// Accuracy: that of unit_spin_moment().
+/// Accuracy: as unit_spin_moment().
 struct SpinFriction {
   static constexpr std::string_view id = "spin-friction";
   static constexpr std::string_view title = "spinning friction of the balls";

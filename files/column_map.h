@@ -81,11 +81,11 @@ struct ReadOptions {
   std::optional<rig::TorqueSensor> sensor{};
   bool drop_nan = false;    ///< rows with a cell that has no number are left out and told
   bool over_time = false;   ///< columns of records over time
-  bool of_spindle = false;  ///< and, among these, those of a spindle's
+  bool of_spindle = false;  ///< and, among these, columns of a spindle's
   bool of_several = false;  ///< columns of the map may stand in another file of the same record
 };
 
-/// All channels that a file may have: those of a record, of a fall between two speeds, of a torque
+/// All channels that a file may have: of a record, of a fall between two speeds, of a torque
 /// sensor and of its calibration.
 [[nodiscard]] std::span<const record::Channel* const> file_channels();
 

@@ -8,8 +8,8 @@
 
 namespace raceway::files {
 
-/// What of a record looks entered in another unit, with the other sign or in the wrong column, held
-/// against the model as it stands: questions to be asked before any verdict.
+/// Lists data of a record that look entered in another unit, with the other sign or in the wrong
+/// column, compared with the model as it stands: questions to be asked before any verdict.
 ///
 /// Readings are judged by the median of |reading / prediction| over the rows. A factor of up to 5
 /// is left to the free parameters and to what the model misses; beyond it one near 1000, 1e6, 60 or

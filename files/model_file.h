@@ -72,10 +72,9 @@ struct KeyValue {
 
 /// The text of a file with every number of model::parameters() as `fitted` has it, at all its
 /// addresses, the effects that the file lacks, and the covariance of what was fitted in the place
-/// of that in the file; nothing else changed. Numbers that differ from those of the file have the
-/// 15 digits that results show. Throws as with_values(), InputError where the file has its
-/// covariance in braces, and std::invalid_argument for the covariance of a parameter that is not
-/// there.
+/// of the old one; nothing else changed. Numbers that differ from the file's have the 15 digits
+/// that results show. Throws as with_values(), InputError where the file has its covariance in
+/// braces, and std::invalid_argument for the covariance of a parameter that is not there.
 [[nodiscard]] std::string with_model(const ModelFile& file, const model::Model& fitted);
 
 /// A commented model of a catalogue bearing, with every default of its law written out.

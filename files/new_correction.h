@@ -18,8 +18,8 @@ struct NewCorrection {
 /// temperature that varies by more than 0.5 K, of the speed where there is none, and no channel for
 /// more than four, which a bank of lags takes. Their gains, their time constants and the tolerance
 /// are marked as assumed: a tenth of the record, of its displacement, and shares of the latter.
-/// Headers that are not ours become its [columns], as suggested_columns() proposes them; those of
-/// `options` stay as they are. Units that look wrong are notes: the file has no result.
+/// Headers that are not ours become its [columns], as suggested_columns() proposes them; the
+/// columns of `options` stay as they are. Units that look wrong are notes: the file has no result.
 ///
 /// Throws InputError as read_series(), and for a record without a displacement.
 [[nodiscard]] NewCorrection new_correction(const Source& record, const ReadOptions& options);

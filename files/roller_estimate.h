@@ -25,8 +25,8 @@ struct EstimatedRollers {
   [[nodiscard]] bool printed() const { return !std::isnan(outer_raceway); }
 };
 
-/// Estimates the rollers of a size of series N10. Boundary dimensions are those of dimension series
-/// 10, as in the rows S 60xx of the catalogue.
+/// Estimates the rollers of a size of series N10. Boundary dimensions follow dimension series 10,
+/// as in the rows S 60xx of the catalogue.
 ///
 ///   d_m = (d + D)/2,   L = D_w
 ///   printed sizes   D_w = E - d_m,   Z = C0/(44 (1 - γ) L D_w), rounded

@@ -18,7 +18,7 @@ struct CostlyFit {
   std::shared_ptr<const CostlyFit> begin{};  ///< where the fit began
 };
 
-/// How far a fit goes.
+/// Depth of a fit.
 struct CostlyEnd {
   double settled = 1e-4;  ///< the relative fall of the misfit that is none
   /// A misfit that stays above needs no exact derivatives.
@@ -44,9 +44,9 @@ class CostlyProblem {
 
   [[nodiscard]] const std::vector<Parameter>& parameters() const { return parameters_; }
   [[nodiscard]] CostlyFit from(const Eigen::VectorXd& start, const CostlyEnd& end) const;
-  /// From the end of a fit of the first of these parameters. The others are those of candidates,
-  /// `sizes` of them the places of what is neutral where it ended; `initial`: values away from
-  /// there. A fit that gets stuck at a bound or takes nothing begins again where the other fit
+  /// From the end of a fit of the first of these parameters. The others belong to candidates;
+  /// `sizes` are the places among them of what is neutral where it ended; `initial`: values away
+  /// from there. A fit that gets stuck at a bound or takes nothing begins again where the other fit
   /// began, if that is far away: parameters that were bent to hide a candidate leave it no room.
   [[nodiscard]] CostlyFit beyond(const CostlyFit& base, const Eigen::VectorXd& initial,
                                  const std::vector<std::size_t>& sizes, const CostlyEnd& end) const;

@@ -40,8 +40,8 @@ struct Averaged {
 /// Averages the rows of each dwell: five consecutive rows or more with equal settings (but for
 /// temperatures, which follow), not further apart than two minutes, of one run. Inputs, time and
 /// readings are means; a dwell whose temperature moves by more than 1 K is cut into pieces of less.
-/// Rows of a ramp, on which a setting moves all the time, stay rows, and so do those of one
-/// operating point and those whose readings come with a standard deviation. Rows that scatter about
+/// Rows of a ramp, on which a setting moves all the time, stay rows, and so do rows of one
+/// operating point and rows whose readings come with a standard deviation. Rows that scatter about
 /// one state are correlated: a mean of m of them has the variance
 ///
 ///   s² [ w/m + (1 - w)/m² sum_ik φ^|i-k| ]

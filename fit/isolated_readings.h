@@ -10,7 +10,7 @@
 /// Readings over time that cannot be true.
 namespace raceway::fit {
 
-/// What a reading has to leave by.
+/// Distance by which a reading has to leave.
 struct Isolation {
   bool steady = true;       ///< also by little, while the speed and the loads are steady
   double impossible = 3.0;  ///< ranges of all other readings, whatever the speed does
@@ -34,7 +34,7 @@ struct Isolated {
 /// loads are steady, one or two rows in succession, as where a chip touches the probe.
 ///
 /// Both neighbours must be on the same side, at least 6 robust standard deviations away, and three
-/// times as far away as they are from each other. The standard deviation is that of the readings
+/// times as far away as they are from each other. The standard deviation is taken from the readings
 /// about the middle of their four neighbours (1.4826 of the median), at least 0.3 % of the range
 /// that nine in ten readings have. A rise after a standstill, a peak at a change of speed and a
 /// jump that stays are no isolated readings; but one that is `by.impossible` times the range of all
@@ -42,7 +42,7 @@ struct Isolated {
 /// taken out where more than a tenth would be.
 [[nodiscard]] Isolated without_isolated_readings(const record::Record& record);
 
-/// The same of another channel; of the residuals of a model where `predicted` has its value for
+/// Does this for another channel; for the residuals of a model where `predicted` has its value for
 /// each row. Settings may change then, but for a speed or a load that leaves and returns with the
 /// reading itself; up to three rows in succession leave, and the last ones of a record need not
 /// return.
@@ -60,9 +60,9 @@ struct PossibleRows {
 
 /// Takes out rows of a rig or a shaft, at most a tenth: with a temperature that no machine has
 /// (below -60 or above 200 C), and with a reading of the first measured channel that is
-/// three times the range of all others away from them, at inputs that lie within those of the other
-/// rows. The range is that of all but the two readings, or the hundredth, at either end. Nothing is
-/// taken out of fewer than 15 rows.
+/// three times the range of all others away from them, at inputs that lie within the range of the
+/// other rows. The range is over all but the two readings, or the hundredth, at either end. Nothing
+/// is taken out of fewer than 15 rows.
 [[nodiscard]] PossibleRows without_impossible_rows(const record::Record& record);
 
 }  // namespace raceway::fit

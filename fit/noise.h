@@ -13,7 +13,7 @@ enum class NoiseSource {
   declared,
   regression,  ///< by which the readings themselves were gained
   repeats,
-  neighbours  ///< readings beside each other in time
+  neighbours  ///< readings next to each other in time
 };
 
 /// The source in the words of the JSON results: "none", "declared", "regression", "repeats",
@@ -56,7 +56,7 @@ struct Repeatability {
 [[nodiscard]] Repeatability repeatability(const record::Record& record,
                                           const record::Channel& measured);
 
-/// Scatter of single readings [SI]: that within stops, else from readings beside each other. NaN
+/// Scatter of single readings [SI]: within stops, else from readings next to each other. NaN
 /// where they stand too far apart to tell it from what is measured moving meanwhile.
 [[nodiscard]] double noise_of_neighbours(const record::Record& record,
                                          const record::Channel& measured);

@@ -108,8 +108,8 @@ struct ChannelReadings {
 /// less.
 [[nodiscard]] double beyond_noise(double error, double noise);
 
-/// Counts what a model leaves by its own coarseness as scatter: `error` [SI], the same at every
-/// reading, beside the noise.
+/// Counts what a model leaves by its own coarseness as scatter: `error` [SI], equal at every
+/// reading, in addition to the noise.
 void add_model_error(NoiseModel& noise, const ChannelReadings& readings, double error);
 
 /// Noise that is known beforehand: the standard deviation of every reading, readings independent.

@@ -51,7 +51,7 @@ struct Problem {
 };
 
 /// Readings of the problem's model with some candidates switched on: base parameters first, then
-/// those of each candidate.
+/// the parameters of each candidate.
 [[nodiscard]] Response response_with(const Problem& problem, std::span<const Screened* const> on);
 
 /// Readings at the rows of another record, with its observations `observed`.
@@ -60,7 +60,7 @@ struct Problem {
                                      const Observations& observed);
 
 /// The model of the problem with candidates switched on and the fitted values of `fit`, whose
-/// parameters are those of response_with().
+/// parameters are in the order of response_with().
 [[nodiscard]] std::shared_ptr<const Subject> fitted_subject(const Problem& problem,
                                                             std::span<const Screened* const> on,
                                                             const Response& response,

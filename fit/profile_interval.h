@@ -7,7 +7,7 @@
 
 namespace raceway::fit {
 
-/// 95 % of the normal distribution lie within this many standard deviations; its square is that of
+/// 95 % of the normal distribution lie within this many standard deviations; its square belongs to
 /// χ² with one degree of freedom.
 constexpr double normal_95 = 1.959963984540;
 constexpr double profile_rise = normal_95 * normal_95;
@@ -24,7 +24,7 @@ struct ProfileInterval {
 ///   χ²(value) - χ²(least) = 3.84 factor²
 ///
 /// with all other parameters fitted again at every value [BatesWatts1988, ch. 6;
-/// VenzonMoolgavkar1988]. 3.84 is that of χ² with one degree of freedom; `factor`, by which
+/// VenzonMoolgavkar1988]. 3.84 belongs to χ² with one degree of freedom; `factor`, by which
 /// standard errors are widened, is the root of the reduced χ² where the size of the noise is
 /// itself taken from the misfit. Of a model that is linear in its parameters it is value +- 1.96
 /// factor std.

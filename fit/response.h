@@ -36,7 +36,7 @@ struct Response {
   [[nodiscard]] Eigen::VectorXd at(const Eigen::VectorXd& x) const;
   /// Derivatives of the readings (observations x parameters), by differences within the bounds.
   [[nodiscard]] Eigen::MatrixXd jacobian(const Eigen::VectorXd& x) const;
-  /// The same by one-sided differences from the readings at `x`, for the way to an optimum.
+  /// Takes one-sided differences from the readings at `x`, for the way to an optimum.
   [[nodiscard]] Eigen::MatrixXd slope_beside(const Eigen::VectorXd& x,
                                              const Eigen::VectorXd& at_x) const;
   /// Finds out whether the response is affine, and keeps that form if so.

@@ -16,7 +16,7 @@ struct Means {
     std::vector<Eigen::Index> places{};  ///< in the readings of a predictor
     double measured = unset;             ///< SI
     std::size_t channel = 0;             ///< of Subject::measured()
-    double weight = 1.0;                 ///< over that of others: 1/tolerance of its channel
+    double weight = 1.0;                 ///< relative to others: 1/tolerance of its channel
     double time = unset;                 ///< middle of its rows [s]
     int block = -1;                      ///< in which it is held out; -1: none
   };

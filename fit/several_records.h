@@ -94,10 +94,10 @@ class SeveralRecords : public Subject {
   struct Place {
     std::size_t own, record;
   };
-  /// Where a name is that of a record's own number.
+  /// Place where a name means a record's own number.
   [[nodiscard]] std::optional<Place> place_of(const std::string& name) const;
   [[nodiscard]] std::string name_of(const Place& place) const;
-  /// The same records with another model.
+  /// These records with another model.
   [[nodiscard]] std::unique_ptr<SeveralRecords> with_model(
       std::shared_ptr<const Subject> model) const;
   SeveralRecords(const SeveralRecords&) = default;

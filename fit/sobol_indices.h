@@ -13,7 +13,7 @@ namespace raceway::fit {
 /// and for every input i the set AB_i, A with column i of B.
 ///
 /// Sobol' points in 2 x inputs dimensions with the direction numbers of Joe and Kuo, the columns of
-/// A before those of B, with Owen scrambling by the hash of Burley.
+/// A before the columns of B, with Owen scrambling by the hash of Burley.
 ///
 /// Source:   [Saltelli2010] for the sets; [JoeKuo2008]; [Burley2020, section 3].
 /// Domain:   1 to 1800 inputs; samples a power of two from 2 to 2^24, which alone fill the cube

@@ -26,7 +26,7 @@ struct Measured {
   /// a sensor scatters alike whatever it reads.
   double floor = 1.0;
   /// Relative scatter at equal settings that no sensor of this kind has: more comes from an input
-  /// that nobody recorded. NaN where nothing is known.
+  /// that was not recorded. NaN where nothing is known.
   double most_scatter = unset;
   /// Up to this what the model leaves is its own coarseness, not something missing: it counts as
   /// noise, of what only approximates as tolerated [SI].
@@ -35,12 +35,12 @@ struct Measured {
   double std = unset;
   /// In which state its simulation begins, in the words of results ("rest"); empty without one.
   std::string_view begins = {};
-  /// What a model leaves of it follows the rows before it, whatever is added (see
+  /// The residual of a model follows the rows before it, whatever is added (see
   /// Subject::approximates()): no test against noise says anything.
   bool approximate = false;
   /// The zero of its readings says nothing: errors are told about their mean.
   bool any_zero = false;
-  /// Below this an error does not matter to whoever uses the model [SI]; NaN where nobody said.
+  /// Below this an error does not matter to users of the model [SI]; NaN where it was not said.
   double tolerance = unset;
 };
 
@@ -80,10 +80,10 @@ struct Candidate {
   bool of_reading = false;
   /// Named by the column that drives it: two of its kind are two explanations.
   bool by_column = false;
-  /// What is wrong where this explains a misfit: a datum rather than what may be missing, in words
-  /// ("the oil card"); empty for all else.
+  /// Names what is wrong where this explains a misfit: a datum rather than what may be missing, in
+  /// words ("the oil card"); empty for all else.
   std::string datum{};
-  /// Where one of its kind acts, of a subject that has several: {"channel", "ambient"}.
+  /// Place where one of its kind acts, of a subject that has several: {"channel", "ambient"}.
   std::vector<std::pair<std::string, std::string>> acts_on{};
 
   /// The name of a parameter without the id.
@@ -104,7 +104,7 @@ struct Shape {
 
 class Subject;
 
-/// Another base model that may stand in the place of that of a subject.
+/// Another base model that may replace the base model of a subject.
 struct OtherBase {
   std::string id;     ///< by which add() takes it
   std::string words;  ///< as a model says it
@@ -113,8 +113,8 @@ struct OtherBase {
   std::string lacks{};  ///< what it needs and the subject does not have
 };
 
-/// What the loop asks of a model: its predictions, its numbers, and what may be missing in it. All
-/// rows are those of the record that is handed in.
+/// Everything that the loop asks of a model: its predictions, its numbers, and what may be missing
+/// in it. All rows belong to the record that is handed in.
 class Subject : public Judged {
  public:
   // What it predicts.
@@ -131,7 +131,7 @@ class Subject : public Judged {
   /// True where a prediction takes so long that a fit may ask for dozens, not thousands: one start,
   /// few derivatives, parts held out by these. Of subjects that only approximate.
   [[nodiscard]] virtual bool is_costly() const { return false; }
-  /// What predictors of one record may share.
+  /// Data that predictors of one record may share.
   [[nodiscard]] virtual std::shared_ptr<const void> prepare(const Record& record) const;
   /// By the values of the parameters of these names. `prepared` may be null; it and the record
   /// outlive the predictor.
@@ -171,12 +171,12 @@ class Subject : public Judged {
   /// Why an id of catalogue() cannot be at work here whatever a record says, in a sentence; empty
   /// if it can. Default: empty.
   [[nodiscard]] virtual std::string rules_out(const std::string& id) const;
-  /// What a candidate that is a datum means at these values of its parameters, in words. Default:
-  /// nothing.
+  /// Says in words what a candidate that is a datum means at these values of its parameters.
+  /// Default: nothing.
   [[nodiscard]] virtual std::string correction(const std::string& id,
                                                std::span<const double> values) const;
 
-  /// Default: none where there is memory, otherwise those of Judged.
+  /// Default: none where there is memory, otherwise as Judged.
   [[nodiscard]] std::vector<Axis> axes(const Record& record) const override;
 };
 

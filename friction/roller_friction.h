@@ -42,8 +42,8 @@ inline constexpr double roller_sum_ratio = 1.25803095402823;
 ///   M1 = f1 F d_m
 ///
 /// Source:   [Palmgren1959; Harris2006, vol. 1, ch. 10], prints not seen; f1 = 0.0003 is read in
-///           the public program thermca, after Jungnickel. Its usual range, 0.0002 to 0.0004, and
-///           that of f0, 0.6 to 4, are from memory.
+///           the public program thermca, after Jungnickel. The usual ranges, f1 0.0002 to 0.0004
+///           and f0 0.6 to 4, are from memory.
 /// Domain:   F >= 0. f1 is constant, where a ball bearing has z (P0/C0)^y.
 struct RollerPalmgrenLoad {
   static constexpr std::array parameters{

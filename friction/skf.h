@@ -26,7 +26,7 @@ struct SkfConstants {
 /// Single row angular contact ball bearings. Source: [SKFGeneral, p. 91-101, tables 2a to 5].
 /// Domain: the bearings of that catalogue are of 40 deg (72 BE, 73 BE). Spindle bearings of 15 to
 /// 25 deg take the same constants here, which the source does not claim: R2 and S2, the weight of
-/// an axial load, are those of the steeper angle.
+/// an axial load, belong to the steeper angle.
 inline constexpr SkfConstants skf_angular_contact{.R1 = 5.03e-7,
                                                   .R2 = 1.97,
                                                   .R3 = 1.90e-12,

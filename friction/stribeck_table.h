@@ -31,7 +31,7 @@ void validate(const TableAxes& axes);
 /// Values at one point of a table.
 struct TablePoint {
   /// `converged` where all values are finite. A law that needs no balls has a moment also where
-  /// they find no balance; the status then is that of the balance.
+  /// they find no balance; the status then tells about the balance.
   bearing::SolveStatus status = bearing::SolveStatus::not_run;
   double friction_moment = unset;  ///< [N m]
   std::span<double> columns;       ///< the further values, in the order of StribeckTable::columns

@@ -14,7 +14,7 @@ struct LoadFactors {
 ///
 ///   up to 15 deg    by F_a/(Z D²), 0.172 to 6.89 N/mm²; the ends hold outside
 ///   from 20 deg     by the contact angle alone
-///   between         linear, in the load first; 0 to 5 deg are those of a deep groove
+///   between         linear, in the load first; 0 to 5 deg as a deep groove
 ///
 /// The first column that catalogues use, f0 F_a/C0, is F_a/(Z D²) over cos α, since C0 = f0 Z D²
 /// cos α: so no f0 is needed.

@@ -11,8 +11,8 @@ namespace raceway::model {
 [[nodiscard]] std::string lacks_for_law(const Model& model, friction::FrictionLaw law);
 
 /// The model with another base law, whose numbers are the published ones and whose usual numbers
-/// are free (default_free()), with those of the effects that were. All else stays, but for what
-/// belongs to the contact law alone: balls that traction turns are held by the outer race.
+/// are free (default_free()), with the numbers of effects that were free. All else stays, but for
+/// what belongs to the contact law alone: balls that traction turns are held by the outer race.
 [[nodiscard]] Model with_law(Model model, friction::FrictionLaw law);
 
 }  // namespace raceway::model

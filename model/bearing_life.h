@@ -18,13 +18,13 @@ struct BearingLife {
   double modified = unset;         ///< L_nm = a1 a_ISO L10 [s]
   double reference = unset;        ///< a1 L10r of ISO/TS 16281 from the loads of the balls [s]
   double static_safety = unset;    ///< (4.2 GPa/p_max)³ [1]
-  /// ISO 281 knows no a_ISO for balls that are not of steel: there `modification` is that of steel
+  /// ISO 281 knows no a_ISO for balls that are not of steel: there `modification` holds for steel
   /// balls and stays out of `modified`, which is NaN.
   bool hybrid = false;
 };
 
 /// Life of a bearing whose prediction has its balls or rollers in balance. Loads that the bearing
-/// carries, `point`, are those of P; the balance has what speed and rings add. Of a cylindrical
+/// carries, `point`, belong to P; the balance has what speed and rings add. Of a cylindrical
 /// roller bearing the equivalent load is P_ref of ISO/TS 16281, by which a_ISO goes, and the
 /// modified life is a1 a_ISO L10r.
 [[nodiscard]] BearingLife bearing_life(const Model& model, const bearing::OperatingPoint& point,

@@ -5,9 +5,9 @@
 
 namespace raceway::model {
 
-/// Heat of a predicted friction by ring; that of an effect of spin where the balls spin, of all
-/// other effects as film shear. `equilibrium` is that of the prediction. The sum over the rings is
-/// torque times speed, to rounding.
+/// Heat of a predicted friction by ring: an effect of spin heats where the balls spin, all other
+/// effects as film shear. `equilibrium` belongs to the prediction. The sum over the rings is torque
+/// times speed, to rounding.
 [[nodiscard]] friction::HeatSplit heat_split(const Model& model,
                                              const bearing::OperatingPoint& point,
                                              const bearing::BearingEquilibrium& equilibrium,

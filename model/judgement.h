@@ -98,13 +98,13 @@ class Judge {
  public:
   explicit Judge(const Model& model);
 
-  /// `place` is that of the bearing on its shaft, empty for one on a rig; `point` is the one asked.
+  /// `place` names the bearing on its shaft, empty for one on a rig; `point` is the one asked.
   void look(const bearing::Bearing& bearing, const std::string& place,
             const bearing::OperatingPoint& point, const JudgedBearing& state);
   /// Speed and lubricant of a bearing of which nothing else is looked at.
   void look_at_speed(double pitch_diameter, bool ceramic, const std::string& place,
                      const bearing::OperatingPoint& point);
-  /// The forces of both sets against that of mounting [N].
+  /// Forces of both sets compared with the mounted force [N].
   void look_at_preload(const bearing::OperatingPoint& point, double front_force, double rear_force,
                        double mounted);
   /// Looks at all that another judge of this model has seen.
@@ -137,7 +137,7 @@ class Judge {
   std::size_t points_ = 0;
 };
 
-/// True for balls that are much lighter than the rings, as those of silicon nitride.
+/// True for balls that are much lighter than the rings, as silicon nitride is.
 [[nodiscard]] bool has_ceramic_balls(const bearing::Bearing& bearing);
 /// True for such balls in the bearing of a model; false for rollers.
 [[nodiscard]] bool has_ceramic_balls(const Model& model);
@@ -164,8 +164,8 @@ inline constexpr double water_freezes = celsius_zero, water_boils = celsius_zero
 /// strength, about 1 GPa [1].
 inline constexpr double ring_yields = 0.005;
 
-/// Hertz pressure that no bearing steel holds: the mean pressure, 2/3 of it, is that of its
-/// hardness, 60 HRC or about 7 GPa [Pa].
+/// Hertz pressure that no bearing steel holds: the mean pressure, 2/3 of it, equals its hardness,
+/// 60 HRC or about 7 GPa [Pa].
 inline constexpr double steel_flows = 10.5e9;
 
 /// Slope of a bending line beyond which no linear beam has a meaning [rad].

@@ -27,10 +27,10 @@ struct Rig {
   double axial_load = unset;        ///< per bearing, for rows without that column [N]
   double radial_load = 0.0;         ///< per bearing [N]
   double temperature = kelvin(40);  ///< [K]
-  double room_temperature = unset;  ///< [K]; NaN: that of the coldest row of a record
+  double room_temperature = unset;  ///< [K]; NaN: the coldest row of a record
   double minimum_speed = 0.0;       ///< slower coast-down rows are left out [rad/s]
 
-  /// Its torque is that of a shaft that slows down by itself, with all that turns on it.
+  /// True where friction slows down the shaft, with all that turns on it.
   [[nodiscard]] bool coasts_down() const { return inertia > 0.0 || unknown_inertia; }
 };
 

@@ -40,7 +40,7 @@ struct Expected {
 /// A model as the loop sees it; what rig and shaft share.
 ///
 /// Effects of the user's own that wait to be tried (see waiting_effects()) stay in the model at
-/// their place, so that addresses are those of its file, but take no part until they are switched
+/// their place, so that addresses agree with its file, but take no part until they are switched
 /// on. A candidate of the catalogue that is switched on comes last.
 class ModelSubject : public fit::Subject {
  public:

@@ -32,8 +32,8 @@ namespace raceway::model {
 ///                                                 effect.2.K_rs of the third effect
 ///
 /// Of the bearing there are none without a shaft, and none where the sets have different bearings;
-/// its numbers are those of all bearings in the arrangement. No preload where it is not given as a
-/// force. `neutral` and the plausible range are those of effects; NaN elsewhere.
+/// its numbers hold for all bearings in the arrangement. No preload where it is not given as a
+/// force. `neutral` and the plausible range belong to effects; NaN elsewhere.
 [[nodiscard]] std::vector<record::Parameter> parameters(const Model& model);
 
 /// The range in which a number of an effect is met at a bearing of this size. Up to its bound where
@@ -42,8 +42,8 @@ namespace raceway::model {
                                                         const effects::Parameter& number,
                                                         const Model& model);
 
-/// The bounds of a number of an effect in the unit of the files, those of the record where it has
-/// to be of it.
+/// The bounds of a number of an effect in the unit of the files; the record's where the number has
+/// to lie within it.
 [[nodiscard]] std::pair<double, double> bounds_of(const effects::Parameter& number,
                                                   const Model& model);
 

@@ -39,8 +39,8 @@ struct FrictionPrediction {
   bearing::SolveReport report;  ///< not_run where no equilibrium was needed
 
   [[nodiscard]] bool predicted() const;  ///< torque is a number
-  /// Status of the point, for all commands: that of the search for its balance, but `converged`
-  /// only where the torque, its parts and the loss are finite; else `not_finite`.
+  /// Status of the point, for all commands: the outcome of the search for its balance, but
+  /// `converged` only where the torque, its parts and the loss are finite; else `not_finite`.
   [[nodiscard]] bearing::SolveStatus status() const;
 };
 

@@ -13,7 +13,7 @@ struct Rings {
   double position = unset;                      ///< of their middle, behind the nose face [m]
   double width = unset;                         ///< [m]
   double bore = unset, outer_diameter = unset;  ///< of the bearing [m]
-  /// Diameters of the inner ring outside and of the outer ring inside: shoulders beside the balls,
+  /// Diameters of the inner ring outside and of the outer ring inside: shoulders next to the balls,
   /// raceways of rollers [m].
   double inner_shoulder = unset, outer_shoulder = unset;
   double inner_interference = unset, outer_clearance = unset;  ///< diametral, cold and still [m]

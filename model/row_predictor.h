@@ -32,7 +32,7 @@ class RowPredictor {
                Rollers rollers = nullptr);
 
   /// Reading of the rig [N m], NaN without a prediction. What is computed is remembered; values of
-  /// the model that act before `from` must be those of the last call.
+  /// the model that act before `from` must be unchanged since the last call.
   double predict(const Model& model, const Steps& steps, Stage from = Stage::entry);
 
   /// The balance that predict() will need, for callers that solve many at once and answer() before

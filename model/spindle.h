@@ -97,8 +97,8 @@ struct Seat {
 
 enum class Fluid { water, oil };
 
-/// A cylindrical roller bearing on the shaft in addition to the sets, free along the axis. Its law
-/// of friction is that of Palmgren.
+/// A cylindrical roller bearing on the shaft in addition to the sets, free along the axis. Its
+/// friction follows Palmgren.
 struct RollerOnShaft {
   std::string name;         ///< gives the columns NAME_clearance_um and so on
   double position = unset;  ///< behind the nose face [m]
@@ -137,7 +137,7 @@ enum class RotatingConvection { becker, kendoush, anderson_saunders };
 
 struct Ambient {
   double temperature = kelvin(20);     ///< [K]
-  double machine_temperature = unset;  ///< at the flange [K]; NaN: that of the ambient
+  double machine_temperature = unset;  ///< at the flange [K]; NaN: the ambient's
   double emissivity = 0.85;            ///< of the housing [1]
   double convection_factor = 1.0;      ///< on free convection of the housing [1]
   RotatingConvection rotating_convection = RotatingConvection::becker;
@@ -211,7 +211,8 @@ struct Spindle {
   std::vector<double> front_positions = {}, rear_positions = {};  ///< of the bearings' centres [m]
   double bearing_width = unset;                                   ///< [m]
   double inner_ring_shoulder = unset, outer_ring_shoulder = unset;  ///< diameters [m]
-  /// Of oil film, lubricant and balls that carry heat, beside the contacts, of one bearing [W/K].
+  /// Conductance of oil film, lubricant and balls that carry heat, in addition to the contacts, of
+  /// one bearing [W/K].
   double lubricant_conductance = 1.5;
   /// Share of a bearing's friction power that arises at its inner ring; NaN: split_heat().
   double inner_heat_share = unset;

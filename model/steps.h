@@ -14,7 +14,7 @@ namespace raceway::model {
 
 /// Effects of a model by the step at which they act; found once for many predictions.
 struct Steps {
-  /// Indices into Model::effects; `reading` is that of the channel that is read.
+  /// Indices into Model::effects; `reading` belongs to the channel that is read.
   std::vector<std::size_t> entry, condition, lubricant, moment, reading;
   bool equilibrium = false;  ///< of balls or rollers, to be solved
   bool needs_balls = false;  ///< without it there is no prediction

@@ -62,7 +62,7 @@ struct Record {
   [[nodiscard]] std::size_t part_of(std::size_t row) const;
 
   /// Adds a column, or replaces the column of its channel. Throws std::invalid_argument where its
-  /// length is another than that of the others.
+  /// length differs from the others.
   Column& set(const Channel& channel, std::vector<double> values);
 
   /// True if rows differ on a channel by more than its step, absolute or as a share of the largest.
@@ -86,9 +86,9 @@ struct Record {
 /// Records of one kind as one, in the order of their sources, whatever the order they come in: rows
 /// one record after the other, all columns that any of them has (NaN where one has none), the runs
 /// of each for themselves. A part is named by its source without folder and ending; where two would
-/// be alike, with the folder. A deviation is as good as known where it is so in all. Notes are
-/// those of all. Throws std::invalid_argument: less than two records, two of one source, one of
-/// which the readings are known up to a factor alone.
+/// be alike, with the folder. A deviation is as good as known where it is so in all. Notes of all
+/// are kept. Throws std::invalid_argument: less than two records, two of one source, one of which
+/// the readings are known up to a factor alone.
 [[nodiscard]] Record joined(std::vector<Record> records);
 
 }  // namespace raceway::record

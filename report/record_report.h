@@ -29,7 +29,7 @@ struct DrawnModel {
 };
 
 /// The page around the document that `command` prints with `--json`. Models of one channel share
-/// its readings; the eight parts are those of the first model of each channel. `facts` describe
+/// its readings; the eight parts follow the first model of each channel. `facts` describe
 /// spindles, `changes` the differences from each of them to the next.
 [[nodiscard]] std::string record_report(const std::string& command, const std::string& results,
                                         const record::Record& record,

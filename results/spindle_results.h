@@ -64,7 +64,7 @@ struct RunColumn {
                                                  const spindle::Moment& moment);
 
 /// `run.csv`: a row for each row of the programme that was reached, and one where the run ended
-/// early. `model_text` is that of the file.
+/// early. `model_text` is the text of the file.
 [[nodiscard]] std::string spindle_run_text(const model::Model& model,
                                            std::span<const spindle::ProfileRow> profile,
                                            const spindle::Run& run, std::string_view model_text);

@@ -33,8 +33,8 @@ struct Fall {
 ///
 /// Exponent p and its change p' = dp/d ln ω come from a parabola of ln M over ln ω through the row
 /// and its neighbours: falls of the same run with the same inputs whose middle is further off than
-/// half a fall. At an end they are the next two; of two falls p' is 0, of a single one p = 2/3,
-/// that of the viscous moment. With it ω_e is right to second order in s for every smooth law.
+/// half a fall. At an end they are the next two; of two falls p' is 0, of a single one p = 2/3, as
+/// for a viscous moment. With it ω_e is right to second order in s for every smooth law.
 ///
 /// `falls` has one for each row of `record`, which holds what else was recorded, inputs and runs; a
 /// speed that it has is replaced. A deviation of the time makes one of the torque, σ_M = M σ_t/t.

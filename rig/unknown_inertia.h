@@ -5,7 +5,7 @@
 
 namespace raceway::rig {
 
-/// Inertia with which the mean torque of a coast-down is that of the model as it stands [kg m²].
+/// Inertia with which the mean torque of a coast-down equals the model's as it stands [kg m²].
 ///
 ///   J = Σ M_model / Σ (-dω/dt)
 ///

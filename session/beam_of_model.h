@@ -30,8 +30,8 @@ struct BeamOfModel {
                                         const spindle::Inputs& inputs,
                                         const spindle::ShaftLoad* further = nullptr);
 
-/// Tangent stiffness of all bearings: those of the sets as SetsAtSpeed has them, and the rollers of
-/// the bent shaft.
+/// Tangent stiffness of all bearings: the sets as SetsAtSpeed has them, and the rollers of the bent
+/// shaft.
 [[nodiscard]] std::vector<spindle::Spring> springs_of(
     const BeamOfModel& b, const spindle::SetsAtSpeed& sets,
     const std::optional<spindle::LoadedShaft>& bent);

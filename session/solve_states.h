@@ -45,10 +45,10 @@ struct SolvedStates {
 /// on all cores. Neither the number of threads nor the other states change a digit.
 ///
 /// `columns`: names of the requested columns; all where empty. With a `band` of the model its
-/// columns (band_columns()) follow. Loads and temperatures that are not given are those of the
-/// model. Throws text::InputError: no speed, no load, a number out of its range (with its place in
-/// the array), an unknown column, radial loads or moments on a shaft; Cancelled where `cancelled`
-/// is set meanwhile. Memory: what is returned, and a block per thread.
+/// columns (band_columns()) follow. Loads and temperatures that are not given come from the model.
+/// Throws text::InputError: no speed, no load, a number out of its range (with its place in the
+/// array), an unknown column, radial loads or moments on a shaft; Cancelled where `cancelled` is
+/// set meanwhile. Memory: what is returned, and a block per thread.
 [[nodiscard]] SolvedStates solve_states(Messages& messages, const files::ModelFile& file,
                                         const StateArrays& states,
                                         const std::vector<std::string>& columns = {},

@@ -17,7 +17,7 @@ void require_spindle(const files::ModelFile& file);
 /// Throws text::InputError, with the name of the file, for one that cannot be mounted or meshed.
 [[nodiscard]] spindle::Simulator simulator_of(const files::ModelFile& file);
 
-/// The steady state under these inputs with the cells of the model, held against the next finer
+/// The steady state under these inputs with the cells of the model, compared with the next finer
 /// ones (of the finest, the next coarser). Not known of a network, and where either has none.
 [[nodiscard]] results::MeshEstimate mesh_estimate(const model::Model& model,
                                                   const spindle::Inputs& inputs,

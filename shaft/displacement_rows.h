@@ -50,7 +50,7 @@ class DisplacementRows {
 
 /// Displacement of the model's shaft at the rows of a record [m], as ShaftPrediction::displacement
 /// with the readings that effects add; NaN where the sets do not balance or an effect has no
-/// number. The axial load of a row is the external load; where none was recorded it is that of the
+/// number. The axial load of a row is the external load; where none was recorded it comes from the
 /// model.
 ///
 /// Recorded values replace the values of the model: the preload as force at standstill, ring

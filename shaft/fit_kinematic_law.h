@@ -76,7 +76,7 @@ struct KinematicLawFit {
 /// and then to full accuracy; from each minimum of that profile of C, Ceres runs on all three
 /// parameters, and the lowest end wins. So the result needs no start and depends on none.
 ///
-/// Standard errors are those of the linearised problem. Without std the misfit sets their scale;
+/// Standard errors follow from the linearised problem. Without std the misfit sets their scale;
 /// with std, a misfit above them widens them. On a computed curve, which has no scatter, they show
 /// how sharply the curve defines the parameters and nothing about other curves.
 ///

@@ -9,7 +9,7 @@
 
 namespace raceway::spindle {
 
-/// λ of balls or rollers of a material [W/(m K)]: 30 of silicon nitride, else that of the rings.
+/// λ of balls or rollers of a material [W/(m K)]: 30 of silicon nitride, else as the rings.
 /// What is lighter than 6000 kg/m³ is no steel.
 [[nodiscard]] inline double conductivity_of_element(const bearing::Material& material) {
   return material.density < 6000.0 ? 30.0 : model::steel_of_rings.conductivity;
@@ -19,12 +19,12 @@ namespace raceway::spindle {
 ///
 ///   G = Z/(R_i + R_o),   R = K(k)/(2 π a) (1/λ_ball + 1/λ_ring) = R(1 N)/Q^(1/3)
 ///
-/// The modulus of K is that of the contact, k² = 1 - b²/a², the same at every load, and a goes with
+/// The modulus of K belongs to the contact, k² = 1 - b²/a², the same at every load, and a goes with
 /// the cube root of the load: one cube root a race is all that is left per call.
 /// Source:   constriction_resistance() with Hertz's semi-axes; the ball itself conducts well.
 /// Domain:   loads >= 0; zero where a ball touches one race only.
 /// Accuracy: dry and at rest. Oil film, lubricant and balls that roll carry several times as much:
-///           model::Spindle::lubricant_conductance is beside it.
+///           model::Spindle::lubricant_conductance is added to it.
 class BallConduction {
  public:
   /// Conductivities [W/(m K)].
@@ -38,17 +38,17 @@ class BallConduction {
   [[nodiscard]] double resistance(bearing::Race race, double load) const {
     return 1.0 / ((race == bearing::Race::inner ? inner_ : outer_) * std::cbrt(load));
   }
-  /// Of one ball [W/K].
+  /// Conductance of one ball [W/K].
   [[nodiscard]] double ball(double inner_load, double outer_load) const {
     if (!(inner_load > 0.0) || !(outer_load > 0.0)) return 0.0;
     const double inner = inner_ * std::cbrt(inner_load), outer = outer_ * std::cbrt(outer_load);
     return inner * outer / (inner + outer);
   }
-  /// Of a bearing whose balls are all loaded alike [W/K].
+  /// Conductance of a bearing whose balls are all loaded alike [W/K].
   [[nodiscard]] double conductance(double inner_load, double outer_load) const {
     return count_ * ball(inner_load, outer_load);
   }
-  /// Of a bearing with these balls [W/K].
+  /// Conductance of a bearing with these balls [W/K].
   [[nodiscard]] double conductance(const bearing::Balls& balls) const {
     double sum = 0.0;
     for (std::size_t k = 0; k < balls.distinct().size(); ++k)

@@ -12,10 +12,10 @@ namespace raceway::spindle {
 
 using Matrix = Eigen::MatrixXd;
 
-/// What the bearings and the cells feel of each other, as few numbers:
+/// The few numbers by which bearings and cells act on each other:
 ///
 ///   felt s    of each bearing the means of inner and outer ring and of the cells at its two
-///             raceways [K], of each roller bearing those of shaft and housing at its seats too,
+///             raceways [K], of each roller bearing also shaft and housing at its seats,
 ///             then the elongation between the sets, in um
 ///   given y   heat into the cells at the inner and the outer raceway of each bearing [W]
 ///
@@ -44,14 +44,14 @@ class BearingCoupling {
   [[nodiscard]] const Matrix& given() const { return given_; }
 
   [[nodiscard]] const WarmSets& sets() const { return sets_; }
-  /// What the bearings run under from now on; false where the cold sets have no balance.
+  /// Sets what the bearings run under from now on; false where the cold sets have no balance.
   [[nodiscard]] bool set_inputs(const Inputs& inputs);
   /// Distributes the loads across the shaft to the bearings as they are at s; false where they have
   /// no balance.
   [[nodiscard]] bool bear(const Vector& felt);
   /// The shaft of the last bear(); null where nothing bends it and no rollers hold it.
   [[nodiscard]] const LoadedShaft* shaft() const { return bent_ ? &*bent_ : nullptr; }
-  /// Whether bear() changes anything.
+  /// True where bear() changes anything.
   [[nodiscard]] bool bends() const { return shaft_.has_value(); }
   /// Position of the shaft at standstill without heat, under the belt alone [m].
   [[nodiscard]] double rest() const { return sets_.rest() + bent_rest_; }

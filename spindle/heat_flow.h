@@ -19,7 +19,7 @@ class HeatFlow {
   HeatFlow(const HeatFlow&) = delete;
   HeatFlow& operator=(const HeatFlow&) = delete;
 
-  /// What a step did.
+  /// Result of a step.
   struct Step {
     Status status = Status::not_run;
     Vector rate_before, rate_after;  ///< dT/dt [K/s]
@@ -33,12 +33,12 @@ class HeatFlow {
   void start(const Vector& temperatures) { temperatures_ = temperatures; }
   /// Puts the sets under these inputs; false where they have no balance.
   [[nodiscard]] bool set_inputs(const Inputs& inputs);
-  /// Goes on by dt [s] under `inputs`, whose speed and loads are those of set_inputs(). Films,
+  /// Goes on by dt [s] under `inputs`, whose speed and loads must be as in set_inputs(). Films,
   /// seats and what loads across the shaft put on its bearings are those at `films`. Nothing
   /// changes unless the status is `converged`.
   [[nodiscard]] Step advance(const Inputs& inputs, double machine_rise, double dt,
                              const Vector& films);
-  /// Where these inputs lead; `iterations` are of films and seats.
+  /// Steady state under these inputs; `iterations` are of films and seats.
   [[nodiscard]] Status settle(const Inputs& inputs, double machine_rise, int& iterations);
   /// Gain of the loop of heat and preload at this state in the long run [1].
   [[nodiscard]] double gain();
@@ -52,7 +52,7 @@ class HeatFlow {
   [[nodiscard]] double driven_heat() const {
     return system_ ? system_->driven_heat() : network_.source.sum();
   }
-  /// Where a ring is hotter, it has run away [K].
+  /// Limit of a ring's temperature; above it the spindle has run away [K].
   static constexpr double hottest_ring = kelvin(300.0);
 
  private:

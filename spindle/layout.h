@@ -53,7 +53,7 @@ struct Layout {
   double front_centre = unset, rear_centre = unset;  ///< of the sets [m]; NaN without a rear set
   double helix_length = 0.0;                         ///< of the coolant's channel [m]
 
-  /// What the middle of a seat is made of.
+  /// Material in the middle of a seat.
   [[nodiscard]] const model::SolidMaterial& material(const Shares& seat) const {
     return mesh.cells[static_cast<std::size_t>(seat.front().cell)].material;
   }

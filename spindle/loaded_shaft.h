@@ -11,18 +11,18 @@
 
 namespace raceway::spindle {
 
-/// What pushes on the shaft at one place, beside the axial load of the condition.
+/// Load on the shaft at one place, in addition to the axial load of the condition.
 struct ShaftLoad {
   double position = 0.0;  ///< behind the nose face [m]
   double axial = 0.0;     ///< positive towards the tool [N]
-  /// In the plane of y and in that of z: forces [N], moments positive as θ = dv/ds [N m].
+  /// In the planes of y and z: forces [N], moments positive as θ = dv/ds [N m].
   double radial = 0.0, radial_z = 0.0, moment = 0.0, moment_z = 0.0;
   [[nodiscard]] bool pushes_across() const {
     return radial != 0.0 || radial_z != 0.0 || moment != 0.0 || moment_z != 0.0;
   }
 };
 
-/// A cylindrical roller bearing that holds the shaft beside its sets, free along the axis.
+/// A cylindrical roller bearing that holds the shaft in addition to its sets, free along the axis.
 struct RollerSupport {
   const bearing::RollerBearing* bearing = nullptr;
   double position = unset;  ///< behind the nose face [m]
@@ -46,7 +46,8 @@ struct LoadedShaft {
   /// displacement and tangent stiffness.
   std::vector<bearing::Vector5> loads;
   std::vector<bearing::BearingEquilibrium> bearings;
-  /// Of the roller bearings, in a frame with x rearwards: `load` is what the shaft presses with.
+  /// State of the roller bearings, in a frame with x rearwards: `load` is what the shaft presses
+  /// with.
   std::vector<bearing::RollerEquilibrium> rollers;
   bearing::SolveReport report;
 };
@@ -105,8 +106,8 @@ class ShaftOnBearings {
     const bearing::Arrangement& arrangement, std::span<const double> places,
     std::span<const bearing::BearingEquilibrium> bearings);
 
-/// The same of a roller bearing. What couples the planes of y and z, which a load in neither of
-/// them does, is left out.
+/// Tangent stiffness of a roller bearing. What couples the planes of y and z, which a load in
+/// neither of them does, is left out.
 [[nodiscard]] Spring roller_spring(double position, const bearing::RollerEquilibrium& rollers);
 
 }  // namespace raceway::spindle

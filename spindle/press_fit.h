@@ -12,7 +12,7 @@ struct PressedPart {
   double bore = unset;      ///< diameter [m]; 0 for a solid one, of the inner part only
   double diameter = unset;  ///< outer [m]
   model::SolidMaterial material = {};
-  double rise = 0.0;  ///< of its temperature over that of mounting [K]
+  double rise = 0.0;  ///< of its temperature over the mounting temperature [K]
 };
 
 /// A seat as it is.

@@ -42,7 +42,7 @@ class SetsOfSpindle {
 
  private:
   [[nodiscard]] bool heat(const Inputs& inputs, SetsAtSpeed& sets);
-  /// Of the roller bearings [m].
+  /// Radial clearances of the roller bearings [m].
   [[nodiscard]] std::vector<double> clearances(double speed,
                                                const std::optional<Moment>& warm) const;
 

@@ -7,11 +7,11 @@
 
 namespace raceway::spindle {
 
-/// What pushes across the shaft of a spindle: force and moment at the nose in the plane of y, then
+/// Loads across the shaft of a spindle: force and moment at the nose in the plane of y, then
 /// the belt where there is one. The axial load is no part of it.
 [[nodiscard]] std::vector<ShaftLoad> shaft_loads(const model::Spindle& spindle,
                                                  const Inputs& inputs);
-/// Where shaft_loads() act [m].
+/// Places where shaft_loads() act [m].
 [[nodiscard]] std::vector<double> load_places(const model::Spindle& spindle);
 
 /// Centres of the bearings of the sets on the shaft, front set first [m].

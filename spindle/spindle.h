@@ -16,7 +16,7 @@ namespace raceway::spindle {
 
 struct LoadedShaft;
 
-/// How a simulation ended.
+/// End of a simulation.
 enum class Status { not_run, converged, no_equilibrium, thermal_runaway, step_limit };
 
 /// As files write it: "thermal_runaway".
@@ -24,7 +24,7 @@ enum class Status { not_run, converged, no_equilibrium, thermal_runaway, step_li
 /// For people, a sentence.
 [[nodiscard]] std::string_view words(Status status);
 
-/// What a spindle runs under. NaN: as the model says.
+/// Conditions that a spindle runs under. NaN: as the model says.
 struct Inputs {
   double speed = 0.0;                  ///< [rad/s], >= 0
   double ambient_temperature = unset;  ///< [K]
@@ -76,7 +76,8 @@ struct Moment {
   std::vector<double> sources = {};         ///< heat of each of model::Spindle::heat [W]
   std::vector<BearingState> bearings = {};  ///< front set first, roller bearings last
   std::vector<double> sensors = {};         ///< [K], in the order of the model
-  /// What leaves the channel, T_in + 2 (T_mean - T_in), or what stands in it; NaN without one [K].
+  /// Temperature of what leaves the channel, T_in + 2 (T_mean - T_in), or stands in it; NaN without
+  /// one [K].
   double coolant_outlet = unset;
   [[nodiscard]] double thermal_displacement() const {
     return displacement - kinematic_displacement;
@@ -125,19 +126,19 @@ class Simulator {
   /// With the effects that the model has switched on. Throws std::invalid_argument for a model that
   /// is no spindle, or one that cannot be mounted or meshed: name, value with unit, allowed range.
   explicit Simulator(const model::Model& model);
-  /// The same with this in place of what effects change of the spindle.
+  /// As above, with this in place of what effects change of the spindle.
   Simulator(const model::Model& model, const effects::SpindleCondition& condition);
   Simulator(const Simulator&);
   Simulator(Simulator&&) noexcept;
   ~Simulator();
 
   /// Looked at before every step: where it is set, simulate() and steady() throw fit::Cancelled.
-  /// Copies look at it too. Null: nobody asks.
+  /// Copies look at it too. Null: no check.
   void stop_on(const std::atomic<bool>* cancelled);
-  /// From `start`, or from the ambient temperature throughout. `step_ends`: those of another run of
-  /// the same programme, taken as they are; fits so see no other steps as parameters change.
-  /// `keep`: rising times [s], of each the state at the end of the first step that reaches it is
-  /// kept.
+  /// From `start`, or from the ambient temperature throughout. `step_ends`: the ends of steps of
+  /// another run of this programme, taken as they are; fits so see no other steps as parameters
+  /// change. `keep`: rising times [s], of each the state at the end of the first step that reaches
+  /// it is kept.
   [[nodiscard]] Run simulate(std::span<const ProfileRow> profile, const State* start = nullptr,
                              std::span<const double> step_ends = {},
                              std::span<const double> keep = {});
@@ -152,7 +153,7 @@ class Simulator {
   /// The shaft bent there, as the friction of its bearings knows it; null in a network, and where
   /// nothing pushes across a shaft without roller bearings.
   [[nodiscard]] const LoadedShaft* shaft() const;
-  /// What the sets ran under there; null in a network.
+  /// Conditions of the sets there; null in a network.
   [[nodiscard]] const bearing::ArrangementCondition* sets_condition() const;
   [[nodiscard]] std::vector<FieldCell> field(const State& state) const;
   [[nodiscard]] std::size_t cells() const;

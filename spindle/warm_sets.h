@@ -34,19 +34,19 @@ struct BearingHeat {
 ///
 /// Each bearing has its own ring temperatures (thermal_shift(), balls at the mean of the rings);
 /// the lubricant is at the mean of the rings, as in the data with a known answer. Friction follows
-/// the axial forces of the warm sets, or those of the cold ones at that speed. What loads across
+/// the axial forces of the warm sets, or the cold ones at that speed. What loads across
 /// the shaft add to forces, friction and position is held from one bear() to the next.
 class WarmSets {
  public:
   /// Throws std::invalid_argument where the sets cannot be mounted.
   WarmSets(const model::Model& model, const effects::SpindleCondition& condition);
 
-  /// What the sets run under from now on; false where the cold sets have no balance.
+  /// Sets what the sets run under from now on; false where the cold sets have no balance.
   [[nodiscard]] bool set_inputs(const Inputs& inputs);
   /// False where the sets have no balance; then nothing has changed.
   [[nodiscard]] bool solve(const SetsAsked& asked);
-  /// Takes what the bent shaft puts on the bearings at the temperatures of the last solve(), beside
-  /// the axial loads; null: nothing. False where a friction has no number.
+  /// Takes what the bent shaft puts on the bearings at the temperatures of the last solve(), in
+  /// addition to the axial loads; null: nothing. False where a friction has no number.
   [[nodiscard]] bool bear(const LoadedShaft* bent);
 
   [[nodiscard]] const model::Model& model() const { return model_; }
@@ -56,7 +56,7 @@ class WarmSets {
   [[nodiscard]] const bearing::ArrangementCondition& asked() const { return asked_.sets; }
   [[nodiscard]] const bearing::Arrangement& arrangement() const { return balance_.arrangement(); }
   [[nodiscard]] std::size_t bearings() const { return heat_.size(); }
-  /// Of the shaft and of the sets' forces, loads across it included [m], [N].
+  /// Position of the shaft and forces of the sets, loads across it included [m], [N].
   [[nodiscard]] double position() const { return sets_.position + more_position_; }
   [[nodiscard]] double front_force() const { return sets_.front_force + more_front_; }
   [[nodiscard]] double rear_force() const { return sets_.rear_force + more_rear_; }
@@ -71,11 +71,11 @@ class WarmSets {
     const bearing::Vector5& load;
     const bearing::BearingEquilibrium& balls;
   };
-  /// Under the axial load of `sets`, or that of the uneven balls.
+  /// Under the axial load of `sets`, or of the uneven balls.
   [[nodiscard]] BearingHeat heat_of(std::size_t bearing, const SetsAsked& asked,
                                     const bearing::ArrangementEquilibrium& sets,
                                     const UnevenBalls* uneven = nullptr) const;
-  /// `heat` with that of the contacts in warm and cold sets, each by its share.
+  /// `heat` with the contacts in warm and cold sets, each by its share.
   [[nodiscard]] BearingHeat heat_of_contacts(std::size_t bearing, double temperature,
                                              const bearing::ArrangementEquilibrium& sets,
                                              const UnevenBalls* uneven, BearingHeat heat) const;

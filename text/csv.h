@@ -80,7 +80,7 @@ class CsvTable {
   [[nodiscard]] std::string shown(std::size_t row, std::size_t column) const;
   [[nodiscard]] bool is_empty(std::size_t row, std::size_t column) const;
   /// The number in a cell, or why there is none. Throws InputError for a cell that can be read in
-  /// two ways, as 1.200 beside 600.
+  /// two ways, as 1.200 next to 600.
   [[nodiscard]] ParsedNumber parsed(std::size_t row, std::size_t column) const;
   [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const;
   /// Error in the header, in that column.

@@ -27,7 +27,7 @@ struct OutputFile {
   std::string_view text;
 };
 /// Writes files that belong together. All of them are whole before the first takes its name. Where
-/// two runs write the same files, all are those of the later run. Throws as write_text(); the old
+/// two runs write the same files, all come from the later run. Throws as write_text(); the old
 /// files are then still there, unless the disk fails between two names.
 void write_files(const std::vector<OutputFile>& files, IfExists if_exists);
 

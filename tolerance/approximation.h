@@ -44,7 +44,7 @@ struct Approximation {
 };
 
 struct ApproximationOptions {
-  std::vector<Eigen::VectorXd> starts{};  ///< beside that of the subject
+  std::vector<Eigen::VectorXd> starts{};  ///< in addition to the subject's
   int random_starts = 24;
   int polished = 3;    ///< of the starts, the best
   bool rough = false;  ///< of what is costly: only far enough to see how far the misfit falls

@@ -17,7 +17,7 @@ namespace raceway::tolerance {
 /// Verdict on the means of a minute or more:
 ///
 ///   refit -> held out, part by part -> within the tolerance: nothing is missing that matters
-///   each candidate -> one within the tolerance, beside all that come near it
+///   each candidate -> one within the tolerance, with all that come near it
 ///   a fault that the record shows of itself, where no single one is within
 ///   pairs, where no single one is within -> one that gains a fifth more
 ///   otherwise like the one that takes half of the mean square, or in no catalogue

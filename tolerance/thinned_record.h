@@ -13,7 +13,7 @@ namespace raceway::tolerance {
 /// A mean stands at the mean time of its rows. Of what goes straight from row to row it is exact
 /// there; what holds until the next row has the mean over that time, so that a lag gets what it
 /// got; readings are the mean of those that there are. No mean is over two runs or two clampings.
-/// Accuracy: that of lags far slower than the spacing (15 s of 34 h, 75 s of a week).
+/// Accuracy: good for lags far slower than the spacing (15 s of 34 h, 75 s of a week).
 [[nodiscard]] std::shared_ptr<const record::Record> for_search(
     std::shared_ptr<const record::Record> record);
 

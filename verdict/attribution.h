@@ -62,7 +62,7 @@ class Attribution {
   [[nodiscard]] std::vector<Explanation> triples(const std::vector<Explanation>& pairs,
                                                  const std::vector<Explanation>& singles,
                                                  const std::function<bool()>& cancelled) const;
-  /// Makes the coarse fits whole that may come within `reach` of the gain of the best, and those
+  /// Makes the coarse fits whole that may come within `reach` of the gain of the best, and the fits
   /// of pairs that triples() goes on from; best first.
   void refine(std::vector<Explanation>& list, double reach) const;
   /// The law of one candidate bent by powers of the subject's factors within +-0.2.
@@ -91,7 +91,7 @@ class Attribution {
   [[nodiscard]] bool has_datum(const Explanation& e) const;
   /// Values of the parameters of a member.
   [[nodiscard]] Eigen::VectorXd values_of(const Explanation& e, std::size_t member) const;
-  /// What a fit gains, or why it is none.
+  /// Gain of a fit, or why there is none.
   void judge(Explanation& e) const;
   [[nodiscard]] std::vector<Eigen::VectorXd> starts(std::span<const fit::Screened* const> on,
                                                     const fit::Response& response) const;

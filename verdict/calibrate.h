@@ -60,7 +60,7 @@ struct CalibrateOptions {
 /// [PauleMandel1982]; without any all readings weigh alike. Rows that cannot be predicted are left
 /// out and listed.
 ///
-/// Standard errors are those of the linearised problem, sqrt(diag (JᵀWᵀWJ)^-1), widened by
+/// Standard errors follow from the linearised problem, sqrt(diag (JᵀWᵀWJ)^-1), widened by
 /// sqrt(χ²/degrees of freedom) where the misfit exceeds the noise beyond chance (1 %). They do not
 /// cover what a missing effect does to the values. Intervals by profile likelihood are of the same
 /// noise and as wide: where -2 ln L rises by 3.84 times the square of that factor.

@@ -107,7 +107,7 @@ struct Comparison {
 [[nodiscard]] Comparison compare(std::span<const double> predicted, const record::Record& record,
                                  const fit::Measured& measured, int fitted_parameters = 0);
 
-/// Adds groups of rows to `where`: `group` names that of each row, empty for none; `kind` is a
+/// Adds groups of rows to `where`: `group` names the group of each row, empty for none; `kind` is a
 /// channel of the role of a run that says what they are.
 void add_groups(Comparison& comparison, const record::Channel& kind,
                 const std::vector<std::string>& group);

@@ -32,7 +32,7 @@ struct DiagnoseOptions {
 ///   -> blocked hold-out, plausible size -> next measurements
 ///
 /// Level of the gate: 1 %. An effect is admitted where -2 ln L falls by more than ln N + 2 ln m,
-/// and stands beside all others within 6 of the best.
+/// and is named with all others within 6 of the best.
 ///
 /// If no candidate explains the misfit, or one only acts like it, the other base models
 /// (Subject::other_bases()) are calibrated to the readings and compared like candidates. The

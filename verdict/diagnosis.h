@@ -47,8 +47,7 @@ struct RankedEffect {
   std::string id;
   std::string datum{};       ///< Candidate::datum: what is wrong, rather than missing
   std::string correction{};  ///< corrected value of that datum, in words
-  /// Candidate::acts_on; the id then ends in ":" and the name of it, unless that goes without
-  /// saying.
+  /// Candidate::acts_on; the id then ends in ":" and its name, unless there is only one.
   std::vector<std::pair<std::string, std::string>> acts_on{};
   bool by_column = false;  ///< Candidate::by_column
   bool in_verdict = false;

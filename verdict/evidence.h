@@ -45,7 +45,7 @@ struct EvidenceOptions {
 };
 
 /// Checks the data, estimates the noise from a saturated regression and refits the base model.
-/// Of more than `most_rows` rows as many are used, chosen at random.
+/// Uses at most `most_rows` rows, chosen at random.
 /// Throws std::invalid_argument where the data cannot carry a verdict, with what is needed.
 [[nodiscard]] Evidence gather_evidence(const fit::Subject& subject, const record::Record& record,
                                        const EvidenceOptions& options = {});

@@ -18,7 +18,7 @@ struct MisfitCell {
 
 /// Map of a model's misfit over two inputs, and its significance.
 ///
-/// The ranges are those of Comparison::where: levels where the data have few, bins of about equally
+/// The ranges come from Comparison::where: levels where the data have few, bins of about equally
 /// many rows otherwise. `across` is the input that records sweep (Pattern::along), `up` the first
 /// other setting, recorded input or run that varies, loads before temperatures; where none does, an
 /// axis has a single range of all rows.

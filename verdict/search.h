@@ -83,7 +83,7 @@ class Search {
   [[nodiscard]] std::optional<Finding> two_candidates();
   [[nodiscard]] std::optional<Finding> three_candidates();
   [[nodiscard]] double least_loss_of(const Explanation& triple);
-  /// Gain needed by the best of `choices` sets: that of the best smaller set plus a margin for
+  /// Gain needed by the best of `choices` sets: the gain of the best smaller set plus a margin for
   /// chance.
   [[nodiscard]] double gain_beyond(const Ranked& smaller, int choices) const;
   [[nodiscard]] Finding bent_law();

@@ -45,7 +45,7 @@ class TurningBalls {
 /// A bearing whose balls turn as traction at their contacts turns them, no race holding them.
 /// Only `report` is set unless the solve converged.
 struct BalancedEquilibrium {
-  /// With `rotations`. Its report: Newton steps of all passes; the residual that of the forces.
+  /// With `rotations`. Its report: Newton steps of all passes; the residual of the forces.
   bearing::BearingEquilibrium equilibrium;
   std::vector<BallAttitude> attitudes;  ///< of equilibrium.balls.distinct()
   /// Status of the whole; iterations: passes over forces and attitudes. Residual: what the last
@@ -65,7 +65,7 @@ struct BalancedEquilibrium {
 ///
 /// Domain:   as solve_bearing_equilibrium(); at standstill the attitudes move nothing.
 ///           `options.race_control` and `rotations` are not looked at.
-/// Accuracy: 1e-8 on the forces of each ball. Physically that of traction at small slip: angles
+/// Accuracy: 1e-8 on the forces of each ball. Physically as good as traction at small slip: angles
 ///           0.1 degrees in a full film, where traction hardly holds anything; between a film and
 ///           boundary friction the pitch angle follows the asperities' share of load.
 [[nodiscard]] BalancedEquilibrium solve_balanced_equilibrium(
@@ -83,7 +83,7 @@ struct BalancedEquilibrium {
     const bearing::ArrangementEquilibrium* neighbour = nullptr);
 
 /// Friction of a bearing in balance whose balls turn by traction, as bearing_friction() by race
-/// control. The attitudes are those of this oil and law under the forces of the balance, also where
+/// control. The attitudes follow from this oil and law under the forces of the balance, also where
 /// a film has warmed up since. NaN where a ball has none.
 template <typename Look>
 [[nodiscard]] BearingFriction balanced_friction(const bearing::Bearing& bearing,

@@ -69,7 +69,7 @@ class BallAttitudes {
   [[nodiscard]] const RaceFriction& race(bearing::Race race) const {
     return race == bearing::Race::inner ? inner_ : outer_;
   }
-  /// Speed at which balls turn in solve(): that of the shaft, 1 rad/s at standstill.
+  /// Speed at which balls turn in solve(): the shaft's, 1 rad/s at standstill.
   [[nodiscard]] double turning() const { return speed_ > 0.0 ? speed_ : 1.0; }
   /// Share of it that makes a film: none at standstill.
   [[nodiscard]] double film_speed() const { return speed_ > 0.0 ? 1.0 : 0.0; }

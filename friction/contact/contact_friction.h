@@ -214,8 +214,8 @@ struct ContactsOfBall {
 };
 
 /// Sums the friction of all loaded contacts of a bearing in balance that turns at this speed.
-/// `contacts(k, ball)` gives those of distinct ball k; `look(k, race, ContactFriction, weight)` is
-/// shown each of them.
+/// `contacts(k, ball)` gives the contacts of distinct ball k; `look(k, race, ContactFriction,
+/// weight)` is shown each of them.
 template <typename Contacts, typename Look>
 [[nodiscard]] BearingFriction sum_over_contacts(const bearing::BearingEquilibrium& equilibrium,
                                                 double turning, Contacts&& contacts, Look&& look) {

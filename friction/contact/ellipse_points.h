@@ -14,7 +14,7 @@ namespace raceway::friction::contact {
 ///
 /// Gauss points in s from 0 to 1, midpoints in θ from -π/2 to π/2: no pole at the centre and no
 /// root at the rim, where p falls to zero with infinite slope. Polynomials in x and y are exact up
-/// to degree 2 Angles - 1 in θ; in s those of p times even powers.
+/// to degree 2 Angles - 1 in θ; in s for p times even powers.
 template <std::size_t Radial, std::size_t Angles>
 struct EllipsePoints {
   std::array<double, Radial> s{};       ///< p/p0 [1]

@@ -33,7 +33,7 @@ struct Film {
 /// Domain:   Q > 0, rolling along the short axis; zero at standstill. Fitted for U from 1e-12 to
 ///           1e-11 about, W from 1e-7 to 1e-6, k from 1 to 8; spindle bearings exceed U tenfold.
 /// Accuracy: the formula to rounding; against measured films 10 to 20 %.
-/// Trap:     U here is half that of rolling_force().
+/// Trap:     U here is half the U of rolling_force().
 [[nodiscard]] inline Film isothermal_film(const RollingInlet& c, double ellipse_ratio) {
   if (!(c.speed > 0.0)) return {};  // powers without finite derivatives
   const double U = c.viscosity * c.speed / (c.modulus * c.radius_along);

@@ -20,12 +20,12 @@ namespace raceway::friction::contact {
 /// with the same points 1e-6 (tested). No memory is allocated.
 [[nodiscard]] Traction film_traction(const SlidingEllipse& ellipse, const FilmShear& shear);
 
-/// The same; -v_x0 is sought from `centre` of its range on [1], and is left there for a contact
-/// like this one, as of the next ball on the ring: nearby it takes one pass over the points, not
-/// three or four.
+/// Does this from a start: -v_x0 is sought from `centre` of its range on [1], and is left there for
+/// a contact like this one, as of the next ball on the ring: nearby it takes one pass over the
+/// points, not three or four.
 [[nodiscard]] Traction film_traction(const SlidingEllipse& ellipse, const FilmShear& shear,
                                      double& centre);
-/// Where that begins without a contact like it.
+/// Start of that search without a contact like it.
 inline constexpr double usual_centre = 0.2;
 
 }  // namespace raceway::friction::contact

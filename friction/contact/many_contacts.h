@@ -18,7 +18,7 @@ namespace raceway::friction::contact {
 ///           in single precision, to 2e-4 of it at worst in 4000 random states, in most to 1e-6
 ///           (5e-7 of the torque of a 7014 at speed), slip to 5e-4, what a film can hold to 2 %.
 /// Throws std::invalid_argument if the sizes differ or the machine lacks the instructions (avx512
-/// takes those of avx2).
+/// takes the kernels of avx2).
 void contact_results(std::span<const BearingState<double>> states, std::span<const double> values,
                      std::span<ContactResult> results,
                      bearing::InstructionSet set = bearing::best_instruction_set());

@@ -91,7 +91,7 @@ struct OilData {
   double pressure_viscosity = unset;  ///< α, at every temperature [1/Pa]
 };
 
-/// β = -d ln ν/dT - d ln ρ/dT. Domain: that of Lubricant.
+/// β = -d ln ν/dT - d ln ρ/dT. Domain: as Lubricant.
 [[nodiscard]] inline OilState oil_state(const Lubricant& lubricant, const OilData& oil,
                                         double temperature) {
   const OilDefaults usual = oil_defaults(oil.type);

@@ -48,7 +48,7 @@ class SlippingContact {
   [[nodiscard]] const SlidingEllipse& ellipse() const { return ellipse_; }
   [[nodiscard]] double pressed_radius() const { return pressed_radius_; }
 
-  /// The speed below which dry friction turns, so many times that of the shear law.
+  /// Speed below which dry friction turns, as a multiple of the shear law's.
   void smooth(double times);
 
  private:

@@ -52,7 +52,7 @@ struct TractionSums {
 /// stress at each pressure is asked for once, then sums() at any number of v_x0, v_y0.
 /// Source:   slip field derived; for pure spin it is [Harris2006, vol. 2, ch. 5]'s moment
 ///           (3/8) μ Q a E(k), for pure differential sliding 0.1611 μ Q ω_roll a²/(2 R).
-/// Domain:   Q > 0, small ellipse beside the radii.
+/// Domain:   Q > 0, ellipse small compared with the radii.
 /// Accuracy: with 16 x 32 points of the whole ellipse 0.03 % of power, with dry friction 0.2 %.
 template <class Shear, std::size_t Radial, std::size_t Angles>
 class TractionField {

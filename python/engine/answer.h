@@ -24,7 +24,7 @@ using Data = std::shared_ptr<session::Source>;
 /// Columns by name, in the units of files.
 using NamedColumns = std::vector<std::pair<std::string, std::vector<double>>>;
 
-/// What was found, as Python shows it.
+/// Result as Python shows it.
 struct EngineAnswer {
   std::string json{};
   std::function<std::string()> page{};
@@ -47,7 +47,7 @@ inline std::vector<session::Source> sources(const std::vector<Data>& data) {
 /// Values of a channel [SI] in the unit of files.
 [[nodiscard]] std::vector<double> in_unit(const record::Channel& channel,
                                           std::span<const double> si);
-/// The same as arrays of numpy.
+/// Gives them as arrays of numpy.
 [[nodiscard]] py::dict arrays_of(NamedColumns columns);
 
 /// Options of a question as keyword arguments of Python have them, but for what stands in models.

@@ -24,7 +24,7 @@ class EngineCorrection final : public EngineFile {
   [[nodiscard]] std::vector<std::string> defaults() const override {
     return files::lines(file_.defaults);
   }
-  /// Of all displacements.
+  /// Parameters of all displacements.
   [[nodiscard]] py::list parameters() const;
   /// Columns that a record needs.
   [[nodiscard]] py::list inputs() const;

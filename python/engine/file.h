@@ -18,13 +18,13 @@ class EngineFile {
  public:
   virtual ~EngineFile() = default;
 
-  /// What was said when it was opened.
+  /// Notes of the opening.
   [[nodiscard]] const Heard& heard() const { return heard_; }
   /// The file, for a question.
   [[nodiscard]] virtual session::Source source() const = 0;
   [[nodiscard]] virtual session::Part part() const = 0;
   [[nodiscard]] virtual std::vector<std::string> defaults() const = 0;
-  /// What no file can say, put into a model.
+  /// Puts into a model what no file can say.
   virtual void amend(files::ModelFile&) const {}
 
  protected:

@@ -8,7 +8,7 @@
 
 namespace raceway::python {
 
-/// Keeps what is said beside an answer, for the caller to show.
+/// Keeps the notes of an answer for the caller to show.
 struct Heard final : session::Messages {
   std::vector<record::Note> notes, warnings;
 

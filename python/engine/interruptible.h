@@ -19,7 +19,7 @@ namespace raceway::python {
 
 namespace py = pybind11;
 
-/// How far long work has come, told by the one who works and asked by the one who waits.
+/// Progress of long work, stated by the worker and read by the waiting thread.
 class Progress {
  public:
   void set(double share, std::string_view step) {

@@ -30,7 +30,8 @@ class EngineModel final : public EngineFile {
     return files::lines(file_.defaults);
   }
   void amend(files::ModelFile& file) const override;
-  /// Of its fitted parameters where that is wanted. Throws text::InputError where it has none.
+  /// The band by the covariance of its fitted parameters, where it is wanted. Throws
+  /// text::InputError where it has none.
   [[nodiscard]] std::optional<model::Band> band(bool wanted) const;
   /// "rig", "shaft" or "spindle".
   [[nodiscard]] std::string kind() const;

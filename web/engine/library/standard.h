@@ -5,7 +5,7 @@
 // project (packages.cmake); no other compiler sees it. Numbers are read and written to the same
 // digits as by libstdc++: strtod and printf of musl round exactly.
 
-/// Of the instruction sets that kernels ask for, WebAssembly has none.
+/// WebAssembly has none of the instruction sets that kernels ask for.
 #define __builtin_cpu_supports(set) false
 
 #include <unistd.h>
