@@ -42,7 +42,7 @@ enum {
   RACEWAY_STATUS_NOT_RUN = 5
 };
 
-/// Version of the library, as "0.1.0". Static: do not free it.
+/// Version of the library, as "0.2.0". Static: do not free it.
 RACEWAY_API const char* raceway_version(void);
 
 /// A status in the words of tables and JSON, as "no_equilibrium"; "unknown" for any other number.

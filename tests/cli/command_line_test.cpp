@@ -20,7 +20,7 @@ const char* const commands[] = {
 TEST(CommandLine, TellsItsVersion) {
   const Result r = run("--version");
   EXPECT_EQ(r.status, 0);
-  EXPECT_THAT(r.out, HasSubstr("raceway 0.1.0"));
+  EXPECT_THAT(r.out, HasSubstr("raceway 0.2.0"));
 }
 
 TEST(CommandLine, ShowsItsHelpWhenNothingIsAsked) {
