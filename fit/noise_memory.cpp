@@ -13,38 +13,70 @@ namespace {
 constexpr double unknown_runs = 0.5;   // share of the variance where nothing tells it
 constexpr double blocks_found = 6.63;  // of -2 ln L: 1 % of one parameter
 constexpr double undetermined = 0.5;   // of -2 ln L
+constexpr double worth_even_runs =
+    2.0;  // of -2 ln L: a form as good is no reason to leave the usual
 
 }  // namespace
 
-void NoiseSearch::find_memory() {
-  const bool timed = options_.correlation && order_.has_time;
-  const bool runs = options_.runs && order_.has_runs;
-  if (!timed && !runs) return;
+double NoiseSearch::value() const {
+  return misfit(noise_.correlation, noise_.run_share, shares_) + cost(shares_) +
+         worth_a_parameter *
+             ((noise_.correlation > 0.0 ? 1.0 : 0.0) + (noise_.run_share > 0.0 ? 1.0 : 0.0));
+}
+
+void NoiseSearch::search_memory(bool timed, bool runs) {
   double &phi = noise_.correlation, &g = noise_.run_share;
-  const auto value = [&](double p, double q) {
-    return misfit(p, q, shares_) +
-           worth_a_parameter * ((p > 0.0 ? 1.0 : 0.0) + (q > 0.0 ? 1.0 : 0.0));
-  };
-  double best = value(0.0, 0.0);
+  phi = g = 0.0;
+  double best = value();
   const auto try_out = [&](double p, double q) {
-    const double v = value(p, q);
-    if (v >= best) return;
-    best = v;
-    phi = p;
-    g = q;
+    const double phi_before = std::exchange(phi, p), g_before = std::exchange(g, q);
+    const double v = value();
+    if (v < best) {
+      best = v;
+    } else {
+      phi = phi_before;
+      g = g_before;
+    }
   };
   for (const double p : {0.0, 0.2, 0.4, 0.6, 0.75, 0.87, 0.95})
-    for (const double q : {0.0, 0.1, 0.25, 0.5, 0.75})
+    for (const double q : {0.0, 0.1, 0.25, 0.5, 0.75, 0.9})
       if ((p == 0.0 || timed) && (q == 0.0 || runs)) try_out(p, q);
   for (double step = 0.06; step > 0.005; step *= 0.5)
     for (const auto& [dp, dq] : std::array<std::pair<double, double>, 4>{
              {{step, 0.0}, {-step, 0.0}, {0.0, step}, {0.0, -step}}}) {
       const double p = phi + dp, q = g + dq;
-      if ((dp != 0.0 && phi == 0.0) || (dq != 0.0 && g == 0.0)) continue;
-      if (p <= 0.0 || p > 0.985 || q <= -1e-12 + (g > 0.0 ? 1e-12 : 0.0) || q > 0.95) continue;
-      try_out(p, q);
+      if ((dp != 0.0 && (phi == 0.0 || p <= 0.0)) || (dq != 0.0 && (g == 0.0 || q <= 0.0)))
+        continue;
+      if (p <= 0.985 && q <= 0.95) try_out(p, q);
     }
+}
+
+void NoiseSearch::find_memory() {
+  const bool timed = options_.correlation && order_.has_time;
+  const bool runs = options_.runs && order_.has_runs;
+  if (!timed && !runs) return;
+  even_runs_ = false;
+  search_memory(timed, runs);
+  if (runs) {
+    const NoiseModel before = noise_;
+    const Shares shares = shares_;
+    const double in_proportion = value();
+    // The parts were found as if rows were independent: offsets of one size look like absolute
+    // noise.
+    even_runs_ = true;
+    for (int round = 0; round < 2; ++round) {
+      search_memory(timed, runs);
+      if (options_.absolute && !declared_) find_shares();
+    }
+    if (!(value() < in_proportion - worth_even_runs)) {
+      noise_ = before;
+      shares_ = shares;
+      even_runs_ = false;
+    }
+  }
   // Where runs and levels coincide nothing says how much the runs differ: as much as may be.
+  double& g = noise_.run_share;
+  const double phi = noise_.correlation;
   if (runs && misfit(phi, unknown_runs, shares_) < misfit(phi, g, shares_) + undetermined) {
     g = std::max(g, unknown_runs);
     noise_.unknown_runs = true;
@@ -70,27 +102,31 @@ void NoiseSearch::find_states() {
 }
 
 void NoiseSearch::find_blocks() {
-  const double before = misfit(noise_.correlation, 0.0, shares_);
+  const double independent = misfit(0.0, 0.0, shares_) + cost(shares_), before = value();
   const NoiseModel without = noise_;
+  const Shares shares = shares_;
   const RowOrder order = order_, some = some_order_;
   for (RowOrder* of : {&order_, &some_order_}) {
     of->new_run = of->new_block;
     of->has_runs = true;
   }
-  noise_.correlation = 0.0;
   find_memory();
-  const double with = misfit(noise_.correlation, noise_.run_share, shares_);
+  // Neighbours in time are alike within a block, too: of blocks and a correlation the better one.
+  const double with = value();
+  const bool found = noise_.run_share > 0.0 && with < independent - blocks_found && with < before;
   // Passages at a level each may be runs where nothing tells how much they differ.
   const bool cautious = order.own_levels && noise_.unknown_runs;
-  if (with < before - blocks_found || cautious) {
+  if (found || cautious) {
     noise_.undeclared_blocks = true;
     return;
   }
   double factor = 1.0;
   std::optional<Whitening> allowed;
-  if (with < before - within_the_likely)
+  if (noise_.run_share > 0.0 && with < independent && with < before + within_the_likely)
     allowed = scaled(noise_.correlation, noise_.run_share, shares_, factor);
   noise_ = without;
+  shares_ = shares;
+  even_runs_ = false;
   if (allowed) noise_.allowed.push_back(*std::move(allowed));
   order_ = order;
   some_order_ = some;

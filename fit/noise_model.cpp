@@ -43,9 +43,13 @@ void add_levels(const record::Column& column, std::span<const std::size_t> rows,
 }  // namespace
 
 void NoiseModel::scale(double factor) {
-  for (double* const size : {&relative, &absolute, &input, &rms}) *size *= factor;
+  for (double* const size : {&relative, &absolute, &input, &run_unit, &rms}) *size *= factor;
   whitening = whitening.scaled(factor);
   for (Whitening& other : allowed) other = other.scaled(factor);
+}
+
+double NoiseModel::run_offset() const {
+  return std::sqrt(run_share) * (run_unit > 0.0 ? run_unit : rms);
 }
 
 double NoiseModel::growth_at(const Record& record, std::size_t row) const {
@@ -110,7 +114,7 @@ Whitening whitening_of(const NoiseModel& noise, const ChannelReadings& readings,
   // The correlation belongs to the step of the readings that it was found in.
   const double steps = readings.order.median_step / noise.median_step;
   const double correlation = noise.correlation > 0.0 ? std::pow(noise.correlation, steps) : 0.0;
-  return {std, readings.order, correlation, noise.run_share, noise.state_share};
+  return {std, readings.order, correlation, noise.run_share, noise.state_share, {}, noise.run_unit};
 }
 
 double beyond_noise(double error, double noise) {
@@ -121,8 +125,8 @@ void add_model_error(NoiseModel& noise, const ChannelReadings& readings, double 
   if (!(error > 0.0)) return;
   const Eigen::VectorXd std =
       (noise.whitening.std().array().square() + error * error).sqrt().matrix();
-  noise.whitening =
-      Whitening(std, readings.order, noise.correlation, noise.run_share, noise.state_share);
+  noise.whitening = Whitening(std, readings.order, noise.correlation, noise.run_share,
+                              noise.state_share, {}, noise.run_unit);
   noise.absolute = std::hypot(noise.absolute, error);
   noise.rms = std::hypot(noise.rms, error);
 }

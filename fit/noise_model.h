@@ -23,13 +23,16 @@ namespace raceway::fit {
 struct NoiseModel {
   /// Standard deviation in proportion to the reading, at the largest of the swept input [1].
   double relative = 0.0;
-  double growth = 0.0;                ///< p: power of the swept input with which it grows [1]
-  const Channel* swept = nullptr;     ///< n; null where nothing is swept widely
-  double largest_swept = unset;       ///< n_max [SI]
-  double absolute = 0.0;              ///< rms of the part that does not grow with it [SI]
-  double input = 0.0;                 ///< rms of the part that comes from scatter of an input [SI]
-  double correlation = 0.0;           ///< φ of neighbours in time, at the median step [1]
-  double run_share = 0.0;             ///< of the variance, common to the rows of a run [1]
+  double growth = 0.0;             ///< p: power of the swept input with which it grows [1]
+  const Channel* swept = nullptr;  ///< n; null where nothing is swept widely
+  double largest_swept = unset;    ///< n_max [SI]
+  double absolute = 0.0;           ///< rms of the part that does not grow with it [SI]
+  double input = 0.0;              ///< rms of the part that comes from scatter of an input [SI]
+  double correlation = 0.0;        ///< φ of neighbours in time, at the median step [1]
+  double run_share = 0.0;          ///< of the variance, common to the rows of a run [1]
+  /// Of the offsets of runs: `run_share` is the share of its square, and all readings of a run have
+  /// the same offset [SI]. 0 where offsets go with the standard deviation of each reading.
+  double run_unit = 0.0;
   double state_share = 0.0;           ///< of the variance, common to the pieces of a dwell [1]
   double degrees_of_freedom = unset;  ///< of the variance
   Whitening whitening{};
@@ -53,6 +56,8 @@ struct NoiseModel {
   [[nodiscard]] bool has_memory() const {
     return correlation > 0.0 || run_share > 0.0 || state_share > 0.0;
   }
+  /// Standard deviation of the offsets of runs, rms over the readings [SI].
+  [[nodiscard]] double run_offset() const;
   /// (n/n_max)^p at a row [1].
   [[nodiscard]] double growth_at(const Record& record, std::size_t row) const;
 };

@@ -148,9 +148,14 @@ double NoiseSearch::misfit(double phi, double run_share, const Shares& shares) c
   const Parts some{
       parts_.reading(some_), parts_.own(some_),
       parts_.slope.size() > 0 ? Eigen::VectorXd(parts_.slope(some_)) : Eigen::VectorXd()};
-  return restricted(Whitening(shape(shares, some, stretched()(some_)), some_order_, phi, run_share,
-                              noise_.state_share, common(shares, some)),
+  const Eigen::VectorXd std = shape(shares, some, stretched()(some_));
+  return restricted(Whitening(std, some_order_, phi, run_share, noise_.state_share,
+                              common(shares, some), run_unit(std)),
                     some_columns_, some_deviation_);
+}
+
+double NoiseSearch::run_unit(const Eigen::VectorXd& std) const {
+  return even_runs_ ? fit::rms(std) : 0.0;
 }
 
 Eigen::VectorXd NoiseSearch::common(const Shares& shares, const Parts& parts) const {
@@ -169,13 +174,16 @@ std::vector<NoiseSearch::Shares> NoiseSearch::all_shares() const {
   return list;
 }
 
+double NoiseSearch::cost(const Shares& shares) {
+  // Fewer parts are preferred unless a mixture is clearly better; of an input that scatters
+  // nobody has said anything.
+  return static_cast<double>(shares.parts() - 1) + (shares.input > 0.0 ? worth_an_input : 0.0);
+}
+
 double NoiseSearch::find_shares(const std::vector<Shares>& list) {
   double best = infinity;
   for (const Shares& s : list) {
-    // Fewer parts are preferred unless a mixture is clearly better; of an input that scatters
-    // nobody has said anything.
-    const double value = misfit(0.0, 0.0, s) + static_cast<double>(s.parts() - 1) +
-                         (s.input > 0.0 ? worth_an_input : 0.0);
+    const double value = misfit(noise_.correlation, noise_.run_share, s) + cost(s);
     if (value < best) {
       best = value;
       shares_ = s;
@@ -220,10 +228,10 @@ Whitening NoiseSearch::scaled(double phi, double run_share, const Shares& shares
                               double& factor) const {
   const Eigen::VectorXd std = shape(shares, parts_, stretched());
   const Eigen::VectorXd own = common(shares, parts_);
-  const Whitening unscaled(std, order_, phi, run_share, noise_.state_share, own);
+  const Whitening unscaled(std, order_, phi, run_share, noise_.state_share, own, run_unit(std));
   const Regression regression = regress(unscaled(columns_), unscaled(readings_.measured));
   factor = std::sqrt(regression.residual.squaredNorm() / noise_.degrees_of_freedom);
-  return {Eigen::VectorXd(factor * std), order_, phi, run_share, noise_.state_share, own};
+  return unscaled.scaled(factor);
 }
 
 void NoiseSearch::set_scale() {
@@ -233,6 +241,7 @@ void NoiseSearch::set_scale() {
   noise_.relative = factor * std::sqrt(shares_.relative) / reading_size_;
   noise_.absolute = factor * std::sqrt(shares_.absolute());
   noise_.input = factor * std::sqrt(shares_.input);
+  noise_.run_unit = run_unit(noise_.whitening.std());
   noise_.rms = fit::rms(noise_.whitening.std().cwiseQuotient(widening_));
 }
 
@@ -244,8 +253,9 @@ void NoiseSearch::honour_declared(double& factor) {
   factor = declared;
   noise_.as_declared = true;
   noise_.degrees_of_freedom = as_good_as_known;
-  noise_.whitening = Whitening(factor * shape(shares_, parts_, stretched()), order_,
-                               noise_.correlation, noise_.run_share);
+  const Eigen::VectorXd std = factor * shape(shares_, parts_, stretched());
+  noise_.whitening =
+      Whitening(std, order_, noise_.correlation, noise_.run_share, 0.0, {}, run_unit(std));
 }
 
 void NoiseSearch::find_allowed() {

@@ -6,7 +6,8 @@
 namespace raceway::fit {
 
 Whitening::Whitening(Eigen::VectorXd std, const RowOrder& order, double correlation,
-                     double run_share, double state_share, const Eigen::VectorXd& common)
+                     double run_share, double state_share, const Eigen::VectorXd& common,
+                     double run_unit)
     : std_(std::move(std)) {
   log_determinant_ = 2.0 * std_.array().log().sum();
   if (correlation <= 0.0 && run_share <= 0.0 && state_share <= 0.0) return;
@@ -27,12 +28,14 @@ Whitening::Whitening(Eigen::VectorXd std, const RowOrder& order, double correlat
     p_ac = step.new_state ? 0.0 : step.decay * p_ac;
     p_bc = step.new_run || step.new_state ? 0.0 : p_bc;
     p_cc = step.new_state ? state_share : p_cc;
-    const double h = step.common;
-    const double together = p_aa + 2.0 * p_ab + p_bb + (2.0 * p_ac + 2.0 * p_bc + p_cc);
+    if (run_unit > 0.0) step.run = run_unit / std_[static_cast<Eigen::Index>(i)];
+    const double h = step.common, r = step.run;
+    const double together =
+        p_aa + 2.0 * r * p_ab + r * r * p_bb + (2.0 * p_ac + 2.0 * r * p_bc + p_cc);
     const double variance = h * h * together + (1.0 - h * h);
-    step.gain_ar = h * (p_aa + p_ab + p_ac) / variance;
-    step.gain_run = h * (p_ab + p_bb + p_bc) / variance;
-    step.gain_state = h * (p_ac + p_bc + p_cc) / variance;
+    step.gain_ar = h * (p_aa + r * p_ab + p_ac) / variance;
+    step.gain_run = h * (p_ab + r * p_bb + p_bc) / variance;
+    step.gain_state = h * (p_ac + r * p_bc + p_cc) / variance;
     step.inverse_std = 1.0 / std::sqrt(variance);
     log_determinant_ += std::log(variance);
     p_aa -= step.gain_ar * step.gain_ar * variance;
@@ -85,8 +88,7 @@ void Whitening::follow(double* first, Eigen::Index stride) const {
       ar[c] *= step.decay;
       if (step.new_run) run[c] = 0.0;
       if (step.new_state) state[c] = 0.0;
-      const double innovation =
-          *value - step.common * ar[c] - step.common * run[c] - step.common * state[c];
+      const double innovation = *value - step.common * (ar[c] + step.run * run[c] + state[c]);
       ar[c] += step.gain_ar * innovation;
       run[c] += step.gain_run * innovation;
       state[c] += step.gain_state * innovation;

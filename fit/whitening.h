@@ -25,20 +25,22 @@ struct RowOrder {
 
 /// Turns readings into independent numbers of unit variance.
 ///
-///   cov(e_i, e_k) = s_i s_k [ (1 - g - h) φ^|t_i - t_k| + g (same run) + h (same dwell) ]
+///   cov(e_i, e_k) = s_i s_k [ (1 - g - h) φ^|t_i - t_k| + g r_i r_k (same run) + h (same dwell) ]
 ///
 /// with the standard deviation s of each reading [SI], a first-order autoregression along time and
-/// offsets common to the rows of a run and of a dwell. Of a reading with a white part, of which
-/// neighbours know nothing, c s stands in place of s, and s² (1 - c²) is added to its own variance.
-/// Innovations of the Kalman filter with these states, divided by their standard deviation: exact,
-/// in time and memory proportional to the rows.
+/// offsets common to the rows of a run and of a dwell. r = 1 where the offset of a run goes with s;
+/// r_i = u/s_i where it is the same at each of its readings, as that of a zero that is set before
+/// the run; then the variance of a reading is no longer s² alone. Of a reading with a white part,
+/// of which neighbours know nothing, c s stands in place of s, and s² (1 - c²) is added to its own
+/// variance. Innovations of the Kalman filter with these states, divided by their standard
+/// deviation: exact, in time and memory proportional to the rows.
 class Whitening {
  public:
   Whitening() = default;
   /// correlation φ in [0, 1), run_share g and state_share h in [0, 1), both together below 1.
-  /// `common`: c of each reading, in (0, 1]; 1 where empty.
+  /// `common`: c of each reading, in (0, 1]; 1 where empty. `run_unit`: u [SI]; 0: r = 1.
   Whitening(Eigen::VectorXd std, const RowOrder& order, double correlation, double run_share,
-            double state_share = 0.0, const Eigen::VectorXd& common = {});
+            double state_share = 0.0, const Eigen::VectorXd& common = {}, double run_unit = 0.0);
   /// Whitening of several channels, one after the other, with independent noise.
   explicit Whitening(const std::vector<Whitening>& parts);
 
@@ -57,6 +59,7 @@ class Whitening {
     double gain_ar, gain_run;
     bool new_state = true;
     double gain_state = 0.0, common = 1.0;
+    double run = 1.0;          // r
     double inverse_std = 1.0;  // of the innovation
   };
   template <std::size_t count>

@@ -257,8 +257,7 @@ void Investigation::describe_base() {
       tell(record::note::plan(fmt::format(
           "{}: offsets of {} follow blocks of rows in which a setting rises or falls and starts "
           "again, as if each were clamped anew; they count as runs (run_id says which rows are)",
-          d.channel().words,
-          reading_text(d.channel(), d.noise.rms * std::sqrt(d.noise.run_share)))));
+          d.channel().words, reading_text(d.channel(), d.noise.run_offset()))));
     else if (d.noise.undeclared_blocks)
       tell(record::note::plan(
           fmt::format("{}: the rows stand in blocks in which a setting rises or falls and starts "

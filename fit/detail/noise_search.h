@@ -58,7 +58,8 @@ class NoiseSearch {
   [[nodiscard]] Eigen::VectorXd stretched() const { return widening_.cwiseProduct(by_record_); }
   [[nodiscard]] std::vector<Shares> all_shares() const;
   double find_shares() { return find_shares(all_shares()); }
-  /// The best of these; its -2 ln L with what its parts cost.
+  [[nodiscard]] static double cost(const Shares& shares);
+  /// The best of these with the memory as it is; its -2 ln L with what its parts cost.
   double find_shares(const std::vector<Shares>& list);
   /// Finds the growth of the relative part with the swept input. Each growth has its own doubtful
   /// readings, and each of these costs what its rarity is worth.
@@ -75,8 +76,15 @@ class NoiseSearch {
   void find_outliers();
   /// Finds the scatter of each of several records, in the common shape: days and sensors differ.
   void find_records();
-  /// Correlation and runs both at once, as each can look like the other.
+  /// Correlation and runs both at once, as each can look like the other; offsets of runs in
+  /// proportion to the noise of each reading, or the same for all readings of a run.
   void find_memory();
+  /// The best correlation and share of runs with the other parts as they are.
+  void search_memory(bool timed, bool runs);
+  /// -2 ln L with what memory and parts cost.
+  [[nodiscard]] double value() const;
+  /// Whitening::run_unit for standard deviations of this shape.
+  [[nodiscard]] double run_unit(const Eigen::VectorXd& std) const;
   /// Finds the offset that the pieces of one dwell have in common. It competes with the correlation
   /// between neighbours, so both are searched together.
   void find_states();
@@ -110,6 +118,7 @@ class NoiseSearch {
   Eigen::VectorXd widening_;     // of outliers
   Eigen::VectorXd by_record_;    // NoiseModel::records
   Shares shares_;
+  bool even_runs_ = false;  // the offset of a run is the same for all of its readings
   NoiseModel noise_;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double worth_a_parameter = 2.71;  // of -2 ln L: 5 % level of one variance >= 0
