@@ -237,7 +237,7 @@ const bool registered = [] {
   register_many("5dof_20_balls", combined, free_tilt);
   register_many("5dof_20_balls_oblique", oblique, free_tilt);
   // How cost grows.
-  for (const std::size_t points : {1, 8, 64, 512, 4096, 32768})
+  for (const std::size_t points : {1u, 8u, 64u, 512u, 4096u, 32768u})
     benchmark::RegisterBenchmark(("grow/points_" + std::to_string(points)).c_str(), run_many,
                                  combined, free_tilt, Many{.points = points});
   for (const int balls : {8, 12, 16, 20, 23})

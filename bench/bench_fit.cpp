@@ -180,17 +180,17 @@ const bool registered = [] {
   of_rig("diagnose/120_rows_unknown", "dev-07", true);
   add("diagnose/72_rows_wrong_law",
       [](benchmark::State& state) { diagnose(state, rig_of_another_law(), {}); });
-  for (const std::size_t rows : {1000, 10000, 100000})
+  for (const std::size_t rows : {1000u, 10000u, 100000u})
     add("diagnose/" + rows_name(rows),
         [=](benchmark::State& state) { diagnose(state, measured_rig(rows), {}); });
-  for (const std::size_t count : {4, 8, 16})
+  for (const std::size_t count : {4u, 8u, 16u})
     add("grow/candidates_" + std::to_string(count), [=](benchmark::State& state) {
       verdict::DiagnoseOptions options;
       for (const effects::Description& d : effects::catalogue().first(count))
         options.candidates.emplace_back(d.id);
       diagnose(state, measured_rig(1000), options);
     });
-  for (const std::size_t rows : {120, 1000, 10000, 100000}) {
+  for (const std::size_t rows : {120u, 1000u, 10000u, 100000u}) {
     const std::string name = "calibrate/" + rows_name(rows);
     add(name, [=](benchmark::State& state) { calibrate(state, rows, false, 1); });
     if (rows == 120 || rows == 10000)
