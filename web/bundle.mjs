@@ -6,8 +6,8 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { gzipSync } from 'node:zlib';
-import { workbench } from './page/bundle.mjs';
+import { engineOf } from './engine/node.mjs';
+import { packed, withRecorded, workbench } from './page/bundle.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const largest = 8e6; // bytes of the file
@@ -35,19 +35,18 @@ export function workerScript(engine, packages) {
 export function withEngine(page, engine, packages) {
   const script = workerScript(engine, packages);
   if (/<\/script|<!--/i.test(script)) throw new Error('the script would end early inside a page');
-  const wasm = gzipSync(readFileSync(join(engine, 'raceway.wasm')), { level: 9 }).toString('base64');
   const place = '<!--@ENGINE@-->';
   if (!page.includes(place)) throw new Error(`the page has no place for the engine, ${place}`);
   const inside =
     `<script type="text/plain" id="engine-worker">${script}</script>\n` +
-    `<script type="text/plain" id="engine-wasm">${wasm}</script>\n<!--@LOADED@-->`;
+    `${packed('engine-wasm', readFileSync(join(engine, 'raceway.wasm')))}\n<!--@LOADED@-->`;
   return page.replace(place, () => inside);
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const [output, engine, packages = join(here, '../build/wasm/report/page')] = process.argv.slice(2).map((path) => resolve(path));
   if (!engine) throw new Error('node web/bundle.mjs OUTPUT.html FOLDER_OF_ENGINE [FOLDER_OF_NODE_MODULES]');
-  const page = withEngine(workbench(packages), engine, packages);
+  const page = withEngine(await withRecorded(workbench(packages), await engineOf(engine)), engine, packages);
   if (page.length > largest) throw new Error(`${output}: ${page.length} bytes; ${largest} at most`);
   writeFileSync(output, page);
   console.log(`${output}: ${page.length} bytes`);

@@ -7,7 +7,8 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { workbench } from '../../web/page/bundle.mjs';
+import { nativeEngine } from '../../web/engine/native.mjs';
+import { withRecorded, workbench } from '../../web/page/bundle.mjs';
 import { serve } from '../../web/page/dev_server.mjs';
 import { file, raceway, RACEWAY, ROOT, visit } from '../report/pages.mjs';
 
@@ -24,7 +25,7 @@ before(async () => {
 });
 after(() => server?.close());
 
-const idle = (page) => page.waitForFunction(() => document.documentElement.dataset.idle === 'yes');
+const idle = (page) => page.waitForFunction(() => document.documentElement.dataset.idle === 'yes', undefined, { timeout: 120000 });
 const sentence = async (page) => (await page.textContent('#sentence')).replaceAll('\u00a0', ' ');
 const errors = (page) => page.$$eval('.callout.error', (all) => all.map((e) => e.textContent));
 const bars = (page) => page.$$eval('#error-bars .bar-now', (all) => all.map((bar) => Number.parseFloat(bar.style.width)));
@@ -260,6 +261,155 @@ test('a record over time with its correction: the missing lag is added, and the 
   await close();
 });
 
+test('the measured spindle is built in: the lags of its sensors are found in 26 h and judged by the 8 h that follow, with its trust', async () => {
+  const { page, faults, close } = await open();
+  await click(page, '#example-record');
+  assert.deepEqual(await errors(page), []);
+  assert.match(await page.textContent('#trust'), /do not use/);
+  // A correction that is not to be used is exported only when asked twice, as by the command.
+  await click(page, '#step-home');
+  await click(page, '#export-c');
+  assert.match(await page.textContent('#export'), /do not use, because/);
+  const untrusted = await saved(page, '#accept-untrusted');
+  assert.match(untrusted.text, /Trust in displacement_ch3_um: do not use/);
+  // The record cut elsewhere: other readings judge.
+  await click(page, '#step-data');
+  const cut = async (until) => {
+    await page.fill('#until', until);
+    await page.keyboard.press('Tab');
+    await idle(page);
+  };
+  await cut('20 h');
+  assert.match(await page.textContent('#error-bars'), /after 20\u00a0h, not fitted to/);
+  await cut('noon');
+  assert.match((await errors(page)).join(), /noon/);
+  await cut('26h');
+  await click(page, '#step-missing');
+  await click(page, '#find-lags');
+  assert.deepEqual(await errors(page), []);
+  const record = join(ROOT, 'data/measurements/spindle_thermal');
+  const found = file('found.toml');
+  const { trust } = JSON.parse(raceway('identify', join(record, 'bare3.toml'), join(record, 'record.csv'), '--lags', 'auto', '--until', '26h', '-o', found, '--json'));
+  assert.equal(trust.verdict, 'within-range');
+  assert.match(await page.textContent('#trust'), /inside its range only/);
+  assert.ok((await page.textContent('#trust')).replaceAll('\u00a0', ' ').includes(trust.because.replaceAll(' um', ' µm')));
+  const ahead = JSON.parse(raceway('compare', join(record, 'bare3.toml'), found, join(record, 'record.csv'), '--from', '26h', '--zero', 'none', '--json'));
+  const [before, now] = ahead.models.map((m) => m.rmse.toPrecision(3));
+  assert.match((await page.textContent('#error-bars')).replaceAll('\u00a0', ' '), new RegExp(`after 26 h, not fitted to${before} → ${now} µm`));
+  await click(page, '#step-home');
+  const folder = file('bank');
+  mkdirSync(folder);
+  for (const id of ['start', 'model', 'data']) {
+    const { name, text } = await saved(page, `#save-${id}`);
+    writeFileSync(join(folder, name === 'model.toml' ? 'saved.toml' : name), text);
+  }
+  execFileSync('bash', ['-ec', await page.textContent('#shell')], { cwd: folder, stdio: 'pipe', env: { ...process.env, PATH: `${dirname(RACEWAY)}:${process.env.PATH}` } });
+  assert.equal(readFileSync(join(folder, 'saved.toml'), 'utf8'), readFileSync(join(folder, 'model.toml'), 'utf8'));
+  assert.match((await saved(page, '#export-python')).text, /inside its range only/);
+  // Lags that were found in more of the record would not be judged by readings that no fit saw.
+  await click(page, '#step-data');
+  await cut('20h');
+  assert.equal(await page.locator('#find-lags').count(), 1);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+const facts = (page) => page.$$eval('.facts div', (all) => Object.fromEntries(all.map((f) => [f.querySelector('dt').textContent, f.querySelector('dd').textContent])));
+const steady = (model, ...flags) => JSON.parse(raceway('spindle', model, '--speed', '6000', '--steady', ...flags, '--json')).steady[0];
+
+test('a spindle is designed: its cross-section follows the model; steady state, programme and modes are those of the program', async () => {
+  const { page, faults, close } = await open();
+  const design = join(ROOT, 'data/spindles/externally_driven.toml');
+  await click(page, '#example-spindle');
+  assert.match(await sentence(page), new RegExp(`nose ${steady(design).axial_displacement_um.toPrecision(4)} µm`));
+  assert.equal(await page.locator('#assumptions tbody tr').count(), 5);
+  await page.uncheck('#coolant');
+  await idle(page);
+  const warm = steady(design, '--coolant', 'off');
+  assert.equal((await facts(page))['front set'], `${warm.front_force_N.toPrecision(4)} N`);
+  await page.check('#coolant');
+  await idle(page);
+  // A longer piece at the rear: the picture and the numbers follow, the text too.
+  await click(page, '#step-model');
+  const picture = () => page.$eval('#cross-section .chart', (chart) => chart.innerHTML);
+  const before = await picture();
+  await page.fill('#piece-4-length_mm', '95');
+  await page.keyboard.press('Tab');
+  await idle(page);
+  assert.notEqual(await picture(), before);
+  const text = readFileSync(design, 'utf8').replace('length_mm = 75.0', 'length_mm = 95');
+  await page.click('summary:has-text("Text of")');
+  assert.equal(await page.inputValue('#toml'), text);
+  writeFileSync(file('longer.toml'), text);
+  assert.match(await sentence(page), new RegExp(`nose ${steady(file('longer.toml')).axial_displacement_um.toPrecision(4)} µm`));
+  await click(page, '#piece-4-remove');
+  await click(page, '#piece-3-add');
+  assert.equal(await page.locator('.pieces tbody tr').count(), 5);
+  await page.fill('#piece-1-length_mm', '-3');
+  await page.keyboard.press('Tab');
+  await idle(page);
+  assert.match((await errors(page)).join(), /length_mm = -3 mm: must be from/);
+  assert.match(await page.textContent('#cross-section'), /of the last model that could be solved/);
+  await click(page, '#step-history');
+  await click(page, '#back-0');
+  assert.deepEqual(await errors(page), []);
+  await click(page, '#step-programme');
+  const run = JSON.parse(raceway('spindle', design, '--speed-profile', join(ROOT, 'data/spindles/day.csv'), '--json'));
+  assert.equal((await facts(page))['highest front force'], `${run.highest_front_force.force_N.toPrecision(4)} N`);
+  assert.deepEqual(await page.$$eval('#panel figure', (all) => all.map((f) => f.id)), ['section', 'nose', 'forces', 'temperatures', 'heat']);
+  await page.click('summary:has-text("Text of the programme")');
+  await page.fill('#programme', 'time_s,speed_rpm\n0,0\n600,x\n');
+  await click(page, '#run-programme');
+  assert.match((await errors(page)).join(), /programme\.csv:3: /);
+  await page.fill('#programme', 'time_s,speed_rpm\n0,0\n600,3000\n');
+  await click(page, '#run-programme');
+  assert.match(await sentence(page), /nose from 0 µm/);
+  await click(page, '#step-modes');
+  assert.match(await sentence(page), /first mode [\d.]+ Hz at 0 rpm/);
+  assert.equal(await page.locator('#campbell, #shapes').count(), 2);
+  await click(page, '#step-home');
+  const folder = file('spindle');
+  mkdirSync(folder);
+  for (const id of ['model', 'programme']) {
+    const { name, text: own } = await saved(page, `#save-${id}`);
+    writeFileSync(join(folder, name), own);
+  }
+  const rows = await saved(page, '#save-rows');
+  execFileSync('bash', ['-ec', await page.textContent('#shell')], { cwd: folder, stdio: 'pipe', env: { ...process.env, PATH: `${dirname(RACEWAY)}:${process.env.PATH}` } });
+  const numbers = (csv) => csv.split('\n').filter((line) => !line.startsWith('#')).join('\n');
+  assert.equal(numbers(readFileSync(join(folder, 'run.csv'), 'utf8')), numbers(rows.text));
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('a spindle begins with a template whose assumptions are marked; a dropped programme runs on it, a dropped rig takes its place', async () => {
+  const { page, faults, close } = await open();
+  await click(page, '#example-spindle');
+  await click(page, '#step-model');
+  await page.fill('#preload', '250');
+  await designate(page, 'S 6010 E', 'VG 22');
+  assert.deepEqual(await errors(page), []);
+  assert.match(await sentence(page), /S 6010 E/);
+  assert.equal(await page.inputValue('#key-arrangement-preload_N'), '250');
+  assert.ok((await page.locator('.field.assumed').count()) > 3);
+  assert.equal(await page.locator('#example-spindle').count(), 0);
+  await drop(page, 'shift.csv', 'time_s,speed_rpm,ambient_temperature_C\n0,0,20\n900,4000,22\n');
+  assert.match(await sentence(page), /nose from/);
+  await drop(page, join(rigs, 'dev-05/train.csv'));
+  assert.match(await sentence(page), /Which bearing was measured/);
+  await drop(page, join(ROOT, 'data/spindles/small.toml'));
+  assert.match(await sentence(page), /6000 rpm: nose/);
+  await click(page, '#step-model');
+  await page.fill('#piece-2-bore_mm', '30');
+  await page.keyboard.press('Tab');
+  await idle(page);
+  assert.deepEqual(await errors(page), []);
+  await page.click('summary:has-text("Text of")');
+  assert.match(await page.inputValue('#toml'), /\{length_mm = 180, diameter_mm = 82, bore_mm = 30\}/);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
 test('by keyboard alone', async () => {
   const { page, faults, close } = await open();
   const reach = async (id) => {
@@ -313,7 +463,9 @@ const faint = () => {
 for (const [width, colorScheme] of [[1300, 'light'], [1300, 'dark'], [390, 'light'], [390, 'dark']])
   test(`every step fits ${width} px, reads well in ${colorScheme}, and its controls have names`, async () => {
     const { page, faults, close } = await open({ viewport: { width, height: 900 }, colorScheme });
-    for (const step of ['missing', 'data', 'model', 'compare', 'history', 'home']) {
+    const steps = { rig: ['missing', 'data', 'model', 'compare', 'history', 'home'], record: ['missing', 'data', 'model', 'home'], spindle: ['model', 'steady', 'programme', 'modes', 'history', 'home'] };
+    for (const [example, step] of Object.entries(steps).flatMap(([name, list]) => list.map((s) => [name, s]))) {
+      if ((await page.getAttribute(`#example-${example}`, 'aria-pressed')) !== 'true') await click(page, `#example-${example}`);
       await click(page, `#step-${step}`);
       assert.deepEqual(await errors(page), [], step);
       assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width, step);
@@ -326,7 +478,7 @@ for (const [width, colorScheme] of [[1300, 'light'], [1300, 'dark'], [390, 'ligh
   });
 
 /// The page as one file, with a worker that plays what was recorded.
-function withWorker(name, more = '') {
+function withWorker(name, more = '', bundled = workbench(process.env.PAGE_PACKAGES)) {
   const answers = JSON.stringify([...recorded]).replace(/</g, '\\u003c');
   const worker = `const known = new Map(${answers});
 onmessage = ({ data: question }) => {
@@ -334,7 +486,7 @@ onmessage = ({ data: question }) => {
   postMessage(known.get(JSON.stringify([question.arguments, question.files])) ?? { status: 1, out: '', err: 'not recorded: ' + question.arguments.join(' '), files: {} });
 };`;
   const path = file(`${name}.html`);
-  writeFileSync(path, workbench(process.env.PAGE_PACKAGES).replace('<!--@ENGINE@-->', () => `<script type="text/plain" id="engine-worker">${worker}</script>`));
+  writeFileSync(path, bundled.replace('<!--@ENGINE@-->', () => `<script type="text/plain" id="engine-worker">${worker}</script>`));
   return pathToFileURL(path).href;
 }
 
@@ -359,4 +511,19 @@ test('from a file, with the engine in a worker: no request, the same verdict; a 
   assert.match(await sentence(page), /Lubricant drag is missing/);
   assert.deepEqual(faults, []);
   await close();
+});
+
+test('the verdict of the built-in rig stands before the engine has answered, and says that it is recorded', async () => {
+  const bundled = await withRecorded(workbench(process.env.PAGE_PACKAGES), nativeEngine(RACEWAY));
+  const slow = "if (question.arguments[0] === 'diagnose') for (const until = Date.now() + 3000; Date.now() < until; );";
+  const { page, faults, close } = await visit(withWorker('recorded', slow, bundled));
+  await page.waitForSelector('#add-0');
+  assert.match(await page.textContent('#stale'), /recorded when this page was made/);
+  assert.match(await sentence(page), /Lubricant drag is missing/);
+  const before = await bars(page);
+  await idle(page);
+  assert.equal(await page.locator('#stale').count(), 0);
+  assert.deepEqual(await bars(page), before);
+  await close();
+  assert.deepEqual(faults, []);
 });

@@ -1,5 +1,5 @@
-// The engine in a worker of the page. The first message is { wasm: ArrayBuffer } or { wasm: WebAssembly.Module }; each
-// further one is a question, answered by one message. With `progress: true` in the question, messages
+// The engine in a worker of the page. The first message is { packed: base64 of gzip }, answered by the compiled { module },
+// or { module } that another worker compiled; each further one is a question, answered by one message. With `progress: true` in the question, messages
 // { progress: { share, step } } come before. What breaks the engine down is an error of the worker (onerror).
 // A busy worker hears nothing: to stop a question, end the worker and start another.
 import raceway from 'raceway.mjs';
@@ -8,9 +8,19 @@ import { engine } from './engine.mjs';
 let ask = null;
 let last = Promise.resolve();
 
+/// Compiles while it unpacks.
+function compiled(base64) {
+  const text = atob(base64.trim());
+  const bytes = new Uint8Array(text.length);
+  for (let k = 0; k < bytes.length; ++k) bytes[k] = text.charCodeAt(k);
+  const unpacked = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return WebAssembly.compileStreaming(new Response(unpacked, { headers: { 'Content-Type': 'application/wasm' } }));
+}
+
 async function hear({ data }) {
-  if (data.wasm) {
-    const module = data.wasm instanceof WebAssembly.Module ? data.wasm : await WebAssembly.compile(data.wasm);
+  if (data.packed || data.module) {
+    const module = data.module ?? (await compiled(data.packed));
+    if (data.packed) self.postMessage({ module });
     ask = engine(raceway, module);
     return;
   }

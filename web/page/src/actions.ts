@@ -1,12 +1,37 @@
 // What a user does. Each action replaces the case and asks the engine anew; answers of an earlier case are dropped.
 import { Asking, documentOf, Refused, refusal, reportOf } from './asking';
-import { decoded, numbersOf, readMap, writeMap, type Mapped } from './columns';
+import { decoded, numbersOf, preview, readMap, writeMap, type Mapped } from './columns';
 import { Stopped, type Engine } from './engine';
+import { examples } from './example';
 import { viscosities } from './oil';
 import * as ask from './questions';
 import { quantity } from './report';
-import { caseOf, type AddedTo, type Case, type Compared, type Diagnosed, type EffectCard, type Key, type LawTried, type Line, type Problem, type Reading, type Result, type State, type Store, type TextFile } from './state';
-import { channelsOf, valueOf, withoutAssumption, withValue } from './toml';
+import { askSpindle, isProgramme } from './spindle_asking';
+import {
+  caseOf,
+  nothing,
+  sameCase,
+  unanswered,
+  type AddedTo,
+  type Case,
+  type Compared,
+  type Diagnosed,
+  type EffectCard,
+  type ExampleName,
+  type Key,
+  type LawTried,
+  type Line,
+  type Machine,
+  type Panel,
+  type Problem,
+  type Reading,
+  type Result,
+  type State,
+  type Store,
+  type TextFile,
+  type Trust,
+} from './state';
+import { channelsOf, isCorrection, isSpindle, valueOf, withoutAssumption, withValue } from './toml';
 import type { Added } from '../../../report/page/src/document';
 
 export const baseLaws = ['palmgren', 'skf', 'contact'];
@@ -14,6 +39,16 @@ const neutral = '7014 C'; // whose model reads columns until the user has named 
 
 /// "lubricant-drag" as people say it.
 export const inWords = (id: string): string => (id.startsWith('law:') ? `base law ${id.slice(4)}` : id.startsWith('input:') ? `input ${quantity(id.slice(6)).label}` : id.replace(/-/g, ' '));
+
+/// Whether a case is a spindle without measurements.
+export const alone = ({ model, data }: Case): boolean => data.length === 0 && model !== undefined && isSpindle(model.text);
+
+/// RMS errors on the readings that judge: of the first model, and of the one that is taken.
+export function judgedErrors({ compared }: Result): { before: number; now: number } | undefined {
+  if (!compared) return undefined;
+  const all = 'models' in compared.results ? compared.results.models : [compared.results];
+  return { before: all[0]?.rmse ?? NaN, now: all[all.length - 1]?.rmse ?? NaN };
+}
 
 /// RMS over the ways to leave rows out.
 export function heldOut(list: { rmse_before: number }[]): number | undefined {
@@ -25,7 +60,8 @@ function placeOf(error: unknown): Problem {
   const text = error instanceof Error ? error.message : String(error);
   if (!(error instanceof Refused)) return { at: 'missing', text };
   const file = error.file ?? '';
-  if (/^(model|refitted|improved)\.toml$/.test(file) || /^(model|refitted|improved)\.toml\b/.test(text)) return { at: 'model', text };
+  if (/^(model|start|refitted|improved)\.toml$/.test(file) || /^(model|start|refitted|improved)\.toml\b/.test(text)) return { at: 'model', text };
+  if (file === 'programme.csv' || text.startsWith('programme.csv')) return { at: 'programme', text };
   return { at: file ? 'data' : 'missing', text };
 }
 
@@ -56,8 +92,9 @@ export class Actions {
     }
   }
 
-  show(panel: State['panel']): void {
+  show(panel: Panel): void {
     this.store.change({ panel });
+    if (alone(this.state)) void this.evaluate(); // what this step shows may not have been asked yet
   }
 
   stop(): void {
@@ -71,13 +108,26 @@ export class Actions {
     this.store.change({ keys: keys.keys, effects: new Map(effects.effects.map((e) => [e.id, e])) });
   }
 
-  /// A case of its own, with its line in the history: the example, or what `raceway workbench` was given.
-  async open(of: Partial<Case>, label: string): Promise<void> {
-    this.store.change({ ...of, confirmed: true });
-    await this.doing(async () => {
-      await this.evaluate(label);
-      await this.learn();
+  /// A case in place of all that is shown, and of its history: an example, or what `raceway workbench` was given.
+  open(of: Promise<Case>, label: string, recorded?: Promise<Diagnosed | undefined>): Promise<void> {
+    return this.doing(async () => {
+      const opened = await of;
+      this.store.change({ ...opened, ...unanswered, history: [], at: -1, confirmed: true, panel: alone(opened) ? 'steady' : 'missing' });
+      const known = recorded?.then((base) => {
+        if (base && !this.state.result && caseOf(this.state).model === opened.model) this.store.change({ result: { on: [], entered: opened.model?.text ?? '', base, recorded: true }, stale: true });
+      });
+      await Promise.all([this.evaluate(label), known]);
+      if (!this.state.keys.length) await this.learn();
     });
+  }
+
+  async openExample(name: ExampleName): Promise<void> {
+    const { open, label } = examples[name];
+    try {
+      await this.open(open(), label);
+    } catch (error) {
+      this.store.change({ problem: placeOf(error) });
+    }
   }
 
   /// Asks everything about the case; `label` makes a line of the history of it.
@@ -95,9 +145,12 @@ export class Actions {
     };
     try {
       tell({ problem: undefined, stale: true });
+      if (model && alone(of)) return void (await this.askedOfSpindle(of, model.text, label, tell));
       if (!data.length) return;
+      tell({ machine: undefined });
       const reader = model?.text ?? (await this.neutralModel());
-      await this.read(of, reader, tell);
+      // A case that is built in needs no look at its columns before its verdict.
+      if (!of.example || !model) await this.read(of, reader, tell);
       if (!model || !this.state.confirmed) return;
       let entered = model.text;
       let refused: string | undefined;
@@ -115,6 +168,10 @@ export class Actions {
         result = { ...result, ...more };
         tell({ result, stale: false });
       };
+      if (of.start) {
+        const before = await this.asking.ask('Diagnosing', ask.diagnose(of, of.start.text));
+        result.before = documentOf<{ rmse_before: number }>(before).rmse_before;
+      }
       if (of.on.length === 0) known({});
       let refitted: string | undefined;
       const calibrate = async () => {
@@ -141,35 +198,75 @@ export class Actions {
         await calibrate();
       } else {
         this.record(label, of, result);
-        await calibrate();
-        known({ ...(refitted ? { model: refitted } : {}) });
+        if (of.example) await this.read(of, reader, tell);
+        // Lags that were just found stay as they are: their trust is of hours ahead, that of a refit of parts between others.
+        if (!of.start) await calibrate();
+        known({ model: refitted ?? entered });
       }
       if (refitted) known({ refitted });
-      known({ compared: await this.compare(of, result, entered) });
+      known(await this.compare(of, result, entered));
+      if (label !== undefined) this.judged(result);
+      if (isCorrection(entered)) known({ trust: await this.trustOf(of, result.model ?? entered) });
       await this.tryLaws(of, model.text, tell);
+      if (of.example && !this.state.reading) await this.read(of, reader, tell);
     } catch (error) {
       if (generation !== this.generation) return;
-      if (error instanceof Stopped) this.store.change({ problem: { at: 'missing', text: 'Stopped. Results may be incomplete: change something, or ask again.' } });
-      else this.store.change({ problem: placeOf(error) });
+      const { panel } = this.state;
+      const here: Panel = alone(of) && (panel === 'programme' || panel === 'modes') ? panel : alone(of) ? 'steady' : 'missing';
+      const problem = error instanceof Stopped ? { at: here, text: 'Stopped. Results may be incomplete: change something, or ask again.' } : placeOf(error);
+      this.store.change({ problem: problem.at === 'missing' ? { ...problem, at: here } : problem });
     }
   }
 
-  /// As entered, refitted, with the effects.
-  private async compare(of: Case, { refitted, model }: Result, entered: string): Promise<Compared> {
-    const models: [string, string | undefined][] = [
-      ['model.toml', entered],
-      ['refitted.toml', refitted],
-      ['improved.toml', of.on.length ? model : undefined],
+  /// Steady state, and what the step that is shown needs.
+  private async askedOfSpindle(of: Case, model: string, label: string | undefined, tell: (part: Partial<State>) => void): Promise<void> {
+    const { machine: before, panel } = this.state;
+    // Answers of the case before stand until those of this one are there.
+    let machine: Machine = before && sameCase(before.of, of) ? before : { of };
+    await askSpindle(this.asking, machine, model, panel, (part) => {
+      machine = { ...machine, ...part };
+      if (part.steady && label !== undefined) this.recordSpindle(label, machine);
+      tell({ machine, result: undefined });
+    });
+    tell({ stale: false });
+  }
+
+  private recordSpindle(label: string, { of, steady }: Machine): void {
+    const { history, at } = this.state;
+    const rows = steady?.report.rows.columns ?? [];
+    const last = (name: string) => {
+      const column = rows.find((c) => c.name === name);
+      return column?.values?.[column.values.length - 1] ?? column?.constant ?? undefined;
+    };
+    const line: Line = { label, rmse: last('axial_displacement_um'), held: last('front_force_N'), unit: 'um', spindle: true, of };
+    this.store.change({ history: [...history.slice(0, at + 1), line], at: at + 1 });
+  }
+
+  /// Before its lags were found, as entered, refitted, with the effects.
+  private async compare(of: Case, { refitted, model }: Result, entered: string): Promise<{ compared: Compared; names: string[] }> {
+    const models: [string, string | undefined, string][] = [
+      ['start.toml', of.start?.text, 'before the lags were found'],
+      ['model.toml', entered, of.start ? 'with the lags found' : 'as entered'],
+      ['refitted.toml', refitted, 'refitted'],
+      ['improved.toml', of.on.length ? model : undefined, `with ${of.on.map(inWords).join(' and ')}`],
     ];
+    const known = models.filter((m): m is [string, string, string] => m[1] !== undefined);
     const answer = await this.asking.ask(
       'Comparing',
       ask.compare(
         of,
-        models.filter((m): m is [string, string] => m[1] !== undefined),
+        known.map(([name, text]) => [name, text]),
       ),
     );
     documentOf(answer);
-    return reportOf<Compared>(answer.files['report.html'] as string);
+    return { compared: reportOf<Compared>(answer.files['report.html'] as string), names: known.map(([, , words]) => words) };
+  }
+
+  /// How far a correction may be trusted: its own displacement where it has several.
+  private async trustOf(of: Case, model: string): Promise<Trust> {
+    type Axis = { displacement: string; trust: Trust };
+    const { document } = await this.asking.document<Axis & { axes?: Axis[] }>('Asking how far it may be trusted', ask.correct(of, model));
+    return (document.axes?.find((a) => a.displacement === of.channel) ?? document.axes?.[0] ?? document).trust;
   }
 
   private async tryLaws(of: Case, model: string, tell: (part: Partial<State>) => void): Promise<void> {
@@ -189,6 +286,13 @@ export class Actions {
     }
   }
 
+  /// The line of the history gets the error on the readings that judge.
+  private judged(result: Result): void {
+    const { history, at, until } = this.state;
+    const held = until ? judgedErrors(result)?.now : undefined;
+    if (held !== undefined) this.store.change({ history: history.map((line, k) => (k === at ? { ...line, held } : line)) });
+  }
+
   private record(label: string | undefined, of: Case, { base, added }: Result): void {
     if (label === undefined) return;
     const { history, at } = this.state;
@@ -200,7 +304,7 @@ export class Actions {
   }
 
   private async neutralModel(): Promise<string> {
-    const answer = await this.asking.ask('Reading', ask.newModel(neutral, 'palmgren'));
+    const answer = await this.asking.ask('Reading', ask.newModel(neutral));
     return answer.files['model.toml'] as string;
   }
 
@@ -227,7 +331,10 @@ export class Actions {
     const data = texts.filter((t) => !tomls.includes(t));
     const map = tomls.find(isMap);
     const model = tomls.find((t) => !isMap(t));
-    const part: Partial<State> = { law: '', on: [], forced: false };
+    const spindle = model ? isSpindle(model.text) : alone(this.state);
+    const [programme] = data.filter((d) => spindle && isProgramme(preview(d.text, ['time_s'], 1).header));
+    if (spindle && (programme ? data.length === 1 : !data.length)) return this.takeSpindle(model, programme);
+    const part: Partial<State> = { law: '', on: [], forced: false, start: undefined, fromRecord: false, until: '', machine: undefined };
     if (data.length)
       Object.assign(part, {
         data,
@@ -238,9 +345,10 @@ export class Actions {
         reading: undefined,
         result: undefined,
         panel: 'data',
-        example: false,
+        example: '',
         confirmed: true,
-        ...(this.state.example ? { model: undefined, designation: '', oil: '', channel: '' } : {}),
+        programme: undefined,
+        ...(this.state.example || alone(this.state) ? { model: undefined, designation: '', oil: '', channel: '' } : {}),
       });
     if (model) Object.assign(part, { model, designation: '', oil: '', channel: channelsOf(model.text)[0] ?? '', modelNotes: [], ...(data.length ? {} : { panel: 'model' }) });
     if (map) Object.assign(part, { map: map.text, proposal: map.text });
@@ -248,6 +356,13 @@ export class Actions {
     if (data.length && !map) await this.propose();
     if (data.length && !readMap(this.state.proposal).mapped.some((m) => /torque|displacement/.test(m.ours))) await this.fromRecord();
     await this.evaluate(data.length ? data.map((d) => d.name).join(', ') : (model ?? map)?.name);
+  }
+
+  /// A spindle without measurements, a programme of speeds for it, or both.
+  private async takeSpindle(model: TextFile | undefined, programme: TextFile | undefined): Promise<void> {
+    const change: Partial<State> = model ? { ...nothing, ...unanswered, model, confirmed: true } : {};
+    this.store.change({ ...change, ...(programme ? { programme } : {}), panel: programme ? 'programme' : 'steady' });
+    await this.evaluate((model ?? programme)?.name);
   }
 
   /// Asks which column is which. Columns that have our names, or those of the model, need no map.
@@ -298,6 +413,7 @@ export class Actions {
     if (!text) return;
     this.store.change({
       model: { name: 'model.toml', text },
+      fromRecord: true,
       channel: channelsOf(text)[0] ?? '',
       ...(own ? { proposal: '', map: '', confirmed: true } : {}),
       problem: undefined,
@@ -311,10 +427,12 @@ export class Actions {
       const of = caseOf(this.state);
       if (!of.model) return;
       try {
-        const answer = await this.asking.ask('Finding the lags', ask.identify(of, of.model.text, bank));
+        const answer = await this.asking.ask('Finding the lags', ask.identify(of, (of.start ?? of.model).text, bank));
         documentOf(answer);
         const text = answer.files['found.toml'];
-        if (text) await this.editModel(text, bank ? 'lags found, a bank of them' : 'lags found');
+        if (!text) return;
+        this.store.change({ model: { name: of.model.name, text }, start: of.start ?? of.model, bank, on: [], law: '', forced: false, modelNotes: [], panel: 'missing' });
+        await this.evaluate(bank ? 'lags of all sensors' : 'lags of the channels');
       } catch (error) {
         this.store.change({ problem: error instanceof Stopped ? { at: 'model', text: 'Stopped.' } : { ...placeOf(error), at: 'model' } });
       }
@@ -327,8 +445,8 @@ export class Actions {
   }
 
   /// The text that `export` writes of a correction.
-  async exported(model: string, format: string): Promise<string> {
-    const answer = await this.asking.ask(`Writing ${format}`, ask.exported(model, format));
+  async exported(model: string, format: string, untrusted: boolean): Promise<string> {
+    const answer = await this.asking.ask(`Writing ${format}`, ask.exported(model, format, untrusted));
     if (answer.status !== 0) throw new Refused(refusal(answer), null, null);
     return answer.out;
   }
@@ -336,13 +454,13 @@ export class Actions {
   // ---- model
 
   /// A model of a designation, with an oil; what is not known is estimated by the command and marked.
-  designate(designation: string, oil: string, preload: string): Promise<void> {
-    return this.doing(() => this.makeModel(designation, oil, preload));
+  designate(designation: string, oil: string, preload: string, spindle = false): Promise<void> {
+    return this.doing(() => this.makeModel(designation, oil, preload, spindle));
   }
 
-  private async makeModel(designation: string, oil: string, preload: string): Promise<void> {
+  private async makeModel(designation: string, oil: string, preload: string, spindle: boolean): Promise<void> {
     try {
-      const answer = await this.asking.ask('Writing the model', ask.newModel(designation, 'palmgren'));
+      const answer = await this.asking.ask('Writing the model', ask.newModel(designation, spindle));
       const text = answer.files['model.toml'];
       if (!text) throw new Refused(refusal(answer), 'model.toml', null);
       let model = text;
@@ -353,13 +471,26 @@ export class Actions {
         model = withValue(model, 'lubricant', 'viscosity_40C_mm2_s', String(at40), `ISO VG ${at40}`);
         model = withValue(model, 'lubricant', 'viscosity_100C_mm2_s', String(at100), 'assumed: mineral oil of viscosity index 100');
       }
-      if (preload.trim()) model = withValue(model, 'rig', 'axial_load_N', preload.trim().replace(',', '.'));
+      if (preload.trim()) model = withValue(model, spindle ? 'arrangement' : 'rig', spindle ? 'preload_N' : 'axial_load_N', preload.trim().replace(',', '.'));
       const notes = answer.err
         .split('\n')
         .filter((line) => line.startsWith('note: '))
         .map((line) => line.slice(6));
+      if (spindle) this.store.change({ ...nothing, ...unanswered, speed: this.state.speed, programme: this.state.programme, confirmed: true, panel: 'model' });
       const ready = this.state.data.length > 0 && this.state.confirmed;
-      this.store.change({ model: { name: 'model.toml', text: model }, designation, oil: oil.trim(), channel: '', modelNotes: notes, law: '', on: [], forced: false, ...(ready ? { panel: 'missing' } : {}) });
+      this.store.change({
+        start: undefined,
+        fromRecord: false,
+        model: { name: 'model.toml', text: model },
+        designation,
+        oil: oil.trim(),
+        channel: '',
+        modelNotes: notes,
+        law: '',
+        on: [],
+        forced: false,
+        ...(ready ? { panel: 'missing' } : {}),
+      });
       await this.evaluate(`${designation}${oil.trim() ? `, ${oil.trim()}` : ''}`);
     } catch (error) {
       this.store.change({ problem: { at: 'model', text: error instanceof Error ? error.message : String(error) } });
@@ -370,6 +501,19 @@ export class Actions {
     const { model } = this.state;
     if (model?.text === text) return;
     this.store.change({ model: { name: model?.name ?? 'model.toml', text } });
+    await this.evaluate(label);
+  }
+
+  /// Up to when a record is fitted to. Lags that were found in another part of it would be judged by readings that they know.
+  async cut(until: string): Promise<void> {
+    const { start } = this.state;
+    this.store.change({ until, ...(start ? { model: start, start: undefined, on: [] } : {}) });
+    await this.evaluate(until ? `fitted until ${until}` : 'fitted to all');
+  }
+
+  /// How a spindle runs.
+  async choose(part: Partial<Pick<Case, 'speed' | 'coolantOff' | 'axialLoad' | 'radialLoad' | 'programme' | 'modeSpeeds'>>, label: string): Promise<void> {
+    this.store.change(part);
     await this.evaluate(label);
   }
 
@@ -405,7 +549,7 @@ export class Actions {
         const { result } = this.state;
         if (!result) break;
         const compared = await this.compare(caseOf(this.state), result, withValue(result.entered, inTable, name, now));
-        if (this.state.result) this.store.change({ result: { ...this.state.result, compared } });
+        if (this.state.result) this.store.change({ result: { ...this.state.result, ...compared } });
       }
     } catch (error) {
       if (!(error instanceof Stopped)) this.store.change({ problem: placeOf(error) });
@@ -436,7 +580,9 @@ export class Actions {
   async back(at: number): Promise<void> {
     const line = this.state.history[at];
     if (!line) return;
-    this.store.change({ ...line.of, at, confirmed: true });
+    const { panel } = this.state;
+    const there = panel === 'history' || panel === 'home' || panel === 'model' || alone(line.of) === alone(this.state);
+    this.store.change({ ...line.of, at, confirmed: true, ...(there ? {} : { panel: alone(line.of) ? 'steady' : 'missing' }), ...(line.of.data === this.state.data ? {} : { proposal: '', reading: undefined }) });
     await this.evaluate();
   }
 }

@@ -1,5 +1,5 @@
 // Measured against predicted: the model as entered, refitted, and with its effects; parameters to drag.
-import { inWords, type Actions } from './actions';
+import type { Actions } from './actions';
 import { choices, el, FitView, grid, ladder, misfitMap, noiseSources, notes, number, overSpeed, parity, plain, record, residuals, section, unitOfKey, unitText } from './report';
 import type { State } from './state';
 import { callout, Part, type Child, type Panelled } from './view';
@@ -32,7 +32,7 @@ function sliders(s: State, actions: Actions): HTMLElement | undefined {
 }
 
 export function comparePanel(actions: Actions): Panelled {
-  const figures = () => new Part(el('div', {}), (s) => [s.result?.compared, s.on], pictures);
+  const figures = () => new Part(el('div', {}), (s) => [s.result?.compared], pictures);
   const numbers = () =>
     new Part(
       el('div', {}),
@@ -44,17 +44,15 @@ export function comparePanel(actions: Actions): Panelled {
 
 function pictures(s: State): Child[] {
   const report = s.result?.compared;
+  const names = s.result?.names ?? [];
   if (!report) return [el('p', { class: 'quiet' }, 'Measured and predicted torque stand here when the data and the bearing are known.')];
   if (report.kind === 'record') {
-    const names = [...(report.models.length > 1 ? ['as entered', 'refitted'] : ['as entered']), ...(s.on.length && report.models.length > 1 ? [`with ${s.on.map(inWords).join(' and ')}`] : [])];
     const title = document.title;
     const [, ...pictures] = record(report);
     document.title = title;
-    return [el('p', { class: 'note' }, `Models in their order: ${names.slice(0, report.models.length).join(', ')}.`), ...pictures];
+    return [el('p', { class: 'note' }, `Models in their order: ${names.join(', ')}.${s.until ? ` Only readings after ${s.until} count here; none of them was fitted to.` : ''}`), ...pictures];
   }
   const all = 'models' in report.results ? report.results.models : [report.results];
-  const effects = s.on.length > 0 && all.length > 1 ? [`with ${s.on.map(inWords).join(' and ')}`] : [];
-  const names = ['as entered', ...(all.length - effects.length > 1 ? ['refitted'] : []), ...effects];
   report.models.forEach((m, k) => (m.name = names[k] ?? m.name));
   const view = new FitView(report, all.length - 1);
   const last = all[all.length - 1] as Comparison;

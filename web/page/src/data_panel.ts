@@ -1,10 +1,11 @@
 // The data: which column is which quantity, in which unit, as a picture each; what the engine doubts.
 import { inWords, type Actions } from './actions';
 import { preview, readMap, type Mapped } from './columns';
-import { filePicker } from './frame';
+import { exampleButtons, filePicker } from './frame';
 import { axisTitle, el, number, plain, quantity } from './report';
 import type { State } from './state';
 import { button, callout, type Panelled } from './view';
+import { isCorrection } from './toml';
 import { printed } from './verdict';
 
 const svg = 'http://www.w3.org/2000/svg';
@@ -85,9 +86,22 @@ function pasteBox(actions: Actions): HTMLElement {
   return el('details', {}, el('summary', {}, 'Paste a table from a spreadsheet'), area, el('p', { class: 'actions' }, take));
 }
 
+/// A record is cut into what is fitted to and what judges.
+function untilField(s: State, actions: Actions): HTMLElement {
+  const input = el('input', { type: 'text', id: 'until', size: '8', placeholder: 'all of it', 'aria-describedby': 'until-note' });
+  input.value = s.until;
+  input.addEventListener('change', () => void actions.cut(input.value.replace(/\s+/g, '')));
+  return el(
+    'section',
+    { class: 'list' },
+    el('label', { class: 'choice' }, el('span', {}, 'Fit to readings until'), input),
+    el('p', { class: 'note', id: 'until-note' }, 'A time such as 26h, 90min or 3600s. What follows judges: no fit sees it. Empty: all readings are fitted to, and parts left out judge.'),
+  );
+}
+
 export function dataPanel(actions: Actions): Panelled {
   return {
-    needs: (s) => [s.data, s.map, s.proposal, s.reading, s.confirmed, s.problem, s.model === undefined, s.dropNan, s.rows],
+    needs: (s) => [s.data, s.map, s.proposal, s.reading, s.confirmed, s.problem, s.model, s.until, s.example, s.dropNan, s.rows],
     make: (s) => {
       const { mapped, absent, unused } = readMap(s.map || s.proposal);
       const missing = readMap(s.proposal).absent.filter((ours) => !mapped.some((m) => m.ours === ours));
@@ -108,7 +122,9 @@ export function dataPanel(actions: Actions): Panelled {
           filePicker(actions, 'choose files', 'file-2'),
           el('p', { class: 'note' }, 'Speed, loads, temperature and friction torque, a row for each reading. Several files are one record. Nothing leaves this computer.'),
           pasteBox(actions),
+          s.example ? '' : el('p', { class: 'choice' }, el('span', { class: 'note' }, 'Or look at an example'), exampleButtons(s.example, actions, 'see')),
         ),
+        s.model && isCorrection(s.model.text) ? untilField(s, actions) : undefined,
         s.confirmed
           ? undefined
           : callout(

@@ -31,17 +31,22 @@ class WorkerEngine implements Engine {
   private worker: Worker | undefined;
   private waiting: { done: (answer: Answer) => void; fail: (error: Error) => void; progress: ((share: number) => void) | undefined } | undefined;
 
+  private module: WebAssembly.Module | undefined; // that the first worker compiled
+
+  /// The first worker unpacks and compiles while the page is made.
   constructor(
     private readonly script: string,
-    private readonly wasm: Promise<ArrayBuffer> | undefined,
-  ) {}
+    private readonly packed: string | undefined,
+  ) {
+    this.worker = this.begin();
+  }
 
-  private async begin(): Promise<Worker> {
-    const wasm = await this.wasm;
+  private begin(): Worker {
     const url = URL.createObjectURL(new Blob([this.script], { type: 'text/javascript' }));
     const worker = new Worker(url);
-    worker.addEventListener('message', ({ data }: MessageEvent<Answer | { progress: { share: number } }>) => {
-      if ('progress' in data) this.waiting?.progress?.(data.progress.share);
+    worker.addEventListener('message', ({ data }: MessageEvent<Answer | { progress: { share: number } } | { module: WebAssembly.Module }>) => {
+      if ('module' in data) this.module = data.module;
+      else if ('progress' in data) this.waiting?.progress?.(data.progress.share);
       else this.end((w) => w.done(data));
     });
     worker.addEventListener('error', (event) => {
@@ -49,7 +54,8 @@ class WorkerEngine implements Engine {
       this.dismiss();
       this.end((w) => w.fail(new Error(`The engine ended with an error: ${event.message || 'unknown'}. The next question starts a new one.`)));
     });
-    if (wasm) worker.postMessage({ wasm });
+    if (this.module) worker.postMessage({ module: this.module });
+    else if (this.packed) worker.postMessage({ packed: this.packed });
     return worker;
   }
 
@@ -66,7 +72,7 @@ class WorkerEngine implements Engine {
 
   async ask(question: Question, progress?: (share: number) => void): Promise<Answer> {
     const answer = new Promise<Answer>((done, fail) => (this.waiting = { done, fail, progress }));
-    this.worker ??= await this.begin();
+    this.worker ??= this.begin();
     this.worker.postMessage({ ...question, progress: progress !== undefined });
     return answer;
   }
@@ -98,16 +104,9 @@ class ServerEngine implements Engine {
   }
 }
 
-async function unpacked(base64: string): Promise<ArrayBuffer> {
-  const text = atob(base64.trim());
-  const packed = new Uint8Array(text.length);
-  for (let k = 0; k < packed.length; ++k) packed[k] = text.charCodeAt(k);
-  return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
-}
-
 /// The engine of this page: that inside it, else the server that it came from.
 export function engineOfPage(): Engine {
   const script = document.getElementById('engine-worker')?.textContent;
   const wasm = document.getElementById('engine-wasm')?.textContent;
-  return script ? new WorkerEngine(script, wasm ? unpacked(wasm) : undefined) : new ServerEngine();
+  return script ? new WorkerEngine(script, wasm ?? undefined) : new ServerEngine();
 }

@@ -1,27 +1,55 @@
-// The rig that is built in: a spindle bearing whose torque holds a drag that its model does not know.
-import data from '../../../tests/hidden_effect/rigs/dev-03/train.csv';
-import model from '../../../tests/hidden_effect/rigs/dev-03/model.toml';
-import type { Case, TextFile } from './state';
+// The cases that are built in, and what `raceway workbench` puts into the page.
+import rigRows from '../../../tests/hidden_effect/rigs/dev-03/train.csv';
+import rigModel from '../../../tests/hidden_effect/rigs/dev-03/model.toml';
+import bare from '../../../data/measurements/spindle_thermal/bare3.toml';
+import design from '../../../data/spindles/externally_driven.toml';
+import day from '../../../data/spindles/day.csv';
+import { unpacked } from './packed';
+import { nothing, type Case, type Diagnosed, type ExampleName } from './state';
 
-export const example: Partial<Case> = {
-  example: true,
-  data: [{ name: 'rig.csv', text: data }],
-  map: '',
-  model: { name: 'rig.toml', text: model },
-  designation: '',
-  oil: '',
-  dropNan: false,
-  rows: false,
-  channel: '',
-  law: '',
-  on: [],
-  forced: false,
+interface Example {
+  title: string; // of the button
+  eyebrow: string; // above the verdict
+  label: string; // its line in the history
+  open: () => Promise<Case>;
+}
+
+/// The 34 h are in the page as compressed text (bundle.mjs), since they are a megabyte.
+async function record(): Promise<string> {
+  const packed = document.getElementById('spindle-record')?.textContent;
+  if (!packed) throw new Error('This page holds no spindle record.');
+  return new TextDecoder().decode(await unpacked(packed));
+}
+
+export const examples: Record<ExampleName, Example> = {
+  rig: {
+    title: 'Torque rig',
+    eyebrow: 'Built-in example: a 7014 spindle bearing on a torque rig, 120 readings',
+    label: 'built-in rig',
+    open: async () => ({ ...nothing, example: 'rig', data: [{ name: 'rig.csv', text: rigRows }], model: { name: 'rig.toml', text: rigModel } }),
+  },
+  record: {
+    title: 'Warm spindle, 34 h',
+    eyebrow: 'Built-in example, measured: a spindle over 34 h, a displacement and 16 temperatures. The first 26 h are fitted to',
+    label: 'built-in record',
+    open: async () => ({ ...nothing, example: 'record', data: [{ name: 'record.csv', text: await record() }], model: { name: 'bare3.toml', text: bare }, until: '26h' }),
+  },
+  spindle: {
+    title: 'Spindle design',
+    eyebrow: 'Built-in example: a milling spindle on three bearings with cooled housing, no measurement',
+    label: 'built-in spindle',
+    open: async () => ({ ...nothing, example: 'spindle', model: { name: 'spindle.toml', text: design }, programme: { name: 'day.csv', text: day } }),
+  },
 };
 
 /// A case that was put into the page: {"model": {...}, "data": [...], "map": "..."}.
-export function loaded(): Partial<Case> | undefined {
+export function loaded(): Case | undefined {
   const text = document.getElementById('loaded')?.textContent;
-  if (!text) return undefined;
-  const given = JSON.parse(text) as { model?: TextFile; data?: TextFile[]; map?: string };
-  return { ...example, example: false, data: given.data ?? [], map: given.map ?? '', model: given.model };
+  return text ? { ...nothing, ...(JSON.parse(text) as Partial<Case>) } : undefined;
+}
+
+/// The diagnosis of the rig as the engine gave it when the page was made. It stands until the engine has answered here.
+export async function recordedDiagnosis(): Promise<Diagnosed | undefined> {
+  const packed = document.getElementById('recorded')?.textContent;
+  return packed ? (JSON.parse(new TextDecoder().decode(await unpacked(packed))) as Diagnosed) : undefined;
 }

@@ -1,25 +1,23 @@
 // What surrounds the steps: title, what the engine is doing, the verdict, the list of steps.
 import { el, number, unitOfKey } from './report';
-import type { Actions } from './actions';
+import { alone, type Actions } from './actions';
 import { comparePanel } from './compare_panel';
 import { dataPanel } from './data_panel';
+import { examples } from './example';
 import { historyPanel } from './history_panel';
 import { homePanel } from './home_panel';
 import { missingPanel } from './missing_panel';
 import { modelPanel } from './model_panel';
-import type { Panel, State } from './state';
+import { modesPanel, programmePanel, steadyPanel } from './spindle_panels';
+import type { ExampleName, Panel, State } from './state';
 import { verdict } from './verdict';
 import { isCorrection, plainValue, valueOf } from './toml';
 import { button, Part, type Panelled, type Shown } from './view';
 
-const steps: [Panel, string][] = [
-  ['data', 'Data'],
-  ['model', 'Model'],
-  ['compare', 'Compare'],
-  ['missing', 'What is missing'],
-  ['history', 'History'],
-  ['home', 'Take it home'],
-];
+const names: Record<Panel, string> = { data: 'Data', model: 'Model', compare: 'Compare', missing: 'What is missing', steady: 'Steady state', programme: 'Programme', modes: 'Modes', history: 'History', home: 'Take it home' };
+
+/// The steps of measurements, and those of a spindle without any.
+const stepsOf = (s: State): Panel[] => (alone(s) ? ['model', 'steady', 'programme', 'modes', 'history', 'home'] : ['data', 'model', 'compare', 'missing', 'history', 'home']);
 
 /// What stands under the name of a step.
 function summary(panel: Panel, s: State): string {
@@ -28,6 +26,7 @@ function summary(panel: Panel, s: State): string {
       return s.data.length ? `${s.data.map((d) => d.name).join(', ')}${s.reading ? `, ${s.reading.rows} rows` : ''}` : 'no file yet';
     case 'model': {
       if (!s.model) return 'no bearing yet';
+      if (alone(s)) return plainValue(valueOf(s.model.text, 'spindle', 'name') ?? valueOf(s.model.text, 'bearing', 'name') ?? valueOf(s.model.text, 'bearing', 'catalogue') ?? s.model.name);
       if (isCorrection(s.model.text)) return s.channel || 'a correction over time';
       const name = valueOf(s.model.text, 'bearing', 'name') ?? valueOf(s.model.text, 'bearing', 'catalogue') ?? s.model.name;
       return `${plainValue(name)}, ${s.law || (valueOf(s.model.text, 'friction', 'law') ?? 'palmgren')}`;
@@ -39,6 +38,12 @@ function summary(panel: Panel, s: State): string {
     }
     case 'missing':
       return s.on.length ? `${s.on.length} effect${s.on.length > 1 ? 's' : ''} on` : 'candidates by click';
+    case 'steady':
+      return `${s.speed} rpm${s.coolantOff ? ', coolant off' : ''}`;
+    case 'programme':
+      return s.programme?.name ?? 'speeds over time';
+    case 'modes':
+      return 'Campbell diagram';
     case 'history':
       return `${s.history.length} step${s.history.length === 1 ? '' : 's'}`;
     case 'home':
@@ -58,14 +63,24 @@ export function filePicker(actions: Actions, text: string, id: string): HTMLElem
   return el('span', { class: 'picker' }, input, el('label', { for: id, class: 'button' }, text));
 }
 
+/// The cases that are built in; that which is shown is marked.
+export function exampleButtons(shown: string, actions: Actions, prefix = 'example'): HTMLElement {
+  return el(
+    'div',
+    { class: 'segments', role: 'group', 'aria-label': 'Built-in examples' },
+    ...(Object.keys(examples) as ExampleName[]).map((name) => button(examples[name].title, () => void actions.openExample(name), { id: `${prefix}-${name}`, 'aria-pressed': String(shown === name) })),
+  );
+}
+
 export function frame(root: HTMLElement, actions: Actions, state: () => State, change: (part: Partial<State>) => void): Shown[] {
   const status = el('div', { class: 'status', role: 'status', 'aria-live': 'polite' });
   const nav = el('nav', { class: 'steps', 'aria-label': 'Steps' });
   const head = el('section', { class: 'verdict', 'aria-label': 'Verdict' });
+  const choice = el('div', { class: 'examples' });
   const panel = el('section', { class: 'panel', id: 'panel', 'aria-live': 'off' });
   root.append(
     el('header', { class: 'bar' }, el('p', { class: 'brand' }, el('strong', {}, 'raceway'), ' workbench'), status, filePicker(actions, 'Drop your file here, or choose it', 'file')),
-    el('div', { class: 'layout' }, nav, el('main', {}, head, panel)),
+    el('div', { class: 'layout' }, nav, el('main', {}, choice, head, panel)),
   );
   document.addEventListener('dragover', (event) => {
     event.preventDefault();
@@ -93,7 +108,17 @@ export function frame(root: HTMLElement, actions: Actions, state: () => State, c
     if (event.key === 'Escape' && state().job) actions.stop();
   });
 
-  const panels: Record<Panel, Panelled> = { data: dataPanel(actions), model: modelPanel(actions, change), compare: comparePanel(actions), missing: missingPanel(actions), history: historyPanel(actions), home: homePanel(actions) };
+  const panels: Record<Panel, Panelled> = {
+    data: dataPanel(actions),
+    model: modelPanel(actions, change),
+    compare: comparePanel(actions),
+    missing: missingPanel(actions),
+    history: historyPanel(actions),
+    steady: steadyPanel(actions),
+    programme: programmePanel(actions),
+    modes: modesPanel(actions),
+    home: homePanel(actions),
+  };
   // The seconds of a question run on their own.
   const clock = el('span', { class: 'clock' });
   setInterval(() => {
@@ -113,19 +138,19 @@ export function frame(root: HTMLElement, actions: Actions, state: () => State, c
     ),
     new Part(
       nav,
-      (s) => [s.panel, s.data, s.model, s.law, s.on, s.result, s.history, s.reading, s.problem],
+      (s) => [s.panel, s.data, s.model, s.law, s.on, s.result, s.history, s.reading, s.problem, s.speed, s.coolantOff, s.programme],
       (s) => [
         el(
           'ol',
           {},
-          ...steps.map(([name, words], k) => {
+          ...stepsOf(s).map((name, k) => {
             const wrong = s.problem?.at === name;
             const b = button(
               el(
                 'span',
                 { class: 'step' },
                 el('span', { class: 'numeral', 'aria-hidden': 'true' }, String(k + 1)),
-                el('span', { class: 'words' }, el('b', {}, words), el('span', { class: 'summary' }, wrong ? 'needs a look' : summary(name, s))),
+                el('span', { class: 'words' }, el('b', {}, names[name]), el('span', { class: 'summary' }, wrong ? 'needs a look' : summary(name, s))),
               ),
               () => actions.show(name),
               { id: `step-${name}`, ...(s.panel === name ? { 'aria-current': 'step' } : {}), class: wrong ? 'wrong' : '' },
@@ -134,6 +159,11 @@ export function frame(root: HTMLElement, actions: Actions, state: () => State, c
           }),
         ),
       ],
+    ),
+    new Part(
+      choice,
+      (s) => [s.example],
+      (s) => (s.example ? [el('span', { class: 'note' }, 'Built-in examples'), exampleButtons(s.example, actions)] : []),
     ),
     ...verdict(head, actions),
     new Part(

@@ -5,13 +5,14 @@ import { button, type Panelled } from './view';
 
 export function historyPanel(actions: Actions): Panelled {
   return {
-    needs: (s) => [s.history, s.at],
+    needs: (s) => [s.history, s.at, s.until],
     make: (s) => {
       if (!s.history.length) return [el('p', { class: 'quiet' }, 'Each step stands here with its error.')];
+      const spindle = s.history.every((line) => line.spindle);
       const rows = s.history.map((line, k) => {
         const before = s.history[k - 1];
         const unit = unitOfKey(line.unit);
-        const same = before && before.of.data === line.of.data;
+        const same = before && before.of.data === line.of.data && before.spindle === line.spindle;
         return el(
           'tr',
           k === s.at ? { 'aria-current': 'true' } : {},
@@ -19,7 +20,7 @@ export function historyPanel(actions: Actions): Panelled {
           el('td', {}, line.label),
           el('td', { class: 'number' }, same ? number(before.rmse, 3) : dash),
           el('td', { class: 'number' }, `${number(line.rmse, 3)} ${unit}`),
-          el('td', { class: 'number' }, line.held === undefined ? dash : `${number(line.held, 3)} ${unit}`),
+          el('td', { class: 'number' }, line.held === undefined ? dash : `${number(line.held, 3)} ${line.spindle ? 'N' : unit}`),
           el('td', {}, k === s.at ? 'shown' : button('Go back', () => void actions.back(k), { class: 'small', id: `back-${k}`, 'aria-label': `Go back to step ${k + 1}, ${line.label}` })),
         );
       });
@@ -39,11 +40,21 @@ export function historyPanel(actions: Actions): Panelled {
             el(
               'table',
               {},
-              el('thead', {}, el('tr', {}, ...['', 'step', 'error before', 'error after', 'on rows left out', ''].map((h, k) => el('th', { scope: 'col', class: k === 0 || (k > 1 && k < 5) ? 'number' : '' }, h)))),
+              el(
+                'thead',
+                {},
+                el(
+                  'tr',
+                  {},
+                  ...['', 'step', ...(spindle ? ['nose before', 'nose after', 'front set'] : ['error before', 'error after', s.until ? `after ${s.until}` : 'on rows left out']), ''].map((h, k) =>
+                    el('th', { scope: 'col', class: k === 0 || (k > 1 && k < 5) ? 'number' : '' }, h),
+                  ),
+                ),
+              ),
               el('tbody', {}, ...rows),
             ),
           ),
-          el('p', { class: 'note' }, 'RMS error of the refitted model. A new step after going back replaces the later ones.'),
+          el('p', { class: 'note' }, `${spindle ? 'Displacement of the nose and axial force of the front set in the steady state.' : 'RMS error of the refitted model.'} A new step after going back replaces the later ones.`),
         ),
       ];
     },

@@ -2,7 +2,7 @@
 import { followWindow } from '../../../report/page/src/figure';
 import { Actions } from './actions';
 import { engineOfPage } from './engine';
-import { example, loaded } from './example';
+import { examples, loaded, recordedDiagnosis } from './example';
 import { frame } from './frame';
 import { Store } from './state';
 import type { Shown } from './view';
@@ -21,5 +21,6 @@ parts = frame(
 );
 followWindow();
 const given = loaded();
-void actions.open(given ?? example, given ? 'as opened' : 'built-in rig');
+if (given) void actions.open(Promise.resolve(given), 'as opened');
+else void actions.open(examples.rig.open(), examples.rig.label, recordedDiagnosis());
 store.change({});

@@ -12,7 +12,7 @@ const shownAtOnce = 10;
 function sizes(parameters: Record<string, Size>): string {
   return Object.entries(parameters)
     .map(([name, p]) => {
-      const unit = unitText(p.unit);
+      const unit = printed(unitText(p.unit));
       const doubt = p.at_bound ? ', at its bound' : p.plausible === false ? ', implausible' : '';
       return `${name.replace(/_/g, ' ').replace(/ Nmm$/, '')} ${number(p.value, 3)}${p.std === null ? '' : ` ± ${number(p.std, 2)}`}${unit ? ` ${unit}` : ''}${doubt}`;
     })

@@ -1,21 +1,44 @@
 // The model: a designation and an oil make it; each key has its field, and the text stays in step.
-import { baseLaws, type Actions } from './actions';
+import { alone, baseLaws, type Actions } from './actions';
 import { grades } from './oil';
 import { capital, el, plain } from './report';
+import { doubled, pieces, withoutPiece, withPiece } from './shaft_pieces';
+import { crossSection } from './spindle_panels';
 import type { Key, State } from './state';
-import { assumedIn, channelsOf, entries, isCorrection, plainValue, quoted, valueOf, withValue, type Entry } from './toml';
+import { assumedIn, channelsOf, entries, isCorrection, isSpindle, plainValue, quoted, valueOf, withValue, type Entry } from './toml';
 import { button, callout, type Panelled } from './view';
 
-const words: Record<string, string> = { bearing: 'Bearing', lubricant: 'Lubricant', friction: 'Friction', rig: 'Rig', solver: 'Solver', calibration: 'Calibration', loop: 'Loop', life: 'Life' };
-const hidden = /^(effect|columns|calibration\.covariance|correction)/;
+const words: Record<string, string> = {
+  bearing: 'Bearing',
+  lubricant: 'Lubricant',
+  friction: 'Friction',
+  rig: 'Rig',
+  solver: 'Solver',
+  calibration: 'Calibration',
+  loop: 'Loop',
+  life: 'Life',
+  arrangement: 'Arrangement and preload',
+  shaft: 'Shaft',
+  housing: 'Housing',
+  seat: 'Seats and fits',
+  coolant: 'Coolant',
+  ambient: 'Surroundings',
+  sensor: 'Sensor',
+  heat: 'Heat at a place',
+  spindle: 'Spindle',
+};
+const hidden = /^(effect|columns|calibration\.covariance|correction|shaft\.segment)/;
 
-const unitWords = (unit: string | null): string => (unit ?? '').replace('mm2/s', 'mm²/s').replace('um', 'µm').replace(/^deg$/, '°').replace(/^C$/, '°C');
+/// Tables of a spindle whose defaults hold where the text has none of them.
+const ofEverySpindle = ['seat', 'ambient'];
+
+const unitWords = (unit: string | null): string => (unit ?? '').replace('mm2/s', 'mm²/s').replace('m2 K', 'm² K').replace('um', 'µm').replace(/^deg$/, '°').replace(/^C$/, '°C');
 
 /// Whether a key belongs to such a model: to its law, to balls or to rollers.
 function applies(only: string | null, text: string): boolean {
   const law = valueOf(text, 'friction', 'law') ?? 'palmgren';
   const rollers = valueOf(text, 'bearing', 'type') === 'cylindrical-roller';
-  return (only ?? '').split(', ').every((part) => (part === 'of cylindrical rollers' ? rollers : part.startsWith('law ') ? part === `law ${law}` : part === ''));
+  return (only ?? '').split(', ').every((part) => (part === 'of cylindrical rollers' ? rollers : part === 'of a spindle' ? isSpindle(text) : part.startsWith('law ') ? part === `law ${law}` : part === ''));
 }
 
 function rangeWords(key: Key): string {
@@ -27,7 +50,9 @@ function rangeWords(key: Key): string {
 
 /// "ball_diameter_mm" as "Ball diameter": the unit stands behind the field. Symbols stay as they are.
 function nameOf(key: Key): string {
-  const bare = key.unit ? key.key.replace(/_(mm2_s|[A-Za-z0-9]+|1_GPa|N_um|kg_m3|W_mK)$/, '') : key.key;
+  // "W/(m2 K)" is W_m2K in names.
+  const unit = (key.unit ?? (key.kind === 'list' ? 'mm' : '')).replace(/[()\s-]/g, '').replace('/', '_');
+  const bare = unit && key.key.endsWith(`_${unit}`) ? key.key.slice(0, -unit.length - 1) : key.unit ? key.key.replace(/_(mm2_s|[A-Za-z0-9]+|1_GPa|N_um|kg_m3|W_mK)$/, '') : key.key;
   if (/^[A-Za-z]\d?$|^(mu|K)_/.test(key.key)) return key.key;
   return capital(bare.replace(/_/g, ' ').replace(/ (\d+)C$/, ' at $1 °C'));
 }
@@ -57,7 +82,7 @@ function field(key: Key, entry: Entry | undefined, assumed: boolean, s: State, a
     'div',
     { class: `field${assumed ? ' assumed' : ''}` },
     el('label', { for: id }, nameOf(key)),
-    el('span', { class: 'entry' }, input, el('span', { class: 'of-unit' }, unitWords(key.unit))),
+    el('span', { class: 'entry' }, input, el('span', { class: 'of-unit' }, unitWords(key.unit ?? (/_mm$/.test(key.key) ? 'mm' : null)))),
     el(
       'p',
       { class: 'note', id: `${id}-note` },
@@ -69,20 +94,21 @@ function field(key: Key, entry: Entry | undefined, assumed: boolean, s: State, a
 
 /// Three answers make a model.
 function designation(s: State, actions: Actions): HTMLElement {
+  const spindle = alone(s);
   const name = el('input', { type: 'text', id: 'designation', autocomplete: 'off', spellcheck: 'false', placeholder: '7014 AC' });
   const oil = el('input', { type: 'text', id: 'oil', list: 'grades', autocomplete: 'off', placeholder: 'VG 32' });
-  const load = el('input', { type: 'text', id: 'preload', inputmode: 'decimal', size: '8', placeholder: 'as measured' });
+  const load = el('input', { type: 'text', id: 'preload', inputmode: 'decimal', size: '8', placeholder: spindle ? 'by its rating' : 'as measured' });
   name.value = s.designation;
   oil.value = s.oil;
-  const make = () => void (name.value.trim() && actions.designate(name.value.trim(), oil.value, load.value));
+  const make = () => void (name.value.trim() && actions.designate(name.value.trim(), oil.value, load.value, spindle));
   const form = el(
     'form',
     { class: 'designation' },
     el('label', {}, el('span', {}, 'Designation of the bearing'), name),
     el('label', {}, el('span', {}, 'Oil, ISO VG grade'), oil),
-    el('label', {}, el('span', {}, 'Preload [N], where the data have no axial load'), load),
+    el('label', {}, el('span', {}, spindle ? 'Preload as mounted [N]' : 'Preload [N], where the data have no axial load'), load),
     el('datalist', { id: 'grades' }, ...grades.map((g) => el('option', { value: g }))),
-    el('button', { type: 'submit', class: 'primary', id: 'make-model' }, s.model ? 'Make a new model' : 'Make the model'),
+    el('button', { type: 'submit', class: 'primary', id: 'make-model' }, spindle ? 'Make a spindle on three of these' : s.model ? 'Make a new model' : 'Make the model'),
   );
   form.addEventListener('submit', (event) => {
     event.preventDefault();
@@ -91,18 +117,62 @@ function designation(s: State, actions: Actions): HTMLElement {
   return form;
 }
 
+/// The shaft from the nose to the rear, piece by piece.
+function shaftTable(text: string, actions: Actions): HTMLElement | undefined {
+  const all = pieces(text);
+  if (!all.length) return undefined;
+  const columns: [string, string][] = [
+    ['length_mm', 'length [mm]'],
+    ['diameter_mm', 'diameter [mm]'],
+    ['bore_mm', 'bore [mm]'],
+  ];
+  const rows = all.map(({ keys }, k) => {
+    const cells = columns.map(([key, words]) => {
+      const input = el('input', {
+        type: 'text',
+        inputmode: 'decimal',
+        class: 'number',
+        size: '7',
+        id: `piece-${k}-${key}`,
+        'aria-label': `Piece ${k + 1}, ${words}`,
+        placeholder: key === 'bore_mm' ? (valueOf(text, 'shaft', 'bore_mm') ?? '') : '',
+      });
+      input.value = keys.get(key)?.value ?? '';
+      input.addEventListener('change', () => void actions.editModel(withPiece(text, k, key, input.value.trim().replace(',', '.')), `piece ${k + 1}: ${key} = ${input.value.trim()}`));
+      return el('td', {}, input);
+    });
+    const twice = button('Add', () => void actions.editModel(doubled(text, k), `piece ${k + 1} twice`), { class: 'small', id: `piece-${k}-add`, 'aria-label': `Add a piece like piece ${k + 1} behind it` });
+    const out = button('Remove', () => void actions.editModel(withoutPiece(text, k), `piece ${k + 1} removed`), {
+      class: 'small',
+      id: `piece-${k}-remove`,
+      'aria-label': `Remove piece ${k + 1}`,
+      ...(all.length < 2 ? { disabled: '' } : {}),
+    });
+    return el('tr', {}, el('td', { class: 'number' }, String(k + 1)), ...cells, el('td', {}, twice, ' ', out));
+  });
+  const head = ['', ...columns.map(([, words]) => words), ''].map((words) => el('th', { scope: 'col', class: words ? '' : 'number' }, words));
+  return el('div', { class: 'scroll wide', tabindex: '0' }, el('table', { class: 'pieces' }, el('thead', {}, el('tr', {}, ...head)), el('tbody', {}, ...rows)));
+}
+
 export function modelPanel(actions: Actions, change: (part: Partial<State>) => void): Panelled {
   let typing = 0;
   return {
-    needs: (s) => [s.model, s.keys, s.problem, s.toml, s.law, s.modelNotes, s.channel],
+    needs: (s) => [s.model, s.data.length === 0, s.keys, s.problem, s.toml, s.law, s.modelNotes, s.channel],
     make: (s) => {
       const problem = s.problem?.at === 'model' ? callout('error', s.problem.text) : undefined;
+      const spindle = alone(s);
       const form = el(
         'section',
         { class: 'list' },
-        el('h3', {}, s.model ? 'Another bearing' : 'Which bearing was measured?'),
+        el('h3', {}, spindle ? 'Start from a template: a spindle on three bearings' : s.model ? 'Another bearing' : 'Which bearing was measured?'),
         designation(s, actions),
-        el('p', { class: 'note' }, 'As 7014 C, 7014 AC, HCB7014 or S 6014 C; the catalogue or its rules fill in the rest. Or drop a model file (TOML).'),
+        el(
+          'p',
+          { class: 'note' },
+          spindle
+            ? 'As S 6010 E or 7014 C. The numbers that the template assumes are marked below. Or drop a model file (TOML).'
+            : 'As 7014 C, 7014 AC, HCB7014 or S 6014 C; the catalogue or its rules fill in the rest. Or drop a model file (TOML).',
+        ),
       );
       if (!s.model) {
         const at = document.activeElement;
@@ -112,16 +182,20 @@ export function modelPanel(actions: Actions, change: (part: Partial<State>) => v
       const text = s.model.text;
       const all = entries(text).filter((e) => !hidden.test(e.table) && e.index === 0 && e.table !== '');
       const assumed = assumedIn(text);
-      const tables = [...new Set(all.map((e) => e.table))];
+      const tables = [...new Set([...all.map((e) => e.table), ...(spindle ? ofEverySpindle : [])])];
       const own = valueOf(text, 'friction', 'law') ?? 'palmgren';
       const current = s.law || own;
-      const law = el('div', { class: 'segments', role: 'group', 'aria-label': 'Base law' }, ...baseLaws.map((l) => button(l, () => void actions.takeLaw(l), { id: `law-${l}`, 'aria-pressed': String(l === current) })));
+      const law = el(
+        'div',
+        { class: 'segments', role: 'group', 'aria-label': 'Base law' },
+        ...baseLaws.map((l) => button(l, () => void (spindle ? actions.editModel(withValue(text, 'friction', 'law', quoted(l)), `base law ${l}`) : actions.takeLaw(l)), { id: `law-${l}`, 'aria-pressed': String(l === current) })),
+      );
       const keyOf = (table: string, key: string) => s.keys.find((k) => k.table === table && k.key === key && applies(k.only, text));
       const groups = tables.map((table) => {
         const here = all.filter((e) => e.table === table && !(table === 'friction' && e.key === 'law'));
         const fields = here.flatMap((e) => {
           const key = keyOf(table, e.key);
-          return key ? [field(key, e, assumed.has(`${table}.${e.key}`), s, actions)] : [];
+          return key && !/^\[\s*($|\{)/.test(e.value) ? [field(key, e, assumed.has(`${table}.${e.key}`), s, actions)] : [];
         });
         const others = s.keys.filter(
           (k, at) =>
@@ -130,7 +204,8 @@ export function modelPanel(actions: Actions, change: (part: Partial<State>) => v
             k.key !== 'law' &&
             !here.some((e) => e.key === k.key) &&
             s.keys.findIndex((other) => other.table === table && other.key === k.key && applies(other.only, text)) === at &&
-            k.kind !== 'table',
+            k.kind !== 'table' &&
+            !(k.table === 'shaft' && k.key === 'segment'),
         );
         return el(
           'section',
@@ -138,7 +213,10 @@ export function modelPanel(actions: Actions, change: (part: Partial<State>) => v
           el('h3', {}, words[table] ?? capital(table)),
           ...(table === 'friction' ? [el('p', { class: 'law' }, el('span', { class: 'note' }, 'Base law '), law)] : []),
           el('div', { class: 'fields' }, ...fields),
-          ...(others.length ? [el('details', {}, el('summary', {}, `${others.length} more keys`), el('div', { class: 'fields' }, ...others.map((k) => field(k, undefined, false, s, actions))))] : []),
+          ...[table === 'shaft' ? shaftTable(text, actions) : undefined].filter((t) => t !== undefined),
+          ...(others.length
+            ? [el('details', {}, el('summary', {}, `${others.length} more keys${here.length ? '' : ', all at their defaults'}`), el('div', { class: 'fields' }, ...others.map((k) => field(k, undefined, false, s, actions))))]
+            : []),
         );
       });
       const area = el('textarea', { id: 'toml', rows: '28', spellcheck: 'false', 'aria-label': 'Text of the model, TOML', 'data-scroll': 'toml' });
@@ -172,6 +250,7 @@ export function modelPanel(actions: Actions, change: (part: Partial<State>) => v
       const count = assumed.size;
       return [
         problem,
+        spindle ? crossSection() : undefined,
         correction ? undefined : form,
         ...s.modelNotes.map((note) => callout('doubt', note)),
         count ? callout('doubt', el('b', {}, `${count} values are assumed or estimated`), ': they are marked below. Put in what you know better.') : undefined,

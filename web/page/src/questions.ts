@@ -1,7 +1,7 @@
 // Questions to the command, as arguments and files, and the same as lines that people run themselves.
 import type { Question } from './engine';
 import type { Case, TextFile } from './state';
-import { isCorrection } from './toml';
+import { isCorrection, isSpindle } from './toml';
 
 /// A name that is safe as an argument and as a file: what messages of the command call the file.
 export function safeName(name: string): string {
@@ -11,7 +11,7 @@ export function safeName(name: string): string {
 
 /// The data under names of their own, apart from ours.
 export function dataFiles(data: TextFile[]): TextFile[] {
-  const taken = new Set(['model.toml', 'refitted.toml', 'improved.toml', 'columns.toml', 'report.html', 'rows.csv']);
+  const taken = new Set(['model.toml', 'start.toml', 'refitted.toml', 'improved.toml', 'found.toml', 'columns.toml', 'report.html', 'rows.csv']);
   return data.map(({ name, text }) => {
     let safe = safeName(name);
     for (let k = 2; taken.has(safe); ++k) safe = `${k}-${safeName(name)}`;
@@ -31,6 +31,12 @@ function reading(of: Case): string[] {
   return [...(of.map ? ['--columns', 'columns.toml'] : []), ...(of.dropNan ? ['--drop-nan'] : []), ...(of.rows ? ['--rows'] : []), ...(of.channel ? ['--channel', of.channel] : [])];
 }
 
+/// Which readings of a record are fitted to, and which judge.
+function span(of: Case, judge = false): string[] {
+  if (!of.until || !of.model || !isCorrection(of.model.text)) return [];
+  return judge ? ['--from', of.until, '--zero', 'none'] : ['--until', of.until];
+}
+
 function rig(of: Case): Rig {
   const data = dataFiles(of.data);
   return { data: data.map((d) => d.name), columns: reading(of), files: { ...Object.fromEntries(data.map((d) => [d.name, d.text])), ...(of.map ? { 'columns.toml': of.map } : {}) } };
@@ -47,23 +53,24 @@ export function check(of: Case, model: string): Question {
   return { arguments: ['check', 'model.toml', ...data, ...columns, '--json', '-o', 'rows.csv'], files: { 'model.toml': model, ...files } };
 }
 
-export function newModel(designation: string, law: string): Question {
-  return { arguments: ['new', designation, ...(law ? ['--law', law] : []), '-o', 'model.toml'], files: {} };
+/// Of a bearing, or of a spindle on three of it.
+export function newModel(designation: string, spindle = false): Question {
+  return { arguments: ['new', ...(designation ? [designation] : []), ...(spindle ? ['--spindle'] : ['--law', 'palmgren']), '-o', 'model.toml'], files: {} };
 }
 
 export function diagnose(of: Case, model: string): Question {
   const { data, columns, files } = rig(of);
-  return { arguments: ['diagnose', 'model.toml', ...data, ...columns, '--json', '--report', 'report.html'], files: { 'model.toml': model, ...files } };
+  return { arguments: ['diagnose', 'model.toml', ...data, ...columns, ...span(of), '--json', '--report', 'report.html'], files: { 'model.toml': model, ...files } };
 }
 
 export function calibrate(of: Case, model: string): Question {
   const { data, columns, files } = rig(of);
-  return { arguments: ['calibrate', 'model.toml', ...data, ...columns, '--json', '-o', 'refitted.toml'], files: { 'model.toml': model, ...files } };
+  return { arguments: ['calibrate', 'model.toml', ...data, ...columns, ...span(of), '--json', '-o', 'refitted.toml'], files: { 'model.toml': model, ...files } };
 }
 
 export function add(of: Case, model: string, ids: string[]): Question {
   const { data, columns, files } = rig(of);
-  return { arguments: ['add', 'model.toml', ...ids, '--data', ...data, ...columns, ...(of.forced ? ['--force'] : []), '--json', '-o', 'improved.toml', '--report', 'report.html'], files: { 'model.toml': model, ...files } };
+  return { arguments: ['add', 'model.toml', ...ids, '--data', ...data, ...columns, ...span(of), ...(of.forced ? ['--force'] : []), '--json', '-o', 'improved.toml', '--report', 'report.html'], files: { 'model.toml': model, ...files } };
 }
 
 /// Takes another base law, whether it helps or not: a look, before any is chosen.
@@ -74,7 +81,7 @@ export function tryLaw(of: Case, model: string, law: string): Question {
 /// Models as [name, text], in their order.
 export function compare(of: Case, models: [string, string][]): Question {
   const { data, columns, files } = rig(of);
-  return { arguments: ['compare', ...models.map(([name]) => name), ...data, ...columns, '--json', '--report', 'report.html'], files: { ...Object.fromEntries(models), ...files } };
+  return { arguments: ['compare', ...models.map(([name]) => name), ...data, ...columns, ...span(of, true), '--json', '--report', 'report.html'], files: { ...Object.fromEntries(models), ...files } };
 }
 
 /// A correction to begin with, of what a record holds.
@@ -86,11 +93,37 @@ export function newRecord(of: Case): Question {
 /// The lags of a correction from its record; with many sensors each through a bank of lags.
 export function identify(of: Case, model: string, bank: boolean): Question {
   const { data, columns, files } = rig({ ...of, data: of.data.slice(0, 1), rows: false, channel: '' });
-  return { arguments: ['identify', 'model.toml', ...data, ...columns, ...(bank ? ['--lags', 'auto'] : []), '--json', '-o', 'found.toml'], files: { 'model.toml': model, ...files } };
+  return { arguments: ['identify', 'model.toml', ...data, ...columns, ...span(of), ...(bank ? ['--lags', 'auto'] : []), '--json', '-o', 'found.toml'], files: { 'model.toml': model, ...files } };
 }
 
-export function exported(model: string, format: string): Question {
-  return { arguments: ['export', 'model.toml', '--format', format], files: { 'model.toml': model } };
+/// The correction over its record: how far it may be trusted.
+export function correct(of: Case, model: string): Question {
+  const { data, columns, files } = rig({ ...of, data: of.data.slice(0, 1), rows: false, channel: '' });
+  return { arguments: ['correct', 'model.toml', ...data, ...columns, '--json'], files: { 'model.toml': model, ...files } };
+}
+
+export function exported(model: string, format: string, untrusted: boolean): Question {
+  return { arguments: ['export', 'model.toml', '--format', format, ...(untrusted ? ['--accept-untrusted'] : [])], files: { 'model.toml': model } };
+}
+
+const given = (flag: string, value: string): string[] => (value ? [flag, value] : []);
+
+/// Flags of a steady state.
+const state = (of: Case): string[] => ['--speed', of.speed, '--steady', ...(of.coolantOff ? ['--coolant', 'off'] : []), ...given('--axial-load', of.axialLoad), ...given('--radial-load', of.radialLoad)];
+
+export function steady(of: Case, model: string): Question {
+  return { arguments: ['spindle', 'model.toml', ...state(of), '--json', '--report', 'report.html'], files: { 'model.toml': model } };
+}
+
+export function simulate(of: Case, model: string, { text }: TextFile): Question {
+  return {
+    arguments: ['spindle', 'model.toml', '--speed-profile', 'programme.csv', ...(of.coolantOff ? ['--coolant', 'off'] : []), '--json', '-o', 'run.csv', '--report', 'report.html'],
+    files: { 'model.toml': model, 'programme.csv': text },
+  };
+}
+
+export function modes(of: Case, model: string): Question {
+  return { arguments: ['modes', 'model.toml', '--speed', of.modeSpeeds, '--json', '--report', 'report.html'], files: { 'model.toml': model } };
 }
 
 export const keys: Question = { arguments: ['keys', '--json'], files: {} };
@@ -104,36 +137,88 @@ const named = ({ name }: TextFile): string => (name.startsWith('-') ? `./${name}
 
 /// The commands that do the same.
 export function shellCommands(of: Case): string {
-  const data = of.data.map(named);
-  const columns = reading(of);
-  const force = of.forced ? ['--force'] : [];
   const line = (...words: string[]) => ['raceway', ...words].map(forShell).join(' ');
   const lines: string[] = [];
-  if (!of.designation && of.model && isCorrection(of.model.text)) lines.push(line('new', '--record', ...data.slice(0, 1), '-o', 'model.toml'));
-  if (of.designation) lines.push(line('new', of.designation, '--law', 'palmgren', '-o', 'model.toml'));
+  const spindle = of.model !== undefined && isSpindle(of.model.text);
+  if (of.designation) lines.push(line('new', of.designation, ...(spindle ? ['--spindle'] : ['--law', 'palmgren']), '-o', 'model.toml'));
   if (of.designation) lines.push(`# Then put your values into model.toml${of.oil ? ` (oil ${of.oil.replace(/\s+/g, ' ')})` : ''}, or save the one of this page.`);
-  if (of.map) lines.push(line('check', 'model.toml', ...data.slice(0, 1), '--suggest-columns', '-o', 'columns.toml'));
-  let model = 'model.toml';
-  if (of.law) {
-    lines.push(line('add', model, `law:${of.law}`, '--data', ...data, ...columns, ...force, '-o', `${of.law}.toml`));
-    model = `${of.law}.toml`;
-  }
-  lines.push(line('diagnose', model, ...data, ...columns));
-  if (of.on.length) lines.push(line('add', model, ...of.on, '--data', ...data, ...columns, ...force, '-o', 'improved.toml', '--report', 'report.html'), line('diagnose', 'improved.toml', ...data, ...columns));
-  else lines.push(line('calibrate', model, ...data, ...columns, '-o', 'improved.toml'));
-  lines.push(line('compare', model, 'improved.toml', ...data, ...columns, '--report', 'compare.html'));
+  lines.push(...(spindle && !of.data.length ? ofSpindle(of, line) : ofData(of, line)));
   return `${lines.join('\n')}\n`;
 }
 
+function ofSpindle(of: Case, line: (...words: string[]) => string): string[] {
+  const coolant = of.coolantOff ? ['--coolant', 'off'] : [];
+  return [
+    line('spindle', 'model.toml', ...state(of), '--report', 'steady.html'),
+    ...(of.programme ? [line('spindle', 'model.toml', '--speed-profile', named(of.programme), ...coolant, '-o', 'run.csv', '--report', 'programme.html')] : []),
+    line('modes', 'model.toml', '--speed', of.modeSpeeds, '--report', 'modes.html'),
+  ];
+}
+
+function ofData(of: Case, line: (...words: string[]) => string): string[] {
+  const data = of.data.map(named);
+  const columns = reading(of);
+  const fit = [...columns, ...span(of)];
+  const force = of.forced ? ['--force'] : [];
+  const lines: string[] = [];
+  const first = of.start ? 'start.toml' : 'model.toml';
+  if (of.fromRecord) lines.push(line('new', '--record', ...data.slice(0, 1), ...(of.map ? ['--columns', 'columns.toml'] : []), '-o', first));
+  if (of.start) lines.push(line('identify', first, ...data.slice(0, 1), ...fit, ...(of.bank ? ['--lags', 'auto'] : []), '-o', 'model.toml'));
+  if (of.map) lines.unshift(line('check', first, ...data.slice(0, 1), '--suggest-columns', '-o', 'columns.toml'));
+  let model = 'model.toml';
+  if (of.law) {
+    lines.push(line('add', model, `law:${of.law}`, '--data', ...data, ...fit, ...force, '-o', `${of.law}.toml`));
+    model = `${of.law}.toml`;
+  }
+  lines.push(line('diagnose', model, ...data, ...fit));
+  const improved = of.on.length > 0 || !of.start;
+  if (of.on.length) lines.push(line('add', model, ...of.on, '--data', ...data, ...fit, ...force, '-o', 'improved.toml', '--report', 'report.html'), line('diagnose', 'improved.toml', ...data, ...fit));
+  else if (improved) lines.push(line('calibrate', model, ...data, ...fit, '-o', 'improved.toml'));
+  lines.push(line('compare', ...(of.start ? [first] : []), model, ...(improved ? ['improved.toml'] : []), ...data, ...columns, ...span(of, true), '--report', 'compare.html'));
+  return lines;
+}
+
 export function pythonCommands(of: Case): string {
+  return `${(of.model && isSpindle(of.model.text) && !of.data.length ? pythonOfSpindle(of) : pythonOfData(of)).join('\n')}\n`;
+}
+
+const numbers = (speeds: string): string => {
+  const [from, to, step] = speeds.split(':');
+  return to === undefined ? (from as string) : `range(${from}, ${to} + 1, ${step ?? to})`;
+};
+
+function pythonOfSpindle(of: Case): string[] {
+  const coolant = of.coolantOff ? ', coolant=False' : '';
+  const loads = [...(of.axialLoad ? [`, axial_load_N=${of.axialLoad}`] : []), ...(of.radialLoad ? [`, radial_load_N=${of.radialLoad}`] : [])].join('');
+  return [
+    'import raceway',
+    '',
+    'spindle = raceway.Model.read("model.toml")',
+    `print(spindle.steady(${numbers(of.speed)}${coolant}${loads}).to_frame())`,
+    ...(of.programme ? [`run = spindle.simulate(raceway.Record.read(${forPython(named(of.programme))})${coolant})`, 'run.save("run.csv")'] : []),
+    `print(spindle.modes(${numbers(of.modeSpeeds)}).to_frame())`,
+  ];
+}
+
+/// "26h" in seconds.
+function seconds(time: string): string {
+  const [, value = '', unit = ''] = /^([\d.]+)\s*(s|min|h|d)?$/.exec(time) ?? [];
+  return String(Number(value) * ({ min: 60, h: 3600, d: 86400 }[unit] ?? 1));
+}
+
+function pythonOfData(of: Case): string[] {
   const columns = `${of.map ? ', columns=open("columns.toml").read()' : ''}${of.dropNan ? ', drop_nan=True' : ''}`;
-  const rows = of.rows ? ', rows=True' : '';
+  const until = span(of).length ? `, until_s=${seconds(of.until)}` : '';
+  const rows = `${of.rows ? ', rows=True' : ''}${until}`;
+  const judged = `${of.rows ? ', rows=True' : ''}${until ? `, from_s=${seconds(of.until)}, zero="none"` : ''}`;
   const records = of.data.map((d) => `raceway.Record.read(${forPython(named(d))}${columns})`);
-  const lines = ['import raceway', '', 'model = raceway.Model.read("model.toml")', `record = ${records.length > 1 ? `[${records.join(', ')}]` : (records[0] ?? '')}`];
+  const lines = ['import raceway', '', `record = ${records.length > 1 ? `[${records.join(', ')}]` : (records[0] ?? '')}`];
+  if (of.start) lines.push('start = raceway.read("start.toml")', `model = start.identify(record${of.bank ? ', lags_s="auto"' : ''}${until}).correction`);
+  else lines.push('model = raceway.read("model.toml")');
   if (of.law) lines.push(`model = model.add(${forPython(`law:${of.law}`)}, record${rows}).model`);
   lines.push(`print(model.diagnose(record${rows}).headline)`);
   if (of.on.length) lines.push(`better = model.add([${of.on.map(forPython).join(', ')}], record${rows}).model`, `print(better.diagnose(record${rows}).headline)`);
-  else lines.push(`better = model.calibrate(record${rows}).model`);
-  lines.push(`print(better.compare(record${rows}))`, 'better.save("improved.toml")');
-  return `${lines.join('\n')}\n`;
+  else lines.push(of.start ? 'better = model' : `better = model.calibrate(record${rows}).model`);
+  lines.push(`print(better.compare(record${judged}))`, 'better.save("improved.toml")');
+  return lines;
 }

@@ -5,6 +5,10 @@ export { detectable, effectNodes, plan } from '../../../report/page/src/diagnosi
 export { ladder, noiseSources } from '../../../report/page/src/ladder';
 export { record } from '../../../report/page/src/record';
 export { field, overTimeSection } from '../../../report/page/src/record_parts';
+export { modes } from '../../../report/page/src/modes';
+export { sectionFigure } from '../../../report/page/src/section_view';
+export { spindleRun } from '../../../report/page/src/spindle_run';
+export { spindleSteady } from '../../../report/page/src/spindle_steady';
 export { RecordView } from '../../../report/page/src/record_view';
 export { overSpeed } from '../../../report/page/src/over_speed';
 export { grid, notes, section } from '../../../report/page/src/page';

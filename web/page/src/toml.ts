@@ -73,6 +73,9 @@ export const quoted = (text: string): string => JSON.stringify(text).replace(/\u
 /// A correction of displacements over time, or several.
 export const isCorrection = (text: string): boolean => /^\s*\[\[?correction\]/m.test(text);
 
+/// A spindle with its shaft and housing.
+export const isSpindle = (text: string): boolean => /^\s*\[shaft\]/m.test(text) && /^\s*\[housing\]/m.test(text);
+
 /// Displacements of a model that has several corrections.
 export function channelsOf(text: string): string[] {
   const found = entries(text)
