@@ -25,5 +25,16 @@ await page.setInputFiles('#file', join(ROOT, 'data/measurements/german_export.cs
 await idle();
 await page.check('#drop-nan');
 await picture('columns');
+await page.click('#see-record');
+await idle();
+await page.click('#find-lags');
+await picture('record');
+await page.click('#example-spindle');
+await picture('spindle');
+await page.click('#step-programme');
+await idle();
+await page.waitForTimeout(1000);
+const nose = await page.$('#nose');
+await nose.screenshot({ path: join(ROOT, 'docs/workbench-programme.png') });
 await browser.close();
 server.close();

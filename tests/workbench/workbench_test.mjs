@@ -314,6 +314,31 @@ test('the measured spindle is built in: the lags of its sensors are found in 26 
   await close();
 });
 
+test('of a large record as many rows are drawn as can be seen, all are read, and what is wrong is said of its line', async () => {
+  const { page, faults, close } = await open();
+  const rows = 150000;
+  const lines = ['time_s,speed_rpm,spindle_temperature_C,displacement_z_um'];
+  let [warm, z] = [20, 0];
+  for (let k = 0; k < rows; ++k) {
+    const speed = k % 50000 < 20000 ? 6000 : 0;
+    warm += (20 + speed * 0.004 - warm) / 4000;
+    z += (2 * (warm - 20) - z) / 8000;
+    lines.push(`${k},${speed},${warm.toFixed(3)},${(z + 0.2 * Math.sin(1.7 * k)).toFixed(3)}`);
+  }
+  await drop(page, 'long.csv', `${lines.join('\n')}\n`);
+  assert.deepEqual(await errors(page), []);
+  await click(page, '#step-data');
+  assert.match(await page.textContent('#panel'), new RegExp(`${rows} rows`));
+  const dots = await page.$$eval('.spark', (all) => all.map((spark) => spark.querySelectorAll('circle').length));
+  assert.ok(dots.length >= 4 && dots.every((count) => count > 100 && count <= 500), dots.join());
+  assert.match(await page.textContent('#step-compare .summary'), /error/);
+  lines[rows - 10] = lines[rows - 10].replace(/[^,]*$/, 'wrong');
+  await drop(page, 'long.csv', `${lines.join('\n')}\n`);
+  assert.match((await errors(page)).join(), new RegExp(`long\\.csv:${rows - 9}: `));
+  assert.deepEqual(faults, []);
+  await close();
+});
+
 const facts = (page) => page.$$eval('.facts div', (all) => Object.fromEntries(all.map((f) => [f.querySelector('dt').textContent, f.querySelector('dd').textContent])));
 const steady = (model, ...flags) => JSON.parse(raceway('spindle', model, '--speed', '6000', '--steady', ...flags, '--json')).steady[0];
 

@@ -260,16 +260,24 @@ function redrawAll(): void {
   for (const figure of all) figure.draw();
 }
 
-/// Lets go of the pictures that are no longer on the page, and draws those that are new.
+/// Lets go of the pictures that are no longer on the page, and draws those that are new: many or large ones piece by piece.
 export function drawNew(): void {
   for (let k = all.length - 1; k >= 0; --k) {
     const figure = all[k] as Figure;
-    if (figure.element.isConnected) figure.drawFirst();
-    else {
-      figure.dispose();
-      all.splice(k, 1);
-    }
+    if (figure.element.isConnected) continue;
+    figure.dispose();
+    all.splice(k, 1);
   }
+  const list = [...all];
+  const step = (budget: number) => {
+    const until = performance.now() + budget;
+    while (list.length && performance.now() < until) {
+      const figure = list.shift() as Figure;
+      if (figure.element.isConnected) figure.drawFirst();
+    }
+    if (list.length) setTimeout(() => step(30), 0);
+  };
+  step(150);
 }
 
 /// A choice above a picture.

@@ -1,6 +1,6 @@
 // What a user does. Each action replaces the case and asks the engine anew; answers of an earlier case are dropped.
 import { Asking, documentOf, Refused, refusal, reportOf } from './asking';
-import { decoded, numbersOf, preview, readMap, writeMap, type Mapped } from './columns';
+import { decoded, numbersOf, preview, readMap, thinned, writeMap, type Mapped } from './columns';
 import { Stopped, type Engine } from './engine';
 import { examples } from './example';
 import { viscosities } from './oil';
@@ -309,13 +309,18 @@ export class Actions {
   }
 
   private async read(of: Case, model: string, tell: (part: Partial<State>) => void): Promise<void> {
+    const [first] = of.data as [TextFile];
+    // Of a large file as many rows are proposed from and drawn as can be seen; all of them are checked.
+    const few = { ...first, text: thinned(first.text) };
     if (!this.state.proposal) {
-      const proposed = await this.asking.ask('Looking at the columns', ask.suggest(model, of.data[0] as TextFile));
+      const proposed = await this.asking.ask('Looking at the columns', ask.suggest(model, few));
       if (proposed.status === 0) tell({ proposal: proposed.out });
     }
-    const answer = await this.asking.ask('Reading the data', ask.check(of, model));
+    const whole = few.text === first.text;
+    const answer = await this.asking.ask('Reading the data', ask.check(of, model, whole));
     const document = documentOf<Omit<Reading, 'numbers'>>(answer);
-    tell({ reading: { ...document, numbers: numbersOf(answer.files['rows.csv'] ?? '') } });
+    const drawn = whole ? answer : await this.asking.ask('Drawing the columns', ask.check({ ...of, data: [few] }, model, true));
+    tell({ reading: { ...document, numbers: numbersOf(drawn.files['rows.csv'] ?? '') } });
   }
 
   // ---- data and columns
@@ -370,11 +375,15 @@ export class Actions {
     const { data, model } = this.state;
     try {
       const reader = model?.text ?? (await this.neutralModel());
-      const answer = await this.asking.ask('Looking at the columns', ask.suggest(reader, data[0] as TextFile));
+      const first = data[0] as TextFile;
+      const few = thinned(first.text);
+      let answer = await this.asking.ask('Looking at the columns', ask.suggest(reader, { ...first, text: few }));
+      // What is wrong in a line is said of the line in the file.
+      if (answer.status !== 0 && few !== first.text) answer = await this.asking.ask('Looking at the columns', ask.suggest(reader, first));
       if (answer.status !== 0) throw new Refused(refusal(answer), ask.dataFiles(data)[0]?.name ?? null, null);
       const { mapped } = readMap(answer.out);
       const named = mapped.length > 0 && mapped.every((m) => m.column === m.ours);
-      const ours = named || (await this.asking.ask('Reading the data', ask.check(caseOf(this.state), reader))).status === 0;
+      const ours = named || (await this.asking.ask('Reading the data', ask.check(caseOf(this.state), reader, few === first.text))).status === 0;
       this.store.change({ proposal: answer.out, map: ours ? '' : answer.out, confirmed: ours });
     } catch (error) {
       if (!(error instanceof Stopped)) this.store.change({ problem: placeOf(error), confirmed: true });

@@ -78,6 +78,20 @@ export function preview(text: string, names: string[], rows: number): { header: 
   };
 }
 
+const largest = 4e6; // characters of a file that is read whole where a look at it is enough
+
+/// The head of a large file and of its other lines as many as are looked at, evenly spread; a file of usual size as it is.
+export function thinned(text: string, most = 20_000): string {
+  if (text.length < largest) return text;
+  const ends: number[] = [];
+  for (let end = text.indexOf('\n'); end >= 0; end = text.indexOf('\n', end + 1)) ends.push(end + 1);
+  const whole = 200; // lines, of the head and the first rows
+  const step = Math.ceil(ends.length / most);
+  const lines = [text.slice(0, ends[whole])];
+  for (let k = whole; k + 1 < ends.length; k += step) lines.push(text.slice(ends[k], ends[k + 1]));
+  return lines.join('');
+}
+
 /// Numbers of a CSV that `check -o` wrote, by column; of many rows as many as are drawn, evenly spread.
 export function numbersOf(text: string, most = 500): Map<string, Float64Array> {
   const lines = text.split('\n').filter((line) => line && !line.startsWith('#'));

@@ -106,7 +106,9 @@ export function dataPanel(actions: Actions): Panelled {
       const { mapped, absent, unused } = readMap(s.map || s.proposal);
       const missing = readMap(s.proposal).absent.filter((ours) => !mapped.some((m) => m.ours === ours));
       const list: Mapped[] = [...mapped, ...[...new Set([...absent, ...missing])].map((ours) => ({ ours, column: '', unit: '', number: '' }))];
-      const names = mapped.map((m) => m.column).filter(Boolean);
+      // Columns that have our names need no line in the map.
+      for (const { name } of s.reading?.columns ?? []) if (!list.some((m) => m.ours === name)) list.push({ ours: name, column: name, unit: '', number: '' });
+      const names = list.map((m) => m.column).filter(Boolean);
       const header = s.data[0] ? preview(s.data[0].text, [...names, ...unused], 1).header : [];
       const said = s.reading?.said ?? [];
       const doubts = said.filter((n) => n.kind !== 'note').map((n) => callout('doubt', el('b', {}, n.kind === 'doubt' ? 'Doubt: ' : 'Warning: '), printed(n.text)));

@@ -30,7 +30,7 @@ export const examples: Record<ExampleName, Example> = {
   },
   record: {
     title: 'Warm spindle, 34 h',
-    eyebrow: 'Built-in example, measured: a spindle over 34 h, a displacement and 16 temperatures. The first 26 h are fitted to',
+    eyebrow: 'Built-in example, measured: a spindle over 34 h, a displacement and 16 temperatures',
     label: 'built-in record',
     open: async () => ({ ...nothing, example: 'record', data: [{ name: 'record.csv', text: await record() }], model: { name: 'bare3.toml', text: bare }, until: '26h' }),
   },

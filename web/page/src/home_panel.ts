@@ -5,7 +5,7 @@ import { readMap, writeMap } from './columns';
 import { caseOf, type State, type Trust } from './state';
 import { alone, type Actions } from './actions';
 import { isCorrection } from './toml';
-import { trustLine } from './verdict';
+import { printed, trustLine } from './verdict';
 import { button, callout, type Panelled } from './view';
 
 function save(name: string, text: string, type: string): void {
@@ -72,7 +72,7 @@ function exports(model: string, trust: Trust | undefined, actions: Actions): HTM
         // The command asks for --accept-untrusted where a correction is not to be used.
         const may = /--accept-untrusted/.test(error.message);
         const words = error.message.replace(/\. --accept-untrusted.*$/s, '.');
-        said.replaceChildren(callout(may ? 'doubt' : 'error', el('span', {}, words), may ? button('Export it all the same', () => write(format, name, true), { id: 'accept-untrusted', class: 'small' }) : undefined));
+        said.replaceChildren(callout(may ? 'doubt' : 'error', el('span', {}, printed(words)), may ? button('Export it all the same', () => write(format, name, true), { id: 'accept-untrusted', class: 'small' }) : undefined));
       },
     );
   return el(

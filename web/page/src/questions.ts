@@ -48,9 +48,9 @@ export function suggest(model: string, data: TextFile): Question {
 }
 
 /// Of the first file: `check` takes one.
-export function check(of: Case, model: string): Question {
+export function check(of: Case, model: string, rows: boolean): Question {
   const { data, columns, files } = rig({ ...of, data: of.data.slice(0, 1), rows: false });
-  return { arguments: ['check', 'model.toml', ...data, ...columns, '--json', '-o', 'rows.csv'], files: { 'model.toml': model, ...files } };
+  return { arguments: ['check', 'model.toml', ...data, ...columns, '--json', ...(rows ? ['-o', 'rows.csv'] : [])], files: { 'model.toml': model, ...files } };
 }
 
 /// Of a bearing, or of a spindle on three of it.
