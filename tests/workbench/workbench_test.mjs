@@ -415,6 +415,10 @@ test('a spindle begins with a template whose assumptions are marked; a dropped p
   await designate(page, 'S 6010 E', 'VG 22');
   assert.deepEqual(await errors(page), []);
   assert.match(await sentence(page), /S 6010 E/);
+  await designate(page, 'S 6014 C', '');
+  assert.match(await sentence(page), /S 6014 C/);
+  await page.fill('#preload', '250');
+  await designate(page, 'S 6010 E', 'VG 22');
   assert.equal(await page.inputValue('#key-arrangement-preload_N'), '250');
   assert.ok((await page.locator('.field.assumed').count()) > 3);
   assert.equal(await page.locator('#example-spindle').count(), 0);
@@ -431,6 +435,10 @@ test('a spindle begins with a template whose assumptions are marked; a dropped p
   assert.deepEqual(await errors(page), []);
   await page.click('summary:has-text("Text of")');
   assert.match(await page.inputValue('#toml'), /\{length_mm = 180, diameter_mm = 82, bore_mm = 30\}/);
+  // A record that is there already stays when its spindle is dropped.
+  await drop(page, join(ROOT, 'data/corrections/ambient/train.csv'));
+  await drop(page, join(ROOT, 'data/spindles/small.toml'));
+  assert.equal(await page.locator('#step-data').count(), 1);
   assert.deepEqual(faults, []);
   await close();
 });
@@ -501,6 +509,24 @@ for (const [width, colorScheme] of [[1300, 'light'], [1300, 'dark'], [390, 'ligh
     assert.deepEqual(faults, []);
     await close();
   });
+
+test('a spindle and its programme that were put into the page are open in it', async () => {
+  const given = { model: 'externally_driven.toml', programme: 'day.csv' };
+  const [model, day] = Object.values(given).map((name) => ({ name, text: readFileSync(join(ROOT, 'data/spindles', name), 'utf8') }));
+  const loaded = `<script type="application/json" id="loaded">${JSON.stringify({ model, data: [day] }).replace(/</g, '\\u003c')}</script>`;
+  const page_ = workbench(process.env.PAGE_PACKAGES, true).replace('<!--@ENGINE@-->', () => loaded);
+  const own = await serve(RACEWAY, () => page_);
+  const at = `http://127.0.0.1:${own.address().port}/`;
+  const { page, faults, close } = await visit(at, {}, undefined, [`${at}ask`]);
+  await idle(page);
+  assert.match(await sentence(page), /6000 rpm.*nose/);
+  await click(page, '#step-programme');
+  assert.match(await page.textContent('#panel'), /day\.csv/);
+  assert.match(await sentence(page), /nose from/);
+  assert.deepEqual(faults, []);
+  await close();
+  own.close();
+});
 
 /// The page as one file, with a worker that plays what was recorded.
 function withWorker(name, more = '', bundled = workbench(process.env.PAGE_PACKAGES)) {

@@ -338,7 +338,10 @@ export class Actions {
     const model = tomls.find((t) => !isMap(t));
     const spindle = model ? isSpindle(model.text) : alone(this.state);
     const [programme] = data.filter((d) => spindle && isProgramme(preview(d.text, ['time_s'], 1).header));
-    if (spindle && (programme ? data.length === 1 : !data.length)) return this.takeSpindle(model, programme);
+    // A record that is there already is one of this spindle.
+    const names = this.state.reading?.columns.map((c) => c.name) ?? [];
+    const measured = !this.state.example && names.includes('time_s') && !names.some((name) => name.startsWith('friction_torque'));
+    if (spindle && (programme ? data.length === 1 : !data.length && !measured)) return this.takeSpindle(model, programme);
     const part: Partial<State> = { law: '', on: [], forced: false, start: undefined, fromRecord: false, until: '', machine: undefined };
     if (data.length)
       Object.assign(part, {

@@ -4,8 +4,11 @@ import rigModel from '../../../tests/hidden_effect/rigs/dev-03/model.toml';
 import bare from '../../../data/measurements/spindle_thermal/bare3.toml';
 import design from '../../../data/spindles/externally_driven.toml';
 import day from '../../../data/spindles/day.csv';
+import { preview } from './columns';
 import { unpacked } from './packed';
+import { isProgramme } from './spindle_asking';
 import { nothing, type Case, type Diagnosed, type ExampleName } from './state';
+import { isSpindle } from './toml';
 
 interface Example {
   title: string; // of the button
@@ -45,7 +48,11 @@ export const examples: Record<ExampleName, Example> = {
 /// A case that was put into the page: {"model": {...}, "data": [...], "map": "..."}.
 export function loaded(): Case | undefined {
   const text = document.getElementById('loaded')?.textContent;
-  return text ? { ...nothing, ...(JSON.parse(text) as Partial<Case>) } : undefined;
+  if (!text) return undefined;
+  const given = { ...nothing, ...(JSON.parse(text) as Partial<Case>) };
+  const [file] = given.data;
+  const programme = given.model && isSpindle(given.model.text) && file && given.data.length === 1 && isProgramme(preview(file.text, ['time_s'], 1).header);
+  return programme ? { ...given, data: [], programme: file } : given;
 }
 
 /// The diagnosis of the rig as the engine gave it when the page was made. It stands until the engine has answered here.

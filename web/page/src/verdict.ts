@@ -14,7 +14,7 @@ export const printed = (text: string): string =>
     .replace(/\+- /g, '± ')
     .replace(/\bum\b/g, 'µm')
     .replace(/(\d) (?=\d{3}\b|N mm|rpm|µm|N\b|K\b|C\b)/g, '$1\u00a0')
-    .replace(/[ \u00a0]C\b(?= |\.|,|;|$|\))/g, '\u00a0°C');
+    .replace(/(\d*)[ \u00a0]C\b(?= |\.|,|;|$|\))/g, (all: string, digits: string) => (digits.length > 3 ? all : `${digits}\u00a0°C`)); // 6014 C is a bearing
 
 interface Errors {
   before: number;
