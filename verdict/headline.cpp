@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <string_view>
 
 #include "record/digits.h"
@@ -99,8 +100,9 @@ std::string errors(const Diagnosis& d) {
 
 std::string error_and_noise(const Diagnosis& d) {
   const ChannelDiagnosis& first = d.channels.front();
-  return fmt::format("error {}, noise {}", reading_text(first.channel(), first.rmse_before),
-                     reading_text(first.channel(), first.noise.rms));
+  return fmt::format(
+      "error {}, noise {}", reading_text(first.channel(), first.rmse_before),
+      std::isnan(first.noise.rms) ? "not known" : reading_text(first.channel(), first.noise.rms));
 }
 
 /// Where all of an explanation is wrong data: what to check, and what it should say.

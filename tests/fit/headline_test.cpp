@@ -71,6 +71,15 @@ TEST(Headline, DoesNotCallWrongDataAnEffect) {
       "entered; error 44.9 -> 10.7 N mm");
 }
 
+// A record of readings far apart: "noise nan K".
+TEST(Headline, DoesNotTellANoiseThatIsNotKnown) {
+  verdict::Diagnosis d = found(verdict::Verdict::not_in_catalogue, {});
+  d.channels[0].noise.rms = unset;
+  EXPECT_EQ(verdict::headline(d),
+            "Something is missing that no effect of the catalogue explains: error 44.9 N mm, "
+            "noise not known");
+}
+
 TEST(Headline, SaysWhereItIsNotSure) {
   verdict::Diagnosis d =
       found(verdict::Verdict::ambiguous, {{"churning"}, {"windage", "seal-friction"}});
