@@ -3,6 +3,7 @@
 
 #include "files/detail/number_lists.h"
 #include "record/units.h"
+#include "spindle/bearing_conduction.h"
 
 // Last: see text/detail/toml_text.h.
 #include "files/detail/roller_section.h"
@@ -27,7 +28,8 @@ const Key spindle_bearing_keys[]{
      "shoulder diameter of the inner ring"},
     {"outer_ring_shoulder_mm", between(1, 10000, "mm"), "pitch diameter + 0.7 ball diameters",
      "shoulder diameter of the outer ring"},
-    {"lubricant_conductance_W_K", between(0, 1000, "W/K"), usual_spindle.lubricant_conductance,
+    {"lubricant_conductance_W_K", between(0, 1000, "W/K"),
+     "1650 W/(m2 K) by balls and squared diameter",
      "heat from ring to ring by oil film, oil and rolling balls, in addition to the contacts"},
 };
 constexpr Key spindle_friction_keys[]{{"inner_heat_share", between(0, 1),
@@ -104,7 +106,8 @@ void read_rings(ModelTables& tables, const NamedBearing& bearing, Spindle& spind
   require("inner_ring_shoulder_mm", spindle.inner_ring_shoulder, g.bore, g.pitch_diameter);
   require("outer_ring_shoulder_mm", spindle.outer_ring_shoulder, g.pitch_diameter,
           g.outer_diameter);
-  spindle.lubricant_conductance = tables.number(s, "lubricant_conductance_W_K");
+  spindle.lubricant_conductance =
+      tables.number(s, "lubricant_conductance_W_K", spindle::usual_lubricant_conductance(g));
 }
 
 void read_solution(ModelTables& tables, Spindle& spindle) {

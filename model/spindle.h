@@ -213,7 +213,7 @@ struct Spindle {
   double inner_ring_shoulder = unset, outer_ring_shoulder = unset;  ///< diameters [m]
   /// Conductance of oil film, lubricant and balls that carry heat, in addition to the contacts, of
   /// one bearing [W/K].
-  double lubricant_conductance = 1.5;
+  double lubricant_conductance = unset;
   /// Share of a bearing's friction power that arises at its inner ring; NaN: split_heat().
   double inner_heat_share = unset;
   ShaftBody shaft = {};

@@ -187,6 +187,8 @@ MEANINGS = {
     "calibrate-sensor": {"hysteresis.largest_percent": "of the signal of the whole range, as all per cents here"},
     "spindle": {
         "steady[].coolant.velocity_m_s": "of a steady state",
+        "steady[].seats[].on_shaft.pressure_MPa": "0 of a loose seat, null where its conductance is given",
+        "steady[].shaft[].axial_displacement_um": "against the flange, from the nose to the rear end",
         "highest_front_force.force_N": "of a programme",
         "rows_reached": "an early end stands behind these as a row of its own",
         "assumptions.most[].name": "with --assumptions",

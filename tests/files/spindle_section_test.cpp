@@ -38,7 +38,7 @@ TEST(SpindleSection, ShortestFileHasEveryDefaultNamed) {
   const model::Spindle& s = *file.model.spindle;
   EXPECT_TRUE(s.preload_feedback);
   EXPECT_DOUBLE_EQ(s.bearing_width, 20 * mm);  // GMN S 6014 C
-  EXPECT_EQ(s.lubricant_conductance, 1.5);
+  EXPECT_DOUBLE_EQ(s.lubricant_conductance, 1650 * 21 * 11.906e-3 * 11.906e-3);
   EXPECT_TRUE(std::isnan(s.inner_heat_share));
   EXPECT_EQ(s.shaft.segments.size(), 5u);
   EXPECT_EQ(s.shaft.segments[0].material.conductivity, 42);
@@ -48,7 +48,7 @@ TEST(SpindleSection, ShortestFileHasEveryDefaultNamed) {
   EXPECT_DOUBLE_EQ(s.model_floor_displacement, 1e-6);
   EXPECT_EQ(file.model.free, std::vector<std::string>{"f0"});
   for (const char* one :
-       {"bearing.lubricant_conductance_W_K = 1.5 (default)",
+       {"bearing.lubricant_conductance_W_K = 4.911735767 (default)",
         "spindle.preload_feedback = true (default)", "shaft.conductivity_W_mK = 42 (default)",
         "housing.flange_conductance_W_K = 4 (default)",
         "seat.collar_conductance_W_m2K = 8000 (default)", "ambient.emissivity = 0.85 (default)",

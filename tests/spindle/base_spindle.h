@@ -41,6 +41,7 @@ inline model::Model base_spindle(double preload = 300.0, double f0 = 0.6) {
   s.bearing_width = 20 * mm;
   s.inner_ring_shoulder = 82 * mm;
   s.outer_ring_shoulder = 98 * mm;
+  s.lubricant_conductance = 1.5;
   s.inner_heat_share = 0.5;
   const auto piece = [](double length, double diameter) {
     return Segment{.length = length * mm, .diameter = diameter * mm, .bore = 36 * mm};

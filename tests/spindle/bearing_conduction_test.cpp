@@ -44,6 +44,18 @@ TEST(BearingConduction, IsTheConstrictionOfTheEllipseAtEveryLoad) {
     }
 }
 
+// The formula as Thermca has it, over the speeds of its domain.
+TEST(BearingConduction, UsualLubricantConductanceIsThatOfSchaefer) {
+  for (const double diameter : {5 * mm, 11.9 * mm, 22 * mm})
+    for (const double speed_factor : {2e5, 5e5, 2e6}) {  // n d_m [mm/min]
+      const double pitch_speed = speed_factor * mm * rpm;
+      const double printed = 590.0 * 20 * diameter * diameter *
+                             std::sqrt(7.0 + std::log(pitch_speed / (2000.0 * diameter)));
+      EXPECT_NEAR(usual_lubricant_conductance({.ball_count = 20, .ball_diameter = diameter}),
+                  printed, 0.12 * printed);
+    }
+}
+
 TEST(BearingConduction, NeedsBothRaces) {
   const BallConduction balls(bearing_7014(), 46.0, 46.0);
   EXPECT_EQ(balls.conductance(0.0, 0.0), 0.0);
