@@ -44,6 +44,25 @@ void print_temperatures(const model::Model& model, const spindle::Moment& m) {
   fmt::print("{}\n", table.text(terminal_width()));
 }
 
+void print_seats(const model::Model& model, const std::vector<spindle::SeatsOfBearing>& seats) {
+  if (seats.empty()) return;
+  TextTable table({{"seat", "", true},
+                   {"on shaft", "MPa"},
+                   {"conducts", "W/(m2 K)"},
+                   {"in housing", "MPa"},
+                   {"conducts", "W/(m2 K)"}});
+  const auto pressure = [](const spindle::SeatState& seat) {
+    return seat.pressure > 0.0    ? number(seat.pressure / MPa, 3)
+           : seat.pressure == 0.0 ? std::string("loose")
+                                  : number(seat.pressure);
+  };
+  for (std::size_t k = 0; k < seats.size(); ++k)
+    table.add({results::bearing_label(model, k), pressure(seats[k].inner),
+               number(seats[k].inner.conductance, 3), pressure(seats[k].outer),
+               number(seats[k].outer.conductance, 3)});
+  fmt::print("{}\n", table.text(terminal_width()));
+}
+
 void print_heat(const spindle::HeatBalance& heat) {
   fmt::print(
       "heat: {} W friction and {} W of drives; {} W to the coolant, {} W to the air, {} W to the "
@@ -69,6 +88,7 @@ void print_one(const model::Model& model, const results::SteadyState& s) {
              spindle::words(s.report.status));
   if (!s.report.converged()) return;
   print_temperatures(model, s.moment);
+  print_seats(model, s.seats);
   print_heat(s.moment.heat);
   if (s.coolant) print_coolant(*s.coolant);
   if (model.spindle->network) return;
@@ -79,6 +99,8 @@ void print_one(const model::Model& model, const results::SteadyState& s) {
   fmt::print("axial stiffness of the warm sets: {} N/um\n", number(s.axial_stiffness / N_per_um));
   fmt::print("nose against flange: {} um, {} um of it from the sets alone\n",
              number(m.displacement / um), number(m.kinematic_displacement / um));
+  fmt::print("rear end of the shaft against flange: {} um\n",
+             number(s.shaft.back().displacement / um));
 }
 
 /// The assumed numbers that matter most, a line each.

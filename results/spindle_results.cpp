@@ -57,6 +57,29 @@ void put_header(fmt::memory_buffer& out, const std::vector<RunColumn>& columns) 
   }
 }
 
+text::json seat_json(const spindle::SeatState& seat) {
+  return {{"pressure_MPa", seat.pressure / MPa},
+          {"gap_um", seat.gap / um},
+          {"conductance_W_m2K", seat.conductance}};
+}
+
+text::json seats_json(const model::Model& model, std::span<const spindle::SeatsOfBearing> seats) {
+  text::json list = text::json::array();
+  for (std::size_t k = 0; k < seats.size(); ++k)
+    list.push_back({{"bearing", bearing_label(model, k)},
+                    {"on_shaft", seat_json(seats[k].inner)},
+                    {"in_housing", seat_json(seats[k].outer)}});
+  return list;
+}
+
+text::json shaft_json(std::span<const spindle::ShaftPlace> shaft) {
+  text::json list = text::json::array();
+  for (const spindle::ShaftPlace& place : shaft)
+    list.push_back(
+        {{"position_mm", place.position / mm}, {"axial_displacement_um", place.displacement / um}});
+  return list;
+}
+
 text::json json_of(const Assumptions& assumptions) {
   text::json most = text::json::array();
   for (const Assumption& a : assumptions.most)
@@ -201,6 +224,10 @@ std::string spindle_steady_json(const model::Model& model, std::span<const Stead
                         {"film_W_m2K", s.coolant->film},
                         {"pressure_drop_bar", s.coolant->pressure_drop / spindle::bar},
                         {"throttle_pressure_drop_bar", s.coolant->throttle_drop / spindle::bar}};
+    if (!s.seats.empty()) {
+      row["seats"] = seats_json(model, s.seats);
+      row["shaft"] = shaft_json(s.shaft);
+    }
     row["report"] = report_of(
         s.report, mesh.speed == s.inputs.speed ? mesh : MeshEstimate{.cells = mesh.cells});
     rows.push_back(std::move(row));

@@ -50,6 +50,8 @@ struct SteadyState {
   /// Values of each bearing, front set first; empty where there is none.
   std::vector<bearing::BearingInSet> bearings = {};
   std::optional<spindle::ChannelFlow> coolant = {};  ///< none where it stands
+  std::vector<spindle::SeatsOfBearing> seats = {};   ///< as Moment::bearings; none in a network
+  std::vector<spindle::ShaftPlace> shaft = {};       ///< from the nose to the rear end
 };
 
 /// A column of a run with its value, in the unit of its name.

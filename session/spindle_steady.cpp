@@ -50,6 +50,8 @@ results::SteadyState steady_state(spindle::Simulator& simulator, const spindle::
   s.inputs = inputs;
   s.moment = simulator.steady(inputs, s.report);
   if (s.report.converged() && simulator.sets()) {
+    s.seats = simulator.seats();
+    s.shaft = simulator.along_shaft(s.moment);
     s.axial_stiffness = simulator.sets()->axial_stiffness;
     s.bearings = simulator.sets()->bearings;
     const auto mounted = simulator.arrangement()->bearings();

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -440,6 +441,32 @@ const LoadedShaft* Simulator::shaft() const {
 
 std::size_t Simulator::cells() const {
   return static_cast<std::size_t>(parts_->flow.paths().size());
+}
+
+std::vector<SeatsOfBearing> Simulator::seats() const {
+  const ThermalSystem* const system = parts_->flow.system();
+  return system ? system->seats() : std::vector<SeatsOfBearing>();
+}
+
+std::vector<ShaftPlace> Simulator::along_shaft(const Moment& moment) const {
+  std::vector<ShaftPlace> list;
+  const ThermalSystem* const system = parts_->flow.system();
+  if (!system || !parts_->flow.coupling()) return list;
+  const Layout& layout = system->layout();
+  const model::Model& model = parts_->model;
+  const Vector rise =
+      parts_->flow.temperatures().array() - model.shaft->arrangement.design().mounting_temperature;
+  const auto longer = [&](Body body, double from, double to) {
+    return expansion_row(layout.mesh, body, from, to, rise.size()).dot(rise);
+  };
+  std::set<double> places;
+  for (const Cell& c : layout.mesh.cells)
+    if (c.body == Body::shaft) places.insert({c.start, c.end});
+  const double front = moment.set_position +
+                       longer(Body::housing, layout.front_centre, model.spindle->housing.flange);
+  for (const double place : places)
+    list.push_back({place, front + longer(Body::shaft, place, layout.front_centre)});
+  return list;
 }
 
 std::vector<FieldCell> Simulator::field(const State& state) const {

@@ -119,6 +119,23 @@ struct FieldCell {
   double temperature = unset;                         ///< [K]
 };
 
+/// A seat of a ring, at speed and warm.
+struct SeatState {
+  double pressure = unset;     ///< [Pa]; 0 where it is loose, NaN where its conductance is given
+  double gap = unset;          ///< radial, of a loose one [m]
+  double conductance = unset;  ///< of spots that touch and air [W/(m² K)]
+};
+/// The inner ring on the shaft, the outer one in the housing.
+struct SeatsOfBearing {
+  SeatState inner, outer;
+};
+
+/// A place of the shaft, and how far it has moved along the axis against the flange.
+struct ShaftPlace {
+  double position = unset;      ///< behind the nose face [m]
+  double displacement = unset;  ///< towards the tool [m]
+};
+
 /// A spindle made ready to be simulated: cells, conductances, sets as mounted. Not for several
 /// threads at once; a copy for each is cheap.
 class Simulator {
@@ -155,6 +172,11 @@ class Simulator {
   [[nodiscard]] const LoadedShaft* shaft() const;
   /// Conditions of the sets there; null in a network.
   [[nodiscard]] const bearing::ArrangementCondition* sets_condition() const;
+  /// Seats at the end of the last call, in the order of Moment::bearings; none in a network.
+  [[nodiscard]] std::vector<SeatsOfBearing> seats() const;
+  /// The shaft from its nose to its rear end at the end of the last call, which ended in `moment`;
+  /// none in a network.
+  [[nodiscard]] std::vector<ShaftPlace> along_shaft(const Moment& moment) const;
   [[nodiscard]] std::vector<FieldCell> field(const State& state) const;
   [[nodiscard]] std::size_t cells() const;
 

@@ -92,6 +92,7 @@ ThermalSystem::ThermalSystem(const model::Model& model, const effects::SpindleCo
   add_fixed();
   for (const BearingPlace& b : layout_.bearings) {
     inner_seats_.push_back(add_links(b.inner_seat));
+    seats_.emplace_back();
     outer_seats_.push_back(add_links(b.outer_seat));
   }
   gap_ = add_links(layout_.gap);
@@ -246,28 +247,33 @@ void ThermalSystem::update_seats(const Vector& temperatures, double speed) {
     const double outer = mean(b.outer_ring, temperatures) - mounted;
     const model::SolidMaterial& shaft = layout_.material(b.shaft_below);
     const model::SolidMaterial& housing = layout_.material(b.housing_above);
-    const auto film = [&](const PressFit& fit, double first, double second) {
-      return seat_conductance({.roughness = seat.roughness,
-                               .slope = seat.slope,
-                               .hardness = seat.hardness,
-                               .first_conductivity = first,
-                               .second_conductivity = second},
-                              fit.pressure, fit.gap);
+    const auto state = [&](const PressFit& fit, double first, double second) {
+      return SeatState{.pressure = fit.pressure,
+                       .gap = fit.gap,
+                       .conductance = seat_conductance({.roughness = seat.roughness,
+                                                        .slope = seat.slope,
+                                                        .hardness = seat.hardness,
+                                                        .first_conductivity = first,
+                                                        .second_conductivity = second},
+                                                       fit.pressure, fit.gap)};
     };
+    SeatsOfBearing& now = seats_[k];
     const PressFit on_shaft = press_fit(
         {2.0 * b.seat_bore, 2.0 * b.seat, shaft, mean(b.shaft_below, temperatures) - mounted},
         {2.0 * b.seat, 2.0 * b.inner_shoulder, ring, inner}, b.inner_interference, speed);
-    set_links(inner_seats_[k], film(on_shaft, shaft.conductivity, ring.conductivity));
-    double conductance = seat.outer_conductance;
-    if (std::isnan(conductance)) {
+    now.inner = state(on_shaft, shaft.conductivity, ring.conductivity);
+    set_links(inner_seats_[k], now.inner.conductance);
+    now.outer = {.conductance = seat.outer_conductance};
+    if (std::isnan(seat.outer_conductance)) {
       const PressFit in_housing =
           press_fit({2.0 * b.outer_shoulder, 2.0 * b.housing_seat, ring, outer},
                     {2.0 * b.housing_seat, 2.0 * b.housing_outer, housing,
                      mean(b.housing_above, temperatures) - mounted},
                     -b.outer_clearance, 0.0);
-      conductance = film(in_housing, ring.conductivity, housing.conductivity);
+      now.outer = state(in_housing, ring.conductivity, housing.conductivity);
     }
-    set_links(outer_seats_[k], condition_.outer_seat_factor * conductance);
+    now.outer.conductance *= condition_.outer_seat_factor;
+    set_links(outer_seats_[k], now.outer.conductance);
   }
 }
 

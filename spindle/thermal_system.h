@@ -37,6 +37,8 @@ class ThermalSystem {
   /// Heat of each of model::Spindle::heat [W].
   [[nodiscard]] const std::vector<double>& source_heat() const { return source_heat_; }
   [[nodiscard]] double ambient(const Inputs& inputs) const;
+  /// As update() left them, a bearing as in Layout.
+  [[nodiscard]] const std::vector<SeatsOfBearing>& seats() const { return seats_; }
 
  private:
   /// A group of ways of one conductance per area.
@@ -69,6 +71,7 @@ class ThermalSystem {
   HeatPaths paths_;
   int coolant_ = -1;
   std::vector<Group> inner_seats_, outer_seats_;
+  std::vector<SeatsOfBearing> seats_;
   Group housing_, ends_, nose_, rear_, gap_, coolant_walls_;
   std::size_t coolant_flow_ = 0;  ///< its outlet
   double nose_diameter_ = unset, rear_diameter_ = unset;

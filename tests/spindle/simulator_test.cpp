@@ -50,6 +50,49 @@ TEST(Simulator, StoresWhatCameInOverAWeek) {
   EXPECT_LT(run.report.energy_error, 1e-10);
 }
 
+// Ten kelvins everywhere: each piece of the shaft is longer by alpha dT.
+TEST(Simulator, KnowsTheShaftFromItsNoseToItsRearEnd) {
+  Simulator simulator(base_spindle());
+  Report report;
+  const Moment still = simulator.steady({.ambient_temperature = kelvin(30),
+                                         .machine_temperature = kelvin(30),
+                                         .coolant_inlet = kelvin(30)},
+                                        report);
+  ASSERT_TRUE(report.converged());
+  const std::vector<ShaftPlace> shaft = simulator.along_shaft(still);
+  ASSERT_GE(shaft.size(), 6u);
+  EXPECT_EQ(shaft.front().position, 0.0);
+  EXPECT_NEAR(shaft.back().position, 375 * mm, 1e-12);
+  EXPECT_NEAR(shaft.front().displacement, still.displacement, 1e-15);
+  for (const ShaftPlace& place : shaft)
+    EXPECT_NEAR(shaft.front().displacement - place.displacement, 11.5e-6 * 10 * place.position,
+                1e-3 * um);
+}
+
+TEST(Simulator, TellsPressureAndConductanceOfEachSeat) {
+  Simulator simulator(base_spindle());
+  Report report;
+  static_cast<void>(simulator.steady({}, report));
+  ASSERT_TRUE(report.converged());
+  const std::vector<SeatsOfBearing> cold = simulator.seats();
+  ASSERT_EQ(cold.size(), 3u);
+  // 6 um of interference on a shaft of 36 and 70 mm within a ring of 82 mm, Lame:
+  // p = delta/d E/(A + B), A = (D² + d²)/(D² - d²), B = (d² + b²)/(d² - b²), one steel.
+  const double d2 = 70.0 * 70.0, ring = (82.0 * 82.0 + d2) / (82.0 * 82.0 - d2),
+               shaft = (d2 + 36.0 * 36.0) / (d2 - 36.0 * 36.0);
+  const double pressure = 6e-3 / 70.0 * 210e9 / (ring + shaft);
+  EXPECT_NEAR(cold[0].inner.pressure, pressure, 0.02 * pressure);
+  EXPECT_GT(cold[0].inner.conductance, 1000.0);
+  EXPECT_EQ(cold[0].outer.pressure, 0.0);
+  EXPECT_NEAR(cold[0].outer.gap, 2 * um, 1e-9 * um);
+  // Air alone: lambda/(3 Ra + gap).
+  EXPECT_NEAR(cold[0].outer.conductance, 0.027 / (3 * 0.8e-6 + 2e-6), 1.0);
+  static_cast<void>(simulator.steady({.speed = 10000 * rpm}, report));
+  ASSERT_TRUE(report.converged());
+  EXPECT_LT(simulator.seats()[0].inner.pressure, cold[0].inner.pressure);  // rotation lifts
+  EXPECT_GT(simulator.seats()[0].outer.pressure, 0.0);                     // heat closes
+}
+
 TEST(Simulator, ComesToTheSteadyState) {
   const std::vector<ProfileRow> profile{{.time = 86400.0, .inputs = {.speed = 6000 * rpm}}};
   Simulator simulator(base_spindle());
