@@ -3,7 +3,7 @@
 
     python3 scripts/figures.py [build/release/raceway]
 
-writes docs/laws.svg, docs/race-control.svg and docs/spindle-day.svg.
+writes docs/laws.svg, docs/race-control.svg, docs/spindle-day.svg and docs/case-study.svg.
 """
 
 import csv
@@ -155,7 +155,48 @@ def spindle_day(program):
     draw("docs/spindle-day.svg", charts + [("first bearing: inner ring, outer ring dashed [C]", rings)])
 
 
+def case_study(program):
+    """Table 1 of the case study with prediction and fit, and the shaft's displacement."""
+    folder = "data/spindles/case_study/"
+
+    def rows_of(path):
+        return list(csv.DictReader(row for row in read(path).splitlines() if not row.startswith("#")))
+
+    def over_hours(rows, column):
+        return [(float(row["time_s"]) / 3600.0, float(row[column])) for row in rows if row[column]]
+
+    def points(values, colour, name, marker):
+        return values, {"color": colour, "label": name, "linestyle": "none", "marker": marker}
+
+    record = rows_of(folder + "record.csv")
+    runs = []
+    with tempfile.TemporaryDirectory() as scratch:
+        fitted = scratch + "/fitted.toml"
+        subprocess.run([program, "calibrate", folder + "model.toml", folder + "record.csv", "-o", fitted, "--quiet"], check=True, capture_output=True)
+        for k, (model, colour, name) in enumerate([(folder + "model.toml", RED, "predicted"), (fitted, BLUE, "f0 fitted")]):
+            out = f"{scratch}/{k}.csv"
+            command = [program, "spindle", model, "--speed-profile", folder + "record.csv", "-o", out, "--quiet"]
+            subprocess.run(command, check=True, capture_output=True)
+            runs.append((rows_of(out), colour, name))
+    changed = {"5500", "6500"}
+    charts = []
+    for place in ("front", "rear"):
+        column = f"{place}_bearing_temperature_C"
+        lines = [line(over_hours(rows, column), colour, name) for rows, colour, name in runs]
+        lines.append(points(over_hours(record, column), "#222", "as read", "o"))
+        if place == "rear":
+            at = [row for row in record if row["speed_rpm"] in changed]
+            lines.append(points([(float(row["time_s"]) / 3600.0, 20.0) for row in at], ORANGE, "misprinted", "x"))
+        charts.append((f"{place} bearing [C] over time [h]", lines))
+    text = read(folder + "model.toml")
+    shaft = []
+    for flags, colour, name in [(("8500",), GREEN, "8500 rpm, cooled"), (("4000", "--coolant", "off"), VIOLET, "4000 rpm, coolant off")]:
+        places = answer(program, text, "spindle", "--steady", "--speed", *flags)["steady"][0]["shaft"]
+        shaft.append(line([(p["position_mm"], p["axial_displacement_um"]) for p in places], colour, name))
+    draw("docs/case-study.svg", charts + [("shaft against flange [um] over place behind the nose [mm]", shaft)], columns=3, width=3.6)
+
+
 if __name__ == "__main__":
     PROGRAM = sys.argv[1] if len(sys.argv) > 1 else "build/release/raceway"
-    for figure_of in (laws, race_control, spindle_day):
+    for figure_of in (laws, race_control, spindle_day, case_study):
         figure_of(PROGRAM)

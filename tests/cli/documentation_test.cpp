@@ -131,21 +131,20 @@ TEST_P(Page, PrintsWhatItShows) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Documentation, Page,
-                         testing::Values("README.md", "docs/coast-down.md", "docs/control.md",
-                                         "docs/correction.md", "docs/german-excel-and-loggers.md",
-                                         "docs/kinematic-law.md", "docs/laws.md", "docs/limits.md",
-                                         "docs/loop.md", "docs/race-control.md", "docs/roller.md",
-                                         "docs/sensitivity.md", "docs/shaft.md", "docs/spindle.md",
-                                         "docs/spindle-heat.md", "docs/spindle-record.md",
-                                         "docs/torque-sensor.md", "docs/tutorial.md",
-                                         "docs/validation.md", "docs/verdicts.md",
-                                         "docs/worked-examples.md"),
-                         [](const auto& p) {
-                           std::string name = fs::path(p.param).stem().string();
-                           std::erase(name, '-');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Documentation, Page,
+    testing::Values("README.md", "docs/case-study.md", "docs/coast-down.md", "docs/control.md",
+                    "docs/correction.md", "docs/german-excel-and-loggers.md",
+                    "docs/kinematic-law.md", "docs/laws.md", "docs/limits.md", "docs/loop.md",
+                    "docs/race-control.md", "docs/roller.md", "docs/sensitivity.md",
+                    "docs/shaft.md", "docs/spindle.md", "docs/spindle-heat.md",
+                    "docs/spindle-record.md", "docs/torque-sensor.md", "docs/tutorial.md",
+                    "docs/validation.md", "docs/verdicts.md", "docs/worked-examples.md"),
+    [](const auto& p) {
+      std::string name = fs::path(p.param).stem().string();
+      std::erase(name, '-');
+      return name;
+    });
 
 TEST(Documentation, TheTestSeesADifference) {
   EXPECT_EQ(first_difference({"a 1.00 b", "...", "c"}, {"a 1.01 b", "x", "y", "c"}), "");

@@ -216,6 +216,54 @@ TEST_F(SpindleCommand, TheFlowOfTheCoolantIsTold) {
   EXPECT_FALSE(off.contains("coolant"));
 }
 
+TEST_F(SpindleCommand, SeatsAndTheShaftToItsRearEndAreTold) {
+  const json s = parsed(spindle("--speed 6000 --steady --json"))["steady"][0];
+  const json& seats = s["seats"];
+  ASSERT_EQ(seats.size(), 3u);
+  EXPECT_EQ(seats[2]["bearing"], "rear_1");
+  EXPECT_GT(seats[0]["on_shaft"]["pressure_MPa"], 0.0);
+  EXPECT_GT(seats[0]["in_housing"]["conductance_W_m2K"], 1000.0);
+  const json& shaft = s["shaft"];
+  EXPECT_EQ(shaft.front()["position_mm"], 0.0);
+  EXPECT_NEAR(shaft.front()["axial_displacement_um"].get<double>(),
+              s["axial_displacement_um"].get<double>(), 1e-9);
+  EXPECT_DOUBLE_EQ(shaft.back()["position_mm"], 375.0);
+  const std::string text = spindle("--speed 6000 --steady").out;
+  EXPECT_THAT(text, HasSubstr("seat     on shaft  conducts  in housing  conducts\n"));
+  EXPECT_THAT(text, HasSubstr("rear end of the shaft against flange: -"));
+}
+
+// A spindle whose roller bearing at the belt is hidden: `add` once ended at 0 W, its bound, where
+// `calibrate` finds heat.
+TEST_F(SpindleCommand, BeltHeatIsAddedAsItIsCalibrated) {
+  const std::string truth =
+      replaced(file_text(tests::source_dir() + "/data/spindles/case_study/model.toml"), "[solver]",
+               "[[sensor]]\nname = \"belt\"\npart = \"shaft\"\nposition_mm = 365\n"
+               "radius_mm = 29\n[solver]");
+  const std::size_t roller = truth.find("[[shaft.roller_bearing]]"), end = truth.find("[housing]");
+  const std::string believed = truth.substr(0, roller) +
+                               "[[shaft.support]]\nposition_mm = 320\nradial_N_um = 680\n" +
+                               truth.substr(end);
+  const std::string record = scratch_.file("run.csv");
+  std::string programme = "time_s,speed_rpm\n0,0\n";
+  for (int k = 1; k <= 40; ++k)
+    programme += fmt::format("{},{}\n", 600 * k, k <= 10 ? 2000 : k <= 25 ? 5000 : 3000);
+  ASSERT_EQ(spindle(profile(programme) + "-o " + record, truth).status, 0);
+  const json with_effect =
+      parsed(run("add " + scratch_.write("believed.toml", believed) + " drive-heat --data " +
+                 record + " -o " + scratch_.file("added.toml") + " --json"));
+  const double added =
+      with_effect["calibration"]["parameters"]["drive-heat.heat_at_10000_rpm_W"]["value"];
+  const std::string with_heat =
+      replaced(replaced(believed, "belt_force_N", "heat_W = \"0.01*speed_rpm\"\nbelt_force_N"),
+               "free = [\"f0\"]", "free = [\"f0\", \"drive.heat_factor\"]");
+  const json fitted = parsed(run("calibrate " + scratch_.write("heated.toml", with_heat) + " " +
+                                 record + " -o " + scratch_.file("c.toml") + " --json"));
+  const double calibrated = fitted["parameters"]["drive.heat_factor"]["value"];
+  EXPECT_GT(added, 10.0);
+  EXPECT_NEAR(added, 100.0 * calibrated, 0.02 * added);
+}
+
 TEST_F(SpindleCommand, ModelWithoutShaftIsRefused) {
   const Result r = spindle("--speed 1000 --steady", model_text);
   EXPECT_EQ(r.status, 1);
