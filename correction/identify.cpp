@@ -208,6 +208,9 @@ class Search {
                                        a.names.begin());
     };
     for (const DrivenChannel& c : model_.channels) {
+      if (std::any_of(a.stays.begin(), a.stays.end(),
+                      [&](const auto& p) { return p.name.starts_with(c.name + "."); }))
+        continue;  // in the order of the file, which their priors are of
       std::vector<std::pair<double, double>> sections;  // time constant, gain
       for (std::size_t s = 1; s <= c.sections.size(); ++s)
         sections.emplace_back(a.fit.values[place(fmt::format("{}.time_constant_{}", c.name, s))],
@@ -251,6 +254,7 @@ class Search {
     if (!sure.empty()) {
       covariance.values = last.fit.values(sure);
       covariance.matrix = errors.covariance(sure, sure);
+      add_stays(last.stays, covariance);
       result_.model.covariance = std::move(covariance);
     }
     see(result_.model, *record_);
@@ -262,6 +266,21 @@ class Search {
     result_.metrics = metrics(record_->values(*model_.displacement), predicted);
     result_.whiteness_p_value = whiteness(last.fit.residual);
     warn(rows);
+  }
+
+  /// Numbers that stayed at their priors, with the uncertainty of these.
+  void add_stays(const std::vector<record::Parameter>& stays, fit::Covariance& covariance) {
+    const auto fitted = std::ssize(covariance.names), all = fitted + std::ssize(stays);
+    covariance.values.conservativeResize(all);
+    covariance.matrix.conservativeResizeLike(Eigen::MatrixXd::Zero(all, all));
+    for (const record::Parameter& p : stays) {
+      const auto at = std::ssize(covariance.names);
+      covariance.names.push_back(p.name);
+      covariance.values[at] = p.value;
+      covariance.matrix(at, at) = p.std * p.std;
+      result_.parameters.push_back(p);
+      result_.messages.push_back(tolerance::stays_note(p));
+    }
   }
 
   /// That what is left has no memory, by Ljung and Box over 20 lags.

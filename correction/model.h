@@ -13,6 +13,7 @@
 #include "correction/friction_table.h"
 #include "correction/transfer_function.h"
 #include "fit/covariance.h"
+#include "record/parameter.h"
 #include "record/record.h"
 #include "record/series_channel.h"
 
@@ -110,6 +111,12 @@ enum class InitialState { rest, free };
   return state == InitialState::free ? "free" : "rest";
 }
 
+/// Knowledge of a number of a model without a record of the machine, in the unit of the files.
+struct NumberPrior {
+  std::string name{};  ///< of the parameter, "spindle.scale"
+  record::Prior prior{};
+};
+
 /// Range of a column in the data of the fit.
 struct SeenRange {
   const Channel* column = nullptr;      ///< null: the power of a channel
@@ -154,6 +161,7 @@ struct Model {
   std::vector<Effect> effects{};
   /// Names of parameters, and groups of them: see groups().
   std::vector<std::string> free{};
+  std::vector<NumberPrior> priors{};
   std::vector<SeenRange> range{};
   std::optional<SeenTogether> together{};
   std::optional<fit::Covariance> covariance{};

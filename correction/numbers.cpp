@@ -29,6 +29,9 @@ class List {
     for (std::size_t c = 0; c < model_.channels.size(); ++c) add_channel(c);
     if (model_.kinematic) add_kinematic(*model_.kinematic);
     for (std::size_t e = 0; e < model_.effects.size(); ++e) add_effect(e);
+    for (Number& n : list_)
+      for (const NumberPrior& p : model_.priors)
+        if (p.name == n.parameter.name) n.parameter.prior = p.prior;
     return std::move(list_);
   }
 
@@ -156,7 +159,10 @@ std::vector<std::string> free_names(const Model& model) {
   Model copy = model;
   const std::vector<Number> all = numbers(copy);
   std::vector<std::string> wanted = model.free;
-  if (wanted.empty()) wanted = {"gains", "time_constants", "offset", "kinematic", "effects"};
+  if (wanted.empty()) {
+    wanted = {"gains", "time_constants", "offset", "kinematic", "effects"};
+    for (const NumberPrior& p : model.priors) wanted.push_back(p.name);
+  }
   std::vector<std::string> known(groups.begin(), groups.end());
   for (const Number& n : all) known.push_back(n.parameter.name);
   known.emplace_back("effects");

@@ -32,8 +32,8 @@ struct Number {
                                                         const TimeConstantLimits& limits = {});
 
 /// Names of the parameters of a model that a list of names and groups means, in the order of the
-/// model; without a list gains, time constants, offset and the numbers of effects. Throws
-/// std::invalid_argument for a name that is none.
+/// model; without a list all but scales, and those with a prior. Throws std::invalid_argument for a
+/// name that is none.
 [[nodiscard]] std::vector<std::string> free_names(const Model& model);
 
 /// Returns true for the name of a group of parameters, as "gains".

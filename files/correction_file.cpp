@@ -17,6 +17,7 @@
 
 // Last: see text/detail/toml_text.h.
 #include "files/detail/column_section.h"
+#include "files/detail/correction_prior.h"
 #include "files/detail/correction_trust.h"
 #include "files/detail/export_section.h"
 #include "files/detail/formula_section.h"
@@ -45,6 +46,9 @@ constexpr Key correction_keys[]{
     {"channel", a_list, unset, "what moves the machine, [[correction.channel]]"},
     {"kinematic", a_table, unset, "the table [correction.kinematic]"},
     {"effect", a_list, unset, "effects, [[correction.effect]]"},
+    {"prior", a_table, unset,
+     "\"PARAMETER\" = { value, std }: what is known of a number without a record of the machine, "
+     "[correction.prior]"},
     {"range", a_table, unset, "COLUMN = [lowest, highest] of every input, [correction.range]"},
     {"together", a_table, unset, "the table [correction.together]"},
     {"covariance", a_table, unset, "the table [correction.covariance]"},
@@ -196,6 +200,7 @@ class CorrectionReader {
     if (const toml::array* const list = list_of_tables(s, "effect"))
       for (const toml::node& node : *list)
         m.effects.push_back(effect(part_of(s, "correction.effect", node), m));
+    read_priors(s, m);
     if (const toml::node* const range = s.find("range"))
       read_range(part_of(s, "correction.range", *range), m);
     std::vector<std::string> on_trust;

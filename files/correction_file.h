@@ -35,6 +35,9 @@ struct CorrectionFile {
 [[nodiscard]] CorrectionFile parse_correction(std::string text, const std::string& source,
                                               std::vector<NamedFile> held = {});
 
+/// The table [correction.prior] of a model; empty without priors.
+[[nodiscard]] std::string prior_text(const correction::Model& model);
+
 /// A file of these models alone: channels of columns, offsets, tolerances and ranges. `comment`:
 /// its first line.
 [[nodiscard]] std::string new_corrections(const std::vector<correction::Model>& models,

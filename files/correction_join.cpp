@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "correction/numbers.h"
+#include "correction/prior.h"
 #include "files/model_file.h"
 #include "text/error.h"
 #include "text/format_number.h"
@@ -66,11 +67,32 @@ std::string parts_of(const CorrectionFile& file, const std::string& text) {
   return parts;
 }
 
-/// Names of the parameters that a file fits.
-std::vector<std::string> free_of(const Model& m) {
+/// Priors of a file: what the record of its numbers told, what it states, and of what it has from a
+/// computation and does not fit itself. The offset has none: the zero of a record says nothing.
+std::vector<correction::NumberPrior> priors_of(const Model& m) {
+  std::vector<correction::NumberPrior> list;
+  for (std::size_t k = 0; m.covariance && k < m.covariance->names.size(); ++k)
+    if (const std::string& name = m.covariance->names[k]; name != "offset")
+      list.push_back({name,
+                      {.value = m.covariance->values[static_cast<Eigen::Index>(k)],
+                       .std = m.covariance->std(k)}});
+  const std::size_t told = list.size();
+  for (const correction::NumberPrior& p :
+       m.priors.empty() && m.free.empty() ? correction::computed_priors(m) : m.priors)
+    if (std::none_of(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(told),
+                     [&](const auto& known) { return known.name == p.name; }))
+      list.push_back(p);
+  return list;
+}
+
+/// Names of the parameters that a file fits, and of those with a prior.
+std::vector<std::string> free_of(const Model& m,
+                                 const std::vector<correction::NumberPrior>& priors) {
   std::vector<std::string> names = correction::free_names(m);
-  if (!m.free.empty()) return names;
-  std::erase_if(names, [](const std::string& name) { return name.starts_with("kinematic."); });
+  if (m.free.empty())
+    std::erase_if(names, [](const std::string& name) { return name.starts_with("kinematic."); });
+  for (const correction::NumberPrior& p : priors)
+    if (std::find(names.begin(), names.end(), p.name) == names.end()) names.push_back(p.name);
   return names;
 }
 
@@ -187,7 +209,9 @@ JoinedCorrection join_corrections(std::span<const CorrectionFile> files, const s
     has_law = has_law || m.kinematic;
     for (const correction::SeenRange& r : m.range) narrow(seen.range, r, file);
     parts += parts_of(file, with_names_from(file.text, file.files, path));
-    for (std::string& name : free_of(m))
+    const std::vector<correction::NumberPrior> priors = priors_of(m);
+    seen.priors.insert(seen.priors.end(), priors.begin(), priors.end());
+    for (std::string& name : free_of(m, priors))
       if (std::find(free.begin(), free.end(), name) == free.end()) free.push_back(std::move(name));
     for (const NamedFile& named : file.files)
       if (path.empty()) joined.files.push_back({named.path, named.path, named.text});
@@ -195,6 +219,7 @@ JoinedCorrection join_corrections(std::span<const CorrectionFile> files, const s
   joined.text = fmt::format("# {}\n{}{}{}", fmt::join(names, " and "), text::format_line,
                             head_of(files, fmt::format("{}", fmt::join(names, " and "))), parts);
   joined.text += tables_beside(files, joined.notes);
+  if (const std::string priors = prior_text(seen); !priors.empty()) joined.text += "\n" + priors;
   if (const std::string range = trust_text(seen); !range.empty()) joined.text += "\n" + range;
   joined.text += fmt::format("\n[calibration]\nfree = [\"{}\"]\n", fmt::join(free, "\", \""));
   joined.notes.push_back(record::note::limits(

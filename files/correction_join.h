@@ -17,8 +17,10 @@ struct JoinedCorrection {
 
 /// Sums corrections of one displacement: the file has all their channels, laws and effects, as they
 /// are written. Offsets are added; a range that several files state is what all of them have seen.
-/// Parameters that a file fits stay free. Delay elements and laws of step responses are not: a
-/// record of the whole machine seldom tells them apart. Names of files are relative to `path`.
+/// Parameters that a file fits stay free. So do those with a prior; delay elements and laws of step
+/// responses that no fit has touched get one (correction/prior.h), and numbers that a record gave
+/// have theirs from its covariance: a record of the whole machine seldom tells the parts from each
+/// other. Names of files are relative to `path`.
 ///
 /// Throws InputError: fewer than two files, one with several displacements or another one, two
 /// channels of one name, two laws of instant displacement, ranges that have nothing in common.

@@ -8,6 +8,7 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/column_section.h"
 #include "files/detail/contact_section.h"
+#include "files/detail/correction_prior.h"
 #include "files/detail/correction_trust.h"
 #include "files/detail/effect_section.h"
 #include "files/detail/export_section.h"
@@ -41,7 +42,7 @@ std::vector<ListedKey> model_keys() {
        {bearing_tables(), contact_tables(), friction_tables(), effect_tables(), formula_tables(),
         rig_tables(), loop_tables(), column_tables(), torque_sensor_tables(), arrangement_tables(),
         spindle_tables(), body_tables(), surroundings_tables(), network_tables(),
-        correction_tables(), trust_tables(), export_tables(), roller_tables()})
+        correction_tables(), prior_tables(), trust_tables(), export_tables(), roller_tables()})
     tables.insert(tables.end(), of_reader.begin(), of_reader.end());
   std::vector<ListedKey> list;
   for (auto first = tables.begin(); first != tables.end();) {

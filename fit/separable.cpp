@@ -70,12 +70,10 @@ Means means_of(const Subject& subject, const Record& record, double width) {
 
 Separable::Separable(const Subject& subject, const Record& record,
                      const std::shared_ptr<const void>& prepared, const Means& means,
-                     const std::vector<std::string>& names)
+                     const std::vector<std::string>& names, double prior_weight)
     : parameters_(find_parameters(subject, names)),
       means_(means),
       predictor_(subject.predictor(record, names, prepared)),
-      measured_(means.size()),
-      weight_(means.size()),
       all_(subject.measured().size() * record.rows()) {
   for (std::size_t k = 0; k < parameters_.size(); ++k)
     (parameters_[k].proportional ? straight_ : bending_).push_back(k);
@@ -85,15 +83,37 @@ Separable::Separable(const Subject& subject, const Record& record,
       if (predictor_->bends(k, j < straight_.size() ? straight_[j] : Predictor::none))
         list.push_back(k);
   }
+  for (std::size_t k = 0; k < parameters_.size() && prior_weight > 0.0; ++k)
+    if (const record::Prior& prior = parameters_[k].prior; prior.is_known())
+      priors_.push_back({static_cast<Eigen::Index>(k), std::sqrt(prior_weight) / prior.std});
+  const Eigen::Index rows = means.size() + std::ssize(priors_);
+  measured_.resize(rows);
+  weight_ = Eigen::VectorXd::Ones(rows);
   for (Eigen::Index i = 0; i < means.size(); ++i) {
     measured_[i] = means.list[static_cast<std::size_t>(i)].measured;
     weight_[i] = means.list[static_cast<std::size_t>(i)].weight;
   }
+  for (std::size_t p = 0; p < priors_.size(); ++p)
+    measured_[means.size() + static_cast<Eigen::Index>(p)] =
+        priors_[p].per_unit *
+        parameters_[static_cast<std::size_t>(priors_[p].parameter)].prior.value;
+}
+
+void Separable::read_priors(const Eigen::VectorXd& values, Eigen::VectorXd& readings) const {
+  for (std::size_t p = 0; p < priors_.size(); ++p)
+    readings[means_.size() + static_cast<Eigen::Index>(p)] =
+        priors_[p].per_unit * values[priors_[p].parameter];
+}
+
+SeparableFit Separable::without_priors(SeparableFit fit) const {
+  fit.residual.conservativeResize(means_.size());
+  return fit;
 }
 
 Eigen::VectorXd Separable::readings(const Eigen::VectorXd& values) const {
   predictor_->readings({values.data(), static_cast<std::size_t>(values.size())}, all_);
-  Eigen::VectorXd result(means_.size());
+  Eigen::VectorXd result(measured_.size());
+  read_priors(values, result);
   for (Eigen::Index i = 0; i < means_.size(); ++i) {
     const std::vector<Eigen::Index>& places = means_.list[static_cast<std::size_t>(i)].places;
     double sum = 0.0;
@@ -116,9 +136,10 @@ const Separable::Basis& Separable::basis(Eigen::VectorXd values, int left_out) c
   for (const std::size_t k : straight_) values[static_cast<Eigen::Index>(k)] = 0.0;
   if (is_new.back()) {
     kept.constant = readings(values);
-    kept.columns.resize(means_.size(), count);
+    kept.columns.resize(measured_.size(), count);
     is_new.assign(is_new.size(), true);  // a column is a difference from it
   }
+  read_priors(values, kept.constant);
   for (std::size_t j = 0; j < straight_.size(); ++j) {
     if (!is_new[j]) continue;
     double& value = values[static_cast<Eigen::Index>(straight_[j])];
@@ -129,9 +150,9 @@ const Separable::Basis& Separable::basis(Eigen::VectorXd values, int left_out) c
   if (before.size() == 0 || kept.left_out != left_out) {
     kept.left_out = left_out;
     kept.weights = weight_;
-    for (Eigen::Index i = 0; left_out >= 0 && i < weight_.size(); ++i)
+    for (Eigen::Index i = 0; left_out >= 0 && i < means_.size(); ++i)
       if (means_.list[static_cast<std::size_t>(i)].block == left_out) kept.weights[i] = 0.0;
-    kept.weighted.resize(means_.size(), count);
+    kept.weighted.resize(measured_.size(), count);
     kept.normal.resize(count, count);
     kept.length.resize(count);
     is_new.assign(is_new.size(), true);
@@ -167,6 +188,11 @@ double Separable::from_scale(std::size_t k, double at) const {
 }
 
 SeparableFit Separable::at(const Eigen::VectorXd& values, int left_out, double ridge) const {
+  return without_priors(with_priors(values, left_out, ridge));
+}
+
+SeparableFit Separable::with_priors(const Eigen::VectorXd& values, int left_out,
+                                    double ridge) const {
   const Basis& of = basis(values, left_out);
   SeparableFit fit{.values = values, .at_bound = std::vector<bool>(parameters_.size(), false)};
   const Eigen::VectorXd& w = of.weights;
@@ -208,18 +234,18 @@ SeparableFit Separable::from(const Eigen::VectorXd& start, int left_out,
     double& v = values[static_cast<Eigen::Index>(k)];
     v = std::clamp(v, parameters_[k].lower, parameters_[k].upper);
   }
-  SeparableFit best = at(values, left_out, ridge);
-  if (!std::isfinite(best.misfit)) return best;
+  SeparableFit best = with_priors(values, left_out, ridge);
+  if (!std::isfinite(best.misfit)) return without_priors(std::move(best));
   Eigen::VectorXd w = weight_;
   if (left_out >= 0)
-    for (Eigen::Index i = 0; i < w.size(); ++i)
+    for (Eigen::Index i = 0; i < means_.size(); ++i)
       if (means_.list[static_cast<std::size_t>(i)].block == left_out) w[i] = 0.0;
   const auto n = static_cast<Eigen::Index>(moving.size());
   double damping = 1e-3;
   best.converged = moving.empty();
   for (int step = 0; step < most_tries && !best.converged; ++step) {
     best.iterations = step + 1;
-    Eigen::MatrixXd slope(means_.size(), n);
+    Eigen::MatrixXd slope(measured_.size(), n);
     Eigen::VectorXd lower(n), upper(n);
     for (Eigen::Index j = 0; j < n; ++j) {
       const std::size_t k = moving[static_cast<std::size_t>(j)];
@@ -230,7 +256,8 @@ SeparableFit Separable::from(const Eigen::VectorXd& start, int left_out,
       const double h = upper[j] > small_step ? small_step : -small_step;
       Eigen::VectorXd moved = best.values;
       moved[place] = from_scale(k, here + h);
-      slope.col(j) = w.cwiseProduct(at(moved, left_out, ridge).residual - best.residual) / -h;
+      slope.col(j) =
+          w.cwiseProduct(with_priors(moved, left_out, ridge).residual - best.residual) / -h;
     }
     const LeastSquares problem(slope, w.cwiseProduct(best.residual));
     bool better = false;
@@ -247,7 +274,7 @@ SeparableFit Separable::from(const Eigen::VectorXd& start, int left_out,
         const double by = std::clamp(d[j], -1.5, 1.5);
         moved[place] = from_scale(k, to_scale(k, best.values[place]) + by);
       }
-      SeparableFit next = at(moved, left_out, ridge);
+      SeparableFit next = with_priors(moved, left_out, ridge);
       if (std::isfinite(next.misfit) && next.misfit < best.misfit) {
         fall = best.misfit - next.misfit;
         next.iterations = best.iterations;
@@ -260,7 +287,7 @@ SeparableFit Separable::from(const Eigen::VectorXd& start, int left_out,
     }
     if (!better || fall <= settled_misfit * best.misfit) best.converged = true;
   }
-  return best;
+  return without_priors(std::move(best));
 }
 
 std::vector<double> Separable::falls(Eigen::VectorXd values, std::size_t size, std::size_t place,
@@ -293,7 +320,7 @@ Eigen::MatrixXd Separable::jacobian(const Eigen::VectorXd& values) const {
   const Basis& of = basis(values, -1);
   for (std::size_t j = 0; j < straight_.size(); ++j)
     result.col(static_cast<Eigen::Index>(straight_[j])) =
-        of.columns.col(static_cast<Eigen::Index>(j));
+        of.columns.col(static_cast<Eigen::Index>(j)).head(means_.size());
   const Eigen::VectorXd here = readings(values);
   for (const std::size_t k : bending_) {
     const auto place = static_cast<Eigen::Index>(k);
@@ -302,8 +329,9 @@ Eigen::MatrixXd Separable::jacobian(const Eigen::VectorXd& values) const {
     moved[place] = from_scale(k, at + small_step);
     if (moved[place] == values[place]) moved[place] = from_scale(k, at - small_step);
     const double by = moved[place] - values[place];
-    result.col(place) = by == 0.0 ? Eigen::VectorXd(Eigen::VectorXd::Zero(means_.size()))
-                                  : Eigen::VectorXd((readings(moved) - here) / by);
+    result.col(place) = by == 0.0
+                            ? Eigen::VectorXd(Eigen::VectorXd::Zero(means_.size()))
+                            : Eigen::VectorXd((readings(moved) - here).head(means_.size()) / by);
   }
   return result;
 }

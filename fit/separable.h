@@ -38,8 +38,9 @@ struct SeparableFit {
   Eigen::VectorXd values{};  ///< of all parameters, in the units of the files
   std::vector<bool> at_bound{};
   Eigen::VectorXd
-      residual{};         ///< reading minus prediction of every mean [SI], also of those left out
-  double misfit = unset;  ///< weighted sum of squares of those that were fitted
+      residual{};  ///< reading minus prediction of every mean [SI], also of those left out
+  /// Weighted sum of squares of those that were fitted, and what the priors add.
+  double misfit = unset;
 };
 
 /// Minimises the weighted sum of squares of means over the parameters of some names: those in
@@ -48,14 +49,17 @@ struct SeparableFit {
 /// more than a decade.
 ///
 /// A ridge of 1e-6 on columns of unit length keeps two lags of nearly one time constant from
-/// growing against each other. What a bending parameter does not change (Predictor::bends()) is
-/// kept from one look to the next. Not for several threads at once: they share what is kept.
+/// growing against each other. A prior adds w (v - value)²/std² for its parameter v, where w is the
+/// variance of a weighted mean: a number that the means tell better than the prior follows them,
+/// the others stay. What a bending parameter does not change (Predictor::bends()) is kept from one
+/// look to the next. Not for several threads at once: they share what is kept.
 class Separable {
  public:
-  /// `record` and `prepared` as of Subject::predictor(); all of them outlive this.
+  /// `record` and `prepared` as of Subject::predictor(); all of them outlive this. `prior_weight`:
+  /// the w above; with 0 priors do not count.
   Separable(const Subject& subject, const Record& record,
             const std::shared_ptr<const void>& prepared, const Means& means,
-            const std::vector<std::string>& names);
+            const std::vector<std::string>& names, double prior_weight = 0.0);
 
   [[nodiscard]] const std::vector<Parameter>& parameters() const { return parameters_; }
   /// Indices of parameters() that bend.
@@ -91,7 +95,18 @@ class Separable {
     Eigen::MatrixXd weighted, normal;  // columns by weight, of length 1; their products
     Eigen::VectorXd length;
   };
+  /// A prior as one reading more, of the value over its std.
+  struct PriorReading {
+    Eigen::Index parameter = 0;
+    double per_unit = unset;
+  };
+  /// Of all means, and of the priors behind them.
   [[nodiscard]] Eigen::VectorXd readings(const Eigen::VectorXd& values) const;
+  void read_priors(const Eigen::VectorXd& values, Eigen::VectorXd& readings) const;
+  [[nodiscard]] SeparableFit without_priors(SeparableFit fit) const;
+  /// at() with the residuals of priors behind those of the means.
+  [[nodiscard]] SeparableFit with_priors(const Eigen::VectorXd& values, int left_out,
+                                         double ridge) const;
   /// The kept basis, brought up to these values and weights.
   const Basis& basis(Eigen::VectorXd values, int left_out) const;
   [[nodiscard]] double to_scale(std::size_t parameter, double value) const;
@@ -101,6 +116,7 @@ class Separable {
   std::vector<std::size_t> bending_, straight_;
   const Means& means_;
   std::unique_ptr<Predictor> predictor_;
+  std::vector<PriorReading> priors_;
   Eigen::VectorXd measured_, weight_;
   std::vector<std::vector<std::size_t>> bent_by_;  // by parameter in proportion; last: the constant
   mutable std::vector<double> all_;                // readings by row

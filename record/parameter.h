@@ -28,6 +28,14 @@ struct Interval {
   double lower = unset, upper = unset;
 };
 
+/// Knowledge of a number without the record of a fit: what a computation or another measurement
+/// gave, and its standard uncertainty.
+struct Prior {
+  double value = unset, std = unset;
+
+  [[nodiscard]] bool is_known() const { return std > 0.0; }
+};
+
 /// A number of a model, before and after a fit, in the unit of the files.
 struct Parameter {
   std::string name;  ///< as people write it: "f0", "my-effect.c"
@@ -48,8 +56,11 @@ struct Parameter {
   Interval interval{};  ///< 95 %, by profile likelihood, where it was asked for
   Bound at_bound = Bound::none;
   bool identifiable = true;  ///< false: the data do not fix it, alone or against another one
-  bool held = false;         ///< left at its start, because another parameter does the same
-  bool plausible = true;     ///< within the range met in practice, widened
+  Prior prior{};             ///< weighs against the readings of what only approximates
+  /// Left at its start, because another parameter does the same, or at its prior, because the
+  /// record cannot tell it.
+  bool held = false;
+  bool plausible = true;  ///< within the range met in practice, widened
 };
 
 /// A number of a model by the name of its parameter.

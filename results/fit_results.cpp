@@ -103,6 +103,9 @@ text::json calibrated_parameters(const verdict::Calibration& c) {
                           {"at_bound", p.at_bound != record::Bound::none},
                           {"held", p.held},
                           {"identifiable", p.identifiable}};
+  for (const record::Parameter& p : c.parameters)
+    if (p.prior.is_known())
+      parameters[p.name]["prior"] = {{"value", p.prior.value}, {"std", p.prior.std}};
   for (std::size_t k = 0; k < c.profile.size(); ++k) {
     const fit::ProfileInterval& of = c.profile[k];
     parameters[c.parameters[k].name]["profile"] = {{"from", of.lower},

@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <variant>
 
+#include "correction/prior.h"
+#include "files/correction_file.h"
 #include "record/series_channel.h"
 #include "text/format_number.h"
 #include "text/names.h"
@@ -162,6 +164,7 @@ correction::Model step_model(const spindle::StepResponses& responses,
   if (parts.kinematic)
     model.kinematic =
         correction::Kinematic{parts.kinematic->A, parts.kinematic->B, parts.kinematic->C};
+  model.priors = correction::computed_priors(model);
   return model;
 }
 
@@ -200,6 +203,8 @@ StepCorrection step_correction(const correction::Model& model, const std::string
   if (const auto& law = model.kinematic)
     result.model += fmt::format("\n[correction.kinematic]\nA = {}\nB = {}\nC = {}\n",
                                 step_number(law->A), step_number(law->B), step_number(law->C));
+  if (const std::string priors = files::prior_text(model); !priors.empty())
+    result.model += "\n" + priors;
   result.model += "\n[correction.range]\n";
   for (const correction::SeenRange& range : model.range)
     result.model += range.column ? fmt::format("{} = [{}, {}]\n", range.name,

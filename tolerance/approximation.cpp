@@ -149,8 +149,12 @@ Approximation approximation_of(std::shared_ptr<const fit::Subject> subject,
       p.at_bound =
           p.value - p.lower < p.upper - p.value ? record::Bound::lower : record::Bound::upper;
   }
-  result.rms =
-      std::sqrt(result.fit.misfit / static_cast<double>(std::max<Eigen::Index>(1, means.size())));
+  double square = 0.0;
+  for (Eigen::Index i = 0; i < result.fit.residual.size(); ++i)
+    square += std::pow(result.fit.residual[i] * means.list[static_cast<std::size_t>(i)].weight, 2);
+  result.rms = result.fit.residual.size() > 0
+                   ? std::sqrt(square / static_cast<double>(result.fit.residual.size()))
+                   : unset;
   result.channel_rms = rms_by_channel(
       means,
       std::span(result.fit.residual.data(), static_cast<std::size_t>(result.fit.residual.size())));
@@ -208,16 +212,11 @@ Recorded recorded(const fit::Subject& subject, std::shared_ptr<const record::Rec
   return result;
 }
 
-Approximation approximate(std::shared_ptr<const fit::Subject> subject, const Recorded& recorded,
-                          const std::vector<std::string>& names,
-                          const ApproximationOptions& options) {
-  if (subject->is_costly()) {
-    const fit::CostlyProblem costly(*subject, *recorded.record, recorded.prepared, recorded.means,
-                                    names);
-    return costly_approximation(
-        subject, recorded, names, costly,
-        costly.from(starting_values(costly.parameters()), {settled_misfit}));
-  }
+namespace {
+
+/// Without priors.
+Approximation searched(std::shared_ptr<const fit::Subject> subject, const Recorded& recorded,
+                       const std::vector<std::string>& names, const ApproximationOptions& options) {
   const fit::Separable problem(*subject, *recorded.record, recorded.prepared, recorded.means,
                                names);
   const std::vector<record::Parameter>& parameters = problem.parameters();
@@ -239,8 +238,117 @@ Approximation approximate(std::shared_ptr<const fit::Subject> subject, const Rec
                           recorded.means);
 }
 
+/// From these values, with priors.
+Approximation weighed(std::shared_ptr<const fit::Subject> subject, const Recorded& recorded,
+                      const std::vector<std::string>& names, const Eigen::VectorXd& start,
+                      double prior_weight) {
+  const fit::Separable problem(*subject, *recorded.record, recorded.prepared, recorded.means, names,
+                               prior_weight);
+  Approximation result = approximation_of(std::move(subject), names, problem.parameters(),
+                                          problem.from(start), recorded.means);
+  result.prior_weight = prior_weight;
+  return result;
+}
+
+struct NamedValues {
+  std::vector<record::NamedValue> list{};
+  [[nodiscard]] const double* find(const std::string& name) const {
+    const auto at = std::find_if(list.begin(), list.end(),
+                                 [&](const record::NamedValue& v) { return v.name == name; });
+    return at == list.end() ? nullptr : &at->value;
+  }
+  [[nodiscard]] std::vector<std::string> others(const std::vector<std::string>& names) const {
+    std::vector<std::string> rest;
+    std::copy_if(names.begin(), names.end(), std::back_inserter(rest),
+                 [&](const std::string& name) { return find(name) == nullptr; });
+    return rest;
+  }
+};
+
+/// Parameters with a prior of which the record tells next to nothing.
+NamedValues untold(const Approximation& a, const Recorded& recorded) {
+  constexpr double least_share = 0.1;  // of the variance of the prior, taken away by the record
+  const ApproximationErrors errors = errors_of(a, recorded);
+  NamedValues result;
+  for (std::size_t k = 0; k < a.names.size(); ++k) {
+    const record::Parameter& p = a.parameters[k];
+    const auto at = static_cast<Eigen::Index>(k);
+    if (p.prior.is_known() && p.at_bound == record::Bound::none &&
+        !(errors.covariance(at, at) < (1.0 - least_share) * p.prior.std * p.prior.std))
+      result.list.push_back({p.name, p.prior.value});
+  }
+  return result;
+}
+
+/// With the parameters of these names at their priors.
+Approximation staying(const Approximation& a, const Recorded& recorded, const NamedValues& stay) {
+  const std::vector<std::string> names = stay.others(a.names);
+  Eigen::VectorXd start(names.size());
+  Approximation result;
+  std::vector<record::Parameter> stays;
+  for (std::size_t k = 0, j = 0; k < a.names.size(); ++k) {
+    const auto at = static_cast<Eigen::Index>(k);
+    if (const double* const value = stay.find(a.names[k])) {
+      record::Parameter p = a.parameters[k];
+      p.value = *value;
+      p.std = p.prior.std;
+      p.held = true;
+      p.identifiable = false;
+      stays.push_back(std::move(p));
+    } else {
+      start[static_cast<Eigen::Index>(j++)] = a.fit.values[at];
+    }
+  }
+  result = weighed(a.subject->with_values(stay.list), recorded, names, start, a.prior_weight);
+  result.stays = std::move(stays);
+  return result;
+}
+
+}  // namespace
+
+Approximation approximate(std::shared_ptr<const fit::Subject> subject, const Recorded& recorded,
+                          const std::vector<std::string>& names,
+                          const ApproximationOptions& options) {
+  if (subject->is_costly()) {
+    const fit::CostlyProblem costly(*subject, *recorded.record, recorded.prepared, recorded.means,
+                                    names);
+    return costly_approximation(
+        subject, recorded, names, costly,
+        costly.from(starting_values(costly.parameters()), {settled_misfit}));
+  }
+  NamedValues priors;
+  for (const record::Parameter& p : fit::find_parameters(*subject, names))
+    if (p.prior.is_known())
+      priors.list.push_back({p.name, std::clamp(p.prior.value, p.lower, p.upper)});
+  if (priors.list.empty()) return searched(std::move(subject), recorded, names, options);
+
+  const std::vector<std::string> others = priors.others(names);
+  const Approximation beside =
+      searched(subject->with_values(priors.list), recorded, others, options);
+  if (!std::isfinite(beside.fit.misfit)) return beside;
+  Eigen::VectorXd start(names.size());
+  for (std::size_t k = 0, j = 0; k < names.size(); ++k) {
+    const double* const value = priors.find(names[k]);
+    start[static_cast<Eigen::Index>(k)] =
+        value ? *value : beside.fit.values[static_cast<Eigen::Index>(j++)];
+  }
+  constexpr int most_rounds = 8;
+  constexpr double settled = 0.05, of_exact_readings = 1e-30;
+  double weight = std::max(of_exact_readings, errors_of(beside, recorded).variance);
+  Approximation a = weighed(subject, recorded, names, start, weight);
+  for (int round = 0; round < most_rounds && std::isfinite(a.fit.misfit); ++round) {
+    const double next = std::max(of_exact_readings, errors_of(a, recorded).variance);
+    if (std::abs(next - weight) <= settled * weight) break;
+    weight = next;
+    a = weighed(subject, recorded, names, a.fit.values, weight);
+  }
+  if (!std::isfinite(a.fit.misfit)) return a;
+  const NamedValues stay = untold(a, recorded);
+  return stay.list.empty() || stay.list.size() == names.size() ? a : staying(a, recorded, stay);
+}
+
 void require_fit(const Approximation& approximation) {
-  if (approximation.fit.values.size() == 0)
+  if (approximation.fit.values.size() == 0 || !std::isfinite(approximation.fit.misfit))
     throw std::invalid_argument("no start of the fit has a prediction for every reading");
 }
 
@@ -354,8 +462,8 @@ Approximation approximate_with(const Approximation& base, const Recorded& record
                        .hopeless = hopeless * base.fit.misfit,
                        .rough = options.rough}));
   }
-  const fit::Separable problem(*subject, *recorded.record, recorded.prepared, recorded.means,
-                               names);
+  const fit::Separable problem(*subject, *recorded.record, recorded.prepared, recorded.means, names,
+                               base.prior_weight);
   std::vector<const std::vector<double>*> only(base.names.size(), nullptr);
   std::vector<bool> held(names.size(), false);
   for (const fit::Candidate* c : candidates)
@@ -399,8 +507,11 @@ Approximation approximate_with(const Approximation& base, const Recorded& record
   fit::SeparableFit fit = best_of(problem, std::move(begun), options.polished, held, options);
   if (has_places && std::isfinite(fit.misfit))
     fit = placed_again(problem, std::move(fit), start, only, held);
-  return approximation_of(std::move(subject), names, problem.parameters(), std::move(fit),
-                          recorded.means);
+  Approximation result = approximation_of(std::move(subject), names, problem.parameters(),
+                                          std::move(fit), recorded.means);
+  result.prior_weight = base.prior_weight;
+  result.stays = base.stays;
+  return result;
 }
 
 namespace {
@@ -443,7 +554,8 @@ std::optional<fit::SeparableFit> with_jumps_of(const Approximation& a, const Rec
     held.push_back(is_place(a.parameters[rest[j]]));
     start[static_cast<Eigen::Index>(j)] = a.fit.values[static_cast<Eigen::Index>(rest[j])];
   }
-  return fit::Separable(*subject, *recorded.record, recorded.prepared, recorded.means, names)
+  return fit::Separable(*subject, *recorded.record, recorded.prepared, recorded.means, names,
+                        a.prior_weight)
       .from(start, block, held);
 }
 
@@ -459,8 +571,8 @@ std::function<Eigen::VectorXd(int)> fits_without(const Approximation& a, const R
     return [&a, &means](int block) {
       return fit::left_of_block({a.fit, a.slope}, a.parameters, means, block);
     };
-  const auto problem = std::make_shared<const fit::Separable>(*a.subject, *recorded.record,
-                                                              recorded.prepared, means, a.names);
+  const auto problem = std::make_shared<const fit::Separable>(
+      *a.subject, *recorded.record, recorded.prepared, means, a.names, a.prior_weight);
   std::vector<bool> held(a.names.size(), false);
   for (std::size_t k = 0; k < a.names.size(); ++k) held[k] = is_place(a.parameters[k]);
   return [&a, &recorded, problem, held](int block) {
@@ -532,7 +644,11 @@ Approximation refined(const Approximation& a, const Recorded& by_means, Recorded
     found.channel_held_out = a.channel_held_out;
     return found;
   }
-  const fit::Separable problem(*a.subject, *rows.record, rows.prepared, rows.means, a.names);
+  // As many more rows as there are, as much less each tells.
+  const double prior_weight = a.prior_weight * static_cast<double>(rows.means.size()) /
+                              static_cast<double>(by_means.means.size());
+  const fit::Separable problem(*a.subject, *rows.record, rows.prepared, rows.means, a.names,
+                               prior_weight);
   std::vector<bool> held(a.names.size(), false);
   for (std::size_t k = 0; k < a.names.size(); ++k)
     held[k] = !std::isfinite(a.parameters[k].upper - a.parameters[k].lower) &&
@@ -544,6 +660,8 @@ Approximation refined(const Approximation& a, const Recorded& by_means, Recorded
       approximation_of(a.subject, a.names, problem.parameters(), std::move(fit), rows.means);
   result.rms_held_out = a.rms_held_out;
   result.channel_held_out = a.channel_held_out;
+  result.prior_weight = prior_weight;
+  result.stays = a.stays;
   return result;
 }
 

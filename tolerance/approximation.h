@@ -38,6 +38,11 @@ struct Approximation {
   double rms_held_out = unset;     ///< NaN where nothing can be held out
   /// Both rms of each channel of Subject::measured(), in its tolerances; NaN for one without means.
   std::vector<double> channel_rms{}, channel_held_out{};
+  /// Variance of a weighted mean against which priors weigh; 0 without any.
+  double prior_weight = 0.0;
+  /// Left at their priors, because the record cannot tell them: of what was asked for, these are
+  /// not among `names`.
+  std::vector<record::Parameter> stays{};
   /// Kept of what is costly alone: derivatives of the means by the values, and where the fit began.
   Eigen::MatrixXd slope{};
   std::shared_ptr<const fit::CostlyFit> begin{};
@@ -52,10 +57,18 @@ struct ApproximationOptions {
 };
 
 /// Fits the parameters of these names from several starts.
+///
+/// Parameters with a prior are fitted from it, once the others have found theirs beside it. The
+/// variance of the means, with what the residual remembers of itself, is found anew from each fit
+/// until it settles. Where the record takes less than a tenth of the variance of a prior away, the
+/// parameter stays there.
 [[nodiscard]] Approximation approximate(std::shared_ptr<const fit::Subject> subject,
                                         const Recorded& recorded,
                                         const std::vector<std::string>& names,
                                         const ApproximationOptions& options = {});
+
+/// Says that a parameter stays at its prior.
+[[nodiscard]] record::Note stays_note(const record::Parameter& parameter);
 
 /// Throws std::invalid_argument where no start has a prediction for every reading.
 void require_fit(const Approximation& approximation);
@@ -84,6 +97,8 @@ struct ApproximationErrors {
   double condition = unset;         ///< of the columns, each of unit length
   double correlation_time = unset;  ///< of the residuals [s]
   double effective = unset;         ///< number of means that count as independent
+  /// Of the weighted error of a mean, as if all means were independent.
+  double variance = unset;
 };
 [[nodiscard]] ApproximationErrors errors_of(const Approximation& approximation,
                                             const Recorded& recorded);

@@ -72,6 +72,20 @@ Eigen::VectorXd coarseness(const fit::Subject& subject, const fit::Means& means,
   return sum;
 }
 
+/// Slopes of the weighted means by the parameters that move, and below them of their priors.
+Eigen::MatrixXd with_priors(const Approximation& a, const std::vector<Eigen::Index>& moving,
+                            double variance, const Eigen::MatrixXd& slopes) {
+  if (!(a.prior_weight > 0.0)) return slopes;
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(slopes.rows() + slopes.cols(), slopes.cols());
+  all.topRows(slopes.rows()) = slopes;
+  for (Eigen::Index j = 0; j < slopes.cols(); ++j)
+    if (const record::Prior& prior =
+            a.parameters[static_cast<std::size_t>(moving[static_cast<std::size_t>(j)])].prior;
+        prior.is_known())
+      all(slopes.rows() + j, j) = std::sqrt(variance) / prior.std;
+  return all;
+}
+
 }  // namespace
 
 ApproximationErrors errors_of(const Approximation& a, const Recorded& recorded) {
@@ -93,20 +107,21 @@ ApproximationErrors errors_of(const Approximation& a, const Recorded& recorded) 
   const double sum = memory_of(means, r);
   result.correlation_time = 0.5 * (sum - 1.0) * spacing_of(means);
   result.effective = static_cast<double>(r.size()) / sum;
-  if (moving.empty()) return result;
   Eigen::VectorXd w(r.size());
   for (Eigen::Index i = 0; i < r.size(); ++i) w[i] = means.list[static_cast<std::size_t>(i)].weight;
-  Eigen::MatrixXd columns = w.asDiagonal() * slope(Eigen::all, moving);
+  const double freedom =
+      std::max(1.0, static_cast<double>(r.size() - static_cast<Eigen::Index>(moving.size())));
+  result.variance = w.cwiseProduct(r).squaredNorm() / freedom * sum;
+  if (moving.empty()) return result;
+  Eigen::MatrixXd columns =
+      with_priors(a, moving, result.variance, w.asDiagonal() * slope(Eigen::all, moving));
   const Eigen::VectorXd length = columns.colwise().norm();
   columns = columns * length.cwiseInverse().asDiagonal();
   const algebra::ThinSvd svd = algebra::thin_svd(columns);
   const Eigen::VectorXd& s = svd.values;
   result.condition = s[0] / s[s.size() - 1];
-  const double freedom =
-      std::max(1.0, static_cast<double>(r.size() - static_cast<Eigen::Index>(moving.size())));
-  const double variance = w.cwiseProduct(r).squaredNorm() / freedom * sum;
   const Eigen::VectorXd spread =
-      Eigen::VectorXd::Constant(s.size(), variance) + coarseness(*a.subject, means, svd.U);
+      Eigen::VectorXd::Constant(s.size(), result.variance) + coarseness(*a.subject, means, svd.U);
   const Eigen::MatrixXd v = svd.V * (spread.cwiseSqrt().cwiseQuotient(s)).asDiagonal();
   const Eigen::MatrixXd inner = v * v.transpose();
   for (std::size_t i = 0; i < moving.size(); ++i)

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 #include <stdexcept>
 
 #include "tolerance/approximation_loop.h"
@@ -10,6 +12,15 @@
 #include "verdict/verdict_text.h"
 
 namespace raceway::tolerance {
+
+record::Note stays_note(const record::Parameter& p) {
+  return record::note::unknown(
+      fmt::format("{} stays at {} by its prior (± {}): the record cannot tell it", p.name,
+                  verdict::with_unit(p.value, p.unit, 4),
+                  verdict::with_unit(p.prior.std, p.unit, 2)),
+      {.key = p.name});
+}
+
 namespace {
 
 std::shared_ptr<const fit::Subject> informed(const fit::Subject& subject,
@@ -74,6 +85,50 @@ std::string held_out_text(const Approximation& a, const std::vector<fit::Measure
   return verdict::joined(texts, "and");
 }
 
+/// Error of a channel as it was before a fit, on the means that are held out, about the mean of
+/// their run where its zero says nothing [SI].
+double held_out_before(const fit::Subject& before, const Approximation& a, const Recorded& on,
+                       std::size_t channel, const fit::Measured& of) {
+  const std::vector<double> predicted = fit::predict(before, *on.record);
+  std::map<int, std::vector<double>> by_run;
+  for (std::size_t i = 0; i < a.held_out.size(); ++i) {
+    const fit::Means::Mean& mean = on.means.list[i];
+    if (mean.channel != channel || std::isnan(a.held_out[i])) continue;
+    double sum = 0.0;
+    for (const Eigen::Index place : mean.places) sum += predicted[static_cast<std::size_t>(place)];
+    const auto row = static_cast<std::size_t>(mean.places.front()) % on.record->rows();
+    by_run[on.record->run_of(row)].push_back(sum / static_cast<double>(mean.places.size()) -
+                                             mean.measured);
+  }
+  double square = 0.0, count = 0.0;
+  for (const auto& [run, errors] : by_run) {
+    const auto size = static_cast<double>(errors.size());
+    const double zero =
+        of.any_zero ? std::accumulate(errors.begin(), errors.end(), 0.0) / size : 0.0;
+    for (const double e : errors) square += (e - zero) * (e - zero);
+    count += size;
+  }
+  return std::sqrt(square / count);
+}
+
+/// What to say where the model was better before the fit, on parts that the fit did not see.
+std::string better_before(const fit::Subject& before, const Approximation& a, const Recorded& on,
+                          const std::vector<fit::Measured>& channels,
+                          const std::vector<std::size_t>& read) {
+  constexpr double as_good = 1.005;
+  std::vector<std::string> texts;
+  for (const std::size_t c : read) {
+    const double was = held_out_before(before, a, on, c, channels[c]),
+                 now = in_SI(a.channel_held_out.at(c), channels[c], *on.record);
+    if (now > as_good * was)
+      texts.push_back(verdict::reading_text(*channels[c].channel, was) +
+                      (read.size() > 1 ? fmt::format(" of {}", channels[c].channel->words) : ""));
+  }
+  if (texts.empty()) return {};
+  return fmt::format(", and before the fit by {}: the record does not make it better",
+                     verdict::joined(texts, "and"));
+}
+
 verdict::Calibration calibration_of(const fit::Subject& before, const Approximation& on_means,
                                     const Recorded& means, const record::Record& record) {
   Recorded rows, whole = means;
@@ -95,6 +150,12 @@ verdict::Calibration calibration_of(const fit::Subject& before, const Approximat
       result.messages.push_back(record::note::at_bound(
           fmt::format("{} = {} ends at a bound", p.name, verdict::with_unit(p.value, p.unit, 4)),
           {.key = p.name}));
+  }
+  const auto told = count + std::ssize(fit.stays);
+  result.correlation.conservativeResizeLike(Eigen::MatrixXd::Identity(told, told));
+  for (const record::Parameter& p : fit.stays) {
+    result.parameters.push_back(p);
+    result.messages.push_back(stays_note(p));
   }
   const std::vector<std::size_t> read = read_channels(rows.means, channels);
   result.rows = static_cast<int>(
@@ -124,8 +185,9 @@ verdict::Calibration calibration_of(const fit::Subject& before, const Approximat
   result.rms_held_out =
       in_SI(fit.channel_held_out.at(read.front()), channels[read.front()], record);
   result.messages.push_back(
-      record::note::misfit(fmt::format("on parts of the record that no fit saw it errs by {}",
-                                       held_out_text(fit, channels, read, record))));
+      record::note::misfit(fmt::format("on parts of the record that no fit saw it errs by {}{}",
+                                       held_out_text(fit, channels, read, record),
+                                       better_before(before, on_means, means, channels, read))));
   return result;
 }
 

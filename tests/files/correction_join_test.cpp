@@ -84,10 +84,25 @@ TEST(CorrectionJoin, KeepsWhatThePartsSay) {
   EXPECT_DOUBLE_EQ(m.range[0].upper, 9000 * rpm);
   EXPECT_THAT(sum.text, HasSubstr("# by step responses\n[[correction.channel]]"));
   EXPECT_THAT(sum.text, HasSubstr("friction_table = \"/data/torque.csv\""));
-  // The spindle stays as its step responses have it.
+  // The spindle stays near its step responses, by priors.
   EXPECT_THAT(correction::free_names(m),
-              ElementsAre("offset", "x.gain_1", "x.time_constant_1", "ambient-drift.gain",
+              ElementsAre("offset", "spindle.scale", "x.gain_1", "x.time_constant_1", "kinematic.A",
+                          "kinematic.B", "kinematic.C", "ambient-drift.gain",
                           "ambient-drift.time_constant_s"));
+  ASSERT_EQ(m.priors.size(), 4U);
+  EXPECT_EQ(m.priors[2].name, "kinematic.B");
+  EXPECT_DOUBLE_EQ(m.priors[2].prior.value, 0.6151);
+  EXPECT_DOUBLE_EQ(m.priors[2].prior.std, 0.1);
+  // What a part says of its uncertainty, or fits itself, is its own.
+  CorrectionFile stated = spindle_part();
+  stated = parse_correction(
+      stated.text + "[correction.prior]\n\"kinematic.A\" = { value = 0.001, std = 0.0001 }\n",
+      stated.source, stated.files);
+  EXPECT_EQ(joined({stated, machine_part()}).models.front().priors.size(), 1U);
+  stated = spindle_part();
+  stated = parse_correction(stated.text + "[calibration]\nfree = [\"kinematic\"]\n", stated.source,
+                            stated.files);
+  EXPECT_TRUE(joined({stated, machine_part()}).models.front().priors.empty());
 }
 
 TEST(CorrectionJoin, WhatCannotBeOneIsRefused) {
