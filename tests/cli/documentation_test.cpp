@@ -133,8 +133,8 @@ TEST_P(Page, PrintsWhatItShows) {
 
 INSTANTIATE_TEST_SUITE_P(
     Documentation, Page,
-    testing::Values("README.md", "docs/case-study.md", "docs/coast-down.md", "docs/control.md",
-                    "docs/correction.md", "docs/german-excel-and-loggers.md",
+    testing::Values("README.md", "docs/case-study.md", "docs/chain.md", "docs/coast-down.md",
+                    "docs/control.md", "docs/correction.md", "docs/german-excel-and-loggers.md",
                     "docs/kinematic-law.md", "docs/laws.md", "docs/limits.md", "docs/loop.md",
                     "docs/race-control.md", "docs/roller.md", "docs/sensitivity.md",
                     "docs/shaft.md", "docs/spindle.md", "docs/spindle-heat.md",
