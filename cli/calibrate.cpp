@@ -26,7 +26,7 @@ struct CalibrateFlags {
 };
 
 std::string remark(const fit::Parameter& p) {
-  if (p.held && p.prior.is_known()) return "stays: the record cannot tell it";
+  if (p.held && p.prior.is_known()) return "at its prior";
   if (p.held) return "held: not identifiable";
   if (!p.identifiable) return "not identifiable";
   return p.at_bound != fit::Bound::none ? "at its bound" : "";

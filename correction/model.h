@@ -111,7 +111,7 @@ enum class InitialState { rest, free };
   return state == InitialState::free ? "free" : "rest";
 }
 
-/// Knowledge of a number of a model without a record of the machine, in the unit of the files.
+/// Knowledge of a number of a model before the next fit, in the unit of the files.
 struct NumberPrior {
   std::string name{};  ///< of the parameter, "spindle.scale"
   record::Prior prior{};

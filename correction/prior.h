@@ -11,8 +11,8 @@ namespace raceway::correction {
 ///
 ///   scale ± 20 %, A ± 20 %, B ± 0.1, C ± 20 %
 ///
-/// Assumed, as no record of the machine was seen: gains of a spindle that was not fitted follow its
-/// seats and coolant, which nobody has measured. The file that states them may say otherwise.
+/// These are assumptions: the gains of a spindle that was not fitted depend on its seats and its
+/// coolant, which are seldom measured. A file may state others.
 [[nodiscard]] std::vector<NumberPrior> computed_priors(const Model& model);
 
 }  // namespace raceway::correction

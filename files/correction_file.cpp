@@ -47,7 +47,7 @@ constexpr Key correction_keys[]{
     {"kinematic", a_table, unset, "the table [correction.kinematic]"},
     {"effect", a_list, unset, "effects, [[correction.effect]]"},
     {"prior", a_table, unset,
-     "\"PARAMETER\" = { value, std }: what is known of a number without a record of the machine, "
+     "\"PARAMETER\" = { value, std }: what is known of a number before the next fit, "
      "[correction.prior]"},
     {"range", a_table, unset, "COLUMN = [lowest, highest] of every input, [correction.range]"},
     {"together", a_table, unset, "the table [correction.together]"},

@@ -16,8 +16,8 @@ namespace {
 
 constexpr Key prior_keys[]{
     {"value", between(-1e12, 1e12), is_required,
-     "of the number PARAMETER without a record of the machine, in its unit; written by "
-     "step-response and join"},
+     "of the number PARAMETER before the next fit, in its unit; written by step-response and "
+     "join"},
     {"std", between(0, 1e12), is_required,
      "its standard uncertainty, above 0: fits weigh it against the readings"},
 };
@@ -54,8 +54,7 @@ void read_priors(const Section& correction, correction::Model& model) {
 std::string prior_text(const correction::Model& model) {
   if (model.priors.empty()) return {};
   std::string text =
-      "[correction.prior]  # of numbers that no record of the machine gave: value and its standard "
-      "uncertainty\n";
+      "[correction.prior]  # known before the next fit: value and standard uncertainty\n";
   for (const correction::NumberPrior& p : model.priors)
     text += fmt::format("\"{}\" = {{ value = {}, std = {} }}\n", p.name,
                         text::toml_float(text::with_15_digits(p.prior.value)),

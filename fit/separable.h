@@ -100,11 +100,11 @@ class Separable {
     Eigen::Index parameter = 0;
     double per_unit = unset;
   };
-  /// Of all means, and of the priors behind them.
+  /// Returns the readings of all means, then of the priors.
   [[nodiscard]] Eigen::VectorXd readings(const Eigen::VectorXd& values) const;
   void read_priors(const Eigen::VectorXd& values, Eigen::VectorXd& readings) const;
   [[nodiscard]] SeparableFit without_priors(SeparableFit fit) const;
-  /// at() with the residuals of priors behind those of the means.
+  /// at(), with the residuals of the priors after the residuals of the means.
   [[nodiscard]] SeparableFit with_priors(const Eigen::VectorXd& values, int left_out,
                                          double ridge) const;
   /// The kept basis, brought up to these values and weights.

@@ -287,7 +287,19 @@ def case_study(program):
         with open(here("spindle.toml"), "a", encoding="utf-8") as spindle:
             spindle.write("[friction]" + read(here("fitted.toml")).split("[friction]")[1].split("\n[")[0])
         steps = raceway(
-            "step-response", "spindle.toml", "--speed", "1000:10000:1000", "--coolant", "off", "--law", "line", "--lags", "one", "--correction", "spindle_part.toml", "--json"
+            "step-response",
+            "spindle.toml",
+            "--speed",
+            "1000:10000:1000",
+            "--coolant",
+            "off",
+            "--law",
+            "line",
+            "--lags",
+            "one",
+            "--correction",
+            "spindle_part.toml",
+            "--json",
         )
         raceway("identify", data + "machine.toml", data + "calibration.csv", "-o", "machine_part.toml")
         raceway("join", "spindle_part.toml", "machine_part.toml", "-o", "sum.toml")
@@ -323,8 +335,8 @@ def case_study(program):
         "docs/chain-spindle.svg",
         [
             ("friction torque on the rig [N mm] against speed [rpm]", friction),
-            ("gain K [um] against friction power [W]", [dots("K_um"), line(law(gain, "um"), RED, "as published, a line")]),
-            ("time constant T [min] against friction power [W]", [dots("T_min"), line(law(time, "min"), RED, "as published, a line")]),
+            ("gain K [um] against friction power [W]", [dots("K_um"), line(law(gain, "um"), RED, "straight line")]),
+            ("time constant T [min] against friction power [W]", [dots("T_min"), line(law(time, "min"), RED, "straight line")]),
         ],
         columns=3,
         width=3.6,
@@ -346,7 +358,10 @@ def case_study(program):
     draw(
         "docs/chain-parts.svg",
         [
-            ("nose of the machine over time [h], a constant taken off [um]", [reading, *(line(over(runs[key], predicted), *names[key]) for key in names)]),
+            (
+                "nose of the machine over time [h], a constant taken off [um]",
+                [reading, *(line(over(runs[key], predicted), *names[key]) for key in names)],
+            )
         ],
         columns=1,
         width=9.2,

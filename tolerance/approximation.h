@@ -58,7 +58,7 @@ struct ApproximationOptions {
 
 /// Fits the parameters of these names from several starts.
 ///
-/// Parameters with a prior are fitted from it, once the others have found theirs beside it. The
+/// Parameters with a prior are fitted from it, after a fit of all others. The
 /// variance of the means, with what the residual remembers of itself, is found anew from each fit
 /// until it settles. Where the record takes less than a tenth of the variance of a prior away, the
 /// parameter stays there.
@@ -97,7 +97,7 @@ struct ApproximationErrors {
   double condition = unset;         ///< of the columns, each of unit length
   double correlation_time = unset;  ///< of the residuals [s]
   double effective = unset;         ///< number of means that count as independent
-  /// Of the weighted error of a mean, as if all means were independent.
+  /// Variance of the weighted error of a mean that stands for its correlated neighbours, too.
   double variance = unset;
 };
 [[nodiscard]] ApproximationErrors errors_of(const Approximation& approximation,

@@ -44,7 +44,7 @@ class Chain : public testing::Test {
   ScratchFolder scratch_;
 };
 
-/// With the spindle's numbers free and no priors the error on the rest rose from 1.60 to 1.97 um.
+/// With the spindle's numbers free and no priors the error on the rest rose from 1.60 to 2.00 um.
 TEST_F(Chain, AFitOfTheSumDoesNotMakeTheRestWorse) {
   ASSERT_EQ(
       run("join " + path("spindle.toml") + " " + path("machine.toml") + " -o " + path("sum.toml"))
