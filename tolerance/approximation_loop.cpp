@@ -214,6 +214,7 @@ class Inquiry {
                         base_.parameters[k].name,
                         verdict::with_unit(base_.parameters[k].value, base_.parameters[k].unit)),
             {.key = base_.parameters[k].name}));
+    for (const record::Parameter& p : base_.stays) result_.messages.push_back(stays_note(p));
     for (const fit::Blocking& b : subject_->blockings(record_))
       if (!b.untold.empty())
         result_.messages.push_back(record::note::plan(fmt::format(
