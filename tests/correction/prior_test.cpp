@@ -78,6 +78,7 @@ TEST(Prior, OfANumberThatTheRecordTellsGivesWay) {
   Model m = truth;
   m.kinematic->A *= 1.6;
   m.priors = {{"kinematic.A", {.value = m.kinematic->A, .std = 0.2 * truth.kinematic->A}}};
+  m.free = {"offset", "gains", "time_constants", "kinematic.A"};
   const verdict::Calibration found = loop::calibrate(CorrectionSubject(m), turning);
   const record::Parameter& p = named(found, "kinematic.A");
   EXPECT_FALSE(p.held);
