@@ -159,7 +159,8 @@ MEANINGS = {
         "records[].record": "of several files",
     },
     "calibrate": {
-        "parameters.NAME.held": "left at its start",
+        "parameters.NAME.held": "left at its start, or at its prior",
+        "parameters.NAME.prior.value": "of a correction with [correction.prior]",
         "parameters.NAME.profile.from": "with --profile",
         "profile.rise": "of chi square at the ends of the interval",
         "profile.refits": "of all intervals together",

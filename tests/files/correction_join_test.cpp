@@ -90,9 +90,9 @@ TEST(CorrectionJoin, KeepsWhatThePartsSay) {
                           "kinematic.B", "kinematic.C", "ambient-drift.gain",
                           "ambient-drift.time_constant_s"));
   ASSERT_EQ(m.priors.size(), 4U);
-  EXPECT_EQ(m.priors[2].name, "kinematic.B");
-  EXPECT_DOUBLE_EQ(m.priors[2].prior.value, 0.6151);
-  EXPECT_DOUBLE_EQ(m.priors[2].prior.std, 0.1);
+  EXPECT_EQ(m.priors[1].name, "kinematic.B");
+  EXPECT_DOUBLE_EQ(m.priors[1].prior.value, 0.6151);
+  EXPECT_DOUBLE_EQ(m.priors[1].prior.std, 0.1);
   // What a part says of its uncertainty, or fits itself, is its own.
   CorrectionFile stated = spindle_part();
   stated = parse_correction(
