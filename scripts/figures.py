@@ -158,7 +158,14 @@ def spindle_day(program):
 
 
 def rows_of(path):
-        return list(csv.DictReader(row for row in read(path).splitlines() if not row.startswith("#")))
+    """Rows of a CSV by column, without its comments."""
+    with open(path, encoding="utf-8") as file:
+        return list(csv.DictReader(row for row in file if not row.startswith("#")))
+
+
+def case_study(program):
+    """Table 1 of the case study with prediction and fit, and the shaft's displacement."""
+    folder = "data/spindles/case_study/"
 
     def over_hours(rows, column):
         return [(float(row["time_s"]) / 3600.0, float(row[column])) for row in rows if row[column]]
@@ -194,79 +201,7 @@ def rows_of(path):
     draw("docs/case-study.svg", charts + [("shaft against flange [um] over place behind the nose [mm]", shaft)], columns=3, width=3.6)
 
 
-def rows_of(path):
-    """Rows of a CSV by column, without its comments."""
-    with open(path, encoding="utf-8") as file:
-        return list(csv.DictReader(row for row in file if not row.startswith("#")))
-
-
-def case_study(program):
-    """Table 1 of the case study with prediction and fit, and the shaft's displacement."""
-    folder = "data/spindles/case_study/"
-
-    def over_hours(rows, column):
-        return [(float(row["time_s"]) / 3600.0, float(row[column])) for row in rows]
-
-    runs = [(day(), BLUE, "cooled"), (day("--coolant", "off"), RED, "coolant off")]
-    charts = [("speed [rpm] over time [h]", [line(over_hours(runs[0][0], "speed_rpm"), "#222")])]
-    for title, column in [("nose against flange [um]", "axial_displacement_um"), ("force of the front set [N]", "front_force_N")]:
-        charts.append((title, [line(over_hours(rows, column), colour, name) for rows, colour, name in runs]))
-    rings = [
-        line(over_hours(rows, f"front_1_{ring}_ring_temperature_C"), colour, None, style)
-        for rows, colour, _ in runs
-        for ring, style in [("inner", "-"), ("outer", "--")]
-    ]
-    draw("docs/spindle-day.svg", charts + [("first bearing: inner ring, outer ring dashed [C]", rings)])
-
-
-def rows_of(path):
-        return list(csv.DictReader(row for row in read(path).splitlines() if not row.startswith("#")))
-
-    def over_hours(rows, column):
-        return [(float(row["time_s"]) / 3600.0, float(row[column])) for row in rows if row[column]]
-
-    def points(values, colour, name, marker):
-        return values, {"color": colour, "label": name, "linestyle": "none", "marker": marker}
-
-    record = rows_of(folder + "record.csv")
-    runs = []
-    with tempfile.TemporaryDirectory() as scratch:
-        fitted = scratch + "/fitted.toml"
-        subprocess.run([program, "calibrate", folder + "model.toml", folder + "record.csv", "-o", fitted, "--quiet"], check=True, capture_output=True)
-        for k, (model, colour, name) in enumerate([(folder + "model.toml", RED, "predicted"), (fitted, BLUE, "f0 fitted")]):
-            out = f"{scratch}/{k}.csv"
-            command = [program, "spindle", model, "--speed-profile", folder + "record.csv", "-o", out, "--quiet"]
-            subprocess.run(command, check=True, capture_output=True)
-            runs.append((rows_of(out), colour, name))
-    changed = {"5500", "6500"}
-    charts = []
-    for place in ("front", "rear"):
-        column = f"{place}_bearing_temperature_C"
-        lines = [line(over_hours(rows, column), colour, name) for rows, colour, name in runs]
-        lines.append(points(over_hours(record, column), "#222", "as read", "o"))
-        if place == "rear":
-            at = [row for row in record if row["speed_rpm"] in changed]
-            lines.append(points([(float(row["time_s"]) / 3600.0, 20.0) for row in at], ORANGE, "misprinted", "x"))
-        charts.append((f"{place} bearing [C] over time [h]", lines))
-    text = read(folder + "model.toml")
-    shaft = []
-    for flags, colour, name in [(("8500",), GREEN, "8500 rpm, cooled"), (("4000", "--coolant", "off"), VIOLET, "4000 rpm, coolant off")]:
-        places = answer(program, text, "spindle", "--steady", "--speed", *flags)["steady"][0]["shaft"]
-        shaft.append(line([(p["position_mm"], p["axial_displacement_um"]) for p in places], colour, name))
-    draw("docs/case-study.svg", charts + [("shaft against flange [um] over place behind the nose [mm]", shaft)], columns=3, width=3.6)
-
-
-def rows_of(path):
-    """Rows of a CSV by column, without its comments."""
-    with open(path, encoding="utf-8") as file:
-        return list(csv.DictReader(row for row in file if not row.startswith("#")))
-
-
-def case_study(program):
-    """Table 1 of the case study with prediction and fit, and the shaft's displacement."""
-    folder = "data/spindles/case_study/"
-
-    def chain(program):
+def chain(program):
     """The chain of docs/chain.md: the rig and the spindle, the parts of the sum over 45 h, what each link leaves."""
     program = os.path.abspath(program)
     data = os.path.abspath("data/chain") + "/"
@@ -287,19 +222,7 @@ def case_study(program):
         with open(here("spindle.toml"), "a", encoding="utf-8") as spindle:
             spindle.write("[friction]" + read(here("fitted.toml")).split("[friction]")[1].split("\n[")[0])
         steps = raceway(
-            "step-response",
-            "spindle.toml",
-            "--speed",
-            "1000:10000:1000",
-            "--coolant",
-            "off",
-            "--law",
-            "line",
-            "--lags",
-            "one",
-            "--correction",
-            "spindle_part.toml",
-            "--json",
+            "step-response", "spindle.toml", "--speed", "1000:10000:1000", "--coolant", "off", "--law", "line", "--lags", "one", "--correction", "spindle_part.toml", "--json"
         )
         raceway("identify", data + "machine.toml", data + "calibration.csv", "-o", "machine_part.toml")
         raceway("join", "spindle_part.toml", "machine_part.toml", "-o", "sum.toml")
@@ -335,8 +258,8 @@ def case_study(program):
         "docs/chain-spindle.svg",
         [
             ("friction torque on the rig [N mm] against speed [rpm]", friction),
-            ("gain K [um] against friction power [W]", [dots("K_um"), line(law(gain, "um"), RED, "straight line")]),
-            ("time constant T [min] against friction power [W]", [dots("T_min"), line(law(time, "min"), RED, "straight line")]),
+            ("gain K [um] against friction power [W]", [dots("K_um"), line(law(gain, "um"), RED, "as published, a line")]),
+            ("time constant T [min] against friction power [W]", [dots("T_min"), line(law(time, "min"), RED, "as published, a line")]),
         ],
         columns=3,
         width=3.6,
@@ -358,10 +281,7 @@ def case_study(program):
     draw(
         "docs/chain-parts.svg",
         [
-            (
-                "nose of the machine over time [h], a constant taken off [um]",
-                [reading, *(line(over(runs[key], predicted), *names[key]) for key in names)],
-            )
+            ("nose of the machine over time [h], a constant taken off [um]", [reading, *(line(over(runs[key], predicted), *names[key]) for key in names)]),
         ],
         columns=1,
         width=9.2,
