@@ -14,6 +14,11 @@ namespace {
 
 std::string in_celsius(double kelvins) { return number(celsius(kelvins)); }
 
+/// A friction with the band of its table, where it has one.
+std::string friction_words(double power, double band) {
+  return band > 0.0 ? fmt::format("{} +- {}", number(power), number(band, 2)) : number(power);
+}
+
 void print_temperatures(const model::Model& model, const spindle::Moment& m) {
   if (!m.bearings.empty()) {
     const bool rollers = !model.spindle->rollers.empty();
@@ -32,7 +37,7 @@ void print_temperatures(const model::Model& model, const spindle::Moment& m) {
                                    in_celsius(b.outer_ring_temperature), number(b.force)};
       if (across) row.push_back(number(b.radial_force));
       if (rollers) row.push_back(number(b.clearance / um));
-      row.push_back(number(b.power));
+      row.push_back(friction_words(b.power, b.power_band));
       table.add(std::move(row));
     }
     fmt::print("{}\n", table.text(terminal_width()));
@@ -67,8 +72,8 @@ void print_heat(const spindle::HeatBalance& heat) {
   fmt::print(
       "heat: {} W friction and {} W of drives; {} W to the coolant, {} W to the air, {} W to the "
       "machine; {:.2g} W left over\n",
-      number(heat.friction), number(heat.drive), number(heat.coolant), number(heat.air),
-      number(heat.machine), heat.stored);
+      friction_words(heat.friction, heat.friction_band), number(heat.drive), number(heat.coolant),
+      number(heat.air), number(heat.machine), heat.stored);
 }
 
 void print_coolant(const spindle::ChannelFlow& flow) {
@@ -182,7 +187,7 @@ void print_run(const session::SpindleRun& found) {
                number(m.front_force), number(run.highest_front_force), run.time_of_highest_force);
   }
   fmt::print("friction {} W at the end; energy kept within {:.1g} of the turnover\n",
-             number(m.heat.friction), run.report.energy_error);
+             friction_words(m.heat.friction, m.heat.friction_band), run.report.energy_error);
   fmt::print("{}\n", session::words(found.mesh));
   print_assumptions(found.assumptions);
 }

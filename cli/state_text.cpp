@@ -79,8 +79,11 @@ void print_torque(const model::Model& model, const model::FrictionPrediction& fr
              number(friction.torque / N_mm), number(friction.power_loss));
   const std::vector<std::string> names = torque_parts(model);
   const std::vector<double> moments = moments_of_parts(model, friction);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    fmt::print("  {:<17} {:>10} N mm", names[i], number(moments[i] / N_mm));
+  for (std::size_t i = 0; i < std::max<std::size_t>(2, names.size()); ++i) {
+    if (i < names.size())
+      fmt::print("  {:<17} {:>10} N mm", names[i], number(moments[i] / N_mm));
+    else
+      fmt::print("{:<35}", "");
     if (i < 2)
       fmt::print("      {} ring      {:>8} W", i == 0 ? "inner" : "outer",
                  number(i == 0 ? heat.inner : heat.outer));

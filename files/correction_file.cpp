@@ -314,8 +314,9 @@ class CorrectionReader {
   correction::FrictionTable table(const Section& s, const std::string& file) const {
     try {
       NamedFiles& files = tables_.files();
-      correction::FrictionTable read = parse_friction_table(
-          files.read(file).text, files.shown(file), s.number("radial_load_N").value_or(unset));
+      correction::FrictionTable read =
+          at_radial_load(parse_friction_table(files.read(file).text, files.shown(file)),
+                         s.number("radial_load_N").value_or(unset));
       read.file = file;
       return read;
     } catch (const text::InputError& e) {

@@ -13,6 +13,8 @@
 #include "fit/observations.h"
 #include "fit/response.h"
 #include "fit/thinned.h"
+#include "model/row.h"
+#include "model/steps.h"
 #include "record/median.h"
 #include "text/units.h"
 
@@ -166,6 +168,16 @@ Refitted refitted(const model::ModelSubject& subject, Record data) {
   return result;
 }
 
+/// Rows of a rig that lie beyond the friction table of its law.
+std::ptrdiff_t beyond_table(const model::Model& model, const Record& data) {
+  if (model.law != friction::FrictionLaw::table) return 0;
+  const std::vector<model::Row> rows = model::rows_of(data);
+  return std::count_if(rows.begin(), rows.end(), [&](const model::Row& row) {
+    const friction::BearingState<> state = model::bearing_state(model, row.point, nullptr);
+    return std::isfinite(state.axial_load) && !model.table->holds(state);
+  });
+}
+
 /// By how much the readings speak for a column in another unit, as a difference of ln L: what the
 /// refitted model errs less, and how much more usual its numbers are. What a model misses is alike
 /// in neighbouring rows, so that many rows say no more than twenty.
@@ -173,6 +185,9 @@ double evidence_for(const model::ModelSubject& subject, const Record& as_read,
                     const Record& in_other) {
   constexpr double most_independent = 20.0, least_error = 0.01;
   constexpr double largest_error = 0.25;  // beyond it the model fits no unit
+  // At its edge a table would fit the loads of any unit.
+  if (beyond_table(subject.model(), in_other) > beyond_table(subject.model(), as_read))
+    return -HUGE_VAL;
   const Refitted read = refitted(subject, as_read), other = refitted(subject, in_other);
   if (!read.known() || !(other.error < largest_error)) return -HUGE_VAL;
   const double rows = std::min(most_independent, static_cast<double>(as_read.rows()));

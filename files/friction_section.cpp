@@ -4,7 +4,9 @@
 #include <stdexcept>
 
 #include "files/catalogue_defaults.h"
+#include "files/friction_table.h"
 #include "friction/roller_friction.h"
+#include "record/channel.h"
 #include "record/units.h"
 
 // Last: see text/detail/toml_text.h.
@@ -47,7 +49,13 @@ Key number_of(FrictionLaw law, std::string_view name, std::string_view meaning) 
 
 const std::string words_of_law = names_as_words(friction::all_friction_laws);
 const std::string words_of_load = names_as_words(std::array{F1Load::P0, F1Load::F_b});
-const Key law_keys[]{{"law", one_of(words_of_law), "palmgren", "base law of friction"}};
+const Key law_keys[]{
+    {"law", one_of(words_of_law), "palmgren", "base law of friction"},
+    {"file", a_text, unset,
+     "CSV of a friction table, measured or of raceway table: columns speed_rpm, axial_load_N, "
+     "radial_load_N, temperature_C, friction_torque_Nmm and, for its error band, std_Nmm or "
+     "friction_torque_band_Nmm; the law table needs it, under another law diagnose tests it"},
+};
 const Key palmgren_keys[]{
     number_of(FrictionLaw::palmgren, "f0",
               "factor of the viscous moment, by lubrication; required without catalogue"),
@@ -74,6 +82,10 @@ const Key contact_law_keys[]{
     number_of(FrictionLaw::contact, "K_rs", replenishment),
     number_of(FrictionLaw::contact, "oil_fraction",
               "oil in the free space that the balls plough through; 0 is no drag"),
+};
+
+const Key table_law_keys[]{
+    number_of(FrictionLaw::table, "scale", "factor on the torque of the table"),
 };
 
 const std::string words_of_roller_law = names_as_words(friction::roller_friction_laws);
@@ -110,6 +122,8 @@ Keys keys_of_law(FrictionLaw law) {
       return {skf_keys};
     case FrictionLaw::contact:
       return {contact_law_keys, contact_keys("friction")};
+    case FrictionLaw::table:
+      return {table_law_keys};
     case FrictionLaw::roller_palmgren:
       return {roller_palmgren_keys};
     case FrictionLaw::roller_skf:
@@ -151,8 +165,45 @@ void read_values_of_rollers(ModelTables& tables, const Section& s,
         tables.number(s, p.name, p.name == "f0" ? friction::usual_roller_f0(supply) : p.initial));
 }
 
+/// The friction table that a model names; null without.
+std::shared_ptr<const friction::TorqueTable> read_table_of_law(ModelTables& tables,
+                                                               const Section& s, FrictionLaw law) {
+  const auto file = s.text("file");
+  if (!file) {
+    if (law == FrictionLaw::table)
+      s.fail_missing("file",
+                     ", a CSV with speed_rpm, axial_load_N, radial_load_N, temperature_C "
+                     "and friction_torque_Nmm, which the law table needs");
+    return nullptr;
+  }
+  friction::TorqueTable table;
+  try {
+    table = parse_friction_table(tables.files().read(*file).text, tables.files().shown(*file));
+  } catch (const text::InputError& e) {
+    throw text::InputError(
+        fmt::format("{}: file = \"{}\": {}", s.place(s.find("file")), *file, e.what()),
+        s.at("file"));
+  }
+  table.file = *file;
+  if (table.of_shaft)
+    s.fail("file", fmt::format("file = \"{}\": is the table of a whole shaft; the law table needs "
+                               "the torque of one bearing, of a model without [arrangement]",
+                               *file));
+  for (const auto& [has, column] : {std::pair(table.has_axial_load, record::axial_load.name),
+                                    std::pair(table.has_radial_load, record::radial_load.name),
+                                    std::pair(table.has_temperature, record::temperature.name)})
+    if (!has)
+      tables.note_default("friction", column, "all",
+                          fmt::format("{} has no such column: all have its torque", *file));
+  return std::make_shared<const friction::TorqueTable>(std::move(table));
+}
+
 /// A law of ball bearings, and the numbers that rollers have another one for.
 void refuse_friction_of_balls(const Section& s) {
+  if (s.text_or_empty("law") == friction::name(FrictionLaw::table))
+    s.fail("law",
+           "law = \"table\": is for ball bearings; cylindrical rollers have \"palmgren\" and "
+           "\"skf\"");
   if (s.text_or_empty("law") == friction::name(FrictionLaw::contact))
     s.fail("law",
            "law = \"contact\": sums friction over the balls of a bearing; cylindrical rollers have "
@@ -172,7 +223,7 @@ std::vector<KeyTable> friction_tables() {
                                {"friction", law_keys}};
   for (const auto& [law, only] :
        {std::pair(FrictionLaw::palmgren, "law palmgren"), std::pair(FrictionLaw::skf, "law skf"),
-        std::pair(FrictionLaw::contact, "law contact")})
+        std::pair(FrictionLaw::contact, "law contact"), std::pair(FrictionLaw::table, "law table")})
     for (const std::span<const Key> keys : keys_of_law(law))
       tables.push_back({"friction", keys, only});
   tables.push_back({"friction", roller_law_keys, "of cylindrical rollers"});
@@ -219,6 +270,7 @@ LawOfFile read_friction(ModelTables& tables, bool from_catalogue, const Keys& fu
     result.values.push_back(friction::of_the_lubricant(p) ? lubricant_number(tables, p.name)
                             : required                    ? s.required(p.name)
                                                           : tables.number(s, p.name));
+  result.table = read_table_of_law(tables, s, result.law);
   return result;
 }
 

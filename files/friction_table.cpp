@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include "files/column_map.h"
+#include "files/detail/table_grid.h"
 #include "record/channel.h"
 #include "text/bad_cells.h"
 #include "text/csv.h"
@@ -51,127 +51,101 @@ std::vector<double> values_of(const text::CsvTable& table, const Channel& channe
   return list;
 }
 
-std::vector<double> axis_of(const std::vector<double>& values) {
-  const std::set<double> levels(values.begin(), values.end());
-  return {levels.begin(), levels.end()};
-}
-
-std::size_t place_on(const std::vector<double>& axis, double value) {
-  return static_cast<std::size_t>(std::lower_bound(axis.begin(), axis.end(), value) - axis.begin());
-}
-
-/// Columns of a table, and the line of each row.
-struct Points {
-  std::vector<double> speed, load, radial, temperature, torque;
-  std::vector<int> line;
-
-  /// Those at one radial load.
-  [[nodiscard]] Points at_radial(double of) const {
-    Points some;
-    for (std::size_t row = 0; row < speed.size(); ++row) {
-      if (radial[row] != of) continue;
-      some.speed.push_back(speed[row]);
-      some.load.push_back(load[row]);
-      some.temperature.push_back(temperature[row]);
-      some.torque.push_back(torque[row]);
-      some.line.push_back(line[row]);
-    }
-    return some;
-  }
-};
-
-correction::FrictionTable grid_of(const Points& points_of, const text::CsvTable& csv) {
-  const auto& [speed, load, radial, temperature, torque, line] = points_of;
-  correction::FrictionTable table{.file = csv.source,
-                                  .speed = axis_of(speed),
-                                  .axial_load = axis_of(load),
-                                  .temperature = axis_of(temperature)};
-  constexpr std::size_t most_points = 100'000'000;
-  const std::size_t points =
-      table.speed.size() * table.axial_load.size() * table.temperature.size();
-  if (points > most_points || points > 1000 * speed.size() + 1000)
-    throw text::InputError(
-        fmt::format("{}: {} speeds, {} loads and {} temperatures are no grid of {} rows",
-                    csv.source, table.speed.size(), table.axial_load.size(),
-                    table.temperature.size(), csv.rows()),
-        {csv.source});
-  table.torque.assign(points, unset);
-  for (std::size_t row = 0; row < speed.size(); ++row) {
-    double& at =
-        table.torque[(place_on(table.temperature, temperature[row]) * table.axial_load.size() +
-                      place_on(table.axial_load, load[row])) *
-                         table.speed.size() +
-                     place_on(table.speed, speed[row])];
-    if (!std::isnan(at))
-      throw text::InputError(
-          fmt::format("{}:{}: the point {} rpm, {} N, {} C stands twice", csv.source, line[row],
-                      speed[row] / rpm, load[row], celsius(temperature[row])),
-          {csv.source, line[row]});
-    at = torque[row];
-  }
-  const auto hole = std::find_if(table.torque.begin(), table.torque.end(),
-                                 [](double v) { return std::isnan(v); });
-  if (hole != table.torque.end()) {
-    const auto at = static_cast<std::size_t>(hole - table.torque.begin());
-    const std::size_t s = at % table.speed.size(), rest = at / table.speed.size();
-    throw text::InputError(
-        fmt::format("{}: the grid has no point at {} rpm, {} N, {} C", csv.source,
-                    table.speed[s] / rpm, table.axial_load[rest % table.axial_load.size()],
-                    celsius(table.temperature[rest / table.axial_load.size()])),
-        {csv.source});
-  }
+/// Another grid of the same axes, with the values of these rows.
+friction::StribeckTable on_grid(const friction::TableAxes& axes, const std::vector<double>& values,
+                                const std::vector<std::size_t>& point_of_row) {
+  friction::StribeckTable table;
+  table.axes = axes;
+  table.friction_moment.resize(values.size());
+  for (std::size_t row = 0; row < values.size(); ++row)
+    table.friction_moment[point_of_row[row]] = values[row];
   return table;
 }
 
-/// Between the grids of two radial loads; the edge holds beyond them.
-correction::FrictionTable at_radial_load(const Points& points, double radial,
-                                         const text::CsvTable& csv) {
-  const std::vector<double> loads = axis_of(points.radial);
-  if (loads.size() == 1 && !(radial != loads.front() && !std::isnan(radial)))
-    return grid_of(points, csv);
-  if (!(radial >= loads.front() && radial <= loads.back())) {
-    std::vector<std::string> known;
-    for (const double load : loads) known.push_back(fmt::format("{:g}", load));
-    throw text::InputError(
-        fmt::format("{}: has the radial load{} {} N: radial_load_N {}", csv.source,
-                    known.size() == 1 ? "" : "s", text::listed(known),
-                    std::isnan(radial) ? "says at which it is read"
-                                       : fmt::format("= {:g} N lies beyond", radial)),
-        {csv.source});
-  }
-  const std::size_t above = std::max<std::size_t>(1, place_on(loads, radial));
-  const double share = (radial - loads[above - 1]) / (loads[above] - loads[above - 1]);
-  correction::FrictionTable table = grid_of(points.at_radial(loads[above - 1]), csv);
-  const correction::FrictionTable next = grid_of(points.at_radial(loads[above]), csv);
-  if (table.speed != next.speed || table.axial_load != next.axial_load ||
-      table.temperature != next.temperature)
-    throw text::InputError(fmt::format("{}: the grids at {:g} and {:g} N of radial load differ",
-                                       csv.source, loads[above - 1], loads[above]),
-                           {csv.source});
-  for (std::size_t k = 0; k < table.torque.size(); ++k)
-    table.torque[k] += share * (next.torque[k] - table.torque[k]);
-  return table;
-}
+/// Half width of the band of a torque, as `raceway table --band` writes it.
+constexpr Channel torque_band{.name = "friction_torque_band_Nmm",
+                              .variable = "friction_torque_band",
+                              .words = "band of the friction torque",
+                              .unit = "N mm",
+                              .factor = N_mm,
+                              .lower = 0,
+                              .upper = 1e9};
+/// Part of a torque that a law for the bearing as a whole has by its load.
+constexpr Channel load_part{.name = "load_Nmm",
+                            .variable = "load",
+                            .words = "load moment",
+                            .unit = "N mm",
+                            .factor = N_mm,
+                            .lower = -1e9,
+                            .upper = 1e9};
+constexpr double band_of_deviation = 1.96;  // 95 % of a normal distribution
 
 }  // namespace
 
-correction::FrictionTable parse_friction_table(std::string text, const std::string& source,
-                                               double radial_load) {
+friction::TorqueTable parse_friction_table(std::string text, const std::string& source) {
   const text::CsvTable csv = text::parse_csv(std::move(text), source);
+  refuse_slab(csv);
   text::BadCells bad(csv.source, csv.rows());
-  Points points{.speed = values_of(csv, record::speed, true, bad),
-                .load = values_of(csv, record::axial_load, false, bad),
-                .radial = values_of(csv, record::radial_load, false, bad),
-                .temperature = values_of(csv, record::temperature, false, bad),
-                .torque = values_of(csv, record::friction_torque, true, bad),
-                .line = {}};
+  const auto optional = [&](const Channel& channel) { return values_of(csv, channel, false, bad); };
+  TableInputs inputs{values_of(csv, record::speed, true, bad), optional(record::axial_load),
+                     optional(record::radial_load), optional(record::temperature)};
+  const std::vector<double> torque = values_of(csv, record::friction_torque, true, bad);
+  const std::vector<double> load = optional(load_part);
+  std::vector<double> band = optional(torque_band), deviation = optional(record::torque_deviation);
   bad.throw_if_any();
-  const std::size_t rows = points.speed.size();
-  for (std::vector<double>* column : {&points.load, &points.radial, &points.temperature})
-    if (column->empty()) column->assign(rows, 0.0);
-  for (std::size_t row = 0; row < rows; ++row) points.line.push_back(csv.line(row));
-  if (rows == 0) return grid_of(points, csv);
-  return at_radial_load(points, radial_load, csv);
+  if (!band.empty() && !deviation.empty())
+    throw text::InputError(
+        fmt::format("{}:{}: {} and {} both say how sure the torque is: leave one out", source,
+                    csv.header_line, torque_band.name, record::torque_deviation.name),
+        {source, csv.header_line, std::string(torque_band.name)});
+  for (const double std : deviation) band.push_back(band_of_deviation * std);
+  friction::TorqueTable table{.file = source,
+                              .has_axial_load = !inputs[1].empty(),
+                              .has_radial_load = !inputs[2].empty(),
+                              .has_temperature = !inputs[3].empty(),
+                              .of_shaft = csv.column("front_force_N").has_value()};
+  for (std::vector<double>& column : inputs)
+    if (column.empty()) column.assign(csv.rows(), 0.0);
+  const std::vector<std::size_t> point_of_row = points_of_rows(csv, inputs, table.grid);
+  table.grid = on_grid(table.grid.axes, torque, point_of_row);
+  if (!load.empty()) table.load = on_grid(table.grid.axes, load, point_of_row);
+  if (!band.empty()) table.band = on_grid(table.grid.axes, band, point_of_row);
+  return table;
+}
+
+correction::FrictionTable at_radial_load(const friction::TorqueTable& table, double radial_load) {
+  const friction::TableAxes& axes = table.grid.axes;
+  const std::vector<double>& loads = axes.radial_load;
+  const bool asked = !std::isnan(radial_load);
+  const bool one = loads.size() == 1 && !(asked && radial_load != loads.front());
+  if (!one && !(radial_load >= loads.front() && radial_load <= loads.back())) {
+    std::vector<std::string> known;
+    for (const double load : loads) known.push_back(fmt::format("{:g}", load));
+    throw text::InputError(
+        fmt::format(
+            "{}: has the radial load{} {} N: radial_load_N {}", table.file,
+            known.size() == 1 ? "" : "s", text::listed(known),
+            asked ? fmt::format("= {:g} N lies beyond", radial_load) : "says at which it is read"),
+        {table.file});
+  }
+  correction::FrictionTable found{.file = table.file,
+                                  .speed = axes.speed,
+                                  .axial_load = axes.axial_load,
+                                  .temperature = axes.temperature};
+  const auto above = static_cast<std::size_t>(
+      std::lower_bound(loads.begin() + (one ? 0 : 1), loads.end() - 1, radial_load) -
+      loads.begin());
+  const std::size_t below = one ? 0 : above - 1;
+  const double share = one ? 0.0 : (radial_load - loads[below]) / (loads[above] - loads[below]);
+  for (std::size_t t = 0; t < axes.temperature.size(); ++t)
+    for (std::size_t a = 0; a < axes.axial_load.size(); ++a)
+      for (std::size_t s = 0; s < axes.speed.size(); ++s) {
+        const double at = table.grid.friction_moment[table.grid.index(s, a, below, t)];
+        found.torque.push_back(
+            one ? at
+                : at + share * (table.grid.friction_moment[table.grid.index(s, a, above, t)] - at));
+      }
+  return found;
 }
 
 correction::Characteristic::Table parse_characteristic(std::string text, const std::string& source,

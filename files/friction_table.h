@@ -4,19 +4,23 @@
 
 #include "correction/characteristic.h"
 #include "correction/friction_table.h"
-#include "record/units.h"
+#include "friction/torque_table.h"
 
 namespace raceway::files {
 
-/// Reads a friction table of a spindle: columns speed_rpm, axial_load_N, temperature_C and
-/// friction_torque_Nmm, as `raceway table` writes them or as a rig gives them; further axes and
-/// columns are welcome, as long as each point of the three stands once. A load or a temperature
-/// that has no column is one for all. Of several radial loads the torque is that at `radial_load`
-/// [N], straight between them. Throws InputError: a column or a point of the grid that is missing,
-/// a point twice, cells that are no numbers, a radial load that is not given or beyond the table.
-[[nodiscard]] correction::FrictionTable parse_friction_table(std::string text,
-                                                             const std::string& source,
-                                                             double radial_load = unset);
+/// Reads a friction table of a bearing or a spindle: columns speed_rpm, axial_load_N,
+/// radial_load_N, temperature_C and friction_torque_Nmm, also in other units, as `raceway table`
+/// writes them or as a rig gives them. A load or a temperature without a column is one for all.
+/// The band of the torque is friction_torque_band_Nmm (half width, 95 %) or std_Nmm (standard
+/// deviation), its part by the load load_Nmm; further columns are welcome. Throws InputError: a
+/// column or a point of the grid that is missing, a point twice, cells that are no numbers.
+[[nodiscard]] friction::TorqueTable parse_friction_table(std::string text,
+                                                         const std::string& source);
+
+/// The table at one radial load [N], straight between those that it has; NaN: its only one. Throws
+/// InputError for a radial load that is not given or beyond the table.
+[[nodiscard]] correction::FrictionTable at_radial_load(const friction::TorqueTable& table,
+                                                       double radial_load);
 
 /// Two columns, "power_W" and `value` (in a unit of its kind), power rising: a gain or a time
 /// constant over the power loss, SI.

@@ -182,6 +182,7 @@ ReadModel read_ball_model(ModelTables& tables) {
       .f1_load = law.f1_load,
       .law_values = std::move(law.values),
       .contact = contact,
+      .table = std::move(law.table),
       .effects = std::move(effects),
       .solver = solver.options,
       .balanced_balls = solver.balanced_balls,

@@ -69,6 +69,8 @@ std::string friction_lines(friction::FrictionLaw law) {
       add("oil_fraction", initial("oil_fraction"),
           "of the free space that is oil, which drags on the balls; 0 is no drag");
       break;
+    case friction::FrictionLaw::table:
+      break;  // measurements make such a model
     case friction::FrictionLaw::roller_palmgren:
     case friction::FrictionLaw::roller_skf:
       break;  // files/roller_estimate.h writes models of rollers

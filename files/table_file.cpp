@@ -11,6 +11,7 @@
 #include <unordered_map>
 
 #include "files/detail/table_columns.h"
+#include "files/detail/table_grid.h"
 #include "record/units.h"
 #include "text/csv.h"
 #include "text/detail/csv_text.h"
@@ -152,15 +153,70 @@ std::string merged_table_text(const std::vector<SlabText>& slabs) {
   return text;
 }
 
+void refuse_slab(const text::CsvTable& csv) {
+  for (const std::string& comment : csv.comments)
+    if (comment.starts_with(slab_mark))
+      throw text::InputError(
+          csv.source + ": is one slab of a table; raceway table --merge joins all of them",
+          {.file = csv.source});
+}
+
+std::vector<std::size_t> points_of_rows(const text::CsvTable& csv, const TableInputs& inputs,
+                                        friction::StribeckTable& table) {
+  const std::string& source = csv.source;
+  const std::size_t rows = csv.rows();
+  table.axes = {axis_of(inputs[0]), axis_of(inputs[1]), axis_of(inputs[2]), axis_of(inputs[3])};
+  try {
+    friction::validate(table.axes);
+  } catch (const std::invalid_argument& error) {
+    throw text::InputError(source + ": " + error.what(), {.file = source});
+  }
+
+  const std::array axes{&table.axes.speed, &table.axes.axial_load, &table.axes.radial_load,
+                        &table.axes.temperature};
+  double points = 1.0;
+  for (const auto* axis : axes) points *= static_cast<double>(axis->size());
+  // Far beyond what can be complete, an index would no longer be a number that counts exactly.
+  constexpr double countable = 1e15;
+  if (points > countable)
+    throw text::InputError(
+        fmt::format("{}: the rows do not form a grid of speeds, loads and temperatures", source),
+        {.file = source});
+  std::unordered_map<std::size_t, std::size_t> row_of_index;
+  row_of_index.reserve(rows);
+  std::vector<std::size_t> point_of_row;
+  for (std::size_t i = 0; i < rows; ++i) {
+    const std::size_t index =
+        table.index(place_on(*axes[0], inputs[0][i]), place_on(*axes[1], inputs[1][i]),
+                    place_on(*axes[2], inputs[2][i]), place_on(*axes[3], inputs[3][i]));
+    const auto [twin, is_new] = row_of_index.emplace(index, i);
+    if (!is_new)
+      throw text::InputError(
+          fmt::format("{}:{}: the point {} stands in line {} already", source, csv.line(i),
+                      shown(table.point(index)), csv.line(twin->second)),
+          {.file = source, .line = csv.line(i)});
+    point_of_row.push_back(index);
+  }
+  const std::size_t size = table.axes.size();
+  if (size != rows) {
+    std::size_t missing = 0;
+    while (row_of_index.count(missing) > 0) ++missing;
+    throw text::InputError(
+        fmt::format(
+            "{}: the grid is not complete: {} speeds x {} axial loads x {} radial loads x {} "
+            "temperatures are {} points, the file has {}; missing is {}",
+            source, axes[0]->size(), axes[1]->size(), axes[2]->size(), axes[3]->size(), size, rows,
+            shown(table.point(missing))),
+        {.file = source});
+  }
+  return point_of_row;
+}
+
 TableFile parse_table(std::string text, const std::string& source) {
   const text::CsvTable csv = text::parse_csv(std::move(text), source);
   TableFile file;
   file.source = source;
-  for (const std::string& comment : csv.comments)
-    if (comment.starts_with(slab_mark))
-      throw text::InputError(
-          source + ": is one slab of a table; raceway table --merge joins all of them",
-          {.file = source});
+  refuse_slab(csv);
   file.model_text = model_text_of(csv);
 
   std::array<std::size_t, leading_columns.size()> at{};
@@ -182,7 +238,7 @@ TableFile parse_table(std::string text, const std::string& source) {
   }
 
   const std::size_t rows = csv.rows();
-  std::array<std::vector<double>, 4> inputs;
+  TableInputs inputs;
   for (std::size_t k = 0; k < inputs.size(); ++k) {
     inputs[k].reserve(rows);
     const double factor = k == 0 ? rpm : 1.0;
@@ -191,55 +247,15 @@ TableFile parse_table(std::string text, const std::string& source) {
       inputs[k].push_back(csv.number(i, at[k]) * factor + offset);
   }
   friction::StribeckTable& table = file.table;
-  table.axes = {axis_of(inputs[0]), axis_of(inputs[1]), axis_of(inputs[2]), axis_of(inputs[3])};
-  try {
-    friction::validate(table.axes);
-  } catch (const std::invalid_argument& error) {
-    throw text::InputError(source + ": " + error.what(), {.file = source});
-  }
-
-  const std::array axes{&table.axes.speed, &table.axes.axial_load, &table.axes.radial_load,
-                        &table.axes.temperature};
-  double points = 1.0;
-  for (const auto* axis : axes) points *= static_cast<double>(axis->size());
-  // Far beyond what can be complete, an index would no longer be a number that counts exactly.
-  constexpr double countable = 1e15;
-  if (points > countable)
-    throw text::InputError(
-        fmt::format("{}: the rows do not form a grid of speeds, loads and temperatures", source),
-        {.file = source});
-  std::unordered_map<std::size_t, std::size_t> row_of_index;
-  row_of_index.reserve(rows);
-  for (std::size_t i = 0; i < rows; ++i) {
-    const std::size_t index =
-        table.index(place_on(*axes[0], inputs[0][i]), place_on(*axes[1], inputs[1][i]),
-                    place_on(*axes[2], inputs[2][i]), place_on(*axes[3], inputs[3][i]));
-    const auto [twin, is_new] = row_of_index.emplace(index, i);
-    if (!is_new)
-      throw text::InputError(
-          fmt::format("{}:{}: the point {} stands in line {} already", source, csv.line(i),
-                      shown(table.point(index)), csv.line(twin->second)),
-          {.file = source, .line = csv.line(i)});
-  }
-  const std::size_t size = table.axes.size();
-  if (size != rows) {
-    std::size_t missing = 0;
-    while (row_of_index.count(missing) > 0) ++missing;
-    throw text::InputError(
-        fmt::format(
-            "{}: the grid is not complete: {} speeds x {} axial loads x {} radial loads x {} "
-            "temperatures are {} points, the file has {}; missing is {}",
-            source, axes[0]->size(), axes[1]->size(), axes[2]->size(), axes[3]->size(), size, rows,
-            shown(table.point(missing))),
-        {.file = source});
-  }
-
+  const std::vector<std::size_t> point_of_row = points_of_rows(csv, inputs, table);
+  const std::size_t size = rows;
   table.friction_moment.assign(size, unset);
   table.status.assign(size, SolveStatus::not_run);
   table.values.assign(size * table.columns.size(), unset);
   std::vector<double> factors;
   for (const std::string& name : table.columns) factors.push_back(text::column_unit(name));
-  for (const auto& [index, i] : row_of_index) {
+  for (std::size_t i = 0; i < rows; ++i) {
+    const std::size_t index = point_of_row[i];
     const auto value = [&csv, row = i](std::size_t column) {
       return csv.cell(row, column).empty() ? unset : csv.number(row, column);
     };

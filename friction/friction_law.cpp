@@ -6,6 +6,7 @@
 
 #include "friction/contact/contact_law.h"
 #include "friction/roller_friction.h"
+#include "friction/torque_table.h"
 
 namespace raceway::friction {
 namespace {
@@ -25,6 +26,8 @@ std::string_view name(FrictionLaw law) {
     case FrictionLaw::skf:
     case FrictionLaw::roller_skf:
       return "skf";
+    case FrictionLaw::table:
+      return "table";
     case FrictionLaw::contact:
       break;
   }
@@ -54,6 +57,7 @@ std::optional<FrictionLaw> find_friction_law(std::string_view text) {
 std::span<const Parameter> parameters(FrictionLaw law) {
   if (law == FrictionLaw::palmgren) return palmgren_parameters;
   if (law == FrictionLaw::skf) return skf_parameters;
+  if (law == FrictionLaw::table) return TorqueTable::parameters;
   if (of_rollers(law)) return roller_parameters(law);
   return contact::contact_parameters;
 }
@@ -63,8 +67,15 @@ bool of_the_lubricant(const Parameter& number) { return number.name == "limiting
 std::span<const std::string_view> bearing_data(FrictionLaw law) {
   // The load moments take in all that the other moment does (tests).
   if (law == FrictionLaw::palmgren) return PalmgrenLoad::bearing_data;
-  if (law == FrictionLaw::contact || of_rollers(law)) return {};
+  if (law == FrictionLaw::contact || law == FrictionLaw::table || of_rollers(law)) return {};
   return SkfSliding::bearing_data;
+}
+
+BaseMoments<double> table_moments(const BearingState<double>& state,
+                                  std::span<const double> values) {
+  if (!state.table) return {unset, unset};
+  const double load = state.table->load_moment(state);
+  return {values[0] * load, values[0] * (state.table->moment(state) - load)};
 }
 
 void require_data(FrictionLaw law, const bearing::Bearing& bearing) {

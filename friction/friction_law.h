@@ -13,13 +13,14 @@
 namespace raceway::friction {
 
 /// The base law of a model. `contact` sums friction over the balls in balance
-/// (friction/contact/contact_law.h); the others are formulas for the bearing as a whole. Laws of
-/// cylindrical rollers have other parameters (friction/roller_friction.h); files use the names of
-/// the ball laws, and the type of the bearing decides.
-enum class FrictionLaw { palmgren, skf, contact, roller_palmgren, roller_skf };
+/// (friction/contact/contact_law.h), `table` is what was measured (friction/torque_table.h); the
+/// others are formulas for the bearing as a whole. Laws of cylindrical rollers have other
+/// parameters (friction/roller_friction.h); files use the names of the ball laws, and the type of
+/// the bearing decides.
+enum class FrictionLaw { palmgren, skf, contact, table, roller_palmgren, roller_skf };
 /// Laws of ball bearings.
 inline constexpr std::array all_friction_laws{FrictionLaw::palmgren, FrictionLaw::skf,
-                                              FrictionLaw::contact};
+                                              FrictionLaw::contact, FrictionLaw::table};
 /// Laws of cylindrical roller bearings.
 inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
                                                  FrictionLaw::roller_skf};
@@ -41,6 +42,7 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 
 /// Parameters of the law, in the order in which base_moments() takes their values.
 ///   palmgren: f0, z, y        skf: mu_bl, mu_EHL, K_rs        contact: contact_parameters
+///   table: scale
 ///   roller_palmgren: f0, f1   roller_skf: mu_bl, mu_EHL, K_rs
 [[nodiscard]] std::span<const Parameter> parameters(FrictionLaw law);
 
@@ -51,7 +53,7 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 /// datum changes the moments, neither the ball diameter nor the load distribution at speed.
 ///   palmgren: contact_angle, pitch_diameter, static_load_rating
 ///   skf:      ball_material (its density), bore, outer_diameter
-///   contact and laws of rollers: everything; the list is empty
+///   table: nothing; contact and laws of rollers: everything; the list of both is empty
 [[nodiscard]] std::span<const std::string_view> bearing_data(FrictionLaw law);
 
 /// Looks at the balls, and has no moments without their balance.
@@ -64,7 +66,8 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 void require_data(FrictionLaw law, const bearing::Bearing& bearing);
 
 /// Friction moments of the base law [N m]. For SKF `load` is the sliding, `viscous` the rolling
-/// moment; of the contacts `viscous` is the oil's resistance to rolling, `load` all else.
+/// moment; of the contacts `viscous` is the oil's resistance to rolling, `load` all else; of a
+/// table `viscous` is all of which it does not say that it goes by the load.
 template <typename T>
 struct BaseMoments {
   T load;
@@ -75,6 +78,10 @@ struct BaseMoments {
 /// have no balance.
 [[nodiscard]] BaseMoments<double> roller_moments(FrictionLaw law, const BearingState<double>& state,
                                                  std::span<const double> values);
+
+/// The law `table` for base_moments(); NaN without a table.
+[[nodiscard]] BaseMoments<double> table_moments(const BearingState<double>& state,
+                                                std::span<const double> values);
 
 namespace contact {
 /// The law `contact` for base_moments(); NaN without a converged equilibrium.
@@ -87,6 +94,7 @@ BaseMoments<T> base_moments(FrictionLaw law, const BearingState<T>& state,
                             std::span<const T> values) {
   if constexpr (std::is_same_v<T, double>) {
     if (law == FrictionLaw::contact) return contact::contact_moments(state, values);
+    if (law == FrictionLaw::table) return table_moments(state, values);
     if (of_rollers(law)) return roller_moments(law, state, values);
   }
   if (law == FrictionLaw::palmgren)

@@ -11,6 +11,7 @@ class Lubricant;
 namespace contact {
 struct ContactData;
 }
+struct TorqueTable;
 
 /// The load that the factor f1 of Palmgren's load moment counts: the static equivalent load P0, as
 /// its source has it, or F_b, as in files made for that form. Of cylindrical rollers the external
@@ -30,11 +31,12 @@ struct BearingState {
   /// Further inputs of the contact law; other laws ignore them.
   const Lubricant* lubricant = nullptr;
   const contact::ContactData* contact = nullptr;
-  T speed = T(0.0);                  ///< [rad/s]
-  T axial_load = T(0.0);             ///< F_a [N]
-  T radial_load = T(0.0);            ///< F_r [N], magnitude
-  T temperature = T(kelvin(40));     ///< of the lubricant [K]
-  T kinematic_viscosity = T(unset);  ///< at that temperature [m²/s]
+  const TorqueTable* table = nullptr;  ///< of the law `table`; other laws ignore it
+  T speed = T(0.0);                    ///< [rad/s]
+  T axial_load = T(0.0);               ///< F_a [N]
+  T radial_load = T(0.0);              ///< F_r [N], magnitude
+  T temperature = T(kelvin(40));       ///< of the lubricant [K]
+  T kinematic_viscosity = T(unset);    ///< at that temperature [m²/s]
   /// In place of `bearing` and `equilibrium` where it has cylindrical rollers.
   const bearing::RollerBearing* rollers = nullptr;
   const bearing::RollerEquilibrium* roller_equilibrium = nullptr;

@@ -54,6 +54,7 @@ std::string lacking_datum(const ModelBearing& bearing, FrictionLaw law) {
 }  // namespace
 
 std::string lacks_for_law(const Model& model, FrictionLaw law) {
+  if (law == FrictionLaw::table && !model.table) return "file under [friction]";
   if (std::string datum = lacking_datum(model.bearing, law); !datum.empty()) return datum;
   const Model changed = with_law(model, law);
   for (const effects::Effect& e : model.effects) {

@@ -31,7 +31,9 @@ constexpr std::array<std::string_view, 8> of_contacts_alone{"type",
 std::vector<std::string> ignored_by_friction(const Model& model,
                                              std::span<const std::string> keys) {
   std::vector<std::string> ignored;
-  if (model.law == friction::FrictionLaw::contact) return ignored;
+  // A measured torque asks for none of them.
+  if (model.law == friction::FrictionLaw::contact || model.law == friction::FrictionLaw::table)
+    return ignored;
   for (const std::string& key : keys) {
     if (is_of(key, of_contacts_alone)) {
       ignored.push_back(key);

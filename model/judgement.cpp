@@ -112,10 +112,12 @@ void Judge::add(const Judge& other) {
   constexpr std::array all{&Judge::lost_,      &Judge::load_,         &Judge::pressure_,
                            &Judge::bottom_,    &Judge::far_,          &Judge::running_,
                            &Judge::catalogue_, &Judge::speed_factor_, &Judge::ring_,
-                           &Judge::preload_,   &Judge::stiff_,        &Judge::hot_};
+                           &Judge::preload_,   &Judge::stiff_,        &Judge::hot_,
+                           &Judge::table_};
   for (Worst Judge::*const worst : all) (this->*worst).add(other.*worst);
   if (std::isnan(mounted_)) mounted_ = other.mounted_;
   points_ += other.points_;
+  turning_ += other.turning_;
 }
 
 void Judge::look(const bearing::Bearing& bearing, const std::string& place,
@@ -142,6 +144,7 @@ void Judge::look(const bearing::Bearing& bearing, const std::string& place,
     running_.look(pressure, limits::running_pressure.value * GPa, place, point);
   ring_.look(std::fmax(state.inner_ring_temperature, state.outer_ring_temperature),
              kelvin(limits::ring_temperature.value), place, point);
+  look_at_table(place, point, state.axial_load, state.radial_load);
   look_at_speed(bearing.geometry().pitch_diameter, has_ceramic_balls(bearing), place, point);
 }
 
@@ -155,6 +158,22 @@ void Judge::look_at_speed(double pitch_diameter, bool ceramic, const std::string
                      more * speed_limit_of(*model_).value, place, point);
   stiff_.look(-point.temperature, -stiff_below_, place, point);
   hot_.look(point.temperature, kelvin(limits::oil_hot.value), place, point);
+}
+
+void Judge::look_at_table(const std::string& place, const bearing::OperatingPoint& point,
+                          double axial_load, double radial_load) {
+  if (model_->law != friction::FrictionLaw::table || !(point.speed > 0.0)) return;
+  ++turning_;
+  friction::BearingState<> state;
+  state.speed = point.speed;
+  state.axial_load = axial_load;
+  state.radial_load = std::fmax(0.0, radial_load);
+  state.temperature = point.temperature;
+  if (!std::isfinite(axial_load) || model_->table->holds(state)) return;
+  bearing::OperatingPoint at = point;
+  at.axial_load = axial_load, at.radial_load = state.radial_load;
+  table_.look(point.speed * model_->law_values.front() * model_->table->moment(state), 0.0, place,
+              at);
 }
 
 void Judge::look_at_preload(const bearing::OperatingPoint& point, double front_force,
@@ -288,6 +307,21 @@ Findings Judge::findings() const {
         fmt::format("{}the contact pressure is {:.3g} GPa while the bearing runs, above {:g} GPa: "
                     "the raceways tire. Less load or preload brings it down",
                     before(running_), running_.value / GPa, limits::running_pressure.value)));
+  if (table_.points > 0) {
+    const bearing::OperatingPoint& at = table_.point;
+    const double torque = table_.value / at.speed;
+    Finding beyond = finding_of(
+        limits::friction_table, table_, at.speed * N_mm,
+        fmt::format(
+            "{} of {} states that turn lie beyond the friction table {} ({}), the one with "
+            "most heat at {}{:.6g} rpm, {:.4g} N axial, {:.4g} N radial, {:.4g} C: its edge "
+            "holds there, {:.4g} N mm",
+            table_.points, turning_, model_->table->file, model_->table->range(),
+            table_.place.empty() ? "" : table_.place + ", ", at.speed / rpm, at.axial_load,
+            at.radial_load, celsius(at.temperature), torque / N_mm));
+    beyond.allowed = unset;  // a range of several axes
+    findings.push_back(std::move(beyond));
+  }
   add_speeds(findings);
   add_heat(findings);
   return findings;

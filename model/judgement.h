@@ -59,6 +59,8 @@ inline constexpr Limit interference{"interference", 1e-3, "of the diameter"};
 /// Slope of the bending line, up to which a linear beam and linear seats hold. Ball bearings of
 /// spindles stand misalignments of about 0.6 mrad (2 angular minutes, from memory).
 inline constexpr Limit nose_slope{"nose_slope", 10.0, "mrad"};
+/// Range of the friction table of a model, beyond which its edge holds.
+inline constexpr Limit friction_table{"friction_table", unset, "Nmm"};
 
 }  // namespace limits
 
@@ -104,6 +106,9 @@ class Judge {
   /// Speed and lubricant of a bearing of which nothing else is looked at.
   void look_at_speed(double pitch_diameter, bool ceramic, const std::string& place,
                      const bearing::OperatingPoint& point);
+  /// Looks at a bearing that turns beyond the friction table of its law, if the model has one.
+  void look_at_table(const std::string& place, const bearing::OperatingPoint& point,
+                     double axial_load, double radial_load);
   /// Forces of both sets compared with the mounted force [N].
   void look_at_preload(const bearing::OperatingPoint& point, double front_force, double rear_force,
                        double mounted);
@@ -131,10 +136,11 @@ class Judge {
 
   const Model* model_;
   Worst lost_, load_, pressure_, bottom_, far_;
-  Worst running_, catalogue_, speed_factor_, ring_, preload_, stiff_, hot_;
+  Worst running_, catalogue_, speed_factor_, ring_, preload_, stiff_, hot_, table_;
   double stiff_below_;  ///< temperature at which the oil has its limit [K]
   double mounted_ = unset;
   std::size_t points_ = 0;
+  std::size_t turning_ = 0;  ///< states of bearings that turn, under the law `table`
 };
 
 /// True for balls that are much lighter than the rings, as silicon nitride is.

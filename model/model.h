@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "friction/contact/contact_data.h"
 #include "friction/friction_law.h"
 #include "friction/lubricant.h"
+#include "friction/torque_table.h"
 #include "model/life_data.h"
 #include "model/model_bearing.h"
 #include "model/spindle.h"
@@ -62,7 +64,10 @@ struct Model {
   friction::F1Load f1_load = friction::F1Load::P0;  ///< of the palmgren law; of rollers of all
   std::vector<double> law_values;                   ///< in the order of friction::parameters(law)
   friction::contact::ContactData contact = {};      ///< of the contact law
-  std::vector<effects::Effect> effects;             ///< added so far, in order
+  /// Torque of the law `table`, under another law of its candidate; null where the model names
+  /// none.
+  std::shared_ptr<const friction::TorqueTable> table = nullptr;
+  std::vector<effects::Effect> effects;  ///< added so far, in order
   bearing::EquilibriumOptions solver;
   /// No race holds the balls: traction turns them. Of the contact law alone; see solve_balls().
   bool balanced_balls = false;

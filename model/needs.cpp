@@ -8,7 +8,9 @@
 #include <limits>
 #include <utility>
 
+#include "effects/grease_churning.h"
 #include "effects/lubricant_drag.h"
+#include "effects/oil_card.h"
 #include "model/course.h"
 #include "model/steps.h"
 
@@ -86,7 +88,8 @@ bool is_met(Need need, const Model& model, const record::Record& record) {
       return model.shaft && !model.shaft->arrangement.design().rear.empty();
     case Need::palmgren_law:
       return model.law != friction::FrictionLaw::skf &&
-             model.law != friction::FrictionLaw::roller_skf;
+             model.law != friction::FrictionLaw::roller_skf &&
+             model.law != friction::FrictionLaw::table;
     case Need::cold_friction:
       return model.spindle && !model.spindle->preload_feedback;
     case Need::torque_standard:
@@ -139,10 +142,20 @@ std::string refused_by_rollers(const effects::Description& effect) {
   return effect.needs_equilibrium ? "a ball bearing: its formula is for balls" : "";
 }
 
+/// Why a measured torque has no such effect, in words; empty if it does.
+std::string refused_by_table(const effects::Description& effect) {
+  const bool of_oil =
+      effect.id == effects::LubricantViscosity::id || effect.id == effects::ViscositySlope::id;
+  if (effect.lubricant || effect.base_law || of_oil || effect.id == effects::GreaseChurning::id)
+    return "another base law: a friction table does not tell the viscous moment from the rest";
+  return {};
+}
+
 }  // namespace
 
 std::string refused_by_law(const effects::Description& effect, const Model& model) {
   if (model.bearing.rollers()) return refused_by_rollers(effect);
+  if (model.law == friction::FrictionLaw::table) return refused_by_table(effect);
   if (model.law != friction::FrictionLaw::contact) return {};
   if (!effect.within_contacts.empty())
     return fmt::format("another base law: the contact law has it itself, as {}",

@@ -391,12 +391,12 @@ std::vector<std::string> default_free(friction::FrictionLaw law) {
   if (law == friction::FrictionLaw::palmgren) return {"f0", "z"};
   if (law == friction::FrictionLaw::contact) return {"rolling_factor"};
   if (law == friction::FrictionLaw::roller_palmgren) return {"f0", "f1"};
+  if (law == friction::FrictionLaw::table) return {"scale"};
   return {"mu_EHL", "K_rs"};
 }
 
 std::vector<std::string> default_free(const Model& model) {
-  if (model.spindle)
-    return {model.law == friction::FrictionLaw::palmgren ? "f0" : default_free(model.law).front()};
+  if (model.spindle) return {default_free(model.law).front()};
   if (has_preload_force(model)) return {"preload_N"};
   return default_free(model.law);
 }

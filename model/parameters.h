@@ -14,7 +14,7 @@ namespace raceway::model {
 /// All numbers of a model that may be fitted, with start and value as the model has them: base law
 /// first, then arrangement and bearing, then the effects in their order.
 ///
-///   f0, z, y; mu_bl, ...       base law           friction.f0
+///   f0, z, y; mu_bl, scale ... base law           friction.f0
 ///   preload_N                  force on each side at standstill
 ///                                                 arrangement.preload_N
 ///   inner_conformity, outer_conformity            bearing.inner_conformity
@@ -81,7 +81,7 @@ class ParameterPlace {
 void set(Model& model, const record::Parameter& parameter, double value);
 
 /// palmgren: f0, z (y is rarely told apart from z); of rollers f0, f1      skf: mu_EHL, K_rs
-/// contact: rolling_factor
+/// contact: rolling_factor            table: scale
 [[nodiscard]] std::vector<std::string> default_free(friction::FrictionLaw law);
 
 /// Default for a spindle: f0, or its counterpart in the law. The preload of an arrangement that is

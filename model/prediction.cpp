@@ -50,6 +50,7 @@ std::vector<std::string> torque_parts(const Model& model) {
   std::vector<std::string> names{"load", "viscous"};
   if (model.law == friction::FrictionLaw::contact)
     names = {"rolling", "sliding", "hysteresis", "drag"};
+  if (model.law == friction::FrictionLaw::table) names = {"table"};
   for (const effects::Effect& e : model.effects) names.emplace_back(e.description->id);
   return names;
 }
@@ -62,6 +63,7 @@ std::vector<double> moments_of_parts(const Model& model, const FrictionPredictio
       moments = {p.contacts->rolling(), p.contacts->sliding(), p.contacts->hysteresis(),
                  p.contacts->drag};
   }
+  if (model.law == friction::FrictionLaw::table) moments = {p.load + p.viscous};
   moments.insert(moments.end(), p.effects.begin(), p.effects.end());
   return moments;
 }

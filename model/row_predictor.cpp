@@ -84,6 +84,7 @@ friction::BearingState<double> RowPredictor::state(const Model& model) const {
           .f1_load = model.f1_load,
           .lubricant = &oil(model),
           .contact = &model.contact,
+          .table = model.table.get(),
           .speed = point_.speed,
           .axial_load = with_extra(point_.axial_load, condition_.extra_axial_load),
           .radial_load = radial_load_,

@@ -61,6 +61,7 @@ friction::BearingState<double> bearing_state(const Model& model,
   state.f1_load = model.f1_load;
   state.lubricant = &model.lubricant;
   state.contact = &model.contact;
+  state.table = model.table.get();
   state.speed = point.speed;
   state.axial_load = point.axial_load;
   state.radial_load = std::hypot(point.radial_load, point.radial_load_z);

@@ -114,6 +114,8 @@ std::vector<RunColumn> run_columns(const model::Model& model, const Inputs& inpu
     list.push_back({"rear_force_N", m.rear_force});
   }
   list.push_back({"friction_power_W", m.heat.friction});
+  const bool has_band = model.law == friction::FrictionLaw::table && model.table->has_band();
+  if (has_band) list.push_back({"friction_power_band_W", m.heat.friction_band});
   list.push_back({"drive_heat_W", m.heat.drive});
   list.push_back({"heat_to_coolant_W", m.heat.coolant});
   list.push_back({"heat_to_air_W", m.heat.air});
@@ -131,6 +133,10 @@ std::vector<RunColumn> run_columns(const model::Model& model, const Inputs& inpu
     list.push_back({label + "_inner_ring_temperature_C", celsius(b.inner_ring_temperature)});
     list.push_back({label + "_outer_ring_temperature_C", celsius(b.outer_ring_temperature)});
     if (k < balls) list.push_back({label + "_force_N", b.force});
+    if (k < balls && has_band) {
+      list.push_back({label + "_friction_W", b.power});
+      list.push_back({label + "_friction_band_W", b.power_band});
+    }
     list.push_back({label + "_radial_force_N", b.radial_force});
     if (k < balls) continue;
     list.push_back({label + "_clearance_um", b.clearance / um});

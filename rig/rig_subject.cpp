@@ -215,6 +215,7 @@ std::vector<fit::OtherBase> RigSubject::other_bases() const {
   std::vector<fit::OtherBase> list;
   for (const friction::FrictionLaw law : friction::laws_of_same_bearing(model().law)) {
     if (law == model().law) continue;
+    if (law == friction::FrictionLaw::table && !model().table) continue;  // it names none
     const std::string name(friction::name(law));
     fit::OtherBase base{
         .id = "law:" + name, .words = "law = " + name, .lacks = model::lacks_for_law(model(), law)};

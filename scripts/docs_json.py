@@ -125,7 +125,7 @@ MEANINGS = {
     },
     "table": {
         "rows[].status": "as of solve; the columns are those of the CSV",
-        "rows[].load_Nmm": "parts of the torque, one ID_Nmm per effect; with the law skf sliding and rolling moment",
+        "rows[].load_Nmm": "parts of the torque, one ID_Nmm per effect; with the law skf sliding and rolling moment, with table table_Nmm in their place",
         "rows[].rolling_Nmm": "law contact: in place of load_Nmm and viscous_Nmm",
         "rows[].inner_contact_angle_min_deg": "smallest and largest over the balls in contact",
         "rows[].inner_contact_pressure_MPa": "largest Hertz pressure",

@@ -10,6 +10,7 @@
 #include "bearing/contact_pressure.h"
 #include "effects/catalogue.h"
 #include "effects/interference_fit.h"
+#include "model/row.h"
 #include "results/shaft_results.h"
 #include "shaft/shaft_balance.h"
 #include "spindle/loaded_shaft.h"
@@ -135,9 +136,18 @@ std::vector<record::Note> fit_notes(const model::Model& model) {
                   so, effect->id, seat / um, mounted_preload(fitted)))};
 }
 
+std::vector<record::Note> warnings_said(const model::Findings& findings) {
+  std::vector<record::Note> notes;
+  for (const model::Finding& f : findings)
+    if (f.is_warning)
+      notes.push_back(f.limit == model::limits::friction_table.id
+                          ? record::note::beyond_range(f.text)
+                          : record::note::over_limit(f.text));
+  return notes;
+}
+
 std::vector<record::Note> said_of(const model::Findings& findings) {
-  std::vector<record::Note> notes =
-      notes_of(record::note::over_limit, model::warnings_of(findings));
+  std::vector<record::Note> notes = warnings_said(findings);
   append(notes, notes_of(record::note::load_limit, model::notes_of(findings)));
   return notes;
 }
@@ -298,6 +308,9 @@ Findings judge(const model::Model& model, const bearing::Arrangement& mounted,
     judge.look_at_preload({.speed = result.speed}, result.sets.equilibrium.front_force,
                           result.sets.equilibrium.rear_force, mounted.preload());
   Findings findings = judge.findings();
+  // No friction bends a shaft.
+  std::erase_if(findings,
+                [](const auto& f) { return f.limit == model::limits::friction_table.id; });
   if (slope > model::limits::nose_slope.value * mrad)
     findings.push_back(model::finding(
         model::limits::nose_slope, slope / mrad,
@@ -305,6 +318,14 @@ Findings judge(const model::Model& model, const bearing::Arrangement& mounted,
                     "beyond what they stand",
                     slope / mrad, model::limits::nose_slope.value)));
   return findings;
+}
+
+std::vector<record::Note> states_not_counted(const model::Model& model) {
+  if (model.law != friction::FrictionLaw::table) return {};
+  return {record::note::limits(fmt::format(
+      "beyond the friction table {} ({}) its edge holds; bearings that run there are not "
+      "counted here, raceway spindle counts them",
+      model.table->file, model.table->range()))};
 }
 
 Findings judge_speeds(const model::Model& model, std::span<const double> speeds) {
@@ -326,6 +347,10 @@ Findings judge(const model::Model& model, const record::Record& record) {
       point.temperature = record.values(record::temperature)[i];
     judge.look_at_speed(model.bearing.pitch_diameter(), model::has_ceramic_balls(model), "", point);
   }
+  if (!model.shaft)
+    for (const model::Row& row : model::rows_of(record))
+      judge.look_at_table("", row.point, row.point.axial_load,
+                          std::hypot(row.point.radial_load, row.point.radial_load_z));
   return judge.findings();
 }
 

@@ -26,6 +26,9 @@ namespace raceway::session {
 /// of a spindle; a warning where the places differ.
 [[nodiscard]] std::vector<record::Note> fit_notes(const model::Model& model);
 
+/// Warnings among findings as notes.
+[[nodiscard]] std::vector<record::Note> warnings_said(const model::Findings& findings);
+
 /// Findings as notes: a limit of running bearings is a warning.
 [[nodiscard]] std::vector<record::Note> said_of(const model::Findings& findings);
 
@@ -70,6 +73,10 @@ class JudgedColumns {
 /// A bent shaft. Throws text::InputError for one that is bent beyond what any beam is.
 [[nodiscard]] model::Findings judge(const model::Model& model, const bearing::Arrangement& mounted,
                                     const results::DeflectionResult& result, Wording wording);
+
+/// Says that states beyond the friction table of a spindle are not counted, for answers that do not
+/// keep the states of bearings; nothing under another law.
+[[nodiscard]] std::vector<record::Note> states_not_counted(const model::Model& model);
 
 /// Speeds alone [rad/s].
 [[nodiscard]] model::Findings judge_speeds(const model::Model& model,

@@ -18,6 +18,11 @@ namespace {
 
 friction::FrictionLaw wanted_law(const NewModel& wanted) {
   using friction::FrictionLaw;
+  if (wanted.law == friction::name(FrictionLaw::table))
+    throw text::InputError(
+        "raceway new: a model with the law table needs a table: write law = \"table\" and its file "
+        "under [friction]",
+        {.key = "--law"});
   return friction::find_friction_law(wanted.law)
       .value_or(wanted.spindle ? FrictionLaw::palmgren : FrictionLaw::contact);
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "files/data_file.h"
@@ -11,6 +12,8 @@
 #include "files/spindle_record.h"
 #include "fit/isolated_readings.h"
 #include "model/ignored_data.h"
+#include "model/prediction.h"
+#include "model/row.h"
 #include "model/steps.h"
 #include "session/isolated.h"
 #include "session/judged.h"
@@ -110,6 +113,27 @@ void put(Messages& messages, record::Record& data, std::vector<record::Note> not
   append(data.notes, std::move(notes));
 }
 
+/// Says how far the error band of a friction table reaches on the rows of a rig.
+std::vector<record::Note> notes_on_table(const model::Model& model, const record::Record& data) {
+  if (model.law != friction::FrictionLaw::table || model.shaft || !model.table->has_band())
+    return {};
+  double band = 0.0, torque = 0.0, rows = 0.0;
+  for (const model::Row& row : model::rows_of(data)) {
+    const friction::BearingState<> state = model::bearing_state(model, row.point, nullptr);
+    const double scale = model.law_values.front() * rig_torque(model.rig, 1.0);
+    const double half_width = scale * model.table->half_width(state);
+    if (!std::isfinite(half_width)) continue;
+    band += half_width * half_width;
+    torque += std::pow(scale * model.table->moment(state), 2.0);
+    rows += 1.0;
+  }
+  if (rows == 0.0) return {};
+  return {record::note::band(fmt::format(
+      "the friction table {} has a 95 % band of +-{:.3g} N mm on these rows (rms; "
+      "{:.2g} % of its torque): an error within it may be the table's",
+      model.table->file, std::sqrt(band / rows) / N_mm, 100.0 * std::sqrt(band / torque)))};
+}
+
 record::Record open_one(Messages& messages, const Source& given, const model::ModelSubject& subject,
                         const files::ReadOptions& options, bool of_several) {
   const std::string& path = given.name;
@@ -125,6 +149,7 @@ record::Record open_one(Messages& messages, const Source& given, const model::Mo
     put(messages, data, doubts, from);
     require_possible(subject.model(), data);
     put(messages, data, said_of(judge(subject.model(), data)), from);
+    put(messages, data, states_not_counted(subject.model()), from);
     const auto read = std::find_if(
         data.columns.begin(), data.columns.end(),
         [](const record::Column& c) { return c.channel->role == record::Role::measured; });
@@ -150,6 +175,7 @@ record::Record open_one(Messages& messages, const Source& given, const model::Mo
   put(messages, data, files::asked_about(files::doubts(subject, data), source, options), from);
   require_possible(subject.model(), data);
   put(messages, data, said_of(judge(subject.model(), data)), from);
+  put(messages, data, notes_on_table(subject.model(), data), from);
   return data;
 }
 

@@ -8,6 +8,7 @@
 #include "bearing/shoulder.h"
 #include "model/heat_split.h"
 #include "session/contact_statement.h"
+#include "session/judged.h"
 #include "session/roller_notes.h"
 
 namespace raceway::session {
@@ -80,8 +81,7 @@ std::vector<record::Note> notes_on_point(const model::Model& model,
 std::vector<record::Note> warnings_on_point(const model::Model& model,
                                             const bearing::OperatingPoint& point,
                                             const PointAnswer& answer) {
-  std::vector<record::Note> notes =
-      notes_of(record::note::over_limit, model::warnings_of(judge(model, point, answer)));
+  std::vector<record::Note> notes = warnings_said(judge(model, point, answer));
   if (model.bearing.rollers()) return notes;
   const bearing::ShoulderMargins left =
       shoulder_margins(bearing_of(model, answer.friction), answer.equilibrium);

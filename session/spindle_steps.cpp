@@ -121,6 +121,7 @@ SpindleSteps simulated_steps(Messages& messages, const files::ModelFile& file,
         {.key = key});
   for (const double speed : speeds) require_possible_speed(file.model, speed, key);
   messages.say(said_of(judge_speeds(file.model, speeds)));
+  messages.say(states_not_counted(file.model));
   if (const std::string unused = unused_coolant_off(file.model, question.coolant_on, true);
       !unused.empty())
     messages.say(record::note::unused(unused, {.key = "coolant_on"}));

@@ -114,7 +114,8 @@ BearingState BearingCoupling::state(std::size_t k, const Vector& felt) const {
           .force = now.force,
           .radial_force = now.radial_force,
           .clearance = now.clearance,
-          .power = now.power()};
+          .power = now.power(),
+          .power_band = now.band};
 }
 
 Vector BearingCoupling::flows(const Vector& felt) const {

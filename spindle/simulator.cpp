@@ -140,7 +140,7 @@ struct Simulator::Parts {
     m.heat.air = out[0], m.heat.machine = out[1], m.heat.coolant = out[2];
     m.heat.drive = flow.driven_heat();
     if (flow.system()) m.sources = flow.system()->source_heat();
-    m.heat.friction = 0.0;
+    m.heat.friction = m.heat.friction_band = 0.0;
     if (BearingCoupling* const coupling = flow.coupling()) {
       const Vector s = seen.head(felt) + felt_offset();
       Vector given(coupling->given_count());
@@ -169,6 +169,7 @@ struct Simulator::Parts {
     for (std::size_t k = 0; k < bearings.bearings(); ++k) {
       m.bearings.push_back(bearings.state(k, s));
       m.heat.friction += m.bearings.back().power;
+      m.heat.friction_band += m.bearings.back().power_band;
     }
   }
 

@@ -54,12 +54,16 @@ struct BearingState {
   double radial_force = unset;                                            ///< [N]
   double clearance = unset;  ///< s of a roller bearing, diametral; negative is a preload [m]
   double power = unset;      ///< of its friction [W]
+  double power_band = 0.0;   ///< half width of the 95 % band of a friction table in it [W]
 };
 
 /// Heat balance [W]; heat that leaves is positive.
 struct HeatBalance {
   double friction = 0.0;  ///< of all bearings
-  double drive = 0.0;     ///< motor, drive, seals
+  /// Half width of the 95 % band of a friction table, which all bearings of the sets have in
+  /// common.
+  double friction_band = 0.0;
+  double drive = 0.0;  ///< motor, drive, seals
   double coolant = 0.0, air = 0.0, machine = 0.0;
   double stored = 0.0;  ///< per second
 };

@@ -41,7 +41,7 @@ double oil_temperature(std::size_t bearing, const SetsAsked& asked) {
 void add_heat(const BearingHeat& more, double share, BearingHeat& heat) {
   for (double BearingHeat::*const number :
        {&BearingHeat::inner, &BearingHeat::outer, &BearingHeat::force, &BearingHeat::radial_force,
-        &BearingHeat::conductance})
+        &BearingHeat::conductance, &BearingHeat::band})
     heat.*number += share * (more.*number);
 }
 
@@ -175,6 +175,15 @@ BearingHeat WarmSets::heat_of(std::size_t k, const SetsAsked& asked,
         conduction_[k].conductance(b.lost() ? 0.0 : b.ball.inner_load, b.ball.outer_load);
   }
   const double temperature = oil_temperature(k, asked);
+  friction::BearingState<double> state = model::bearing_state(model_,
+                                                              {.speed = inputs_.speed,
+                                                               .axial_load = load,
+                                                               .radial_load = heat.radial_force,
+                                                               .temperature = temperature},
+                                                              nullptr);
+  if (model_.law == friction::FrictionLaw::table && model_.table->has_band())
+    heat.band = friction::power_loss(model_.law_values.front() * model_.table->half_width(state),
+                                     inputs_.speed);
   if (has_effects_) {
     const BearingHeat split = heat_with_effects(k, load, temperature, asked, sets, uneven);
     heat.inner = split.inner, heat.outer = split.outer;
@@ -182,12 +191,6 @@ BearingHeat WarmSets::heat_of(std::size_t k, const SetsAsked& asked,
   }
   if (friction::needs_equilibrium(model_.law))
     return heat_of_contacts(k, temperature, sets, uneven, heat);
-  friction::BearingState<double> state = model::bearing_state(model_,
-                                                              {.speed = inputs_.speed,
-                                                               .axial_load = load,
-                                                               .radial_load = heat.radial_force,
-                                                               .temperature = temperature},
-                                                              nullptr);
   state.bearing = arrangement().bearings()[k].bearing.get();
   const friction::BaseMoments<double> base =
       friction::base_moments<double>(model_.law, state, model_.law_values);

@@ -27,6 +27,7 @@ struct BearingHeat {
   double radial_force = 0.0;        ///< [N]
   double clearance = unset;         ///< s of a roller bearing [m]
   double conductance = 0.0;         ///< of balls or rollers by their contacts [W/K]
+  double band = 0.0;  ///< half width of the 95 % band that a friction table gives its power [W]
   [[nodiscard]] double power() const { return inner + outer; }
 };
 

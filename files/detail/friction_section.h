@@ -1,10 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "friction/friction_law.h"
 #include "friction/lubricant.h"
+#include "friction/torque_table.h"
 
 // Last: see text/detail/toml_text.h.
 #include "files/detail/bearing_section.h"
@@ -18,6 +20,7 @@ struct LawOfFile {
   friction::FrictionLaw law = friction::FrictionLaw::palmgren;
   friction::F1Load f1_load = friction::F1Load::P0;
   std::vector<double> values;
+  std::shared_ptr<const friction::TorqueTable> table = nullptr;
 };
 
 [[nodiscard]] std::vector<KeyTable> friction_tables();

@@ -6,6 +6,7 @@ from __future__ import annotations
 import _thread
 import io
 import json
+import pickle
 import re
 import subprocess
 import threading
@@ -452,3 +453,25 @@ def test_heat_at_a_place_and_the_assumptions_are_those_of_the_command(tmp_path, 
     assert len(state.data["assumptions"]["most"]) == 5
     with pytest.raises(raceway.InputError, match="motor_power_W, which is not given"):
         model.steady(6000)
+
+
+def test_a_friction_table_heats_a_spindle(root, tmp_path):
+    rig = raceway.Model.from_text((root / "data/examples/7014.toml").read_text(), "7014.toml")
+    torque = rig.table([0, 2000, 4000, 6000, 8000], [50, 300, 600, 1500], temperature_C=[15, 30, 45, 70]).to_frame()
+    axes = ["speed_rpm", "axial_load_N", "temperature_C", "friction_torque_Nmm"]
+    torque[axes].assign(std_Nmm=2.0).to_csv(tmp_path / "torque.csv", index=False)
+    text = (root / DRIVEN).read_text()
+    begin, end = text.index("[friction]"), text.index("[", text.index("[friction]") + 1)
+    text = text[:begin] + '[friction]\nlaw = "table"\nfile = "torque.csv"\n\n' + text[end:]
+    (tmp_path / "spindle.toml").write_text(text)
+    spindle = raceway.Model.read(tmp_path / "spindle.toml")
+    hot = spindle.steady([6000]).to_frame()
+    bearings = [name for name in hot if name.endswith("_friction_band_W")]
+    expected = 1.96 * 2.0 * 1e-3 * 6000 * np.pi / 30
+    assert bearings and hot[bearings].to_numpy() == pytest.approx(expected, rel=1e-6)
+    assert hot["friction_power_band_W"][0] == pytest.approx(expected * len(bearings), rel=1e-6)
+    (tmp_path / "torque.csv").unlink()  # it was read once
+    (tmp_path / "other").mkdir()
+    assert pickle.loads(pickle.dumps(spindle)).steady([6000]).to_frame().equals(hot)
+    spindle.save(tmp_path / "other" / "spindle.toml")
+    assert 'file = "../torque.csv"' in (tmp_path / "other" / "spindle.toml").read_text()

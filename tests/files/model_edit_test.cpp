@@ -183,7 +183,8 @@ TEST(WithModel, AnotherLawReadsBackAndLeavesAllElseAsItStood) {
       std::string text = bearing_of_edit + law + tail;
       text.replace(text.find("{}"), 2, free);
       const ModelFile file = parse_model(text, "my.toml");
-      if (file.model.law == wanted) continue;
+      // The law of a table: friction_table_test.cpp.
+      if (file.model.law == wanted || wanted == FrictionLaw::table) continue;
       const model::Model changed = model::with_law(file.model, wanted);
       const std::string written = with_model(file, changed);
       SCOPED_TRACE(written);
