@@ -49,6 +49,12 @@ Doubt other_temperature(const record::Channel& channel, double from, double to,
           .units = {{&channel, other.suffix}}};
 }
 
+record::Record in_other_unit(record::Record data, const record::Channel& channel,
+                             const text::Unit& unit) {
+  for (double& v : data.find(channel)->values) v = unit.to_SI(channel.in_unit(v));
+  return data;
+}
+
 std::vector<record::Note> asked_about(const std::vector<Doubt>& doubts, const Source& source,
                                       const ReadOptions& options) {
   std::vector<record::Note> warnings;

@@ -8,6 +8,8 @@
 #include "files/source.h"
 #include "record/channel.h"
 #include "record/note.h"
+#include "record/record.h"
+#include "text/units.h"
 
 namespace raceway::files {
 
@@ -25,6 +27,10 @@ struct Doubt {
 /// A temperature from `from` to `to` [C] that looks like K or F.
 [[nodiscard]] Doubt other_temperature(const record::Channel& channel, double from, double to,
                                       std::string_view unit);
+
+/// The record with a channel in another unit than it was read in.
+[[nodiscard]] record::Record in_other_unit(record::Record data, const record::Channel& channel,
+                                           const text::Unit& unit);
 
 /// Throws InputError for doubts about units of columns of `source` that no [columns] has answered:
 /// each question, and the line of [columns] that answers it. Returns the others, which are

@@ -257,12 +257,6 @@ std::optional<std::string> sign_of_readings(const Channel& channel, const Ratio&
                      channel.words, channel.direction);
 }
 
-/// The record with a channel in another unit than it was read in.
-Record in_other_unit(Record data, const Channel& channel, const text::Unit& unit) {
-  for (double& v : data.find(channel)->values) v = unit.to_SI(channel.in_unit(v));
-  return data;
-}
-
 // Differences of ln L from which a unit is asked about. Few right records are as warm as a room in
 // Fahrenheit throughout; one load in a hundred is in another unit.
 constexpr double likely = -2.0, remarkable = 4.6;

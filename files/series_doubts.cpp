@@ -133,7 +133,7 @@ std::optional<Doubt> unit_of_time(const Record& data,
   for (const correction::Model& model : models) {
     const double longest = longest_time_constant(model);
     if (!data.has(*model.displacement) || !(clock.length < longest)) continue;
-    for (const char* const name : {"min", "h"}) {
+    for (const char* const name : {"min", "h", "d"}) {
       const text::Unit& unit = *text::find_unit(name, text::Dimension::time);
       if (unit.factor * clock.length < longest || unit.factor * clock.step > usual_most) continue;
       try {
@@ -155,8 +155,7 @@ struct SpindleFit {
   double factor = unset;  ///< by which the readings are larger, geometric mean of channels
 };
 
-SpindleFit simulated(const model::ModelSubject& spindle, Record data, double factor) {
-  for (double& t : data.find(record::time)->values) t *= factor;
+SpindleFit simulated(const model::ModelSubject& spindle, const Record& data) {
   SpindleFit fit;
   try {
     const std::vector<double> predicted = fit::predict(spindle, data);
@@ -185,34 +184,76 @@ SpindleFit simulated(const model::ModelSubject& spindle, Record data, double fac
   return fit;
 }
 
-std::optional<Doubt> unit_of_spindle_time(const Record& data, const model::ModelSubject& spindle) {
-  constexpr double short_record = 4.0 * 3600.0, long_record = 10.0 * 86400.0;  // [s]
-  constexpr double least = 600.0, slowest = 3600.0;  // of a record and its steps [s]
+/// Units in which a channel of a spindle's record may have been written, as far as the record
+/// could then be: one of 10 minutes to 10 days whose rows come every hour or faster, or speeds
+/// below n d_m = 3e6 mm/min.
+std::vector<const text::Unit*> other_units_of_spindle(const Record& data, const Channel& channel,
+                                                      const model::ModelSubject& spindle) {
+  std::vector<const text::Unit*> units;
+  if (channel == record::time) {
+    constexpr double short_record = 4.0 * 3600.0, long_record = 10.0 * 86400.0;  // [s]
+    constexpr double least = 600.0, slowest = 3600.0;  // of a record and its steps [s]
+    const Clock clock(data);
+    for (const char* const name : {"min", "h", "d", "ms"}) {
+      const text::Unit& unit = *text::find_unit(name, text::Dimension::time);
+      const double length = unit.factor * clock.length, step = unit.factor * clock.step;
+      const bool odd = unit.factor > 1.0 ? clock.length < short_record : clock.length > long_record;
+      if (odd && length >= least && length <= long_record && step <= slowest)
+        units.push_back(&unit);
+    }
+    return units;
+  }
+  constexpr double slow = 3e5, usual = 3e6;  // n d_m [mm/min]
+  const double pitch = spindle.model().bearing.pitch_diameter() / mm;
+  const double fastest = channel.in_unit(extent_of(data.values(channel)).upper) * pitch;
+  if (!(fastest > 0.0 && fastest < slow)) return units;
+  for (const char* const name : {"1/s", "rad/s", "krpm"}) {
+    const text::Unit& unit = *text::find_unit(name, text::Dimension::speed);
+    if (unit.factor / rpm * fastest < usual) units.push_back(&unit);
+  }
+  return units;
+}
+
+Doubt other_unit_of_spindle(const Record& data, const Channel& channel, const text::Unit& unit) {
+  if (channel == record::time) return Clock(data).looks_like(unit);
+  const double fastest = extent_of(data.values(channel)).upper;
+  return {.text = fmt::format("speeds of up to {:.4g} rpm do not go with the readings, {:.4g} rpm "
+                              "do: {} in a column of rpm?",
+                              channel.in_unit(fastest),
+                              channel.in_unit(unit.to_SI(channel.in_unit(fastest))), unit.words),
+          .units = {{&channel, unit.suffix}}};
+}
+
+std::optional<Doubt> unit_of_spindle(const Record& data, const Channel& channel,
+                                     const model::ModelSubject& spindle) {
   constexpr double far_better = 0.25, explained = 0.3, legitimate = 3.0;
-  const Clock clock(data);
-  SpindleFit as_read, best;
-  const text::Unit* likely = nullptr;
   const auto is_off = [&](const SpindleFit& f) {
     return !(std::abs(std::log(f.factor)) < std::log(legitimate));
   };
-  for (const char* const name : {"min", "h", "ms"}) {
-    const text::Unit& unit = *text::find_unit(name, text::Dimension::time);
-    const double length = unit.factor * clock.length, step = unit.factor * clock.step;
-    if (unit.factor > 1.0 ? !(clock.length < short_record) : !(clock.length > long_record))
-      continue;
-    if (length < least || length > long_record || step > slowest) continue;
-    if (!likely && std::isnan(as_read.unexplained)) {
-      as_read = simulated(spindle, data, 1.0);
-      if (as_read.unexplained < explained * far_better && !is_off(as_read)) return std::nullopt;
-      if (std::isnan(as_read.unexplained)) as_read.unexplained = 1.0;
-    }
-    const SpindleFit other = simulated(spindle, data, unit.factor);
-    const double enough = is_off(as_read) ? 1.0 : far_better;
+  const std::vector<const text::Unit*> units = other_units_of_spindle(data, channel, spindle);
+  if (units.empty()) return std::nullopt;
+  SpindleFit as_read = simulated(spindle, data);
+  if (as_read.unexplained < explained * far_better && !is_off(as_read)) return std::nullopt;
+  if (std::isnan(as_read.unexplained)) as_read.unexplained = 1.0;
+  const double enough = is_off(as_read) ? 1.0 : far_better;
+  SpindleFit best;
+  const text::Unit* likely = nullptr;
+  for (const text::Unit* const unit : units) {
+    const SpindleFit other = simulated(spindle, in_other_unit(data, channel, *unit));
     if (other.unexplained < std::min(explained, enough * as_read.unexplained) && !is_off(other) &&
         !(other.unexplained > best.unexplained))
-      best = other, likely = &unit;
+      best = other, likely = unit;
   }
-  return likely ? std::optional(clock.looks_like(*likely)) : std::nullopt;
+  return likely ? std::optional(other_unit_of_spindle(data, channel, *likely)) : std::nullopt;
+}
+
+/// True for a temperature, never below `from`, that begins where the coldest sensor does once it is
+/// taken for Fahrenheit: all parts of a machine that has stood are as warm as the room.
+bool begins_as_fahrenheit(double from, double coldest) {
+  constexpr double warm_room = 45.0, alike = 1.5;  // [C], [K]
+  const text::Unit& fahrenheit = *text::find_unit("F", text::Dimension::temperature);
+  return from > warm_room && coldest < warm_room &&
+         std::abs(fahrenheit.to_SI(from) - kelvin(coldest)) < alike;
 }
 
 void look_at_temperatures(const Record& data, std::vector<Doubt>& found) {
@@ -231,7 +272,8 @@ void look_at_temperatures(const Record& data, std::vector<Doubt>& found) {
     if (from > 220.0 && to < 470.0)
       found.push_back(other_temperature(*channel, from, to, "K"));
     else if (to < 220.0 &&
-             (coldest_of_all >= warm_room || (record::is_ambient(*channel) && from > hot_room)))
+             (coldest_of_all >= warm_room || (record::is_ambient(*channel) && from > hot_room) ||
+              begins_as_fahrenheit(from, coldest_of_all)))
       found.push_back(other_temperature(*channel, from, to, "F"));
   }
 }
@@ -283,7 +325,9 @@ std::vector<Doubt> series_doubts(const Record& data, const std::vector<correctio
 std::vector<Doubt> series_doubts(const Record& data, const model::ModelSubject& spindle) {
   std::vector<Doubt> found = series_doubts(data, std::vector<correction::Model>());
   if (!found.empty() || data.rows() < fewest_rows) return found;
-  if (auto doubt = unit_of_spindle_time(data, spindle)) found.push_back(*std::move(doubt));
+  for (const Channel* const channel : {&record::time, &record::speed})
+    if (found.empty() && data.has(*channel))
+      if (auto doubt = unit_of_spindle(data, *channel, spindle)) found.push_back(*std::move(doubt));
   return found;
 }
 

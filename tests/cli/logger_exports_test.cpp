@@ -43,8 +43,9 @@ struct Exported {
   std::string file;
 
   /// `row` counts from 1, the header is 0.
-  explicit Exported(const std::function<void(std::size_t row, Cells&)>& change) {
-    std::istringstream in(file_text(folder_of_record + "train.csv"));
+  explicit Exported(const std::function<void(std::size_t row, Cells&)>& change,
+                    const std::string& of = folder_of_record + "train.csv") {
+    std::istringstream in(file_text(of));
     std::string text;
     std::size_t row = 0;
     for (std::string line; std::getline(in, line); ++row) {
@@ -123,7 +124,7 @@ TEST(LoggerExports, DisplacementsInMillimetresAreAskedAboutBeforeAnyResult) {
 
 TEST(LoggerExports, TimesInOtherUnitsAreAskedAboutBeforeAnyResult) {
   for (const auto& [factor, unit] :
-       {std::pair{1.0 / 60.0, "min"}, {1e3, "ms"}, {1.0 / 3600.0, "h"}}) {
+       {std::pair{1.0 / 60.0, "min"}, {1e3, "ms"}, {1.0 / 3600.0, "h"}, {1.0 / 86400.0, "d"}}) {
     const Exported other = scaled(at_time, factor);
     for (const std::string& command : other.commands())
       expect_refused(run(command),
@@ -151,6 +152,46 @@ TEST(LoggerExports, TemperaturesInOtherUnitsAreAskedAboutBeforeAnyResult) {
                                                "\"bearing_temperature_C\", unit = \"{}\" }}",
                                                unit));
   }
+}
+
+// Of two temperatures one: no other is as warm, and the machine had stood in a room of 20 C.
+TEST(LoggerExports, OneTemperatureInFahrenheitIsAskedAboutBeforeAnyResult) {
+  const Exported one = scaled(at_bearing, 1.8, 32.0);
+  for (const std::string& command : one.commands())
+    expect_refused(run(command),
+                   "looks like fahrenheit: 19.3 to 45.8 C? Say so in [columns]: "
+                   "bearing_temperature_C = { column = \"bearing_temperature_C\", unit = \"F\" }");
+}
+
+// A simulation explains the readings in one unit alone.
+TEST(LoggerExports, UnitsOfARecordOfASpindleAreAskedAboutBeforeAnyResult) {
+  const std::string folder = tests::source_dir() + "/data/spindles/clean/";
+  constexpr std::size_t time = 0, speed = 1, shaft_end = 8;
+  const auto refused = [&](std::size_t column, double factor, double offset,
+                           const std::string& question) {
+    const Exported other(
+        [&](std::size_t row, Cells& cells) {
+          if (row > 1)  // below a comment and the header
+            cells[column] = fmt::format("{:.9g}", factor * std::stod(cells[column]) + offset);
+        },
+        folder + "train.csv");
+    for (const char* command : {"check ", "compare "})
+      expect_refused(run(command + folder + "model.toml " + other.file), question);
+  };
+  for (const auto& [factor, unit] : {std::pair{1.0 / 60.0, "min"}, {1.0 / 86400.0, "d"}})
+    refused(time, factor, 0.0,
+            fmt::format("is time_s in {0}, so that they come every 60 s over 7.98 h? Say so in "
+                        "[columns]: time_s = {{ column = \"time_s\", unit = \"{0}\" }}",
+                        unit));
+  for (const auto& [factor, words, unit] : {std::tuple{1.0 / 60.0, "1/s", "1_s"},
+                                            {std::acos(-1.0) / 30.0, "rad/s", "rad_s"},
+                                            {1e-3, "krpm", "krpm"}})
+    refused(speed, factor, 0.0,
+            fmt::format("{} in a column of rpm? Say so in [columns]: speed_rpm = {{ column = "
+                        "\"speed_rpm\", unit = \"{}\" }}",
+                        words, unit));
+  refused(shaft_end, 1.8, 32.0,
+          "shaft_end_temperature_C of 67.84 to 102.6 C looks like fahrenheit");
 }
 
 /// The rows from 20:11:33 on the given day, the stamp made by `stamp` of the seconds since
