@@ -78,7 +78,7 @@ std::string ColumnReader::stamp(const ColumnSource& source, std::size_t row) con
 
 std::vector<double> ColumnReader::times(const ColumnSource& source,
                                         std::optional<text::DateOrder> order) {
-  const bool texts = !table_.is_numeric(source.column), excel = source.excel_date;
+  const bool excel = source.excel_date, texts = !excel || !table_.is_numeric(source.column);
   const std::string begin = stamp(source, 0);
   // A time of day is one that has passed since midnight.
   const auto parse_passed = [](std::string_view cell) {

@@ -301,9 +301,11 @@ Recognised recognise(const text::CsvTable& table, const ReadOptions& options) {
 }
 
 bool is_stamped(const text::CsvTable& table, const ColumnSource& source) {
-  return *source.channel == record::time &&
-         (source.excel_date || source.dates ||
-          (!table.is_numeric(source.column) && text::is_time(table.cell(0, source.column))));
+  if (*source.channel != record::time) return false;
+  if (source.excel_date || source.dates) return true;
+  const std::string first = table.shown(0, source.column);
+  const bool is_number = first.find_first_not_of("0123456789") == first.npos;
+  return text::is_time(first) && !(is_number && source.unit_stated);
 }
 
 text::ParsedNumber si_of_cell(const text::CsvTable& table, std::size_t row,

@@ -108,6 +108,7 @@ double zone(Scan& scan) {
 struct Date {
   int year = 0, month = 0, day = 0;
   bool compact = false;  ///< without marks, as the time behind it
+  bool glued = false;    ///< its time follows at once
 };
 
 /// "Wed, " and "Wed ".
@@ -130,8 +131,9 @@ Date scan_date(Scan& scan, std::string_view cell, DateOrder order) {
   const char mark = digits < cell.size() ? cell[digits] : '\0';
   const bool is_number_behind =
       digits + 1 < cell.size() && cell[digits + 1] >= '0' && cell[digits + 1] <= '9';
-  if (digits == 8) {
+  if (digits == 8 || digits == 12 || digits == 14) {
     date.compact = true;
+    date.glued = digits > 8;
     date.year = scan.digits(4, 4);
     date.month = scan.digits(2, 2);
     date.day = scan.digits(2, 2);
@@ -213,10 +215,13 @@ std::string_view name(DateOrder order) {
 std::optional<double> parse_timestamp(std::string_view cell, DateOrder order) {
   Scan scan(cell);
   const Date date = scan_date(scan, cell, order);
-  if (scan.maybe(","))
+  if (date.glued) {
+    if (date.year < 1970 || date.year > 2099) return std::nullopt;  // a counter
+  } else if (scan.maybe(",")) {
     scan.need(" ");
-  else
+  } else {
     scan.need("T ");
+  }
   const auto clock = scan_clock(scan, date.compact);
   const double offset = zone(scan);
   const auto days = seconds_of(date);

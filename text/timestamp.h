@@ -18,8 +18,9 @@ inline constexpr std::array date_orders{DateOrder::day_first, DateOrder::month_f
 /// A date with a time as seconds since 1970, leap seconds left out: "2024-03-12T08:15:00.5+01:00"
 /// (ISO 8601; a blank for the T, Z, no seconds), "20240312T081500", "2024/03/12 08:15",
 /// "12.03.2024 08:15:00,5", "12-03-24 08:15", "12-Mar-2024 08:15:00", "Mar 12, 2024 8:15 AM",
-/// "03/12/2024 08:15:00.5 AM". Names of months are English or German, of three letters or more.
-/// Years of two digits are 1969 to 2068. Nothing for all else.
+/// "03/12/2024 08:15:00.5 AM"; "20240312081500" and "202403120815" of the years 1970 to 2099. Names
+/// of months are English or German, of three letters or more. Years of two digits are 1969 to 2068.
+/// Nothing for all else.
 [[nodiscard]] std::optional<double> parse_timestamp(std::string_view cell,
                                                     DateOrder order = DateOrder::day_first);
 

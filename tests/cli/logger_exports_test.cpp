@@ -323,6 +323,24 @@ TEST(LoggerExports, AYearOfTwoDigitsInFrontIsReadWhereItIsDecided) {
   expect_truth(undecided.file, "--columns " + said);
 }
 
+// As whole numbers of seconds these had run for 2e13 s.
+TEST(LoggerExports, DatesOfDigitsAloneAreRead) {
+  const Exported digits = stamped("Time", [](int seconds) {
+    std::string clock = clock_of(seconds);
+    std::erase(clock, ':');
+    return fmt::format("202409{}{}", seconds < 86400 ? 11 : 12, clock);
+  });
+  const auto map = [&](const char* unit) {
+    return digits.folder.write(
+        "map.toml", fmt::format("[columns]\ntime_s = {{ column = \"Time\"{} }}\n", unit));
+  };
+  expect_truth(digits.file, "--columns " + map(""));
+  const std::string check = "check " + record_model + " " + digits.file + " --columns ";
+  EXPECT_THAT(run(check + map("")).err, HasSubstr("time_s counts from 2024-09-11T20:11:33"));
+  // A unit says that they are numbers.
+  EXPECT_THAT(run(check + map(", unit = \"s\"")).err, Not(HasSubstr("counts from")));
+}
+
 TEST(LoggerExports, UnitsInCellsAreRead) {
   const Exported with_units([](std::size_t row, Cells& cells) {
     if (row == 0) return;

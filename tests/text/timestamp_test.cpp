@@ -31,6 +31,8 @@ TEST(Timestamp, IsoAndGermanDatesAreOneTime) {
                            "12-Mar-24 08:15",
                            "12-03-2024 08:15:00",
                            "2024.03.12 08:15",
+                           "20240312081500",
+                           "202403120815",
                            "Mar 12, 2024 08:15:00 AM",
                            "Tue, 12 Mar 2024 08:15:00",
                            "2024-03-12, 08:15:00",
@@ -55,6 +57,13 @@ TEST(Timestamp, YearsOfTwoDigitsMayStandInFront) {
   EXPECT_EQ(timestamp_text(parse_timestamp("24/09/11 20:15").value()), "2011-09-24T20:15:00");
   EXPECT_FALSE(parse_timestamp("11/09/2024 20:15", DateOrder::year_first));
   EXPECT_TRUE(is_time("99/09/30 20:15"));
+}
+
+// A counter of microseconds is no date.
+TEST(Timestamp, DigitsAloneAreADateOfOurTimesOrNone) {
+  for (const char* text : {"20240312081560000", "2024031208150", "19690312081500", "21000312081500",
+                           "20241312081500", "20240312251500", "17260782930000", "1726078293"})
+    EXPECT_FALSE(is_time(text)) << text;
 }
 
 TEST(Timestamp, WhatIsNoDateIsNone) {
