@@ -114,27 +114,17 @@ std::vector<std::string> coarse_sensors(const ControlPlan& plan, const record::R
 }
 
 std::vector<std::string> allow_still_sensors(ControlPlan& plan, const record::Record& record) {
-  constexpr double margin = 1.5, whole = 600.0, most_s = 86400.0;
-  const std::span<const double> time = record.values(record::time);
   std::vector<std::string> notes;
   for (ControlInput& in : plan.inputs) {
-    if (!in.temperature || in.stuck_s != correction::ControlSettings{}.stuck_s.all) continue;
-    const std::span<const double> values = record.values(*record::series_channel(in.column));
-    double longest = 0.0;
-    for (std::size_t row = 1, since = 0; row < values.size(); ++row) {
-      if (values[row] != values[row - 1] || record.run_of(row) != record.run_of(row - 1))
-        since = row;
-      longest = std::max(longest, time[row] - time[since]);
-    }
-    const double needed = std::min(std::ceil(margin * longest / whole) * whole, most_s);
-    if (!(needed > in.stuck_s)) continue;
-    notes.push_back(fmt::format(
-        "{} stands still for {:.3g} min in {}, in steps of {:.3g} K: it counts as stuck after "
-        "{:.6g} "
-        "s in place of {:.6g} s; stuck_s of [export] says another time",
-        in.column, longest / 60.0, record.source,
-        correction::quantum_of(*record::series_channel(in.column), values), needed, in.stuck_s));
-    in.stuck_s = needed;
+    const record::Channel& channel = *record::series_channel(in.column);
+    const std::span<const double> values = record.values(channel);
+    const double step = in.temperature ? correction::quantum_of(channel, values) : unset;
+    const std::string where = std::isnan(step)
+                                  ? record.source
+                                  : fmt::format("{}, in steps of {:.3g} K", record.source, step);
+    std::string note =
+        allow_to_stand(in, correction::longest_still(record, values).longest, plan.settings, where);
+    if (!note.empty()) notes.push_back(std::move(note));
   }
   return notes;
 }

@@ -28,9 +28,7 @@ namespace raceway::control {
 [[nodiscard]] std::vector<std::string> coarse_sensors(const ControlPlan& plan,
                                                       const record::Record& record);
 
-/// Gives sensors more time until they count as stuck, where they stand still for longer in a
-/// record: half as long again as there, in whole 10 minutes, one day at most. Only where the model
-/// leaves stuck_s to its default. A sentence each.
+/// allow_to_stand() for what every sensor does in a record: a sentence each.
 [[nodiscard]] std::vector<std::string> allow_still_sensors(ControlPlan& plan,
                                                            const record::Record& record);
 

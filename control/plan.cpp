@@ -76,6 +76,7 @@ class Planner {
                     .unit = std::string(c.unit.empty() ? "0 or 1" : c.unit),
                     .temperature = record::is_temperature(c),
                     .by_amount = record::acts_by_amount(c)};
+    double still_s = unset;
     // Of several models the narrower range: beyond it one of them is out of what it has seen.
     for (const Model& m : models_)
       for (const correction::SeenRange& r : m.range)
@@ -89,8 +90,12 @@ class Planner {
           }
           in.lowest = std::isnan(in.lowest) ? low : std::max(in.lowest, low);
           in.highest = std::isnan(in.highest) ? high : std::min(in.highest, high);
+          still_s = std::fmax(still_s, r.still);
         }
     guard(in);
+    if (std::string time = allow_to_stand(in, still_s, settings_, "the record of its model");
+        !time.empty())
+      note(std::move(time));
     plan_.inputs.push_back(std::move(in));
     return plan_.inputs.size() - 1;
   }
@@ -473,6 +478,21 @@ void in_order(ControlPlan& plan) {
   };
   for (ControlInput& in : plan.inputs) in.identifier = identifier(in.column);
   for (ControlAxis& a : plan.axes) a.identifier = identifier(a.column);
+}
+
+std::string allow_to_stand(ControlInput& in, double still_s,
+                           const correction::ControlSettings& settings, const std::string& where) {
+  constexpr double margin = 1.5, whole = 600.0, most_s = 86400.0;
+  if (!in.temperature || settings.stuck_s.names(in.column) ||
+      settings.stuck_s.all != correction::ControlSettings{}.stuck_s.all)
+    return {};
+  const double needed = std::min(std::ceil(margin * still_s / whole) * whole, most_s);
+  if (!(needed > in.stuck_s)) return {};
+  const double before = std::exchange(in.stuck_s, needed);
+  return fmt::format(
+      "{} stands still for {:.3g} min in {}: it counts as stuck after {:.6g} s in place of {:.6g} "
+      "s; stuck_s of [export] says another time",
+      in.column, still_s / 60.0, where, needed, before);
 }
 
 std::string trust_line(const ControlAxis& axis) {

@@ -195,6 +195,14 @@ struct ControlPlan {
 /// displacements get the names that languages know.
 void in_order(ControlPlan& plan);
 
+/// Gives the sensor of an input more time until it counts as stuck, where one that did not stick
+/// stood still for longer: half as long again, in whole 10 minutes, one day at most; only a
+/// temperature for which `settings` leave stuck_s to its default. Returns a sentence, empty where
+/// nothing changed. `where`: it stood still, "in drift.csv".
+[[nodiscard]] std::string allow_to_stand(ControlInput& input, double still_s,
+                                         const correction::ControlSettings& settings,
+                                         const std::string& where);
+
 /// The line of trust of an axis; empty where it is not known.
 [[nodiscard]] std::string trust_line(const ControlAxis& axis);
 

@@ -122,6 +122,7 @@ struct SeenRange {
   const Channel* column = nullptr;      ///< null: the power of a channel
   std::string name{};                   ///< of the column, or of the channel
   double lower = unset, upper = unset;  ///< SI; of temperatures as they stand, not their rise
+  double still = unset;  ///< longest time that a temperature stood still, where it is known [s]
 };
 
 /// The inputs at once, as a cloud of points: each may stand where it has stood before, and all of

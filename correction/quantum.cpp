@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "record/median.h"
 #include "record/units.h"
 
 namespace raceway::correction {
@@ -59,6 +60,22 @@ std::vector<Point> points_of(std::span<const double> time, std::span<const doubl
 }
 
 }  // namespace
+
+Still longest_still(const record::Record& record, std::span<const double> values) {
+  const std::span<const double> time = record.values(record::time);
+  const auto begins = [&](std::size_t row) { return record.run_of(row) != record.run_of(row - 1); };
+  std::vector<double> steps;
+  for (std::size_t row = 1; row < time.size(); ++row)
+    if (!begins(row)) steps.push_back(time[row] - time[row - 1]);
+  const double longest_step = a_gap * record::median(steps);
+  Still found;
+  for (std::size_t row = 1, since = 0; row < values.size(); ++row) {
+    if (begins(row) || time[row] - time[row - 1] > longest_step || values[row] != values[row - 1])
+      since = row;
+    if (time[row] - time[since] > found.longest) found = {time[row] - time[since], time[since]};
+  }
+  return found;
+}
 
 std::vector<double> between_digits(std::span<const double> time, std::span<const double> values,
                                    const std::vector<bool>& begins) {

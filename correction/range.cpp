@@ -7,6 +7,7 @@
 #include "algebra/detail/decompositions.h"
 #include "correction/correction_subject.h"
 #include "correction/numbers.h"
+#include "correction/quantum.h"
 #include "correction/simulation.h"
 #include "correction/trust.h"
 #include "record/series_channel.h"
@@ -175,9 +176,12 @@ void forget_what_was_seen(Model& model) {
 void see(Model& model, const record::Record& whole) {
   const record::Record record = up_to_last_reading(whole, *model.displacement);
   model.range.clear();
-  for (const Channel* c : inputs_of(model))
-    if (record.has(*c))
-      model.range.push_back(range_of(c, std::string(c->name), acting_values(record, *c)));
+  for (const Channel* c : inputs_of(model)) {
+    if (!record.has(*c)) continue;
+    model.range.push_back(range_of(c, std::string(c->name), acting_values(record, *c)));
+    if (record::is_temperature(*c))
+      model.range.back().still = longest_still(record, record.values(*c)).longest;
+  }
   const Series series(record);
   for (const DrivenChannel& c : model.channels)
     if (c.input.is_power())

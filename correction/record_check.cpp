@@ -16,7 +16,6 @@ namespace {
 
 constexpr double samplings = 3.0;     // that the fastest lag must last
 constexpr double stuck_for = 1800.0;  // [s]
-constexpr double a_gap = 20.0;        // times the usual step of time
 constexpr double a_jump = 20.0;       // times the usual step, and
 constexpr double a_leap = 0.25;       // of the range, in one row
 
@@ -83,7 +82,6 @@ class Checking {
 
   /// A temperature that stands still to the last digit while others move, or leaps.
   void look_for_faults(const record::Column& c) {
-    const std::span<const double> time = record_.values(record::time);
     const Channel& channel = *c.channel;
     std::vector<double> steps;
     for (std::size_t k = 1; k < c.values.size(); ++k)
@@ -91,24 +89,20 @@ class Checking {
     const auto [low, high] = std::minmax_element(c.values.begin(), c.values.end());
     const double usual = std::fmax(record::median(steps), quantum_of_column(channel));
     const double leap = std::max(a_jump * usual, a_leap * (*high - *low));
-    std::size_t since = 0;
-    double longest = 0.0, at = 0.0;
     std::size_t jumps = 0, first_jump = 0;
     for (std::size_t k = 1; k < c.values.size(); ++k) {
       const bool gap = series_.clock().steps[k] > a_gap * result_.sampling;
-      // A gap has no readings: a sensor that reads the same behind it need not stick.
-      if (series_.clock().begins[k] || gap || c.values[k] != c.values[k - 1]) since = k;
-      if (time[k] - time[since] > longest) longest = time[k] - time[since], at = time[since];
       if (!series_.clock().begins[k] && !gap && std::abs(c.values[k] - c.values[k - 1]) > leap) {
         if (jumps++ == 0) first_jump = k;
       }
     }
-    if (longest > stuck_for && others_move(c, at, at + longest))
+    const Still still = longest_still(record_, c.values);
+    if (still.longest > stuck_for && others_move(c, still.from, still.from + still.longest))
       warn_of(channel,
               fmt::format(
                   "{} stands still for {:.3g} min from {:.4g} s on, while others move: does the "
                   "sensor stick?",
-                  channel.name, longest / 60.0, at));
+                  channel.name, still.longest / 60.0, still.from));
     if (jumps > 0)
       warn_of(channel, fmt::format("{} leaps by more than {} {} time{}, first before {}",
                                    channel.name, amount(channel, leap), jumps,

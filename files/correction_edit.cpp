@@ -190,7 +190,8 @@ void write_numbers(std::string& text, std::size_t index, bool listed, const Mode
 }
 
 void remove_trust(Editor& editor, std::size_t index) {
-  for (const std::string_view key : {"trust", "residual", "covariance", "together", "range"})
+  for (const std::string_view key :
+       {"trust", "residual", "covariance", "together", "still_s", "range"})
     editor.with_table(index, [&](const toml::table& table) {
       if (table.contains(key)) editor.remove(table, key);
     });

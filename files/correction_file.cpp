@@ -50,6 +50,9 @@ constexpr Key correction_keys[]{
      "\"PARAMETER\" = { value, std }: what is known of a number before the next fit, "
      "[correction.prior]"},
     {"range", a_table, unset, "COLUMN = [lowest, highest] of every input, [correction.range]"},
+    {"still_s", a_table, unset,
+     "COLUMN = longest time that a temperature stood still in the data of the fit, in s, "
+     "[correction.still_s]"},
     {"together", a_table, unset, "the table [correction.together]"},
     {"covariance", a_table, unset, "the table [correction.covariance]"},
     {"residual", a_table, unset, "the table [correction.residual]"},
@@ -203,6 +206,8 @@ class CorrectionReader {
     read_priors(s, m);
     if (const toml::node* const range = s.find("range"))
       read_range(part_of(s, "correction.range", *range), m);
+    if (const toml::node* const still = s.find("still_s"))
+      read_still(part_of(s, "correction.still_s", *still), m);
     std::vector<std::string> on_trust;
     read_trust(s, m, on_trust);
     append(notes_, notes_of(record::note::odd_value, std::move(on_trust), {.key = "correction"}));
@@ -577,6 +582,18 @@ class CorrectionReader {
       const Channel* const c = input_column(s, name, name);
       m.range.push_back(
           {.column = c, .name = name, .lower = c->to_SI(low), .upper = c->to_SI(high)});
+    }
+  }
+
+  void read_still(const Section& s, Model& m) const {
+    for (const auto& [key, node] : *s.table()) {
+      const std::string name(key.str());
+      const auto range = std::find_if(m.range.begin(), m.range.end(), [&](const auto& r) {
+        return r.column && r.name == name && record::is_temperature(*r.column);
+      });
+      if (range == m.range.end())
+        s.fail(name, fmt::format("{}: [correction.range] has no temperature of this name", name));
+      range->still = *s.number(Key{name, between(0, 1e12, "s"), unset, {}});
     }
   }
 

@@ -108,6 +108,7 @@ void narrow(std::vector<correction::SeenRange>& ranges, const correction::SeenRa
   }
   known->lower = std::max(known->lower, other.lower);
   known->upper = std::min(known->upper, other.upper);
+  known->still = std::fmax(known->still, other.still);
   if (known->lower > known->upper)
     refuse(file,
            fmt::format("{}: its range has nothing in common with the range of an earlier file: "

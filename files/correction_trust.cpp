@@ -163,6 +163,16 @@ std::string range_text(const Model& m) {
   return text;
 }
 
+std::string still_text(const Model& m) {
+  std::string text;
+  for (const correction::SeenRange& r : m.range)
+    if (std::isfinite(r.still))
+      text += fmt::format("{} = {}\n", r.name, text::toml_float(record::with_digits(r.still, 6)));
+  if (text.empty()) return text;
+  return "[correction.still_s]  # for how long each temperature stood still in that record\n" +
+         text;
+}
+
 std::string list_of(const std::vector<std::string>& words) {
   std::vector<std::string> quoted;
   for (const std::string& word : words) quoted.push_back(fmt::format("\"{}\"", word));
@@ -284,6 +294,7 @@ std::string trust_text(const Model& model) {
     text += table;
   };
   if (!model.range.empty()) add(range_text(model));
+  if (const std::string still = still_text(model); !still.empty()) add(still);
   if (model.together) add(together_text(*model.together));
   if (model.covariance) add(covariance_text(model));
   if (model.left) add(left_text(*model.left));
