@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "files/detail/column_source.h"
+#include "files/detail/impossible_cells.h"
 #include "record/channel.h"
 #include "text/bad_cells.h"
 #include "text/csv.h"
@@ -86,13 +87,12 @@ std::vector<record::Note> notes_on_others(const text::CsvTable& table, const Pla
 DisplacementCurve curve_of(text::CsvTable table, const ReadOptions& options) {
   const Recognised found = recognise(table, options);
   const Places read = places(table, found);
-  if (options.drop_nan) {
-    std::vector<ColumnSource> needed;
-    for (const auto& place : read)
-      if (place) needed.push_back(*place);
-    if (const std::string note = drop_empty_rows(table, needed); !note.empty())
-      table.notes.push_back(note);
-  }
+  std::vector<ColumnSource> needed;
+  for (const auto& place : read)
+    if (place) needed.push_back(*place);
+  for (const std::string& note : {options.drop_nan ? drop_empty_rows(table, needed) : std::string(),
+                                  drop_impossible_rows(table, needed)})
+    if (!note.empty()) table.notes.push_back(note);
   const auto status = table.column("status");
   DisplacementCurve curve{.source = table.source, .notes = notes_on_others(table, read)};
   curve.notes.insert(curve.notes.end(), found.notes.begin(), found.notes.end());

@@ -12,13 +12,26 @@ namespace {
 constexpr double usual_marks[] = {999.0,   999.9,   9999.0,   9999.9,  9999.99,
                                   99999.0, 99999.9, 999999.0, 999999.9};
 
+constexpr double beyond_instruments = 9e36;
+
+bool is_mark(double value) {
+  const double size = std::abs(value);
+  return size >= beyond_instruments ||
+         std::find(std::begin(usual_marks), std::end(usual_marks), size) != std::end(usual_marks);
+}
+
 /// A speed or a load may be 9999 as it is set.
 bool is_mark(double value, const record::Channel& channel) {
-  constexpr double beyond_range = 9e36;
-  const double size = std::abs(value);
-  if (size >= beyond_range) return true;
-  if (channel.role == record::Role::setting && value == std::floor(size)) return false;
-  return std::find(std::begin(usual_marks), std::end(usual_marks), size) != std::end(usual_marks);
+  const bool as_set = channel.role == record::Role::setting &&
+                      std::abs(value) < beyond_instruments && value == std::floor(std::abs(value));
+  return is_mark(value) && !as_set;
+}
+
+/// True far from all other numbers of a column, of which these are the least and the greatest.
+bool is_apart(double value, double lower, double upper) {
+  constexpr double far = 3.0;  // ranges of the column
+  const double margin = far * std::max(upper - lower, 1e-3 * std::abs(value));
+  return value < lower - margin || value > upper + margin;
 }
 
 }  // namespace
@@ -39,10 +52,7 @@ bool ImpossibleCells::has(std::size_t row) {
     return false;
   if (!looked_) look();
   if (is_beyond(number.value) && few_beyond_) return true;
-  constexpr double far = 3.0;  // ranges of the column
-  const double margin = far * std::max(upper_ - lower_, 1e-3 * std::abs(number.value));
-  return is_mark(number.value, *source_.channel) &&
-         (number.value < lower_ - margin || number.value > upper_ + margin);
+  return is_mark(number.value, *source_.channel) && is_apart(number.value, lower_, upper_);
 }
 
 /// Cheaper than the number: such a cell begins with three digits, or has an exponent or thousands.
@@ -76,6 +86,16 @@ void ImpossibleCells::look() {
     upper_ = std::max(upper_, number.value);
   }
   few_beyond_ = static_cast<double>(beyond) <= most_beyond * static_cast<double>(others);
+}
+
+std::vector<std::size_t> places_of_marks(std::span<const double> numbers) {
+  double lower = std::numeric_limits<double>::infinity(), upper = -lower;
+  for (const double number : numbers)
+    if (!is_mark(number)) lower = std::min(lower, number), upper = std::max(upper, number);
+  std::vector<std::size_t> places;
+  for (std::size_t k = 0; k < numbers.size() && lower <= upper; ++k)
+    if (is_mark(numbers[k]) && is_apart(numbers[k], lower, upper)) places.push_back(k);
+  return places;
 }
 
 std::string drop_impossible_rows(text::CsvTable& table, const std::vector<ColumnSource>& columns) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "files/detail/column_source.h"
+#include "files/detail/impossible_cells.h"
 #include "files/detail/signal_channels.h"
 #include "record/digits.h"
 #include "text/bad_cells.h"
@@ -41,9 +42,10 @@ SensorReadings readings_of(text::CsvTable table, const ReadOptions& options) {
       .source = table.source,
       .notes = notes_of(record::note::read_as, table.notes, {.file = table.source})};
   result.notes.insert(result.notes.end(), found.notes.begin(), found.notes.end());
-  if (options.drop_nan)
-    if (std::string note = drop_empty_rows(table, {reference, signal}); !note.empty())
-      result.notes.push_back(record::note::left_out(std::move(note)));
+  for (const std::string& note :
+       {options.drop_nan ? drop_empty_rows(table, {reference, signal}) : std::string(),
+        drop_impossible_rows(table, {reference, signal})})
+    if (!note.empty()) result.notes.push_back(record::note::left_out(note));
   std::vector<std::string> unused;
   for (std::size_t c = 0; c < table.header.size(); ++c)
     if (c != reference.column && c != signal.column) unused.push_back(table.header[c]);

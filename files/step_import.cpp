@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "files/detail/impossible_cells.h"
 #include "text/bad_cells.h"
 #include "text/csv.h"
 #include "text/input_file.h"
@@ -42,6 +43,8 @@ constexpr LoadColumn of_power{"power_W", "power", "power_loss", text::Dimension:
 constexpr LoadColumn of_speed{"speed_rpm", "speed", "n",      text::Dimension::speed,
                               rpm,         0.0,     1e6 * rpm};
 constexpr std::string_view name_column = "load_case";
+constexpr std::string_view is_no_reading =
+    "is no reading, but a number that is written in the place of one";
 
 struct FoundLoadColumn {
   std::size_t at;
@@ -80,7 +83,11 @@ std::vector<double> load_values(const text::CsvTable& table,
   const text::CellRange range{name, what.lower / column->factor, what.upper / column->factor,
                               text::header_parts(name).unit};
   for (std::size_t row = 0; row < table.rows(); ++row)
-    result.push_back(text::read_cell(table, row, column->at, range, bad).value * column->factor);
+    result.push_back(text::read_cell(table, row, column->at, range, bad).value);
+  if (what.dimension == text::Dimension::length)
+    for (const std::size_t row : places_of_marks(result))
+      bad.add(table.line(row), name, table.shown(row, column->at), is_no_reading);
+  for (double& value : result) value *= column->factor;
   return result;
 }
 
@@ -268,6 +275,8 @@ LoadCase read_history(const std::string& given, const HistoryUnits& units) {
   const std::string text = text::read_text(path);
   load.place = {.file = text::input_name(path), .line = 1, .key = {}};
   int line_number = 0;
+  std::vector<double> moved;  // as it stands in the file
+  std::vector<int> lines;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
     const std::string_view line = std::string_view(text).substr(at, end - at);
@@ -289,7 +298,13 @@ LoadCase read_history(const std::string& given, const HistoryUnits& units) {
           place);
     load.time.push_back(row[0] * units.time);
     load.displacement.push_back(row[1] * units.length);
+    moved.push_back(row[1]);
+    lines.push_back(line_number);
   }
+  text::BadCells bad(load.place.file, moved.size());
+  for (const std::size_t k : places_of_marks(moved))
+    bad.add(lines[k], "displacement", fmt::format("{}", moved[k]), is_no_reading);
+  bad.throw_if_any();
   if (load.time.empty())
     throw text::InputError(
         fmt::format("{}: has no row of two numbers, time and displacement", load.place.file),

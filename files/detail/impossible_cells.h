@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,10 @@ class ImpossibleCells {
   bool looked_ = false, few_beyond_ = false;
   double lower_ = std::numeric_limits<double>::infinity(), upper_ = -lower_;  ///< of all others
 };
+
+/// Places of the numbers of a column, as they stand in the file, that instruments and loggers write
+/// in the place of a reading, and that no other one comes near.
+[[nodiscard]] std::vector<std::size_t> places_of_marks(std::span<const double> numbers);
 
 /// Takes out rows with such a cell in one of these columns, and says which; nothing where there is
 /// none. Throws InputError where no row is left.

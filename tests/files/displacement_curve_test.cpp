@@ -66,6 +66,16 @@ TEST(DisplacementCurve, LeavesRowsOutWhoseStatusSaysWhyTheyAreEmpty) {
               HasSubstr("u.csv:2: axial_displacement_um = \"\": is empty"));
 }
 
+// The law was fitted to -9999 um as to any other reading.
+TEST(DisplacementCurve, LeavesOutNumbersThatAreNoReadings) {
+  const DisplacementCurve curve = parsed_curve(
+      "speed_rpm,axial_displacement_um\n0,0\n1000,0.5\n2000,-9999\n3000,1.5\n4000,9.9e37\n");
+  EXPECT_EQ(curve.points.size(), 3U);
+  EXPECT_THAT(texts(curve.notes),
+              ElementsAre("2 of 5 rows have a number that is no reading (such as -9999, or beyond "
+                          "what can be) and are left out (lines 4, 6)"));
+}
+
 TEST(DisplacementCurve, NamesEveryBadCellWithItsLine) {
   const std::string text = problem(
       "speed_rpm,axial_displacement_um,std_um\n-5,0,1\n100,nan,1\n200,,1\n300,x,0\n400,1e7,1\n");

@@ -146,6 +146,14 @@ TEST(StepImport, SaysWhatIsMissingOrWrong) {
                                       "displacement from -1 to 1 m",
                                       row)));
   }
+  const History marked(fmt::format(fmt::runtime(around), "20 -9999"));
+  EXPECT_THAT(tests::message_of([&] { (void)read_history(marked.with("50W"), {}); }),
+              HasSubstr(":5: displacement = -9999: is no reading"));
+  EXPECT_THAT(of("time_s,axial_displacement_um,power_W\n1,1,50\n2,1.5,50\n3,9.9e37,50\n"),
+              HasSubstr("fe.csv:4: axial_displacement_um = 9.9e37: "));
+  EXPECT_THAT(of("time_s,axial_displacement_um,power_W\n1,1,50\n2,1.5,50\n3,999.9,50\n"),
+              HasSubstr("fe.csv:4: axial_displacement_um = 999.9: is no reading, but a number that "
+                        "is written in the place of one"));
   const History right(fmt::format(fmt::runtime(around), "20 2"));
   EXPECT_EQ(read_history(right.with("50W"), {}).time.size(), 6U);
   EXPECT_THAT(tests::message_of([&] { (void)read_history(three.with("50"), {}); }),

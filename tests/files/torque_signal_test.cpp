@@ -76,6 +76,14 @@ TEST(SensorReadings, AreReadInOtherUnitsAsAGermanExcelWritesThem) {
   EXPECT_DOUBLE_EQ(named.readings.at(0).signal, 1.2481);
 }
 
+// A sensor was calibrated by 9999.9 V of an instrument beyond its range.
+TEST(SensorReadings, LeaveOutNumbersThatAreNoReadings) {
+  const SensorReadings read =
+      read_sensor_readings({"w.csv", "reference_Nm,signal_V\n0,0.1\n1,0.7\n2.5,9999.9\n5,3.1\n"});
+  EXPECT_EQ(read.readings.size(), 3U);
+  EXPECT_THAT(texts(read.notes), ElementsAre(HasSubstr("are left out (line 4)")));
+}
+
 TEST(SensorReadings, SayWhichColumnIsMissing) {
   EXPECT_THAT(tests::message_of([] {
                 (void)read_sensor_readings({"w.csv", "reference_Nm,Signal\n0,0\n"});
