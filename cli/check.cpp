@@ -206,6 +206,8 @@ Run setup_check(CLI::App& command) {
       .add_flag("--suggest-columns", flags->suggest,
                 "only propose which of their columns is which of ours (TOML)")
       ->excludes("--json");
+  for (const char* const of_data : {"--columns", "--drop-nan", "--beside", "--output"})
+    command.get_option(of_data)->needs("DATA");
   command.footer(
       "Example:\n  raceway check my.toml\n  raceway check my.toml rig.csv\n"
       "  raceway check my.toml export.csv --suggest-columns -o map.toml\n"

@@ -30,6 +30,8 @@ void StepCorrectionFlags::declare(CLI::App& command) {
       .add_option("--programme", programme,
                   "CSV with time_s, speed_rpm: the correction against the simulation")
       ->type_name("FILE");
+  for (const char* const of_correction : {"--law", "--lags"})
+    command.get_option(of_correction)->needs("--correction");
 }
 
 void StepCorrectionFlags::check(bool has_model) const {

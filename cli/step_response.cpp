@@ -141,6 +141,10 @@ Run setup_step_response(CLI::App& command) {
   command.add_option("-o,--output", flags->output, "CSV file to write; - for stdout")
       ->type_name("FILE");
   flags->correction.declare(command);
+  for (const char* const simulated : {"--hours", "--coolant"})
+    command.get_option(simulated)->needs("--speed");
+  command.get_option("--temperature")->excludes("--speed");
+  command.get_option("--units")->needs("--load-case");
   flags->csv.declare(command);
   command.add_flag("--force", flags->force, "replace files that exist");
   command.add_flag("--json", flags->json, "one JSON document instead of text");

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <sstream>
 #include <string>
 #include <utility>
@@ -105,6 +107,15 @@ TEST(CommandLine, TellsWhatIsMissingOrTooMuch) {
   expect_refused(run("calibrate m.toml"), "m.toml: no such file");
   expect_refused(run("compare m.toml"), "raceway compare: DATA is missing");
   expect_refused(run("compare"), "raceway compare: DATA is missing");
+}
+
+TEST(CommandLine, FlagsOfARecordNeedOne) {
+  for (const auto& [flag, name] : {std::pair{"--drop-nan", "--drop-nan"},
+                                   {"--columns map.toml", "--columns"},
+                                   {"--beside b.csv", "--beside"},
+                                   {"-o rows.csv", "--output"}})
+    expect_refused(run(fmt::format("check my.toml {}", flag)),
+                   fmt::format("{} requires DATA", name));
 }
 
 TEST(CommandLine, EndsQuietlyWhereTheReaderOfAPipeHasEnough) {

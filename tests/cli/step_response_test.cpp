@@ -222,6 +222,15 @@ TEST(StepResponseCommand, SaysWhatIsMissing) {
   EXPECT_THAT(
       run("step-response --import " + power + " --correction " + scratch.file("c.toml")).err,
       HasSubstr("needs the power at a speed"));
+  // Flags of another question were taken without a word.
+  for (const auto& [flags, missing] : {std::pair{"--hours 3", "--hours requires --speed"},
+                                       {"--coolant off", "--coolant requires --speed"},
+                                       {"--units min,um", "--units requires --load-case"},
+                                       {"--law line", "--law requires --correction"},
+                                       {"--lags one", "--lags requires --correction"}})
+    expect_refused(run("step-response --import " + power + " " + flags), missing);
+  expect_refused(run("step-response some.toml --speed 1000 --temperature 50"),
+                 "--temperature excludes --speed");
 }
 
 }  // namespace
