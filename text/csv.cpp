@@ -26,12 +26,15 @@ bool is_typeset(std::string_view number) {
                      [](char c) { return c == '\'' || c == ' ' || (c & 0x80) != 0; });
 }
 
-/// With "-" for U+2212, the sign at the number ("- 5"), and no apostrophes between groups of three
-/// digits (1'200.5).
+/// With "-" for U+2212, the sign at the number ("- 5"), and no apostrophes or blanks that do not
+/// break between groups of three digits (1'200.5).
 std::string without_typesetting(std::string_view number) {
   std::string text(number);
-  for (const auto& [typeset, plain] :
-       {std::pair<std::string_view, std::string_view>{"\u2212", "-"}, {"\u2019", "'"}})
+  for (const auto& [typeset, plain] : {std::pair<std::string_view, std::string_view>{"\u2212", "-"},
+                                       {"\u2019", "'"},
+                                       {"\u00a0", "'"},
+                                       {"\u2009", "'"},
+                                       {"\u202f", "'"}})
     for (std::size_t at = text.find(typeset); at != text.npos; at = text.find(typeset))
       text.replace(at, typeset.size(), plain);
   if (text.starts_with('-') || text.starts_with('+'))

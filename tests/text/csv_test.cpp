@@ -196,10 +196,12 @@ TEST(Csv, ALabviewFileWithoutTimesHasThemFromItsHead) {
 
 TEST(Csv, TypesetNumbersAreRead) {
   const CsvTable t = parse_csv(
-      "a\n\u22125.5\n- 7\n+ 3\n1'200.5\n1\u2019200'000\n2e\u22123\n1 000\n1'20\n", "d.csv");
-  const double expected[] = {-5.5, -7, 3, 1200.5, 1200000, 2e-3};
-  for (std::size_t row = 0; row < 6; ++row) EXPECT_EQ(t.number(row, 0), expected[row]) << row;
-  for (const std::size_t row : {6u, 7u}) EXPECT_FALSE(t.parsed(row, 0).problem.empty()) << row;
+      "a\n\u22125.5\n- 7\n+ 3\n1'200.5\n1\u2019200'000\n2e\u22123\n1\u00a0200.5\n12\u202f345\n"
+      "1 000\n1'20\n1\u00a020\n",
+      "d.csv");
+  const double expected[] = {-5.5, -7, 3, 1200.5, 1200000, 2e-3, 1200.5, 12345};
+  for (std::size_t row = 0; row < 8; ++row) EXPECT_EQ(t.number(row, 0), expected[row]) << row;
+  for (const std::size_t row : {8u, 9u, 10u}) EXPECT_FALSE(t.parsed(row, 0).problem.empty()) << row;
 }
 
 TEST(Csv, RowsWithMoreOrFewerCellsAreErrors) {
