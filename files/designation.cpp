@@ -215,10 +215,15 @@ Designation read_designation(std::string_view given) {
 void require_angular_contact(std::string_view designation) {
   const Designation d = read_designation(designation);
   if (d.other_type.empty()) return;
+  constexpr std::string_view of_rollers = "a cylindrical roller bearing";
   throw text::InputError(
-      fmt::format("bearing {} is {}: models are of single-row angular-contact ball "
-                  "bearings, as 7014 C",
-                  text::quoted(designation), d.other_type),
+      fmt::format(
+          "bearing {} is {}: the catalogue has single-row angular-contact ball bearings, as "
+          "7014 C{}",
+          text::quoted(designation), d.other_type,
+          d.other_type == of_rollers
+              ? "; a model of rollers has type = \"cylindrical-roller\" (docs/roller.md)"
+              : ""),
       {.key = "BEARING"});
 }
 
