@@ -29,13 +29,15 @@ text::SpreadsheetMarks marks_of(const CsvStyle& style) {
 
 void CsvStyle::declare(CLI::App& command, const std::vector<std::string>& others,
                        const std::string& help) {
-  std::vector<std::string> names{"csv", "excel"};
+  std::vector<std::string> names{"csv", "plain", "excel"};
   names.insert(names.end(), others.begin(), others.end());
   command
       .add_option("--format", format,
-                  "csv (with the model in # lines; the default), " + help +
-                      "excel (a CSV that a\nGerman Excel opens: semicolons, decimal commas, the "
-                      "header first,\ncomments in FILE_comments.txt)")
+                  "csv (with the model in # lines; the default), plain (the header is\nthe first "
+                  "line, comments are in FILE_comments.txt; for pandas and\nMATLAB), " +
+                      help +
+                      "excel (as plain, and a German Excel opens it:\nsemicolons and decimal "
+                      "commas)")
       ->check(CLI::IsMember(names))
       ->type_name("NAME");
   command
@@ -66,18 +68,19 @@ void CsvStyle::require_writable(const std::string& path, text::IfExists if_exist
   check();
   if (path.empty() || path == "-") return;
   text::require_writable(path, if_exists);
-  if (for_spreadsheet()) text::require_writable(comments_beside(path), if_exists);
+  if (has_comments_apart()) text::require_writable(comments_beside(path), if_exists);
 }
 
 void CsvStyle::put(const std::string& path, const std::string& csv, text::IfExists if_exists,
                    std::string_view what) const {
   if (path.empty()) return;
-  if (!for_spreadsheet()) {
+  if (!has_comments_apart()) {
     if (path == "-") return fmt::print("{}", csv);
     text::write_text(path, csv, if_exists);
     return say(fmt::format("{} written{}", path, what));
   }
-  const text::SpreadsheetCsv sheet = text::spreadsheet_csv(csv, marks_of(*this));
+  const text::PlainCsv sheet =
+      for_spreadsheet() ? text::spreadsheet_csv(csv, marks_of(*this)) : text::plain_csv(csv);
   if (path == "-") return fmt::print("{}", sheet.table);
   if (sheet.comments.empty()) {
     text::write_text(path, sheet.table, if_exists);

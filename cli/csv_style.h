@@ -9,11 +9,11 @@
 
 namespace raceway::cli {
 
-/// Form of the tables that a command writes: `--format csv` or `excel`, `--separator` and
+/// Form of the tables that a command writes: `--format csv`, `plain` or `excel`, `--separator` and
 /// `--decimal-mark`.
 ///
-/// Excel's form has its header in the first line. The comments, with the model, go into a second
-/// file: run.csv and run_comments.txt.
+/// The latter two have their header in the first line. The comments, with the model, go into a
+/// second file: run.csv and run_comments.txt.
 struct CsvStyle {
   std::string format = "csv", separator, decimal_mark;
 
@@ -31,6 +31,7 @@ struct CsvStyle {
 
  private:
   [[nodiscard]] bool for_spreadsheet() const { return format == "excel"; }
+  [[nodiscard]] bool has_comments_apart() const { return for_spreadsheet() || format == "plain"; }
 };
 
 }  // namespace raceway::cli

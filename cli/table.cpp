@@ -172,9 +172,7 @@ Run setup_table(CLI::App& command) {
   command
       .add_option("--slab", flags->slab, "only the i-th of N parts of the table, for table --merge")
       ->type_name("i/N");
-  flags->csv.declare(command, {"plain", "modelica"},
-                     "plain (one header line\nof identifiers, for pandas and MATLAB), modelica "
-                     "(CombiTable, SI) or\n");
+  flags->csv.declare(command, {"modelica"}, "modelica (CombiTable, SI), ");
   command.add_option("--plot", flags->plot, "torque over speed as a picture (SVG)")
       ->type_name("FILE");
   command.add_flag("--force", flags->force, "replace the file if it exists");

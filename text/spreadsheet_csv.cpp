@@ -22,22 +22,29 @@ void append_cell(fmt::memory_buffer& out, std::string_view cell, SpreadsheetMark
 
 }  // namespace
 
-SpreadsheetCsv spreadsheet_csv(std::string_view csv, SpreadsheetMarks marks) {
+PlainCsv plain_csv(std::string_view csv) {
+  PlainCsv result;
+  while (!csv.empty()) {
+    const std::size_t end = std::min(csv.find('\n'), csv.size() - 1) + 1;
+    (csv.starts_with('#') ? result.comments : result.table) += csv.substr(0, end);
+    csv.remove_prefix(end);
+  }
+  return result;
+}
+
+PlainCsv spreadsheet_csv(std::string_view csv, SpreadsheetMarks marks) {
   if (marks.separator == marks.decimal)
     throw std::invalid_argument("columns and decimals need marks of their own");
+  PlainCsv result = plain_csv(csv);
+  std::string_view rows = result.table;
   fmt::memory_buffer out;
   const std::string_view byte_order_mark = "\xEF\xBB\xBF", end_of_line = "\r\n";
   out.append(byte_order_mark.data(), byte_order_mark.data() + byte_order_mark.size());
-  SpreadsheetCsv result;
   std::vector<CellSpan> cells;
-  for (int number = 1; !csv.empty(); ++number) {
-    const std::size_t end = std::min(csv.find('\n'), csv.size());
-    std::string line(csv.substr(0, end));
-    csv.remove_prefix(std::min(end + 1, csv.size()));
-    if (line.starts_with('#')) {
-      result.comments += line + "\n";
-      continue;
-    }
+  for (int number = 1; !rows.empty(); ++number) {
+    const std::size_t end = std::min(rows.find('\n'), rows.size());
+    std::string line(rows.substr(0, end));
+    rows.remove_prefix(std::min(end + 1, rows.size()));
     cells.clear();
     split_cells(line, 0, line.size(), ',', "table", number, cells);
     for (std::size_t k = 0; k < cells.size(); ++k) {

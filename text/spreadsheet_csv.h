@@ -11,14 +11,18 @@ struct SpreadsheetMarks {
   char decimal = ',';
 };
 
-struct SpreadsheetCsv {
-  std::string table;     ///< the header is its first line
+/// A table whose header is its first line.
+struct PlainCsv {
+  std::string table;
   std::string comments;  ///< all that stood behind `#`, with the model; empty for none
 };
 
-/// A CSV of this program as a spreadsheet opens it by a double click: with a byte order mark of
-/// UTF-8, CR LF, the marks of the language, and without comments, which stand apart. Throws
-/// std::invalid_argument where both marks are the same.
-[[nodiscard]] SpreadsheetCsv spreadsheet_csv(std::string_view csv, SpreadsheetMarks marks = {});
+/// A CSV of this program without its comments, which stand apart.
+[[nodiscard]] PlainCsv plain_csv(std::string_view csv);
+
+/// plain_csv() as a spreadsheet opens it by a double click: with a byte order mark of
+/// UTF-8, CR LF and the marks of the language. Throws std::invalid_argument where both marks are
+/// the same.
+[[nodiscard]] PlainCsv spreadsheet_csv(std::string_view csv, SpreadsheetMarks marks = {});
 
 }  // namespace raceway::text

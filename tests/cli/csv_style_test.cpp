@@ -10,6 +10,7 @@
 namespace raceway::tests {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -31,6 +32,22 @@ TEST(CsvStyle, ExcelHasItsHeaderInTheFirstLineAndTheModelBesideIt) {
                  "st.csv");
 }
 
+TEST(CsvStyle, PlainHasItsHeaderInTheFirstLineAndAllElseAsItIs) {
+  const ScratchFolder folder;
+  const std::string displacement = "displacement " + source_dir() +
+                                   "/data/spindles/small.toml --speed 0,3000 -o " +
+                                   folder.file("c.csv");
+  ASSERT_EQ(run(displacement).status, 0);
+  const std::string whole = file_text(folder.file("c.csv"));
+  ASSERT_THAT(whole, StartsWith("# "));
+  ASSERT_EQ(run(displacement + " --force --format plain").status, 0);
+  const std::string table = file_text(folder.file("c.csv"));
+  EXPECT_THAT(table, StartsWith("speed_rpm,"));
+  EXPECT_EQ(file_text(folder.file("c_comments.txt")) + table, whole);
+  expect_refused(run(displacement + " --force --format plain --separator tab"),
+                 "--separator: belongs to --format excel");
+}
+
 TEST(CsvStyle, MarksAreChosenByOption) {
   const ScratchFolder folder;
   const std::string model = folder.write("m.toml", model_text);
@@ -46,7 +63,9 @@ TEST(CsvStyle, MarksAreChosenByOption) {
 TEST(CsvStyle, EveryCommandThatWritesATableHasIt) {
   for (const char* command : {"check", "table", "displacement", "deflection", "modes", "correct",
                               "spindle", "step-response"})
-    EXPECT_THAT(run(std::string(command) + " --help").out, HasSubstr("--decimal-mark")) << command;
+    EXPECT_THAT(run(std::string(command) + " --help").out,
+                AllOf(HasSubstr("--decimal-mark"), HasSubstr("plain (the header is")))
+        << command;
 }
 
 TEST(CsvStyle, RowsThatWereReadMayGoBackToExcel) {

@@ -11,7 +11,7 @@ const std::string csv =
     "2000,-1.5e-05,\"b; \"\"c\"\"\"\n3000,,'=1+1\n";
 
 TEST(SpreadsheetCsv, TheHeaderIsTheFirstLineAndMarksAreGerman) {
-  const SpreadsheetCsv sheet = spreadsheet_csv(csv);
+  const PlainCsv sheet = spreadsheet_csv(csv);
   EXPECT_EQ(sheet.table,
             "\xEF\xBB\xBFspeed_rpm;moment_Nmm;case\r\n1000;12,5;a\r\n"
             "2000;-1,5e-05;\"b; \"\"c\"\"\"\r\n3000;;'=1+1\r\n");
@@ -29,7 +29,7 @@ TEST(SpreadsheetCsv, OtherMarksMayBeAskedFor) {
 
 /// The readers of this program take it back.
 TEST(SpreadsheetCsv, IsReadAsTheTableThatItWas) {
-  const SpreadsheetCsv sheet = spreadsheet_csv(csv);
+  const PlainCsv sheet = spreadsheet_csv(csv);
   const CsvTable was = parse_csv(csv, "a.csv"), is = parse_csv(sheet.table.substr(3), "b.csv");
   ASSERT_EQ(is.header, was.header);
   ASSERT_EQ(is.rows(), was.rows());
