@@ -67,6 +67,7 @@ void CsvStyle::check() const {
 void CsvStyle::require_writable(const std::string& path, text::IfExists if_exists) const {
   check();
   if (path.empty() || path == "-") return;
+  text::require_name_of(path, text::Written::table);
   text::require_writable(path, if_exists);
   if (has_comments_apart()) text::require_writable(comments_beside(path), if_exists);
 }

@@ -21,6 +21,7 @@ void ReportFlag::check(text::IfExists if_exists) const {
         "--report: this program was built without reports (-DRACEWAY_REPORT=OFF); with Node and "
         "npm installed, build it with -DRACEWAY_REPORT=ON",
         {.key = "--report"});
+  text::require_name_of(path, text::Written::page);
   text::require_writable(path, if_exists);
 }
 

@@ -85,7 +85,10 @@ int run(const TableFlags& flags) {
         "raceway table: a slab is for a file to be merged: --slab needs --output",
         {.key = "--slab"});
   flags.csv.require_writable(flags.output, if_exists);
-  if (!flags.plot.empty()) text::require_writable(flags.plot, if_exists);
+  if (!flags.plot.empty()) {
+    text::require_name_of(flags.plot, text::Written::picture);
+    text::require_writable(flags.plot, if_exists);
+  }
   if (!flags.data.empty() && flags.report.path.empty())
     throw text::InputError("raceway table: --data is drawn in a report: --report is missing",
                            {.key = "--report"});

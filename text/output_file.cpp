@@ -191,6 +191,23 @@ void refuse_other_formats(const std::string& path) {
 
 }  // namespace
 
+void require_name_of(const std::string& path, Written what) {
+  struct Format {
+    std::string_view endings, words, name;
+  };
+  // In the order of Written.
+  constexpr std::array formats{Format{".csv", "tables are written as CSV", ".csv"},
+                               Format{".svg", "pictures are written as SVG", ".svg"},
+                               Format{".html .htm", "pages are written as HTML", ".html"}};
+  constexpr std::string_view ours = " .csv .svg .html .htm .json .toml .py .c ";
+  const std::string ending = lower_case(fs::path(path).extension().string());
+  if (ending.empty() || ours.find(" " + ending + " ") == ours.npos) return;
+  const Format& format = formats[static_cast<std::size_t>(what)];
+  if (format.endings.find(ending) == format.endings.npos)
+    throw InputError(fmt::format("{}: {}: name it {}", path, format.words, format.name),
+                     {.file = path});
+}
+
 void require_writable(const std::string& path, IfExists if_exists) {
   refuse_other_formats(path);
   if (path.empty()) throw InputError("the name of the output file is empty");

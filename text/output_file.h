@@ -16,6 +16,11 @@ enum class IfExists { refuse, refuse_naming_replace, replace };
 /// calculation.
 void require_writable(const std::string& path, IfExists if_exists);
 
+/// Throws InputError for a name that promises another of our formats: a table in st.json, a picture
+/// in st.html. Names without a known ending are free.
+enum class Written { table, picture, page };
+void require_name_of(const std::string& path, Written what);
+
 /// Writes a whole file or nothing: into a temporary file in the same folder first, which then takes
 /// its name. Keeps the permissions of a file it replaces. A file that came meanwhile is kept unless
 /// it is to be replaced. Throws InputError as above, and where the disk is full.

@@ -191,6 +191,20 @@ TEST_F(OutputFile, ANameOfAnotherFormatIsRefused) {
   EXPECT_EQ(files(), 0);
 }
 
+// A table in st.json and a picture in st.html were "written".
+TEST_F(OutputFile, ANameOfAnotherOfOurFormatsIsRefused) {
+  const auto refusal = [](const char* name, Written what) {
+    return tests::message_of([&] { require_name_of(name, what); });
+  };
+  EXPECT_THAT(refusal("st.json", Written::table), HasSubstr("st.json: tables are written as CSV"));
+  EXPECT_THAT(refusal("st.HTML", Written::picture), HasSubstr("as SVG: name it .svg"));
+  EXPECT_THAT(refusal("st.svg", Written::page), HasSubstr("as HTML: name it .html"));
+  for (const char* name : {"st.csv", "st", "st.txt", "st.mo", "st.2"})
+    require_name_of(name, Written::table);
+  require_name_of("st.svg", Written::picture);
+  require_name_of("st.htm", Written::page);
+}
+
 TEST_F(OutputFile, WhereOneOfASetCannotBeWrittenNoneIs) {
   write_text(path("2"), "old", IfExists::refuse);
   EXPECT_THAT(tests::message_of([&] {
