@@ -46,6 +46,7 @@ std::vector<ProfileRow> profile_of(const record::Record& record) {
   const auto at = [](std::span<const double> values, std::size_t row, double otherwise) {
     return values.empty() ? otherwise : values[row];
   };
+  constexpr double longest = 3.2e8;  // [s], 10 years, of minutes of computing
   std::vector<ProfileRow> rows;
   rows.reserve(record.rows());
   for (std::size_t row = 0; row < record.rows(); ++row) {
@@ -53,6 +54,10 @@ std::vector<ProfileRow> profile_of(const record::Record& record) {
       throw std::invalid_argument(
           fmt::format("{}: time_s = {:.10g} s: time must rise; {:.10g} s stands before it",
                       record.place(row), time[row], time[row - 1]));
+    if (time[row] - time[0] > longest)
+      throw std::invalid_argument(
+          fmt::format("{}: time_s = {:.10g} s: a programme lasts at most {:g} s, 10 years",
+                      record.place(row), time[row], longest));
     // Temperatures are read in their own row.
     const bool from_row = record.settings_hold != record::SettingsHold::until_row;
     const std::size_t set = from_row && row > 0 ? row - 1 : row;
