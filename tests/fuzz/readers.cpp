@@ -9,14 +9,23 @@
 #include "cli/axis_flag.h"
 #include "control/formats.h"
 #include "control/table_reader.h"
+#include "correction/simulation.h"
 #include "files/catalogue_file.h"
 #include "files/column_map.h"
+#include "files/correction_file.h"
 #include "files/data_file.h"
 #include "files/displacement_curve.h"
 #include "files/model_file.h"
+#include "files/new_correction.h"
 #include "files/sensor_file.h"
+#include "files/series_doubts.h"
+#include "files/series_file.h"
+#include "files/spindle_record.h"
+#include "files/step_import.h"
 #include "files/subject.h"
+#include "files/suggest_columns.h"
 #include "files/table_file.h"
+#include "tests/files/spindle_text.h"
 #include "tests/support/model_text.h"
 #include "text/csv.h"
 #include "text/error.h"
@@ -62,6 +71,47 @@ void data(const std::string& text) {
     } catch (const std::invalid_argument&) {  // said by the command, with the file
     }
   });
+}
+
+/// A correction that is taken reads back from the text that its models are written as.
+void correction(const std::string& text) {
+  refusable([&] {
+    const files::CorrectionFile file = files::parse_correction(text, "drift.toml");
+    const std::string again = files::with_corrections(file, file.models);
+    if (files::parse_correction(again, "drift.toml").models.size() != file.models.size())
+      throw std::logic_error("written again it has other models");
+  });
+}
+
+/// A record over time, of a correction and of a spindle.
+void series(const std::string& text) {
+  static const files::CorrectionFile drift = files::parse_correction(
+      "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\n"
+      "input = \"bearing_temperature_C\"\n"
+      "sections = [{ gain_um_K = 4.0, time_constant_s = 3000 }]\n",
+      "drift.toml");
+  static const model::Model spindle =
+      files::parse_model(tests::shortest_spindle, "spindle.toml").model;
+  const correction::Model& model = drift.models.front();
+  const files::Source source{"data.csv", text};
+  for (const bool drop_nan : {false, true})
+    refusable([&] {
+      const record::Record record = files::read_series(
+          source, {model.displacement}, correction::inputs_of(model), {.drop_nan = drop_nan});
+      (void)files::asked_about(files::series_doubts(record, drift.models), source,
+                               files::over_time({}));
+    });
+  refusable([&] { (void)files::suggested_columns(source, drift.models); });
+  refusable([&] {
+    const std::string made = files::new_correction(source, {}).text;
+    (void)files::parse_correction(made, "new.toml");
+  });
+  refusable([&] { (void)files::read_spindle_record(source, *spindle.spindle); });
+}
+
+/// Load cases of another program.
+void steps(const std::string& text) {
+  refusable([&] { (void)files::fit_load_cases(files::parse_load_cases(text, "fe.csv")); });
 }
 
 void catalogue(const std::string& text) {
@@ -132,9 +182,10 @@ void command_line(const std::string& text) {
 }
 
 constexpr Reader all[] = {
-    {"model", model},         {"data", data},           {"coefficients", coefficients},
-    {"catalogue", catalogue}, {"table", table},         {"curve", curve},
-    {"columns", columns},     {"timestamp", timestamp}, {"command_line", command_line}};
+    {"model", model},         {"correction", correction}, {"data", data},
+    {"series", series},       {"steps", steps},           {"coefficients", coefficients},
+    {"catalogue", catalogue}, {"table", table},           {"curve", curve},
+    {"columns", columns},     {"timestamp", timestamp},   {"command_line", command_line}};
 
 }  // namespace
 
