@@ -28,7 +28,7 @@ void StepCorrectionFlags::declare(CLI::App& command) {
       ->type_name("NUMBER");
   command
       .add_option("--programme", programme,
-                  "CSV with time_s, speed_rpm: the correction against the simulation")
+                  "CSV with time_s, speed_rpm and loads: the correction against the simulation")
       ->type_name("FILE");
   for (const char* const of_correction : {"--law", "--lags"})
     command.get_option(of_correction)->needs("--correction");
@@ -45,9 +45,10 @@ void StepCorrectionFlags::check(bool has_model) const {
                            {.key = "--correction"});
 }
 
-void StepCorrectionFlags::require_writable(text::IfExists if_exists) const {
+void StepCorrectionFlags::require_writable(text::IfExists if_exists,
+                                           const std::vector<std::string>& load_channels) const {
   if (file.empty()) return;
-  const std::vector<std::string> tables = results::step_correction_tables(file);
+  const std::vector<std::string> tables = results::step_correction_tables(file, load_channels);
   check_outputs(tables);
   text::require_writable(file, if_exists);
   for (const std::string& table : tables) text::require_writable(table, if_exists);

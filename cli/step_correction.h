@@ -19,7 +19,8 @@ struct StepCorrectionFlags {
   /// Throws text::InputError for flags that do not go together; `has_model`: of the command.
   void check(bool has_model) const;
   /// Throws text::InputError where write() would.
-  void require_writable(text::IfExists if_exists) const;
+  void require_writable(text::IfExists if_exists,
+                        const std::vector<std::string>& load_channels) const;
   /// Writes the model and its tables, if one was asked for.
   void write(const session::SpindleSteps& steps, bool replace) const;
   /// The written correction against the simulation over the programme, if there is one.

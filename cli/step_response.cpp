@@ -26,7 +26,8 @@ namespace {
 constexpr double one_hour = 3600.0;
 
 struct StepFlags {
-  std::string model, speed, import, output, units = "s,um", coolant = "on";
+  std::string model, speed, axial_load, radial_load, load_speed, import, output, units = "s,um",
+                                                                                 coolant = "on";
   StepCorrectionFlags correction;
   std::vector<std::string> load_cases;
   double hours = 4.0, temperature = unset;
@@ -35,6 +36,7 @@ struct StepFlags {
   ReportFlag report;
 
   [[nodiscard]] bool imports() const { return !import.empty() || !load_cases.empty(); }
+  [[nodiscard]] bool steps_loads() const { return !axial_load.empty() || !radial_load.empty(); }
 };
 
 void check_step_flags(const StepFlags& f) {
@@ -44,6 +46,10 @@ void check_step_flags(const StepFlags& f) {
   refuse_two_on_stdout("step-response", f.json, f.output);
   if (f.imports() && !f.speed.empty())
     refuse("--speed simulates and --import reads step responses; take one", "--speed");
+  if (f.imports() && (f.steps_loads() || !f.load_speed.empty()))
+    refuse(
+        "--axial-load and --radial-load are simulated, and --import reads step responses; take one",
+        f.steps_loads() ? f.axial_load.empty() ? "--radial-load" : "--axial-load" : "--load-speed");
   if (!f.imports() && f.model.empty()) refuse("MODEL is missing, or --import FILE", "MODEL");
   if (!f.imports() && f.speed.empty())
     refuse("--speed is missing, such as 2000:10000:2000, or --import FILE", "--speed");
@@ -64,36 +70,46 @@ session::SpindleSteps imported_steps(const StepFlags& flags, const files::ModelF
                                  file, flags.temperature);
 }
 
-session::SpindleSteps simulated_steps(const StepFlags& flags, const files::ModelFile& file) {
-  session::StepQuestion question{.speeds = axis(flags.speed, "--speed"),
-                                 .duration = flags.hours * one_hour,
-                                 .coolant_on = flags.coolant == "on",
-                                 .wording = session::Wording::flags};
-  require_all(question.speeds, speed_range, "--speed");
-  for (double& speed : question.speeds) speed *= rpm;
-  return session::simulated_steps(messages(), file, question);
+std::vector<double> given_axis(const std::string& values, const char* flag,
+                               const NumberRange& range, double unit) {
+  if (values.empty()) return {};
+  std::vector<double> list = axis(values, flag);
+  require_all(list, range, flag);
+  for (double& value : list) value *= unit;
+  return list;
 }
 
-void require_step_files(const StepFlags& flags) {
+session::StepQuestion step_question(const StepFlags& flags) {
+  return {.speeds = given_axis(flags.speed, "--speed", speed_range, rpm),
+          .axial_loads = given_axis(flags.axial_load, "--axial-load", signed_load_range, 1.0),
+          .radial_loads = given_axis(flags.radial_load, "--radial-load", signed_load_range, 1.0),
+          .load_speeds = given_axis(flags.load_speed, "--load-speed", speed_range, rpm),
+          .duration = flags.hours * one_hour,
+          .coolant_on = flags.coolant == "on",
+          .wording = session::Wording::flags};
+}
+
+void require_step_files(const StepFlags& flags, const session::StepQuestion& question) {
   const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
   flags.csv.require_writable(flags.output, if_exists);
   flags.report.check(flags.force);
-  flags.correction.require_writable(if_exists);
+  flags.correction.require_writable(if_exists, session::load_channels(question));
 }
 
 int run(const StepFlags& flags) {
   check_step_flags(flags);
-  require_step_files(flags);
+  const session::StepQuestion question = step_question(flags);
+  require_step_files(flags, question);
   std::optional<files::ModelFile> file;
   if (!flags.model.empty())
     file = session::open_model(messages(), flags.model, session::Accepts::shaft);
   const session::SpindleSteps steps = flags.imports()
                                           ? imported_steps(flags, file ? &*file : nullptr)
-                                          : simulated_steps(flags, *file);
+                                          : session::simulated_steps(messages(), *file, question);
   if (!flags.output.empty())
     flags.csv.put(flags.output, steps.csv(),
                   flags.force ? text::IfExists::replace : text::IfExists::refuse,
-                  fmt::format(", {} step responses", steps.responses.steps.size()));
+                  fmt::format(", {} step responses", steps.count()));
   if (!flags.json && flags.output.empty()) print_steps(steps);
   tell(steps.notes);
   flags.correction.write(steps, flags.force);
@@ -117,6 +133,16 @@ Run setup_step_response(CLI::App& command) {
   command
       .add_option("--speed", flags->speed,
                   "[rpm] of the steps, as 2000,6000 or as from:to:step, 2000:10000:2000")
+      ->type_name("VALUES");
+  command
+      .add_option("--axial-load", flags->axial_load,
+                  "[N] of steps at the nose of a spindle that has settled at each speed,\npositive "
+                  "towards the tool, as --axial-load=-500,500")
+      ->type_name("VALUES");
+  command.add_option("--radial-load", flags->radial_load, "[N] of such steps")->type_name("VALUES");
+  command
+      .add_option("--load-speed", flags->load_speed,
+                  "[rpm] at which loads step; default: all of --speed")
       ->type_name("VALUES");
   add_number(command, "--hours", flags->hours, session::step_hours_range,
              "of each step; default 4");

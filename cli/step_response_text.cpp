@@ -9,6 +9,27 @@
 
 namespace raceway::cli {
 
+namespace {
+
+void print_load_steps(const std::vector<spindle::LoadSteps>& loads) {
+  fmt::print(
+      "\nSteps of a load at the nose of the settled spindle: u = at once + K (1 - exp(-t/T))\n\n");
+  TextTable table({{"step", "", true},
+                   {"at once", "um"},
+                   {"K", "um"},
+                   {"T", "min"},
+                   {"left", "um"},
+                   {"T without it", "min"}});
+  for (const spindle::LoadSteps& at : loads)
+    for (const spindle::StepResponse& s : at.steps)
+      table.add({session::name_of(s), number(s.kinematic / um), number(s.fit.one.gain / um),
+                 number(s.fit.one.time_constant / spindle::one_minute), number(s.fit.rms / um, 2),
+                 number(at.unloaded / spindle::one_minute)});
+  fmt::print("{}", table.text(terminal_width()));
+}
+
+}  // namespace
+
 void print_steps(const session::SpindleSteps& steps) {
   const spindle::StepResponses& responses = steps.responses;
   const spindle::PowerLaws& laws = steps.laws;
@@ -35,6 +56,7 @@ void print_steps(const session::SpindleSteps& steps) {
                number(f.rms_of_two / um, 2)});
   }
   fmt::print("{}", table.text(terminal_width()));
+  if (!responses.loads.empty()) print_load_steps(responses.loads);
   if (responses.cool_down.known())
     fmt::print("back to rest from the fastest: T = {} min\n",
                number(responses.cool_down.one / spindle::one_minute));

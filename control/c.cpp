@@ -89,7 +89,7 @@ class Numbers {
             {"CHECK_ROWS", std::to_string(plan_.check.rows.size())},
             {"TOLERANCE", control_tolerance},
             {"HEADING", "/*\n" + control_heading(plan_, " * ") + " */\n"},
-            {"POWER", plan_.tables.empty() ? "0" : "1"},
+            {"POWER", plan_.tables.empty() && element_count_ == 0 ? "0" : "1"},
             {"STAMP", fmt::format("{}.0", stamp(plan_))},
             {"INPUT_NAMES", input_names},
             {"OUTPUT_NAMES", output_names},
@@ -199,11 +199,11 @@ class Numbers {
     drive_input_count_ += d.inputs.size();
   }
 
-  std::string curve(const ControlCurve& c, std::string_view what) {
+  std::string curve(const ControlCurve& c, std::string_view what, std::string_view of) {
     if (c.kind == ControlCurve::Kind::table) {
-      const std::size_t powers = add_points(c.power_W, "W");
+      const std::size_t inputs = add_points(c.input, of);
       const std::size_t values = add_points(c.value, what);
-      return fmt::format("{{{}_table, {}, {}, {}, 0, 0}}", name_, powers, values, c.value.size());
+      return fmt::format("{{{}_table, {}, {}, {}, 0, 0}}", name_, inputs, values, c.value.size());
     }
     return fmt::format("{{{}_{}, 0, 0, 0, {}, {}}}", name_,
                        c.kind == ControlCurve::Kind::line ? "line" : "power_law", real(c.factor),
@@ -217,10 +217,13 @@ class Numbers {
                                real(s.time_constant_s), real(s.direct), real(s.off_gain),
                                real(s.off_time_constant), real(s.speed_factor), real(s.gain_power),
                                real(s.falling), harmless(s.channel));
-    for (const ControlElement& e : a.elements)
-      elements_ += fmt::format("  {{{}, {}, {}, {},\n   {},\n   {}}}, /* {} */\n", output, e.drive,
-                               real(e.scale), real(e.power_limit_W), curve(e.gain_um, "um"),
-                               curve(e.time_constant_s, "s"), harmless(e.channel));
+    for (const ControlElement& e : a.elements) {
+      const std::string& of = plan_.drives[e.drive].unit;
+      elements_ +=
+          fmt::format("  {{{}, {}, {}, {}, {},\n   {},\n   {}}}, /* {} */\n", output, e.drive,
+                      real(e.scale), real(e.from), real(e.limit), curve(e.gain_um, "um", of),
+                      curve(e.time_constant_s, "s", of), harmless(e.channel));
+    }
     for (const ControlFeedthrough& f : a.feedthroughs)
       feedthroughs_ += fmt::format("  {{{}, {}, {}}}, /* {} */\n", output, f.drive, real(f.gain),
                                    harmless(f.channel));

@@ -44,9 +44,10 @@ constexpr std::string_view answer_formulas =
 )";
 
 constexpr std::string_view element_formulas =
-    R"(# element      a section with gain K(P), 0 at P = 0, and time constant T(P), P the power u of the call before; it stands
-#              still where P is below 0 or not below its limit. A line is slope*P + value_at_0, a power law
-#              factor*P^exponent, a table straight between points, ends held
+    R"(# element      a section with gain K(u), 0 at u = 0, and time constant T(u), u that of the call before, which the inputs
+#              give within their lowest and highest; it stands still where u is below `from` (0 where it is not given) or not
+#              below its limit. A line is slope*u + value_at_0, a power law factor*u^exponent, a table straight between
+#              points, ends held
 )";
 
 constexpr std::string_view schema =
@@ -168,12 +169,13 @@ class Table {
                t.torque_Nmm[j * t.speed_rpm.size() + k], "N mm");
   }
 
-  void add_curve(const std::string& name, const ControlCurve& c, const std::string& unit) {
+  void add_curve(const std::string& name, const ControlCurve& c, const std::string& unit,
+                 const std::string& of) {
     if (c.kind == ControlCurve::Kind::table) {
       for (std::size_t k = 0; k < c.value.size(); ++k)
-        number(fmt::format("{} at {:.15g} W", name, c.power_W[k]), c.value[k], unit);
+        number(fmt::format("{} at {:.15g} {}", name, c.input[k], of), c.value[k], unit);
     } else if (c.kind == ControlCurve::Kind::line) {
-      number(name + " slope", c.factor, unit + "/W");
+      number(name + " slope", c.factor, unit + "/" + of);
       number(name + " value_at_0", c.other, unit);
     } else {
       number(name + " factor", c.factor, unit);
@@ -205,9 +207,10 @@ class Table {
       const ControlElement& e = a.elements[k];
       begin(e.channel, "element", k + 1);
       add_drive(e.drive);
-      numbers(e, element_numbers);
-      add_curve("gain", e.gain_um, "um");
-      add_curve("time_constant", e.time_constant_s, "s");
+      const std::string& of = plan_.drives[e.drive].unit;
+      numbers(e, element_numbers, of);
+      add_curve("gain", e.gain_um, "um", of);
+      add_curve("time_constant", e.time_constant_s, "s", of);
     }
     for (std::size_t k = 0; k < a.feedthroughs.size(); ++k) {
       begin(a.feedthroughs[k].channel, "feedthrough", k + 1);

@@ -243,7 +243,7 @@ class Planner {
     } else {
       const auto& t = std::get<Form::Table>(of.form());
       c.kind = ControlCurve::Kind::table;
-      c.power_W = t.power;
+      c.input = t.input;
       for (const double v : t.value) c.value.push_back(as_printed(v / unit));
     }
     return c;
@@ -305,13 +305,17 @@ class Planner {
   void add(const DrivenChannel& c, const Model& m, ControlAxis& axis) {
     const std::size_t of = drive(c.input, m, c.name);
     const double to_um = c.scale * c.input.factor() / um;
-    if (c.element)
+    if (c.element) {
+      constexpr double no_bound = 1e30;
+      const correction::Interval takes = c.element->domain();
       axis.elements.push_back({.channel = c.name,
                                .drive = of,
                                .scale = c.scale,
                                .gain_um = curve(c.element->gain, um),
                                .time_constant_s = curve(c.element->time_constant, 1.0),
-                               .power_limit_W = c.element->power_limit()});
+                               .from = std::max(takes.lower, -no_bound),
+                               .limit = takes.upper});
+    }
     if (c.printed) add_printed(c, of, to_um, axis);
     if (c.feedthrough != 0.0)
       axis.feedthroughs.push_back({c.name, of, as_printed(c.feedthrough * to_um)});

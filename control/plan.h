@@ -90,21 +90,23 @@ struct ControlSection {
   double falling = 1.0;                            ///< ratio of tau where the target is nearer 0
 };
 
-/// A number over the power: a line, a power law, or a table that holds beyond its ends.
+/// A number over the drive: a line, a power law, or a table that holds beyond its ends.
 struct ControlCurve {
   enum class Kind { line, power_law, table } kind = Kind::line;
   double factor = 0.0;  ///< slope of a line
   double other = 0.0;   ///< a line's value at 0, a power law's exponent
-  std::vector<double> power_W{}, value{};
+  std::vector<double> input{}, value{};
 };
 
-/// A section of which target and time constant go with the power.
+/// A section of which target and time constant go with the drive, a power or a load.
 struct ControlElement {
   std::string channel{};
   std::size_t drive = nowhere;
   double scale = 1.0;
   ControlCurve gain_um{}, time_constant_s{};
-  double power_limit_W = unset;  ///< from there on it stands still; infinite where nowhere
+  /// Drive that it takes, in its unit: from `from` on and below `limit`; beyond it stands still.
+  /// -1e30 and infinite where there is no bound.
+  double from = 0.0, limit = unset;
 };
 
 /// gain u, at once.

@@ -72,7 +72,7 @@ std::string drive_text(const ControlDrive& d, const ControlPlan& plan) {
 
 std::string curve_text(const ControlCurve& c) {
   if (c.kind == ControlCurve::Kind::table)
-    return fmt::format(R"(("table", [{}, {}]))", list(c.power_W), list(c.value));
+    return fmt::format(R"(("table", [{}, {}]))", list(c.input), list(c.value));
   return fmt::format(R"(("{}", [{}, {}]))",
                      c.kind == ControlCurve::Kind::line ? "line" : "power law", number(c.factor),
                      number(c.other));
@@ -122,11 +122,11 @@ std::string axis_text(const ControlPlan& plan, const ControlAxis& a) {
   text += "     ],\n     \"elements\": [\n";
   for (const ControlElement& e : a.elements)
     text += fmt::format(
-        "         # {}; of gain [um] and time constant [s] over the power [W]\n"
-        "         {{\"drive\": {}, \"scale\": {}, \"power_limit\": {},\n          \"gain\": {},\n"
-        "          \"time_constant\": {}}},\n",
-        harmless(e.channel), e.drive, number(e.scale), number(e.power_limit_W),
-        curve_text(e.gain_um), curve_text(e.time_constant_s));
+        "         # {}; of gain [um] and time constant [s] over its drive [{}]\n"
+        "         {{\"drive\": {}, \"scale\": {}, \"from\": {}, \"limit\": {},\n"
+        "          \"gain\": {},\n          \"time_constant\": {}}},\n",
+        harmless(e.channel), plan.drives[e.drive].unit, e.drive, number(e.scale), number(e.from),
+        number(e.limit), curve_text(e.gain_um), curve_text(e.time_constant_s));
   text += "     ],\n     \"feedthroughs\": [\n";
   for (const ControlFeedthrough& f : a.feedthroughs)
     text += fmt::format("         {{\"drive\": {}, \"gain\": {}}},  # {}\n", f.drive,

@@ -115,8 +115,7 @@ class TableReader {
   }
 
   double number(const Row& r, double lowest = -1e30, double highest = 1e30) const {
-    if (r.value == "none" && r.name == "power_limit")
-      return std::numeric_limits<double>::infinity();
+    if (r.value == "none" && r.name == "limit") return std::numeric_limits<double>::infinity();
     const text::ParsedNumber n = text::parse_number(r.value, false);
     if (!n.problem.empty()) fail(r, std::string(n.problem));
     if (!(n.value >= lowest && n.value <= highest))
@@ -385,10 +384,11 @@ class TableReader {
   void read_element(const Part& part, ControlAxis& a) {
     ControlElement e{.channel = text_of(part.front().channel)};
     const Part others = read_driven(part, e, element_numbers);
-    if (plan_.drives.back().kind != ControlDrive::Kind::power)
-      fail(part.front(), "goes with a power: u must be power");
-    e.gain_um = curve(part.front(), others, "gain");
-    e.time_constant_s = curve(part.front(), others, "time_constant");
+    const ControlDrive& d = plan_.drives.back();
+    if (d.kind != ControlDrive::Kind::power && d.kind != ControlDrive::Kind::size)
+      fail(part.front(), "goes with a power, a load or the like: u must be power or size");
+    e.gain_um = curve(part.front(), others, "gain", d.unit);
+    e.time_constant_s = curve(part.front(), others, "time_constant", d.unit);
     for (const Row& r : others)
       if (!r.name.starts_with("gain ") && !r.name.starts_with("time_constant ")) fail_unknown(r);
     a.elements.push_back(std::move(e));
@@ -411,18 +411,20 @@ class TableReader {
     a.equations.push_back(std::move(e));
   }
 
-  ControlCurve curve(const Row& first, const Part& part, std::string_view name) const {
+  ControlCurve curve(const Row& first, const Part& part, std::string_view name,
+                     std::string_view unit) const {
     ControlCurve c;
+    const std::string end = " " + std::string(unit);
     bool line = false, law = false;
     int numbers = 0;
     for (const Row& r : part) {
       if (!r.name.starts_with(name) || r.name.size() <= name.size() || r.name[name.size()] != ' ')
         continue;
       const std::string_view what = r.name.substr(name.size() + 1);
-      if (const auto at = numbers_at(what, "at ", {" W"}); !at.empty()) {
-        if (!c.power_W.empty() && at.front() <= c.power_W.back())
-          fail(r, "powers must rise from row to row");
-        c.power_W.push_back(at.front());
+      if (const auto at = numbers_at(what, "at ", {end}); !at.empty()) {
+        if (!c.input.empty() && at.front() <= c.input.back())
+          fail(r, "what it goes by must rise from row to row");
+        c.input.push_back(at.front());
         c.value.push_back(number(r));
         continue;
       }

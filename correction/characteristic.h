@@ -4,11 +4,13 @@
 #include <variant>
 #include <vector>
 
+#include "correction/beyond.h"
 #include "record/units.h"
 
 namespace raceway::correction {
 
-/// A number that depends on a power loss P: the gain or the time constant of a delay element [SI].
+/// A number that depends on the input x of a delay element, a power or a load: its gain or its time
+/// constant [SI]. x is in the unit of its column: W, N.
 class Characteristic {
  public:
   struct Line {
@@ -17,21 +19,21 @@ class Characteristic {
   struct Power {
     double factor, exponent;
   };
-  /// Straight between its points, P rising; the ends hold outside.
+  /// Straight between its points, x rising; the ends hold outside.
   struct Table {
-    std::vector<double> power, value;
+    std::vector<double> input, value;
   };
   using Form = std::variant<Line, Power, Table>;
 
   Characteristic(Line line) : form_(line) {}
   Characteristic(Power power) : form_(power) {}
-  /// Throws std::invalid_argument: no point, lengths that differ, P that does not rise.
+  /// Throws std::invalid_argument: no point, lengths that differ, x that does not rise.
   Characteristic(Table table);
 
-  /// At P >= 0 [W].
-  [[nodiscard]] double operator()(double power) const;
-  /// The least P [W] at which it is no longer positive; infinite where that is nowhere.
-  [[nodiscard]] double positive_below() const;
+  [[nodiscard]] double operator()(double input) const;
+  /// Range around x = 0 in which it is positive: from `lower` on and below `upper`, where it no
+  /// longer is; infinite where that is nowhere. A power law has no value below 0.
+  [[nodiscard]] Interval positive_within() const;
   [[nodiscard]] const Form& form() const { return form_; }
 
  private:

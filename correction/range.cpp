@@ -232,6 +232,14 @@ Interval seen_power(const Model& model, const DrivenChannel& channel) {
   return {};
 }
 
+Interval seen_by_element(const Model& model, const DrivenChannel& channel) {
+  if (channel.input.is_power()) return seen_power(model, channel);
+  if (channel.input.columns.size() != 1) return {};
+  const double unit = channel.input.factor();
+  const Interval seen = seen_of(model, *channel.input.columns.front());
+  return {seen.lower / unit, seen.upper / unit};
+}
+
 std::size_t Beyond::rows() const {
   return static_cast<std::size_t>(std::count(at_row.begin(), at_row.end(), true));
 }

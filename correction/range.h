@@ -27,6 +27,8 @@ void forget_what_was_seen(Model& model);
 [[nodiscard]] Interval seen_of(const Model& model, const Channel& column);
 [[nodiscard]] Interval seen_speed(const Model& model);
 [[nodiscard]] Interval seen_power(const Model& model, const DrivenChannel& channel);
+/// Range of the one input of a delay element, in the unit of its column.
+[[nodiscard]] Interval seen_by_element(const Model& model, const DrivenChannel& channel);
 
 /// Distance of inputs x (of `columns`, SI, all but temperatures by their absolute value) from their
 /// mean in the data of the fit [1].

@@ -196,18 +196,25 @@ class Checking {
 
 }  // namespace
 
-std::string power_beyond_element(const Model& model, const record::Record& record) {
+std::string beyond_element(const Model& model, const record::Record& record) {
   const Series series(record);
   for (const DrivenChannel& c : model.channels) {
     if (!c.element) continue;
-    const double limit = c.element->power_limit();
-    const Series::Values power = series.input(c.input);
-    for (std::size_t k = 0; k + 1 < power->size(); ++k)
-      if (!series.clock().begins[k + 1] && !((*power)[k] >= 0.0 && (*power)[k] < limit))
-        return fmt::format(
-            "channel {}: {:.4g} W in {}: the power leaves the range of a delay element, of which "
-            "the time constant is positive below {:.4g} W only",
-            c.name, (*power)[k], record.place(k), limit);
+    const Interval takes = c.element->domain();
+    const Series::Values input = series.input(c.input);
+    for (std::size_t k = 0; k + 1 < input->size(); ++k) {
+      const double x = (*input)[k] / c.input.factor();
+      if (series.clock().begins[k + 1] || (x >= takes.lower && x < takes.upper)) continue;
+      const std::string_view unit = c.input.unit();
+      return fmt::format(
+          "channel {}: {:.4g} {} in {}: the {} leaves the range of a delay element, of which "
+          "the time constant is positive {}",
+          c.name, x, unit, record.place(k), c.input.is_power() ? "power" : "input",
+          std::isfinite(takes.lower) && takes.lower != 0.0
+              ? fmt::format("from {:.4g} to {:.4g} {} only", takes.lower, takes.upper, unit)
+          : x < 0.0 ? fmt::format("from 0 {} on only", unit)
+                    : fmt::format("below {:.4g} {} only", takes.upper, unit));
+    }
   }
   return {};
 }

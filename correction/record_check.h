@@ -36,9 +36,9 @@ struct RecordCheck {
   std::vector<record::Note> of_its_inputs{};
 };
 
-/// Describes where a power exceeds the range of its delay element, in a sentence; empty where it
+/// Describes where an input leaves the range of its delay element, in a sentence; empty where it
 /// never does.
-[[nodiscard]] std::string power_beyond_element(const Model& model, const record::Record& record);
+[[nodiscard]] std::string beyond_element(const Model& model, const record::Record& record);
 
 [[nodiscard]] RecordCheck check_record(const Model& model, const record::Record& record);
 

@@ -163,19 +163,22 @@ std::size_t Series::rows_beyond_table(const Input& input) const {
   return count;
 }
 
-std::span<const double> Series::positions(const Window& window) const {
+std::vector<double> Series::shares(const Window& window) const {
   const std::span<const double> values = record_.values(*window.column);
   if (values.empty())
     throw std::invalid_argument(
         fmt::format("column {} is missing, which the model needs", window.column->name));
-  return values;
+  const bool by_amount = record::acts_by_amount(*window.column);
+  std::vector<double> list;
+  for (const double v : values) list.push_back(window(by_amount ? std::abs(v) : v));
+  return list;
 }
 
 Series::Values Series::shown_share(const Input& input) const {
   if (!input.window || input.window->of_input) return nullptr;
   return kept({of_window, id_of(input)}, [&](std::vector<double>& out) {
-    const std::span<const double> at = positions(*input.window);
-    for (std::size_t k = 0; k < rows(); ++k) out[k] = (*input.window)(at[clock_.seen_at(k)]);
+    const std::vector<double> share = shares(*input.window);
+    for (std::size_t k = 0; k < rows(); ++k) out[k] = share[clock_.seen_at(k)];
   });
 }
 
@@ -186,8 +189,8 @@ Series::Values Series::input(const Input& of) const {
     if (of.window) {
       all = *input(plain);
       if (!of.window->of_input) return;
-      const std::span<const double> at = positions(*of.window);
-      for (std::size_t k = 0; k < rows(); ++k) all[k] *= (*of.window)(at[k]);
+      const std::vector<double> share = shares(*of.window);
+      for (std::size_t k = 0; k < rows(); ++k) all[k] *= share[k];
       return;
     }
     fill(of, all);

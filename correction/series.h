@@ -88,7 +88,8 @@ class Series {
   [[nodiscard]] Key key_of(const Input& input) const;
   /// Input at every row, without a window.
   void fill(const Input& input, std::vector<double>& out) const;
-  [[nodiscard]] std::span<const double> positions(const Window& window) const;
+  /// Share of a window at every row.
+  [[nodiscard]] std::vector<double> shares(const Window& window) const;
   void answer(const std::vector<double>& input, record::Course course, double time_constant,
               const Answer& answer, std::vector<double>& state) const;
 

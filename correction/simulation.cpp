@@ -26,13 +26,19 @@ void require_sampling(const Series& series, double sampling, const std::string& 
           name, sampling, series.record().place(k), clock.steps[k]));
 }
 
+/// An input as its column has it.
+std::vector<double> in_its_unit(const Input& of, std::vector<double> input) {
+  for (double& u : input) u /= of.factor();
+  return input;
+}
+
 /// Of one sampling, from rest in every run.
 std::vector<double> run_printed(const DrivenChannel& channel, const Series& series,
-                                std::vector<double> input) {
+                                const std::vector<double>& of) {
   require_sampling(series, channel.printed->sampling, channel.name);
   const double unit = channel.input.factor();
   const TransferFunction function = direct_form(*channel.printed, unit);
-  for (double& u : input) u /= unit;
+  const std::vector<double> input = in_its_unit(channel.input, of);
   std::vector<double> all;
   const std::vector<bool>& begins = series.clock().begins;
   for (std::size_t first = 0; first < input.size();) {
@@ -57,7 +63,8 @@ void add_channel(const Model& model, const DrivenChannel& channel, const Series&
   };
   if (c.element) {
     std::vector<double> u(series.rows());
-    delay_response(series.clock(), *input, *c.element, u, seen_power(model, c));
+    delay_response(series.clock(), in_its_unit(c.input, *input), *c.element, u,
+                   seen_by_element(model, c));
     show(std::move(u));
   }
   if (c.printed) show(run_printed(c, series, *input));

@@ -38,24 +38,31 @@ StepResponse response_to(std::string name, const Input& input) {
   return r;
 }
 
-/// Of a delay element, with the power at which it is shown.
-StepResponse of_element(const DrivenChannel& c, double power) {
+/// Of a delay element, with the power or the load at which it is shown.
+StepResponse of_element(const DrivenChannel& c, double step) {
   StepResponse r = response_to(c.name, c.input);
-  r.step = power;
-  r.parts = {
-      {"delay element", c.scale * c.element->target(power), c.element->time_constant(power)}};
+  r.step = step;
+  r.parts = {{"delay element", c.scale * c.element->target(step), c.element->time_constant(step)}};
   return r;
 }
 
-/// The median above zero, and the largest that it can take.
-std::vector<double> powers_shown(const DrivenChannel& c, const Series& series) {
-  std::vector<double> running;
-  for (const double p : *series.input(c.input))
-    if (p > 0.0 && p < c.element->power_limit()) running.push_back(p);
-  if (running.empty()) return {};
-  const double middle = record::median(running);
-  const double largest = *std::max_element(running.begin(), running.end());
-  return largest > 1.05 * middle ? std::vector{middle, largest} : std::vector{largest};
+/// The median above zero, and the largest that it can take; below zero the largest by its amount.
+std::vector<double> steps_shown(const DrivenChannel& c, const Series& series) {
+  const Interval takes = c.element->domain();
+  std::vector<double> running, shown;
+  double below = 0.0;
+  for (const double si : *series.input(c.input)) {
+    const double x = si / c.input.factor();
+    if (x >= takes.lower && x < takes.upper && x > 0.0) running.push_back(x);
+    if (x >= takes.lower) below = std::min(below, x);
+  }
+  if (!running.empty()) {
+    const double middle = record::median(running);
+    shown.push_back(*std::max_element(running.begin(), running.end()));
+    if (shown.front() > 1.05 * middle) shown.insert(shown.begin(), middle);
+  }
+  if (below < 0.0) shown.push_back(below);
+  return shown;
 }
 
 /// Over half of the record, of which so many samples are kept.
@@ -130,7 +137,7 @@ std::vector<StepResponse> step_responses(const Model& model, const record::Recor
   std::vector<StepResponse> list;
   for (const DrivenChannel& c : model.channels) {
     if (c.element)
-      for (const double power : powers_shown(c, series)) list.push_back(of_element(c, power));
+      for (const double step : steps_shown(c, series)) list.push_back(of_element(c, step));
     else
       list.push_back(of_channel(model, c, series));
   }

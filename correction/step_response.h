@@ -31,9 +31,9 @@ struct StepResponse {
 };
 
 /// Step responses of all channels of a model and of the effects that are lags, to a step of 1 K, W
-/// or m/min, or 1000 rpm. The record gives the powers at which a delay element is shown (the median
-/// above zero and the largest) and the duration for printed coefficients. Effects without a lag and
-/// the kinematic law are left out.
+/// or m/min, or 1000 rpm. The record gives the inputs at which a delay element is shown (the
+/// median above zero, the largest and the least below zero) and the duration for printed
+/// coefficients. Effects without a lag and the kinematic law are left out.
 [[nodiscard]] std::vector<StepResponse> step_responses(const Model& model,
                                                        const record::Record& record);
 

@@ -127,15 +127,7 @@ std::string channel_text(const DrivenChannel& c) {
     text +=
         fmt::format("exponent = {}\n", text::toml_float(text::with_15_digits(c.input.exponent)));
   if (c.input.reference) text += fmt::format("reference = \"{}\"\n", c.input.reference->name);
-  if (c.input.window) {
-    const correction::Window& w = *c.input.window;
-    std::vector<std::string> points;
-    for (const double p : w.points)
-      points.push_back(text::toml_float(text::with_15_digits(w.column->in_unit(p))));
-    text +=
-        fmt::format("window = {{ column = \"{}\", points = [{}], acts_on = \"{}\" }}\n",
-                    w.column->name, fmt::join(points, ", "), w.of_input ? "input" : "displacement");
-  }
+  if (c.input.window) text += window_text(*c.input.window);
   if (!c.sections.empty()) text += fmt::format("sections = {}\n", sections_text(c));
   if (c.printed) {
     const auto list = [](const std::vector<double>& numbers, double unit) {
@@ -213,6 +205,17 @@ std::string head_text(const Model& m) {
 }
 
 }  // namespace
+
+std::string window_text(const correction::Window& window) {
+  std::vector<std::string> points;
+  for (const double p : window.points)
+    points.push_back(std::isinf(p)
+                         ? (p < 0.0 ? "-inf" : "inf")
+                         : text::toml_float(text::with_15_digits(window.column->in_unit(p))));
+  return fmt::format("window = {{ column = \"{}\", points = [{}], acts_on = \"{}\" }}\n",
+                     window.column->name, fmt::join(points, ", "),
+                     window.of_input ? "input" : "displacement");
+}
 
 std::string new_corrections(const std::vector<Model>& models, const std::string& comment) {
   std::string text = fmt::format("# {}\n{}", comment, text::format_line);

@@ -82,10 +82,10 @@ constexpr Key correction_channel_keys[]{
     {"temperature_C", between(-273, 500, "C"), unset,
      "of \"power_W\": a number or a column at which the table is read"},
     {"gain", a_table, unset,
-     "of \"power_W\", in place of sections: { slope_um_W, offset_um }, { factor, exponent } or { "
-     "table }"},
+     "in place of sections, over \"power_W\" or a column that is no temperature, such as a load: { "
+     "slope_um_W, offset_um }, { factor, exponent } or { table }"},
     {"time_constant", a_table, unset,
-     "of \"power_W\": { slope_min_W, offset_min }, { factor, exponent } or { table }"},
+     "beside gain: { slope_min_W, offset_min }, { factor, exponent } or { table }"},
     {"numerator", a_list, unset,
      "in place of sections: polynomial in z^-1, um per unit of the input"},
     {"denominator", a_list, unset, "in place of sections: polynomial in z^-1"},
@@ -112,19 +112,23 @@ constexpr Key section_gain_keys[]{
 constexpr Key section_time_keys[]{
     {"time_constant_s", between(1e-3, most, "s"), is_required, "of the lag"}};
 constexpr Key element_gain_keys[]{
-    {"slope_um_W", between(-most, most, "um/W"), unset, "of a straight line over the power"},
-    {"offset_um", between(-most, most, "um"), unset, "of that line without power"},
-    {"factor", between(-most, most, "um"), unset, "of factor P^exponent, P in W"},
-    {"exponent", between(-10, 10), unset, "of factor P^exponent"},
-    {"table", a_text, unset, "a CSV with power_W and gain_um, in the folder of the model"},
+    {"slope_um_W", between(-most, most, "um/W"), unset,
+     "of a straight line over the input; ends in its unit: slope_um_W, slope_um_N ..."},
+    {"offset_um", between(-most, most, "um"), unset, "of that line where the input is 0"},
+    {"factor", between(-most, most, "um"), unset, "of factor x^exponent, x the input in its unit"},
+    {"exponent", between(-10, 10), unset, "of factor x^exponent"},
+    {"table", a_text, unset,
+     "a CSV with power_W, or the column of the input, and gain_um, in the folder of the model"},
 };
 constexpr Key element_time_keys[]{
-    {"slope_min_W", between(-most, most, "min/W"), unset, "of a straight line over the power"},
-    {"offset_min", between(-most, most, "min"), unset, "of that line without power"},
-    {"factor", between(-most, most, "min"), unset, "of factor P^exponent, P in W"},
-    {"exponent", between(-10, 10), unset, "of factor P^exponent"},
+    {"slope_min_W", between(-most, most, "min/W"), unset,
+     "of a straight line over the input; ends in its unit: slope_min_W, slope_min_N ..."},
+    {"offset_min", between(-most, most, "min"), unset, "of that line where the input is 0"},
+    {"factor", between(-most, most, "min"), unset, "of factor x^exponent, x the input in its unit"},
+    {"exponent", between(-10, 10), unset, "of factor x^exponent"},
     {"table", a_text, unset,
-     "a CSV with power_W and time_constant_min, in the folder of the model"},
+     "a CSV with power_W, or the column of the input, and time_constant_min, in the folder of the "
+     "model"},
 };
 
 constexpr Key kinematic_keys[]{
@@ -398,18 +402,27 @@ class CorrectionReader {
     }
   }
 
-  correction::Characteristic characteristic(const Section& s, const std::string& key,
-                                            std::span<const Key> keys, double unit) const {
+  correction::Characteristic characteristic(const Section& s, const Input& input,
+                                            const std::string& key, std::span<const Key> of_power,
+                                            double unit) const {
+    const std::string stem = key == "gain" ? "um" : "min";
+    const std::string slope = fmt::format("slope_{}_{}", stem, input.key_unit());
+    std::vector<Key> keys(of_power.begin(), of_power.end());
+    keys[0] = keys[0].as(slope, fmt::format("{}/{}", stem, input.unit()));
     const toml::node* const node = s.find(key);
     if (!node)
       s.fail("name", fmt::format("gain and time_constant stand together: {} is missing", key));
-    const Section of = part_of(s, key, *node, {keys});
+    const Section of = part_of(s, key, *node, {std::span<const Key>(keys)});
     if (of.find("table")) {
       const auto file = of.text("table");
       try {
         NamedFiles& files = tables_.files();
-        return correction::Characteristic(
-            parse_characteristic(files.read(*file).text, files.shown(*file), key));
+        return correction::Characteristic(parse_characteristic(
+            files.read(*file).text, files.shown(*file), key,
+            {.column = input.name,
+             .variable = input.is_power() ? std::string("power")
+                                          : std::string(input.columns.front()->variable),
+             .unit = input.factor()}));
       } catch (const std::exception& e) {
         of.fail("table", fmt::format("table = \"{}\": {}", *file, e.what()));
       }
@@ -423,17 +436,21 @@ class CorrectionReader {
   }
 
   void read_element(const Section& s, DrivenChannel& c) {
-    if (!c.input.is_power())
-      s.fail("gain", "gain and time_constant that go with the power need input = \"power_W\"");
+    if (c.input.course() == record::Course::straight)
+      s.fail(
+          "gain",
+          "gain and time_constant go with input = \"power_W\" or a column that is no temperature, "
+          "such as a load; a temperature has sections");
     constexpr double minute = 60.0;
-    c.element =
-        correction::DelayElement{characteristic(s, "gain", element_gain_keys, um),
-                                 characteristic(s, "time_constant", element_time_keys, minute)};
+    c.element = correction::DelayElement{
+        characteristic(s, c.input, "gain", element_gain_keys, um),
+        characteristic(s, c.input, "time_constant", element_time_keys, minute),
+        !c.input.is_power() && !record::acts_by_amount(*c.input.columns.front())};
     notes_.push_back(record::note::assumed(
-        fmt::format("channel {}: at a power of 0 its gain is 0, with the time constant of that "
-                    "power: the paper "
-                    "that it comes from is silent about standstill",
-                    c.name),
+        fmt::format(
+            "channel {}: at {} of 0 its gain is 0, with the time constant of that {}{}", c.name,
+            c.input.is_power() ? "a power" : "an input", c.input.is_power() ? "power" : "input",
+            c.input.is_power() ? ": the paper that it comes from is silent about standstill" : ""),
         {.key = c.name}));
   }
 

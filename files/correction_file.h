@@ -38,6 +38,9 @@ struct CorrectionFile {
 /// The table [correction.prior] of a model; empty without priors.
 [[nodiscard]] std::string prior_text(const correction::Model& model);
 
+/// The line of a window in a channel or an effect.
+[[nodiscard]] std::string window_text(const correction::Window& window);
+
 /// A file of these models alone: channels of columns, offsets, tolerances and ranges. `comment`:
 /// its first line.
 [[nodiscard]] std::string new_corrections(const std::vector<correction::Model>& models,

@@ -149,21 +149,23 @@ correction::FrictionTable at_radial_load(const friction::TorqueTable& table, dou
 }
 
 correction::Characteristic::Table parse_characteristic(std::string text, const std::string& source,
-                                                       const std::string& value) {
+                                                       const std::string& value,
+                                                       const CurveInput& input) {
   const text::CsvTable csv = text::parse_csv(std::move(text), source);
   correction::Characteristic::Table table;
-  const auto column = [&](std::string_view begin) {
+  const auto column = [&](const std::string& variable, const std::string& name) {
     for (std::size_t c = 0; c < csv.header.size(); ++c)
-      if (csv.header[c].starts_with(begin)) return c;
+      if (csv.header[c].starts_with(variable + "_")) return c;
     throw text::InputError(fmt::format("{}:{}: column {} is missing; the header has {}", csv.source,
-                                       csv.header_line, begin, text::listed(csv.header)),
-                           {csv.source, csv.header_line, std::string(begin)});
+                                       csv.header_line, name, text::listed(csv.header)),
+                           {csv.source, csv.header_line, name});
   };
-  const std::size_t power = column("power_"), of = column(value + "_");
-  const double power_unit = text::column_unit(csv.header[power]),
+  const std::size_t driving = column(input.variable, input.column), of = column(value, value + "_");
+  const std::string& header = csv.header[driving];
+  const double input_unit = header == input.column ? 1.0 : text::column_unit(header) / input.unit,
                unit = text::column_unit(csv.header[of]);
   for (std::size_t row = 0; row < csv.rows(); ++row) {
-    table.power.push_back(csv.number(row, power) * power_unit);
+    table.input.push_back(csv.number(row, driving) * input_unit);
     table.value.push_back(csv.number(row, of) * unit);
   }
   return table;

@@ -22,10 +22,17 @@ namespace raceway::files {
 [[nodiscard]] correction::FrictionTable at_radial_load(const friction::TorqueTable& table,
                                                        double radial_load);
 
-/// Two columns, "power_W" and `value` (in a unit of its kind), power rising: a gain or a time
-/// constant over the power loss, SI.
+/// Input of a table of gains or time constants: "power" of "power_W", or a column of a record.
+struct CurveInput {
+  std::string column, variable;
+  double unit = 1.0;  ///< of the column [SI]
+};
+
+/// Two columns, the input, rising, and `value` (in a unit of its kind): a gain or a time constant
+/// [SI] over a power or a load, in the unit of its column.
 [[nodiscard]] correction::Characteristic::Table parse_characteristic(std::string text,
                                                                      const std::string& source,
-                                                                     const std::string& value);
+                                                                     const std::string& value,
+                                                                     const CurveInput& input);
 
 }  // namespace raceway::files

@@ -32,9 +32,9 @@ text::json courses_json(const std::vector<spindle::StepResponse>& steps) {
 /// The laws between rest and beyond the largest power, for lines: P, the straight line, the power
 /// law and the curve. Lines end where they are no longer valid.
 text::json law_courses(const spindle::StepResponses& responses, const spindle::PowerLaws& laws) {
-  const std::vector<spindle::AtPower> points = at_powers(responses.steps);
+  const std::vector<spindle::LagAt> points = at_powers(responses.steps);
   double most = 0.0;
-  for (const spindle::AtPower& p : points) most = std::fmax(most, p.power);
+  for (const spindle::LagAt& p : points) most = std::fmax(most, p.input);
   if (!(most > 0.0)) return nullptr;
   const spindle::MonotoneCurve gain = spindle::gain_curve(points);
   const spindle::MonotoneCurve time = spindle::time_curve(points, responses.cool_down.one);

@@ -33,7 +33,13 @@ struct StepCorrectionParts {
   bool two_lags = false;  ///< a fast and a slow delay element
 };
 
-/// Delay elements driven by the friction power at the speed.
+/// Name of the channel of a load at a speed, "axial_load_4000rpm".
+[[nodiscard]] std::string load_channel(spindle::Stepped stepped, double speed);
+
+/// Delay elements driven by the friction power at the speed. Loads that stepped have two channels
+/// for each of their speeds. What comes at once counts by a share of the speed: 1 at that speed, 0
+/// at its neighbours, straight between, 1 beyond the first and the last. What a load heats is a
+/// delay element whose input is the load times that share, which falls to 0 at rest.
 ///
 /// Throws std::invalid_argument: no step response, no power above 0, a law or lags that these step
 /// responses do not carry.
@@ -51,8 +57,9 @@ struct StepCorrection {
 [[nodiscard]] StepCorrection step_correction(const correction::Model& model,
                                              const std::string& path);
 
-/// Paths of the tables that step_correction() may write for `path`.
-[[nodiscard]] std::vector<std::string> step_correction_tables(const std::string& path);
+/// Paths of the tables that step_correction() may write for `path`, also for channels of loads.
+[[nodiscard]] std::vector<std::string> step_correction_tables(
+    const std::string& path, const std::vector<std::string>& load_channels = {});
 
 /// Writes all of it, tables first.
 void write_step_correction(const StepCorrection& correction, const std::string& path, bool replace);

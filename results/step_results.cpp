@@ -14,6 +14,7 @@
 namespace raceway::results {
 namespace {
 
+using spindle::Stepped;
 using spindle::StepResponse;
 
 struct StepColumn {
@@ -40,9 +41,47 @@ constexpr StepColumn step_columns[] = {
     {"front_force_N", [](const StepResponse& s) { return s.front_force; }},
     {"highest_front_force_N", [](const StepResponse& s) { return s.highest_force; }}};
 
+/// Columns of the load, where loads step; an empty cell is none.
+constexpr StepColumn load_columns[] = {
+    {"axial_load_N",
+     [](const StepResponse& s) { return s.stepped == Stepped::axial_load ? s.load : unset; }},
+    {"radial_load_N",
+     [](const StepResponse& s) { return s.stepped == Stepped::radial_load ? s.load : unset; }}};
+
+/// Steps of speeds, then of loads.
+std::vector<const StepResponse*> all_steps(const spindle::StepResponses& responses) {
+  std::vector<const StepResponse*> list;
+  for (const StepResponse& step : responses.steps) list.push_back(&step);
+  for (const spindle::LoadSteps& at : responses.loads)
+    for (const StepResponse& step : at.steps) list.push_back(&step);
+  return list;
+}
+
 bool steps_were_read(const spindle::StepResponses& responses) {
   return std::any_of(responses.steps.begin(), responses.steps.end(),
                      [](const StepResponse& s) { return !s.load_case.empty(); });
+}
+
+text::json step_row_json(const StepResponse& step) {
+  text::json row = text::json::object();
+  for (const StepColumn& column : step_columns) row[column.name] = column.value(step);
+  row["two_needed"] = step.fit.two_needed;
+  row["settled"] = step.fit.settled;
+  row["status"] = spindle::name(step.status);
+  if (!step.message.empty()) row["message"] = step.message;
+  return row;
+}
+
+text::json load_rows_json(const std::vector<spindle::LoadSteps>& loads) {
+  text::json rows = text::json::array();
+  for (const spindle::LoadSteps& at : loads)
+    for (const StepResponse& step : at.steps) {
+      text::json row = step_row_json(step);
+      for (const StepColumn& column : load_columns) row[column.name] = column.value(step);
+      row["T_without_load_min"] = at.unloaded / spindle::one_minute;
+      rows.push_back(std::move(row));
+    }
+  return rows;
 }
 
 text::json step_line_json(const spindle::StraightLine& line, const char* unit, double factor) {
@@ -70,20 +109,26 @@ std::string step_responses_text(const spindle::StepResponses& responses, std::st
                  "# Step responses from rest, of {}\n# raceway {}\n"
                  "# u = kinematic + K (1 - exp(-t/T)); K and T belong to the power at the end\n",
                  text::printable(source), RACEWAY_VERSION);
+  if (!responses.loads.empty())
+    out.append(std::string_view(
+        "# Rows with a load: steps of that load from the settled spindle; kinematic is at once\n"));
   if (!model_text.empty()) text::append_model(out, model_text);
   const bool with_name = steps_were_read(responses);
-  for (const StepColumn& column : step_columns)
+  std::vector<StepColumn> columns(std::begin(step_columns), std::end(step_columns));
+  if (!responses.loads.empty())
+    columns.insert(columns.begin() + 1, std::begin(load_columns), std::end(load_columns));
+  for (const StepColumn& column : columns)
     fmt::format_to(std::back_inserter(out), "{},", column.name);
   fmt::format_to(std::back_inserter(out), "status{}\n", with_name ? ",load_case" : "");
-  for (const StepResponse& step : responses.steps) {
-    for (const StepColumn& column : step_columns) {
-      text::append_value(out, column.value(step));
+  for (const StepResponse* const step : all_steps(responses)) {
+    for (const StepColumn& column : columns) {
+      text::append_value(out, column.value(*step));
       out.push_back(',');
     }
-    text::append_text(out, spindle::name(step.status));
+    text::append_text(out, spindle::name(step->status));
     if (with_name) {
       out.push_back(',');
-      text::append_text(out, step.load_case);
+      text::append_text(out, step->load_case);
     }
     out.push_back('\n');
   }
@@ -97,13 +142,8 @@ std::string step_responses_json(const spindle::StepResponses& responses,
   text::json rows = text::json::array();
   double from = unset, to = unset;
   for (const StepResponse& step : responses.steps) {
-    text::json row = text::json::object();
+    text::json row = step_row_json(step);
     if (steps_were_read(responses)) row["load_case"] = step.load_case;
-    for (const StepColumn& column : step_columns) row[column.name] = column.value(step);
-    row["two_needed"] = step.fit.two_needed;
-    row["settled"] = step.fit.settled;
-    row["status"] = spindle::name(step.status);
-    if (!step.message.empty()) row["message"] = step.message;
     rows.push_back(std::move(row));
     if (!step.converged()) continue;
     from = std::fmin(from, step.power_end);
@@ -120,6 +160,7 @@ std::string step_responses_json(const spindle::StepResponses& responses,
       {"seen_from_W", from},
       {"seen_to_W", to},
       {"two_needed", spindle::need_two(responses.steps)}};
+  if (!responses.loads.empty()) document["load_rows"] = load_rows_json(responses.loads);
   const spindle::CoolDown& down = responses.cool_down;
   if (down.known())
     document["cool_down"] = {{"K_um", down.fit.one.gain / um},

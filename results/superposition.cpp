@@ -13,9 +13,19 @@
 namespace raceway::results {
 namespace {
 
-spindle::Inputs with_speed(spindle::Inputs inputs, double speed) {
-  inputs.speed = speed;
+spindle::Inputs in_row(spindle::Inputs inputs, const spindle::Inputs& of_programme) {
+  inputs.speed = of_programme.speed;
+  inputs.axial_load = of_programme.axial_load;
+  inputs.radial_load = of_programme.radial_load;
   return inputs;
+}
+
+/// The programme with a column of zeros for each load that the correction goes by and it lacks.
+record::Record with_loads_of(const correction::Model& correction, record::Record programme) {
+  for (const record::Channel* c : correction::inputs_of(correction))
+    if (!programme.has(*c) && (*c == record::axial_load || *c == record::radial_load))
+      programme.set(*c, std::vector<double>(programme.rows(), 0.0));
+  return programme;
 }
 
 }  // namespace
@@ -28,14 +38,15 @@ Superposition superposition(const model::Model& model, const correction::Model& 
   const double begin = profile.front().time;
   for (spindle::ProfileRow& row : profile) {
     row.time -= begin;
-    row.inputs = with_speed(inputs, row.inputs.speed);
+    row.inputs = in_row(inputs, row.inputs);
   }
   spindle::Simulator simulator(model);
   simulator.stop_on(cancelled);
   const spindle::Run run = simulator.simulate(profile);
   Superposition result{.report = run.report};
   if (!run.report.converged()) return result;
-  const correction::Series series(programme);
+  const record::Record known = with_loads_of(correction, programme);
+  const correction::Series series(known);
   std::vector<double> predicted(series.rows());
   correction::simulate(correction, series, predicted);
   double squares = 0.0;

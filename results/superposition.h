@@ -23,10 +23,11 @@ struct Superposition {
   std::vector<double> time = {}, speed = {}, simulated = {}, corrected = {};
 };
 
-/// Runs both over a programme: a record with time and speed, which holds for both as the record
-/// says. `inputs`: all else of the simulation. Both begin at rest at the ambient temperature.
-/// Throws std::invalid_argument for a model that is no spindle, and a record that lacks a column,
-/// fit::Cancelled where `cancelled` is set meanwhile.
+/// Runs both over a programme: a record with time, speed and maybe axial and radial load, which
+/// hold for both as the record says; without a column there is no such load. `inputs`: all else of
+/// the simulation. Both begin at rest at the ambient temperature. Throws std::invalid_argument for
+/// a model that is no spindle, and a record that lacks a column, fit::Cancelled where `cancelled`
+/// is set meanwhile.
 [[nodiscard]] Superposition superposition(const model::Model& model,
                                           const correction::Model& correction,
                                           const record::Record& programme,

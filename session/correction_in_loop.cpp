@@ -103,7 +103,7 @@ class CorrectionInLoop final : public LoopModel {
                     .subject = result.subject,
                     .held_out = {},
                     .defaults = file_.defaults};
-    if (const std::string leaves = correction::power_beyond_element(model(), data); !leaves.empty())
+    if (const std::string leaves = correction::beyond_element(model(), data); !leaves.empty())
       messages.say(record::note::no_prediction(
           fmt::format("{}: {}: rows from there on have no prediction and are left out",
                       file_.source, leaves),

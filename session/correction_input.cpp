@@ -94,7 +94,7 @@ void require_readings(const correction::Model& model, const record::Record& reco
 
 void prepare_fit(Messages& messages, const correction::Model& model, const std::string& source,
                  record::Record& record) {
-  if (const std::string beyond = correction::power_beyond_element(model, record); !beyond.empty())
+  if (const std::string beyond = correction::beyond_element(model, record); !beyond.empty())
     throw text::InputError(fmt::format("{} with {}: {}", record.source, source, beyond),
                            {.file = record.source});
   const std::vector<record::Note> faults = correction::check_record(model, record).of_its_inputs;

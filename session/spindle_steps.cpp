@@ -30,18 +30,24 @@ spindle::Inputs conditions_of(const SpindleSteps& steps) {
   return inputs;
 }
 
+void note_unsettled(const spindle::StepResponse& step, std::vector<record::Note>& notes) {
+  if (!step.converged() || step.fit.settled) return;
+  notes.push_back(record::note::unknown(fmt::format(
+      "{}: a time constant of {:.3g} min is more than half of what was seen: gain and time "
+      "constant are a guess",
+      name_of(step), step.fit.one.time_constant / spindle::one_minute)));
+}
+
 std::vector<record::Note> notes_on_steps(const spindle::StepResponses& responses,
                                          const spindle::PowerLaws& laws) {
   std::vector<record::Note> notes;
   std::size_t two = 0;
   for (const spindle::StepResponse& step : responses.steps) {
     two += step.fit.two_needed ? 1 : 0;
-    if (step.converged() && !step.fit.settled)
-      notes.push_back(record::note::unknown(fmt::format(
-          "{}: a time constant of {:.3g} min is more than half of what was seen: gain and time "
-          "constant are a guess",
-          name_of(step), step.fit.one.time_constant / spindle::one_minute)));
+    note_unsettled(step, notes);
   }
+  for (const spindle::LoadSteps& at : responses.loads)
+    for (const spindle::StepResponse& step : at.steps) note_unsettled(step, notes);
   if (two > 0)
     notes.push_back(record::note::assumed(fmt::format(
         "{} of {} step responses need two time constants", two, responses.steps.size())));
@@ -95,6 +101,30 @@ correction::Model chosen_model(Messages& messages, const SpindleSteps& steps,
   return of_one.rms <= of_two.rms ? one : two;
 }
 
+/// Steps of loads at their speeds; 0 N is left out with a note.
+void add_load_steps(Messages& messages, const model::Model& model, const StepQuestion& question,
+                    const std::vector<double>& speeds, const spindle::StepOptions& options,
+                    spindle::StepResponses& responses) {
+  const auto add = [&](spindle::Stepped stepped, std::vector<double> loads,
+                       const std::string& key) {
+    if (std::erase(loads, 0.0) > 0)
+      messages.say(record::note::left_out(key + ": 0 N is no step: left out", {.key = key}));
+    if (loads.empty()) return;
+    for (spindle::LoadSteps& at :
+         spindle::load_step_responses(model, stepped, speeds, loads, options))
+      responses.loads.push_back(std::move(at));
+  };
+  add(spindle::Stepped::axial_load, question.axial_loads,
+      named(question.wording, "--axial-load", "axial_load_N"));
+  add(spindle::Stepped::radial_load, question.radial_loads,
+      named(question.wording, "--radial-load", "radial_load_N"));
+}
+
+/// Speeds of the steps of loads.
+const std::vector<double>& speeds_of_loads(const StepQuestion& question) {
+  return question.load_speeds.empty() ? question.speeds : question.load_speeds;
+}
+
 std::string name_of_model(const SpindleSteps& steps) {
   const model::Model* const model = steps.model();
   if (!model) return steps.source;
@@ -119,7 +149,15 @@ SpindleSteps simulated_steps(Messages& messages, const files::ModelFile& file,
         fmt::format("raceway step-response: {} speeds above 0 rpm: must be from 1 to {}",
                     speeds.size(), most),
         {.key = key});
+  const std::string load_key = named(question.wording, "--load-speed", "load_speed_rpm");
+  std::vector<double> load_speeds = speeds_of_loads(question);
+  std::erase(load_speeds, 0.0);
+  if (!question.load_speeds.empty() && question.axial_loads.empty() &&
+      question.radial_loads.empty())
+    throw text::InputError("raceway step-response: " + load_key + ": no load steps there: name one",
+                           {.key = load_key});
   for (const double speed : speeds) require_possible_speed(file.model, speed, key);
+  for (const double speed : load_speeds) require_possible_speed(file.model, speed, load_key);
   messages.say(said_of(judge_speeds(file.model, speeds)));
   messages.say(states_not_counted(file.model));
   if (const std::string unused = unused_coolant_off(file.model, question.coolant_on, true);
@@ -130,6 +168,7 @@ SpindleSteps simulated_steps(Messages& messages, const files::ModelFile& file,
   spindle::StepOptions options{.duration = question.duration, .cancelled = question.cancelled};
   options.inputs = conditions_of(steps);
   steps.responses = spindle::step_responses(file.model, speeds, options);
+  add_load_steps(messages, file.model, question, load_speeds, options, steps.responses);
   add_laws(steps);
   return steps;
 }
@@ -160,17 +199,35 @@ SpindleSteps imported_steps(const std::vector<files::LoadCase>& cases, const std
   return steps;
 }
 
-bool SpindleSteps::converged() const {
-  return std::all_of(responses.steps.begin(), responses.steps.end(),
-                     [](const auto& step) { return step.converged(); });
+std::vector<std::string> load_channels(const StepQuestion& question) {
+  std::vector<std::string> names;
+  for (const auto& [stepped, loads] :
+       {std::pair{spindle::Stepped::axial_load, &question.axial_loads},
+        std::pair{spindle::Stepped::radial_load, &question.radial_loads}})
+    if (!loads->empty())
+      for (const double speed : speeds_of_loads(question))
+        names.push_back(results::load_channel(stepped, speed));
+  return names;
 }
+
+std::size_t SpindleSteps::count() const {
+  std::size_t count = responses.steps.size();
+  for (const spindle::LoadSteps& at : responses.loads) count += at.steps.size();
+  return count;
+}
+
+bool SpindleSteps::converged() const { return warnings().empty(); }
 
 std::vector<record::Note> SpindleSteps::warnings() const {
   std::vector<record::Note> list;
-  for (const spindle::StepResponse& step : responses.steps)
+  const auto see = [&](const spindle::StepResponse& step) {
     if (!step.converged())
       list.push_back(
           record::note::not_converged(fmt::format("{}: {}", name_of(step), step.message)));
+  };
+  std::for_each(responses.steps.begin(), responses.steps.end(), see);
+  for (const spindle::LoadSteps& at : responses.loads)
+    std::for_each(at.steps.begin(), at.steps.end(), see);
   return list;
 }
 

@@ -24,7 +24,11 @@ inline constexpr text::NumberRange step_hours_range{0.1, 1000.0, "h"};
 
 struct StepQuestion {
   std::vector<double> speeds{};  ///< [rad/s], rising
-  double duration = 4 * 3600.0;  ///< of each step [s]
+  /// Loads at the nose that step [N], rising, each at every speed of `load_speeds`, or at all
+  /// speeds where that is empty.
+  std::vector<double> axial_loads{}, radial_loads{};
+  std::vector<double> load_speeds{};  ///< [rad/s], rising
+  double duration = 4 * 3600.0;       ///< of each step [s]
   bool coolant_on = true;
   Wording wording = Wording::arguments;          ///< of errors and notes
   const std::atomic<bool>* cancelled = nullptr;  ///< as Simulator::stop_on()
@@ -43,6 +47,8 @@ struct SpindleSteps {
 
   [[nodiscard]] const model::Model* model() const { return file ? &file->model : nullptr; }
   [[nodiscard]] bool converged() const;
+  /// Number of step responses, of speeds and of loads.
+  [[nodiscard]] std::size_t count() const;
   /// The steps that have no response, and why.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string csv() const;
@@ -52,8 +58,8 @@ struct SpindleSteps {
                                  const std::string& programme = {}) const;
 };
 
-/// Throws text::InputError without a speed above 0 or with too many; std::invalid_argument for a
-/// model that is no spindle.
+/// Throws text::InputError without a speed above 0 or with too many, and for speeds of loads
+/// without a load; std::invalid_argument for a model that is no spindle.
 [[nodiscard]] SpindleSteps simulated_steps(Messages& messages, const files::ModelFile& file,
                                            const StepQuestion& question);
 
@@ -77,8 +83,11 @@ struct StepCorrectionQuestion {
 [[nodiscard]] correction::Model correction_of_steps(Messages& messages, const SpindleSteps& steps,
                                                     const StepCorrectionQuestion& question);
 
-/// Compares a correction of them with the full simulation, over a programme of speeds, read as a
-/// spindle record. Throws std::invalid_argument as results::superposition().
+/// Names of the channels that the loads of a question give a correction.
+[[nodiscard]] std::vector<std::string> load_channels(const StepQuestion& question);
+
+/// Compares a correction of them with the full simulation, over a programme of speeds and loads,
+/// read as a spindle record. Throws std::invalid_argument as results::superposition().
 [[nodiscard]] results::Superposition superposition_of_steps(
     Messages& messages, const SpindleSteps& steps, const correction::Model& correction,
     const Source& programme, const std::atomic<bool>* cancelled = nullptr);

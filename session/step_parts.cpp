@@ -76,7 +76,11 @@ void add_kinematic_law(const std::vector<shaft::DisplacementPoint>& curve, StepP
 }  // namespace
 
 std::string name_of(const spindle::StepResponse& step) {
-  return step.load_case.empty() ? fmt::format("{:.6g} rpm", step.speed / rpm) : step.load_case;
+  if (!step.load_case.empty()) return step.load_case;
+  const std::string speed = fmt::format("{:.6g} rpm", step.speed / rpm);
+  if (step.stepped == spindle::Stepped::speed) return speed;
+  return fmt::format("{} N {} at {}", step.load,
+                     step.stepped == spindle::Stepped::axial_load ? "axial" : "radial", speed);
 }
 
 double friction_power(const model::Model& model, double speed, double temperature) {

@@ -11,7 +11,7 @@
 
 namespace raceway::session {
 
-/// "6000 rpm", or the name of a load case.
+/// "6000 rpm", "-500 N axial at 6000 rpm", or the name of a load case.
 [[nodiscard]] std::string name_of(const spindle::StepResponse& step);
 
 /// Friction loss of all bearings of a shaft at a speed and a temperature [C]; NaN: the temperature

@@ -82,10 +82,10 @@ double sum_of_values(const std::vector<double>& values) {
 }
 
 /// Points of one power as their mean, rising.
-PowerPairs merged_points(std::span<const AtPower> points, double AtPower::*value) {
+PowerPairs merged_points(std::span<const LagAt> points, double LagAt::*value) {
   std::map<double, std::pair<double, int>> sums;
-  for (const AtPower& p : points) {
-    auto& [sum, count] = sums[p.power];
+  for (const LagAt& p : points) {
+    auto& [sum, count] = sums[p.input];
     sum += p.*value;
     ++count;
   }
@@ -95,6 +95,19 @@ PowerPairs merged_points(std::span<const AtPower> points, double AtPower::*value
     result.y.push_back(of.first / of.second);
   }
   return result;
+}
+
+/// Through these points and this value at 0.
+MonotoneCurve curve_through(PowerPairs p, double at_zero) {
+  const auto place = std::lower_bound(p.x.begin(), p.x.end(), 0.0);
+  const auto at = place - p.x.begin();
+  if (place != p.x.end() && *place == 0.0) {
+    p.y[static_cast<std::size_t>(at)] = at_zero;
+  } else {
+    p.x.insert(place, 0.0);
+    p.y.insert(p.y.begin() + at, at_zero);
+  }
+  return {std::move(p.x), std::move(p.y)};
 }
 
 /// At an end, from the two secants next to it: three points of a parabola, but no turn that the
@@ -149,17 +162,23 @@ double MonotoneCurve::operator()(double x) const {
          width * s * rest * (rest * slope_[k] - s * slope_[k + 1]);
 }
 
-PowerLaws fit_power_laws(std::span<const AtPower> points) {
-  PowerPairs gain, time;
-  for (const AtPower& p : points) {
-    if (!(p.power >= 0.0) || !std::isfinite(p.power))
-      throw std::invalid_argument(fmt::format("power = {} W: must be 0 W or more", p.power));
+PowerLaws fit_power_laws(std::span<const LagAt> points) {
+  for (const LagAt& p : points) {
+    if (!(p.input >= 0.0) || !std::isfinite(p.input))
+      throw std::invalid_argument(fmt::format("power = {} W: must be 0 W or more", p.input));
     if (!std::isfinite(p.gain) || !std::isfinite(p.time_constant))
       throw std::invalid_argument(
-          fmt::format("the step response at {} W has no gain or time constant", p.power));
-    gain.x.push_back(p.power);
+          fmt::format("the step response at {} W has no gain or time constant", p.input));
+  }
+  return fit_load_laws(points);
+}
+
+PowerLaws fit_load_laws(std::span<const LagAt> points) {
+  PowerPairs gain, time;
+  for (const LagAt& p : points) {
+    gain.x.push_back(p.input);
     gain.y.push_back(p.gain);
-    time.x.push_back(p.power);
+    time.x.push_back(p.input);
     time.y.push_back(p.time_constant);
   }
   PowerLaws laws;
@@ -176,24 +195,15 @@ PowerLaws fit_power_laws(std::span<const AtPower> points) {
   return laws;
 }
 
-MonotoneCurve gain_curve(std::span<const AtPower> points) {
-  PowerPairs p = merged_points(points, &AtPower::gain);
-  if (p.x.empty() || p.x.front() > 0.0) {
-    p.x.insert(p.x.begin(), 0.0);
-    p.y.insert(p.y.begin(), 0.0);
-  } else {
-    p.y.front() = 0.0;
-  }
-  return {std::move(p.x), std::move(p.y)};
+MonotoneCurve gain_curve(std::span<const LagAt> points) {
+  return curve_through(merged_points(points, &LagAt::gain), 0.0);
 }
 
-MonotoneCurve time_curve(std::span<const AtPower> points, double at_rest) {
-  PowerPairs p = merged_points(points, &AtPower::time_constant);
-  if (!std::isnan(at_rest) && (p.x.empty() || p.x.front() > 0.0)) {
-    p.x.insert(p.x.begin(), 0.0);
-    p.y.insert(p.y.begin(), at_rest);
-  }
-  return {std::move(p.x), std::move(p.y)};
+MonotoneCurve time_curve(std::span<const LagAt> points, double at_rest) {
+  PowerPairs p = merged_points(points, &LagAt::time_constant);
+  const bool known = std::find(p.x.begin(), p.x.end(), 0.0) != p.x.end();
+  if (known || std::isnan(at_rest)) return {std::move(p.x), std::move(p.y)};
+  return curve_through(std::move(p), at_rest);
 }
 
 }  // namespace raceway::spindle

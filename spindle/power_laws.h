@@ -5,7 +5,7 @@
 
 #include "record/units.h"
 
-/// Gain and time constant of a step response as laws of the power loss P.
+/// Gain and time constant of a step response as laws of the power loss P, or of a load.
 namespace raceway::spindle {
 
 /// value = slope P + offset, by least squares, all points alike.
@@ -39,9 +39,9 @@ class MonotoneCurve {
   std::vector<double> x_, y_, slope_;
 };
 
-/// Gain and time constant at one power.
-struct AtPower {
-  double power = unset;          ///< [W]
+/// Gain and time constant at one power, or one load.
+struct LagAt {
+  double input = unset;          ///< [W], [N]
   double gain = unset;           ///< [m]
   double time_constant = unset;  ///< [s]
 };
@@ -60,11 +60,13 @@ struct PowerLaws {
 
 /// Laws of these points, in any order. Throws std::invalid_argument: a power below 0, a value that
 /// is not finite.
-[[nodiscard]] PowerLaws fit_power_laws(std::span<const AtPower> points);
+[[nodiscard]] PowerLaws fit_power_laws(std::span<const LagAt> points);
+/// Laws over loads, which may have either sign.
+[[nodiscard]] PowerLaws fit_load_laws(std::span<const LagAt> points);
 
-/// K(P) through all points and through K(0) = 0. Of points of one power the mean.
-[[nodiscard]] MonotoneCurve gain_curve(std::span<const AtPower> points);
-/// T(P) through all points; `at_rest` [s] is that at P = 0, where it is known.
-[[nodiscard]] MonotoneCurve time_curve(std::span<const AtPower> points, double at_rest = unset);
+/// K through all points and through K(0) = 0. Of points of one power or load the mean.
+[[nodiscard]] MonotoneCurve gain_curve(std::span<const LagAt> points);
+/// T through all points; `at_rest` [s] is that at 0, where it is known.
+[[nodiscard]] MonotoneCurve time_curve(std::span<const LagAt> points, double at_rest = unset);
 
 }  // namespace raceway::spindle

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 namespace raceway::spindle {
@@ -43,25 +44,89 @@ CoolDown cool_down_of(const StepResponse& step, std::span<const Moment> moments,
   return down;
 }
 
-StepResponse step_of(const Run& run, std::span<const Moment> moments, double speed) {
+/// Powers, forces and status of a run.
+StepResponse response_of(const Run& run, double speed) {
   StepResponse step{.speed = speed, .status = run.report.status, .message = run.report.message};
   if (!step.converged()) {
     if (step.message.empty()) step.message = words(step.status);
     return step;
   }
-  const Moment &first = moments.front(), &last = moments.back();
+  const Moment &first = run.moments.front(), &last = run.moments.back();
   step.power_start = first.heat.friction;
   step.power_end = last.heat.friction;
-  step.kinematic = last.kinematic_displacement;
-  step.end = last.thermal_displacement();
   step.front_force = first.front_force;
   step.highest_force = run.highest_front_force;
-  for (const Moment& m : moments) {
-    step.time.push_back(m.time);
-    step.displacement.push_back(m.thermal_displacement());
-  }
+  for (const Moment& m : run.moments) step.time.push_back(m.time);
+  return step;
+}
+
+StepResponse step_of(const Run& run, double speed) {
+  StepResponse step = response_of(run, speed);
+  if (!step.converged()) return step;
+  step.kinematic = run.moments.back().kinematic_displacement;
+  step.end = run.moments.back().thermal_displacement();
+  for (const Moment& m : run.moments) step.displacement.push_back(m.thermal_displacement());
   step.fit = fit_step(step.time, step.displacement);
   return step;
+}
+
+/// From a settled spindle. What is there at once is no lag, in the warm sets as they are.
+StepResponse load_step_of(const Run& run, double speed, const Moment& unloaded) {
+  StepResponse step = response_of(run, speed);
+  if (!step.converged()) return step;
+  const double at_once = run.moments.front().displacement;
+  step.kinematic = at_once - unloaded.displacement;
+  step.end = run.moments.back().displacement - at_once;
+  for (const Moment& m : run.moments) step.displacement.push_back(m.displacement - at_once);
+  step.fit = fit_step(step.time, step.displacement);
+  return step;
+}
+
+Inputs with_load(Inputs inputs, Stepped stepped, double load) {
+  (stepped == Stepped::radial_load ? inputs.radial_load : inputs.axial_load) = load;
+  return inputs;
+}
+
+// In the time of one row of a step from rest: a load heats the balls themselves, within minutes.
+constexpr double rows_of_loads = 4.0;
+
+/// All loads at one speed, and how the spindle settles when the largest has gone.
+LoadSteps loads_at(Simulator& simulator, Stepped stepped, double speed,
+                   std::span<const double> loads, const StepOptions& options) {
+  LoadSteps result{.stepped = stepped, .speed = speed};
+  StepOptions at = options;
+  at.row /= rows_of_loads;
+  at.inputs.speed = speed;
+  Report report;
+  const Moment unloaded = simulator.steady(at.inputs, report);
+  const State start = report.converged() ? simulator.state() : State{};
+  const auto largest = std::max_element(
+      loads.begin(), loads.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  for (auto load = loads.begin(); load != loads.end(); ++load) {
+    Run run{.report = report};
+    std::vector<ProfileRow> profile;
+    StepOptions loaded = at;
+    loaded.inputs = with_load(at.inputs, stepped, *load);
+    add_step_rows(profile, 0.0, loaded, speed);
+    if (report.converged()) run = simulator.simulate(profile, &start);
+    StepResponse step = load_step_of(run, speed, unloaded);
+    step.stepped = stepped;
+    step.load = *load;
+    if (load == largest && step.converged()) {
+      profile.clear();
+      add_step_rows(profile, run.end.time, at, speed);
+      const Run back = simulator.simulate(profile, &run.end);
+      std::vector<double> time, left;
+      for (const Moment& m : back.moments) {
+        time.push_back(m.time - run.end.time);
+        left.push_back(m.displacement - unloaded.displacement);
+      }
+      if (back.report.converged())
+        result.unloaded = fit_decay(time, left, std::array{step.fit.one.gain}).front();
+    }
+    result.steps.push_back(std::move(step));
+  }
+  return result;
 }
 
 void check_step_options(std::span<const double> speeds, const StepOptions& options) {
@@ -91,7 +156,7 @@ StepResponses step_responses(const model::Model& model, std::span<const double> 
     std::vector<ProfileRow> profile;
     add_step_rows(profile, 0.0, options, speeds[k]);
     const Run run = own.simulate(profile);
-    result.steps[k] = step_of(run, run.moments, speeds[k]);
+    result.steps[k] = step_of(run, speeds[k]);
     if (!options.cool_down || k != fastest || !run.report.converged()) return;
     profile.clear();
     add_step_rows(profile, run.end.time, options, 0.0);
@@ -102,8 +167,36 @@ StepResponses step_responses(const model::Model& model, std::span<const double> 
   return result;
 }
 
-std::vector<AtPower> at_powers(std::span<const StepResponse> steps, WhichLag which) {
-  std::vector<AtPower> points;
+std::vector<LoadSteps> load_step_responses(const model::Model& model, Stepped stepped,
+                                           std::span<const double> speeds,
+                                           std::span<const double> loads,
+                                           const StepOptions& options) {
+  check_step_options(speeds, options);
+  if (std::adjacent_find(loads.begin(), loads.end(), std::greater_equal<>()) != loads.end())
+    throw std::invalid_argument("the loads of steps must rise");
+  for (const double load : loads)
+    if (load == 0.0 || !std::isfinite(load))
+      throw std::invalid_argument(fmt::format("load = {:.6g} N: a step needs another", load));
+  std::vector<LoadSteps> result(speeds.size());
+  Simulator simulator(model);
+  simulator.stop_on(options.cancelled);
+  tbb::parallel_for(std::size_t{0}, speeds.size(), [&](std::size_t k) {
+    Simulator own = simulator;
+    result[k] = loads_at(own, stepped, speeds[k], loads, options);
+  });
+  return result;
+}
+
+std::vector<LagAt> at_loads(const LoadSteps& loads) {
+  std::vector<LagAt> points;
+  for (const StepResponse& step : loads.steps)
+    if (step.converged() && std::isfinite(step.fit.one.gain))
+      points.push_back({step.load, step.fit.one.gain, step.fit.one.time_constant});
+  return points;
+}
+
+std::vector<LagAt> at_powers(std::span<const StepResponse> steps, WhichLag which) {
+  std::vector<LagAt> points;
   for (const StepResponse& step : steps) {
     const Lag& lag = which == WhichLag::one    ? step.fit.one
                      : which == WhichLag::fast ? step.fit.fast

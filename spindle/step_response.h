@@ -10,8 +10,14 @@
 
 namespace raceway::spindle {
 
-/// Response of a spindle at rest to one speed, or one power, from t = 0 on.
+/// Input that steps: the speed of a spindle at rest, or a load at the nose of one that turns.
+enum class Stepped { speed, axial_load, radial_load };
+
+/// Response of a spindle at rest to one speed, or one power, from t = 0 on; or of a spindle that
+/// has settled at a speed to a load. Displacements of a load are those beyond the settled ones.
 struct StepResponse {
+  Stepped stepped = Stepped::speed;
+  double load = unset;           ///< that steps [N]; NaN: the speed steps
   std::string load_case = {};    ///< of one that was read; empty of one that was simulated
   double speed = unset;          ///< [rad/s]; NaN: only its power is known
   double power_start = unset;    ///< loss of all bearings at t = 0 [W]
@@ -37,9 +43,18 @@ struct CoolDown {
   [[nodiscard]] bool known() const { return one > 0.0; }
 };
 
+/// Steps of a load at one speed, each from the settled spindle.
+struct LoadSteps {
+  Stepped stepped = Stepped::axial_load;
+  double speed = unset;                  ///< [rad/s]
+  std::vector<StepResponse> steps = {};  ///< by load, rising
+  double unloaded = unset;               ///< time constant after the largest load has gone [s]
+};
+
 struct StepResponses {
   std::vector<StepResponse> steps = {};  ///< in the order asked for
   CoolDown cool_down = {};
+  std::vector<LoadSteps> loads = {};  ///< axial loads first, by speed
 };
 
 struct StepOptions {
@@ -61,11 +76,24 @@ struct StepOptions {
                                            std::span<const double> speeds,
                                            const StepOptions& options = {});
 
+/// Simulates steps of a load [N] at each of these speeds [rad/s]. A step begins from the settled
+/// spindle without the load. One lag is fitted to what follows the displacement at once. The power
+/// in a response is the power of all bearings, not what the load adds.
+///
+/// Throws std::invalid_argument as step_responses(), and for loads of 0 or that do not rise.
+[[nodiscard]] std::vector<LoadSteps> load_step_responses(const model::Model& model, Stepped stepped,
+                                                         std::span<const double> speeds,
+                                                         std::span<const double> loads,
+                                                         const StepOptions& options = {});
+
+/// Gain and time constant of each step of a load that has them, over the load.
+[[nodiscard]] std::vector<LagAt> at_loads(const LoadSteps& loads);
+
 /// Gain and time constant of each step that has them, at its power at the end: of one lag, or of
 /// the faster or the slower of two.
 enum class WhichLag { one, fast, slow };
-[[nodiscard]] std::vector<AtPower> at_powers(std::span<const StepResponse> steps,
-                                             WhichLag which = WhichLag::one);
+[[nodiscard]] std::vector<LagAt> at_powers(std::span<const StepResponse> steps,
+                                           WhichLag which = WhichLag::one);
 
 /// Returns true if one lag does not fit one of the steps, and all of them have two.
 [[nodiscard]] bool need_two(std::span<const StepResponse> steps);

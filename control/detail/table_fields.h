@@ -78,7 +78,8 @@ inline constexpr std::array section_numbers{
 
 inline constexpr std::array element_numbers{
     NumberField<ControlElement>{"scale", &ControlElement::scale, "1", true},
-    NumberField<ControlElement>{"power_limit", &ControlElement::power_limit_W, "W", true, 0.0}};
+    NumberField<ControlElement>{"from", &ControlElement::from, "input"},
+    NumberField<ControlElement>{"limit", &ControlElement::limit, "input", true, 0.0}};
 
 inline constexpr std::array feedthrough_numbers{
     NumberField<ControlFeedthrough>{"gain", &ControlFeedthrough::gain, "u", true}};

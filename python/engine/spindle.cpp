@@ -60,18 +60,26 @@ SpindleAnswer answer_of(const std::shared_ptr<const Found>& found, Heard& heard)
   return answer;
 }
 
+std::vector<double> growing(const std::vector<double>& values, const text::NumberRange& range,
+                            const std::string& name) {
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    text::require_range(values[k], range, name);
+    if (k > 0 && values[k] <= values[k - 1])
+      throw text::InputError(
+          name + ": the values must grow, and " + text::number(values[k]) + " does not",
+          {.key = name});
+  }
+  return values;
+}
+
+std::vector<double> in_rad_s(std::vector<double> speed_rpm) {
+  for (double& speed : speed_rpm) speed *= rpm;
+  return speed_rpm;
+}
+
 std::vector<double> speeds_of(const std::vector<double>& speed_rpm) {
   if (speed_rpm.empty()) throw text::InputError("speed_rpm is missing", {.key = "speed_rpm"});
-  std::vector<double> speeds;
-  for (const double value : speed_rpm) {
-    text::require_range(value, text::speed_range, "speed_rpm");
-    if (!speeds.empty() && value * rpm <= speeds.back())
-      throw text::InputError(
-          "speed_rpm: the values must grow, and " + text::number(value) + " does not",
-          {.key = "speed_rpm"});
-    speeds.push_back(value * rpm);
-  }
-  return speeds;
+  return in_rad_s(growing(speed_rpm, text::speed_range, "speed_rpm"));
 }
 
 /// [K]; NaN stays what it is.
@@ -221,10 +229,18 @@ auto in_words_of(const files::ModelFile& file, const Ask& ask) {
 }
 
 StepAnswer step_response(const EngineModel& model, const std::vector<double>& speed_rpm,
-                         double duration_h, bool coolant, double time_limit_s) {
+                         const std::vector<double>& axial_load_N,
+                         const std::vector<double>& radial_load_N,
+                         const std::vector<double>& load_speed_rpm, double duration_h, bool coolant,
+                         double time_limit_s) {
   text::require_range(duration_h, session::step_hours_range, "duration_h");
   session::StepQuestion question{
-      .speeds = speeds_of(speed_rpm), .duration = duration_h * 3600.0, .coolant_on = coolant};
+      .speeds = speeds_of(speed_rpm),
+      .axial_loads = growing(axial_load_N, text::signed_load_range, "axial_load_N"),
+      .radial_loads = growing(radial_load_N, text::signed_load_range, "radial_load_N"),
+      .load_speeds = in_rad_s(growing(load_speed_rpm, text::speed_range, "load_speed_rpm")),
+      .duration = duration_h * 3600.0,
+      .coolant_on = coolant};
   Heard heard;
   session::require_spindle(model.file());
   const Steps steps = asked(heard, time_limit_s, [&](Heard& h, const std::atomic<bool>& cancelled) {

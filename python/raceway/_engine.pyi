@@ -180,7 +180,16 @@ def modes(
 def deflection(
     model: Model, force_N: float, axial: bool, axial_force_N: float, moment_Nm: float, at_mm: float, speed_rpm: float, warm: bool, coolant: bool
 ) -> SpindleAnswer: ...
-def step_response(model: Model, speed_rpm: Sequence[float], duration_h: float, coolant: bool, time_limit_s: float) -> StepAnswer: ...
+def step_response(
+    model: Model,
+    speed_rpm: Sequence[float],
+    axial_load_N: Sequence[float],
+    radial_load_N: Sequence[float],
+    load_speed_rpm: Sequence[float],
+    duration_h: float,
+    coolant: bool,
+    time_limit_s: float,
+) -> StepAnswer: ...
 def imported_steps(model: Model, cases: tuple[str, str], temperature_C: float) -> StepAnswer: ...
 def sensitivity(
     model: Model,

@@ -143,8 +143,8 @@ class StepResponses(_OfSpindle):
 
     @property
     def status(self) -> list[str]:
-        """Status of each step."""
-        return [row["status"] for row in self.data["rows"]]
+        """Status of each step, those of loads last."""
+        return [row["status"] for row in self.data["rows"] + self.data.get("load_rows", [])]
 
     def save_correction(self, path: str | os.PathLike[str], *, law: str = "curve", lags: str = "auto", overwrite: bool = False) -> list[Note]:
         """Write the correction of these steps, with its tables in the same folder.
@@ -188,7 +188,7 @@ class StepResponses(_OfSpindle):
         correction : path
             As `save_correction` wrote it.
         programme : Record
-            ``time_s`` and ``speed_rpm``.
+            ``time_s`` and ``speed_rpm``, and ``axial_load_N`` and ``radial_load_N`` where there are loads.
 
         Returns
         -------

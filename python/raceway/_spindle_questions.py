@@ -296,6 +296,9 @@ class SpindleQuestions:
         self,
         speed_rpm: ArrayLike | None = None,
         *,
+        axial_load_N: ArrayLike | None = None,
+        radial_load_N: ArrayLike | None = None,
+        load_speed_rpm: ArrayLike | None = None,
         duration_h: float = 4.0,
         coolant: bool = True,
         load_cases: Record | None = None,
@@ -308,6 +311,11 @@ class SpindleQuestions:
         ----------
         speed_rpm : float or sequence of float
             Of the steps, each from rest; growing.
+        axial_load_N, radial_load_N : float or sequence of float, optional
+            Steps of a load at the nose of the spindle that has settled at each speed; growing. The
+            axial one is positive towards the tool.
+        load_speed_rpm : float or sequence of float, optional
+            Speeds at which loads step; default: all of `speed_rpm`.
         duration_h : float
             Of each step.
         coolant : bool
@@ -343,9 +351,18 @@ class SpindleQuestions:
             if temperature_C is not None:
                 raise TypeError("temperature_C: belongs to load_cases; of steps it is simulated")
             answer = _engine.step_response(
-                self._engine, axis("speed_rpm", speed_rpm), _number("duration_h", duration_h), _yes_or_no("coolant", coolant), _limit(time_limit_s)
+                self._engine,
+                axis("speed_rpm", speed_rpm),
+                axis("axial_load_N", axial_load_N),
+                axis("radial_load_N", radial_load_N),
+                axis("load_speed_rpm", load_speed_rpm),
+                _number("duration_h", duration_h),
+                _yes_or_no("coolant", coolant),
+                _limit(time_limit_s),
             )
         else:
+            if not (axial_load_N is None and radial_load_N is None and load_speed_rpm is None):
+                raise TypeError("axial_load_N, radial_load_N, load_speed_rpm: are simulated, and load_cases reads step responses")
             if not isinstance(load_cases, Record):
                 raise TypeError(f"load_cases: a raceway.Record is wanted, not {type(load_cases).__name__}")
             if load_cases._columns is not None:

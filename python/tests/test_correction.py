@@ -230,6 +230,25 @@ def test_check(document):
     assert correction.check(record).data == document("check", correction.source, record.name)
 
 
+def test_recorded_columns_drive_a_correction(document, tmp_path):
+    """A power by a lag in a window of a position, a load by a delay element: against the closed form."""
+    model, record = tmp_path / "z.toml", tmp_path / "z.csv"
+    model.write_text(
+        '[correction]\ndisplacement = "displacement_z_um"\n[[correction.channel]]\nname = "power"\ninput = "spindle_power_W"\n'
+        "sections = [{ gain_um_W = 0.02, time_constant_s = 900 }]\n"
+        'window = { column = "x_position_mm", points = [0, 400, inf, inf] }\n'
+        '[[correction.channel]]\nname = "axial"\ninput = "axial_load_N"\n'
+        "gain = { slope_um_N = 0.01, offset_um = 0 }\ntime_constant = { slope_min_N = 0, offset_min = 20 }\n"
+    )
+    t = numpy.arange(0.0, 7200.0, 60.0)
+    frame = pandas.DataFrame({"time_s": t, "spindle_power_W": 500.0, "axial_load_N": -300.0, "x_position_mm": 100.0 + t % 240.0})
+    frame.to_csv(record, index=False)
+    run = raceway.Correction.read(model).correct(raceway.Record.read(record))
+    share = numpy.clip(frame.x_position_mm / 400.0, 0.0, 1.0)
+    expected = 10.0 * share * -numpy.expm1(-t / 900.0) + 3.0 * numpy.expm1(-t / 1200.0)
+    numpy.testing.assert_allclose(run.to_frame()["predicted_um"], expected, atol=1e-9)
+
+
 @pytest.mark.parametrize("format", ["python", "c", "csv", "linuxcnc"])
 def test_export(command, tmp_path, format):
     correction = raceway.Correction.read(f"{EXACT}/correction.toml")

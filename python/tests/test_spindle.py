@@ -207,6 +207,19 @@ def test_step_responses_and_their_correction_are_those_of_the_command(driven, do
         steps.save_correction(tmp_path / "k.toml", law="cubic")
 
 
+def test_steps_of_loads_are_those_of_the_command(driven, document, csv):
+    asked = ("step-response", DRIVEN, "--speed", "4000", "--axial-load=-300,500", "--radial-load", "400", "--hours", "2")
+    steps = driven.step_response([4000], axial_load_N=[-300, 500], radial_load_N=400, duration_h=2)
+    assert steps.data == document(*asked)
+    assert [row["axial_load_N"] for row in steps.data["load_rows"]] == [-300, 500, None]
+    assert len(steps.status) == 4
+    pd.testing.assert_frame_equal(steps.to_frame(), csv(*asked), check_exact=True)
+    with pytest.raises(raceway.InputError, match="axial_load_N: the values must grow"):
+        driven.step_response([4000], axial_load_N=[500, -300])
+    with pytest.raises(raceway.InputError, match="load_speed_rpm"):
+        driven.step_response([4000], load_speed_rpm=[4000])
+
+
 def test_load_cases_of_another_program_are_fitted(small, document, tmp_path):
     hours = np.linspace(0.0, 3.0, 31)
     frame = pd.concat(

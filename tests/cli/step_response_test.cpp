@@ -195,6 +195,54 @@ TEST(StepResponseCommand, AProgrammeMeansTheSameToSimulationAndCorrection) {
   EXPECT_LT(of_events, 3.0);  // two delay elements on a spindle that is warm
 }
 
+// A day with loads: with elements of loads the correction follows the simulation closer.
+TEST(StepResponseCommand, StepsOfLoadsBecomeDelayElements) {
+  const ScratchFolder scratch;
+  const std::string model =
+      scratch.write("spindle.toml", small_spindle + "[columns]\nsettings_hold = \"from row\"\n");
+  std::string day = "time_s,speed_rpm,axial_load_N,radial_load_N\n";
+  constexpr int speeds[] = {3000, 3000, 4500, 4500, 0, 1500}, axial[] = {0, 300, 300, -200, 0, 250},
+                radial[] = {0, 0, 400, 400, 0, 0};
+  for (int k = 0; k < 60; ++k)
+    day += fmt::format("{},{},{},{}\n", 300 * k, speeds[k / 10], axial[k / 10], radial[k / 10]);
+  day += "18000,0,0,0\n";
+  const std::string programme = scratch.write("day.csv", day);
+  const std::string common =
+      "step-response " + model + " --speed 1500:4500:1500 --lags one --programme " + programme;
+  const auto error = [&](const std::string& flags, const std::string& file) {
+    const Result r = run(common + " --correction " + scratch.file(file) + flags + " --json");
+    EXPECT_EQ(r.status, 0) << r.err;
+    return parsed(r)["superposition"]["rms_um"].get<double>();
+  };
+  const double without = error("", "plain.toml");
+  const double with =
+      error(" --axial-load=-300,300 --radial-load 400 --load-speed 1500,4500", "loads.toml");
+  EXPECT_LT(with, 0.75 * without);
+  const std::string text = file_text(scratch.file("loads.toml"));
+  EXPECT_THAT(text,
+              HasSubstr("window = { column = \"speed_rpm\", points = [-inf, -inf, 1500, 4500]"));
+  EXPECT_THAT(text,
+              HasSubstr("name = \"axial_load_4500rpm\"\ninput = \"axial_load_N\"\n"
+                        "window = { column = \"speed_rpm\", points = [1500, 4500, inf, inf]"));
+  EXPECT_THAT(file_text(scratch.file("loads_axial_load_1500rpm.csv")),
+              HasSubstr("axial_load_N,gain_um,time_constant_min"));
+  // `correct` reads it, and refuses nothing that a control has.
+  const Result corrected = run("correct " + scratch.file("loads.toml") + " " + programme);
+  EXPECT_EQ(corrected.status, 0) << corrected.err;
+  EXPECT_EQ(run("export " + scratch.file("loads.toml") + " --format python -o " +
+                scratch.file("loads.py") + " --record " + programme)
+                .status,
+            0);
+  // A table of all steps, and the same in text.
+  const Result steps = run("step-response " + model + " --speed 3000 --axial-load 200 -o -");
+  EXPECT_THAT(steps.out, HasSubstr("speed_rpm,axial_load_N,radial_load_N,power_start_W"));
+  EXPECT_THAT(run("step-response " + model + " --speed 3000 --axial-load 0,200").err,
+              HasSubstr("--axial-load: 0 N is no step: left out"));
+  EXPECT_THAT(run("step-response " + model + " --speed 3000 --load-speed 3000").err,
+              HasSubstr("--load-speed: no load steps there"));
+  EXPECT_THAT(run("step-response --import x.csv --axial-load 100").err, HasSubstr("take one"));
+}
+
 TEST(StepResponseCommand, ItsFilesDoNotWriteOverEachOther) {
   const ScratchFolder scratch;
   const std::string table = scratch.file("z_fast.csv");

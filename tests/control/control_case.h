@@ -124,7 +124,7 @@ struct Case {
   ControlPlan plan{};
 
   explicit Case(const std::string& model, const std::string& record = record_text()) {
-    for (const char* table : {"friction.csv", "K.csv", "T.csv"})
+    for (const char* table : {"friction.csv", "K.csv", "T.csv", "K_F.csv"})
       (void)folder.write(table, part(table));
     file = files::read_correction(folder.write("model.toml", model));
     std::vector<const record::Channel*> wanted, needed;

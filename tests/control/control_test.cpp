@@ -1,4 +1,5 @@
 // What `export` writes, run by Python and a C compiler, gives what the model gives here.
+#include "control/table_reader.h"
 #include "tests/control/control_case.h"
 
 namespace raceway::control::control_test {
@@ -149,6 +150,67 @@ TEST_P(Control, HoldsADelayElementAtAPowerThatItCannotTake) {
   EXPECT_EQ(y(3), y(2));
   EXPECT_EQ(y(4), y(2));
   EXPECT_GT(y(5), y(4));
+}
+
+/// What a control knows of loads, motors and axes: a power and a current by lags, a load by delay
+/// elements at two speeds and at once, a feed by a delay element, an axis by a window.
+const std::string by_recorded_columns =
+    "[correction]\ndisplacement = \"displacement_z_um\"\n"
+    "[[correction.channel]]\nname = \"power\"\ninput = \"spindle_power_W\"\n"
+    "sections = [{ gain_um_W = 0.02, time_constant_s = 900 }]\n"
+    "window = { column = \"x_position_mm\", points = [100, 200, 300, 500] }\n"
+    "[[correction.channel]]\nname = \"current\"\ninput = \"motor_current_A\"\n"
+    "sections = [{ gain_um_A = -0.3, time_constant_s = 400 }]\n"
+    "[[correction.channel]]\nname = \"axial_at_once\"\ninput = \"axial_load_N\"\n"
+    "feedthrough_um_N = -0.004\n"
+    "[[correction.channel]]\nname = \"axial_3000\"\ninput = \"axial_load_N\"\n"
+    "window = { column = \"speed_rpm\", points = [0, 3000, 3000, 8000], acts_on = \"input\" }\n"
+    "gain = { table = \"K_F.csv\" }\ntime_constant = { table = \"K_F.csv\" }\nscale = 1.2\n"
+    "[[correction.channel]]\nname = \"axial_8000\"\ninput = \"axial_load_N\"\n"
+    "window = { column = \"speed_rpm\", points = [3000, 8000, inf, inf], acts_on = \"input\" }\n"
+    "gain = { slope_um_N = 0.01, offset_um = 0.5 }\n"
+    "time_constant = { slope_min_N = 0.004, offset_min = 12 }\n"
+    "[[correction.channel]]\nname = \"feed\"\ninput = \"x_feed_m_min\"\n"
+    "gain = { factor = 0.6, exponent = 0.8 }\ntime_constant = { factor = 20, exponent = -0.1 }\n";
+
+std::string record_of_columns() {
+  std::string text =
+      "time_s,speed_rpm,spindle_power_W,motor_current_A,axial_load_N,x_feed_m_min,x_position_mm\n";
+  double t = 0.0;
+  for (int k = 0; k < 600; ++k) {
+    t += 20.0 + 15.0 * std::sin(1.0 * k * k);
+    const double speed = std::vector{0.0, 3000.0, -5500.0, 9000.0}[k / 40 % 4];
+    text += fmt::format("{:.3f},{},{:.1f},{:.2f},{:.0f},{},{:.1f}\n", t, speed,
+                        400 + 300 * std::sin(k / 30.0), 8 + 5 * std::cos(k / 17.0),
+                        900 * std::sin(k / 23.0), k % 70 < 20 ? 0.0 : -9.0,
+                        300 + 280 * std::sin(k / 11.0));
+  }
+  return text;
+}
+
+TEST_P(Control, RecordedColumnsDriveLagsAndDelayElements) {
+  const Case c(by_recorded_columns, record_of_columns());
+  EXPECT_EQ(c.plan.axes[0].elements.size(), 3u);
+  EXPECT_LT(distance(run(c, c.calls()), c.corrected()), tolerance());
+  const ControlPlan again = read_control_table(control_csv(c.plan), "table.csv");
+  EXPECT_EQ(control_python(again), control_python(c.plan));
+  EXPECT_EQ(control_c(again, "correction"), control_c(c.plan, "correction"));
+}
+
+TEST_P(Control, HoldsADelayElementAtALoadThatItCannotTake) {
+  const Case c(
+      "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\nname = "
+      "\"axial\"\ninput = \"axial_load_N\"\ngain = { slope_um_N = 0.01, offset_um = 0 }\n"
+      "time_constant = { slope_min_N = 0.02, offset_min = 10 }\n",  // positive above -500 N
+      "time_s,axial_load_N\n0,100\n100,100\n");
+  const auto got = run(c, "u 0 -400\nu 600 -600\nu 1200 -600\nu 1800 100\nu 2400 100\n");
+  ASSERT_EQ(got.size(), 5u);
+  const int flags[] = {0, beyond_element, beyond_element, 0, 0};
+  for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(got[k].flags, flags[k]) << k;
+  EXPECT_NEAR(got[1].displacements[0], -4.0 * (1 - std::exp(-600.0 / 120.0)), 1e-4);
+  EXPECT_EQ(got[2].displacements[0], got[1].displacements[0]);
+  EXPECT_EQ(got[3].displacements[0], got[1].displacements[0]);
+  EXPECT_GT(got[4].displacements[0], got[3].displacements[0]);
 }
 
 // The published transfer function of one pole, and one of two: sections at their own sampling.

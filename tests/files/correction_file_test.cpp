@@ -49,6 +49,44 @@ TEST(CorrectionFile, IsReadIntoSI) {
   EXPECT_EQ(m.kinematic->B, 0.697);
 }
 
+TEST(CorrectionFile, ADelayElementGoesByAnyColumnButATemperature) {
+  const auto channel = [](const std::string& input, const std::string& gain,
+                          const std::string& time) {
+    return head + "[[correction.channel]]\ninput = \"" + input + "\"\ngain = { " + gain +
+           " }\ntime_constant = { " + time + " }\n";
+  };
+  const auto read = [](const std::string& text, const std::string& table = "") {
+    return *parse_correction(text, "z.toml", {{.name = "k.csv", .path = "/k.csv", .text = table}})
+                .models[0]
+                .channels[0]
+                .element;
+  };
+  const correction::DelayElement line = read(channel(
+      "axial_load_N", "slope_um_N = 0.01, offset_um = 1", "slope_min_N = -0.02, offset_min = 30"));
+  EXPECT_TRUE(line.both_signs);
+  EXPECT_NEAR(line.gain(-200) / um, -1.0, 1e-12);
+  EXPECT_NEAR(line.time_constant(-200), 34 * 60, 1e-9);
+  EXPECT_NEAR(line.domain().upper, 1500, 1e-9);
+  // A table in kilonewtons, and one of a feed, which acts by its amount.
+  const std::string in_table = "table = \"k.csv\"";
+  const correction::DelayElement table =
+      read(channel("axial_load_N", in_table, in_table),
+           "axial_load_kN,gain_um,time_constant_min\n-0.5,-3,20\n0.5,4,10\n");
+  EXPECT_NEAR(table.gain(500) / um, 4.0, 1e-12);
+  EXPECT_NEAR(table.time_constant(0), 15 * 60, 1e-9);
+  const correction::DelayElement feed =
+      read(channel("x_feed_m_min", in_table, in_table),
+           "x_feed_m_min,gain_um,time_constant_min\n0,0,20\n10,4,10\n");
+  EXPECT_FALSE(feed.both_signs);
+  EXPECT_NEAR(feed.gain(5) / um, 2.0, 1e-12);  // of m/min
+  EXPECT_THAT(reading(channel("axial_load_N", "slope_um_W = 0.01, offset_um = 1",
+                              "slope_min_N = -0.02, offset_min = 30")),
+              refused("slope_um_W"));
+  EXPECT_THAT(reading(channel("front_temperature_C", "slope_um_K = 0.01, offset_um = 1",
+                              "slope_min_K = -0.02, offset_min = 30")),
+              refused("a temperature has sections"));
+}
+
 TEST(CorrectionFile, AFrictionTableIsReadAtOneRadialLoad) {
   const std::string table =
       "speed_rpm,axial_load_N,radial_load_N,friction_torque_Nmm\n0,100,0,10\n1000,100,0,20\n"

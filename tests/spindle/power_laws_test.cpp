@@ -16,8 +16,8 @@ namespace raceway::spindle {
 namespace {
 
 /// Step responses of a cooled spindle by another program.
-std::vector<AtPower> steps_of_case() {
-  std::vector<AtPower> points;
+std::vector<LagAt> steps_of_case() {
+  std::vector<LagAt> points;
   const nlohmann::json rows = reference("step_responses_cooled")["outputs"]["rows"];
   for (const nlohmann::json& row : rows)
     points.push_back(
@@ -44,14 +44,14 @@ TEST(PowerLaws, APowerFollowsACooledSpindleCloserThanALine) {
   EXPECT_NEAR(laws.gain_power.exponent, 0.82, 0.005);
   EXPECT_NEAR(laws.time_power.exponent, -0.23, 0.005);
   double line = 0.0;
-  for (const AtPower& p : steps_of_case())
-    line += std::pow(laws.gain_line(p.power) / p.gain - 1.0, 2) / 5.0;
+  for (const LagAt& p : steps_of_case())
+    line += std::pow(laws.gain_line(p.input) / p.gain - 1.0, 2) / 5.0;
   EXPECT_LT(laws.gain_power.rms, 0.2 * std::sqrt(line));
   EXPECT_GT(laws.gain_line.slope_std, 0.0);
 }
 
 TEST(PowerLaws, LinesOfExactPointsAreExact) {
-  const std::vector<AtPower> points{{50, 30 * um, 300}, {150, 50 * um, 200}};
+  const std::vector<LagAt> points{{50, 30 * um, 300}, {150, 50 * um, 200}};
   const PowerLaws laws = fit_power_laws(points);
   EXPECT_NEAR(laws.gain_line.slope / um, 0.2, 1e-12);
   EXPECT_NEAR(laws.gain_line.offset / um, 20.0, 1e-10);
@@ -62,7 +62,7 @@ TEST(PowerLaws, LinesOfExactPointsAreExact) {
 // K = 0.2 (P - 40) um is of no use below 40 W, K = -0.2 (P - 40) um neither.
 TEST(PowerLaws, EndsWhereALineChangesItsSign) {
   for (const double sign : {1.0, -1.0}) {
-    const std::vector<AtPower> points{{50, sign * 2 * um, 300}, {150, sign * 22 * um, 300}};
+    const std::vector<LagAt> points{{50, sign * 2 * um, 300}, {150, sign * 22 * um, 300}};
     const PowerLaws laws = fit_power_laws(points);
     EXPECT_NEAR(laws.valid_from, 40.0, 1e-9);
     EXPECT_TRUE(std::isinf(laws.valid_to));
@@ -71,11 +71,23 @@ TEST(PowerLaws, EndsWhereALineChangesItsSign) {
 }
 
 TEST(PowerLaws, OfOnePowerThereAreNone) {
-  const std::vector<AtPower> points{{50, 2 * um, 300}};
+  const std::vector<LagAt> points{{50, 2 * um, 300}};
   EXPECT_TRUE(std::isnan(fit_power_laws(points).gain_line.slope));
   EXPECT_TRUE(std::isnan(fit_power_laws(points).valid_to));
   EXPECT_DOUBLE_EQ(gain_curve(points)(25.0), 1 * um);
   EXPECT_DOUBLE_EQ(time_curve(points)(25.0), 300.0);
+}
+
+TEST(PowerLaws, OverALoadGoThroughZeroBetweenBothSigns) {
+  const std::vector<LagAt> points{{500, 6 * um, 500}, {-500, -4 * um, 700}, {1000, 10 * um, 400}};
+  const MonotoneCurve gain = gain_curve(points), time = time_curve(points, 650);
+  EXPECT_EQ(gain.x(), (std::vector<double>{-500, 0, 500, 1000}));
+  EXPECT_EQ(gain(0.0), 0.0);
+  EXPECT_EQ(gain(-500.0), -4 * um);
+  EXPECT_LT(gain(-1.0), 0.0);
+  EXPECT_EQ(time(0.0), 650.0);
+  EXPECT_NEAR(fit_load_laws(points).gain_line.slope / um, 6.0 / 650.0, 2e-3);
+  EXPECT_THROW((void)fit_power_laws(points), std::invalid_argument);
 }
 
 TEST(MonotoneCurve, IsThatOfBoost) {
@@ -91,7 +103,7 @@ TEST(MonotoneCurve, TurnsNowhereButAtItsPoints) {
   const MonotoneCurve curve = gain_curve(steps_of_case());
   EXPECT_EQ(curve(0.0), 0.0);
   for (double P = 1.0; P < 668.0; P += 1.0) ASSERT_GT(curve(P), curve(P - 1.0));
-  for (const AtPower& p : steps_of_case()) EXPECT_DOUBLE_EQ(curve(p.power), p.gain);
+  for (const LagAt& p : steps_of_case()) EXPECT_DOUBLE_EQ(curve(p.input), p.gain);
   const MonotoneCurve time = time_curve(steps_of_case(), 700.0);
   EXPECT_EQ(time(0.0), 700.0);
   for (double P = 1.0; P < 668.0; P += 1.0) ASSERT_LT(time(P), time(P - 1.0));

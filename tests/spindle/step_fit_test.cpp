@@ -48,7 +48,7 @@ TEST(StepFit, GivesThePublishedStepResponsesBack) {
     const double tolerance = c["tolerance_rel"];
     std::vector<double> time = numbers(in["time_min"]);
     for (double& t : time) t *= one_minute;
-    std::vector<AtPower> points;
+    std::vector<LagAt> points;
     for (std::size_t k = 0; k < in["loads_W"].size(); ++k) {
       std::vector<double> displacement = numbers(in["displacement_um"][k]);
       for (double& u : displacement) u *= um;

@@ -112,6 +112,48 @@ TEST(StepResponses, DoNotDependOnTheirNumberOrOrder) {
   EXPECT_FALSE(two.cool_down.known());
 }
 
+/// What a load does at once and what follows lead from one steady state to the other.
+TEST(LoadSteps, LeadFromOneSteadyStateToTheOther) {
+  StepOptions options;
+  options.duration = 2 * 3600.0;
+  const std::vector<double> speeds{3000 * rpm, 8000 * rpm};
+  for (const auto& [stepped, loads] :
+       {std::pair{Stepped::axial_load, std::vector<double>{-400, 600}},
+        std::pair{Stepped::radial_load, std::vector<double>{800}}}) {
+    const std::vector<LoadSteps> groups =
+        load_step_responses(base_spindle(), stepped, speeds, loads, options);
+    ASSERT_EQ(groups.size(), 2U);
+    Simulator simulator(base_spindle());
+    for (std::size_t k = 0; k < speeds.size(); ++k) {
+      Report report;
+      const double before = simulator.steady({.speed = speeds[k]}, report).displacement;
+      ASSERT_EQ(groups[k].steps.size(), loads.size());
+      for (std::size_t j = 0; j < loads.size(); ++j) {
+        const StepResponse& step = groups[k].steps[j];
+        ASSERT_TRUE(step.converged());
+        Inputs loaded{.speed = speeds[k]};
+        (stepped == Stepped::axial_load ? loaded.axial_load : loaded.radial_load) = loads[j];
+        const double way = simulator.steady(loaded, report).displacement - before;
+        EXPECT_NEAR((step.kinematic + step.end) / um, way / um, 0.03 + 0.02 * std::abs(way / um));
+        EXPECT_NEAR(step.fit.one.gain / um, step.end / um, 0.03 + 0.1 * std::abs(step.end / um));
+        EXPECT_EQ(step.load, loads[j]);
+      }
+      // The axial load changes the heat of the balls, which leaves them within minutes.
+      if (stepped == Stepped::axial_load) {
+        EXPECT_GT(groups[k].unloaded, 30.0);
+        EXPECT_LT(groups[k].unloaded, 1800.0);
+      }
+    }
+  }
+}
+
+TEST(LoadSteps, NeedLoadsThatRise) {
+  const std::vector<double> speeds{3000 * rpm};
+  for (const std::vector<double>& loads : {std::vector<double>{0.0}, {300.0, -300.0}})
+    EXPECT_THROW((void)load_step_responses(base_spindle(), Stepped::axial_load, speeds, loads),
+                 std::invalid_argument);
+}
+
 TEST(StepResponses, NeedASpeedAndThreeRows) {
   const auto refusal = [](double speed, double duration) -> std::string {
     try {
