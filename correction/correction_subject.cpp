@@ -258,10 +258,13 @@ std::unique_ptr<fit::Subject> CorrectionSubject::informed_by(const fit::Record& 
   if (!steps.empty() && longest > 0.0)
     result->limits_ = {2.0 * record::median(steps), 0.5 * longest, longest};
   result->columns_.clear();
-  for (const record::Column& c : record.columns)
-    if (c.channel->is_input() && std::any_of(c.values.begin(), c.values.end(),
-                                             [&](double v) { return v != c.values.front(); }))
-      result->columns_.push_back(c.channel);
+  result->ranges_.clear();
+  for (const record::Column& c : record.columns) {
+    const auto [low, high] = std::minmax_element(c.values.begin(), c.values.end());
+    if (!c.channel->is_input() || c.values.empty() || !(*high > *low)) continue;
+    result->columns_.push_back(c.channel);
+    result->ranges_.push_back({*low, *high});
+  }
   const std::span<const double> time = record.values(record::time);
   result->end_ = *std::max_element(time.begin(), time.end()) + 1.0;
   result->jump_times_ = leaps(record, *model_.displacement);
@@ -331,13 +334,18 @@ std::vector<Effect> CorrectionSubject::possible() const {
   for (const Effect& e : list)
     if (!card_of(e).by_column) named.push_back(e.columns);
   std::erase_if(list, [&](const Effect& e) {
-    return card_of(e).by_column && std::find(named.begin(), named.end(), e.columns) != named.end();
+    return card_of(e).by_column && !e.window &&
+           std::find(named.begin(), named.end(), e.columns) != named.end();
   });
   return list;
 }
 
 Surroundings CorrectionSubject::surroundings() const {
-  return {.model = model_, .varying = columns_, .jump_times = jump_times_, .end = end_};
+  return {.model = model_,
+          .varying = columns_,
+          .ranges = ranges_,
+          .jump_times = jump_times_,
+          .end = end_};
 }
 
 std::vector<fit::Candidate> CorrectionSubject::candidates() const {
@@ -353,7 +361,11 @@ std::vector<fit::Candidate> CorrectionSubject::candidates() const {
                              .by_column = card.by_column};
     Model with = model_;
     if (!e.own) with.effects.push_back(e);
-    if (card.at_channel)
+    if (e.window)
+      candidate.acts_on = {{"column", std::string(e.window->column->name)},
+                           {"window", e.window->range_text()},
+                           {"channel", find_channel(model_, e.where)->name}};
+    else if (card.at_channel)
       candidate.acts_on = {{"channel", find_channel(model_, e.where)->name}};
     else if (card.by_column)
       candidate.acts_on = {{"column", std::string(e.columns.front()->name)}};

@@ -75,6 +75,7 @@ class CorrectionSubject : public fit::Subject {
   bool informed_ = false;
   TimeConstantLimits limits_{};
   std::vector<const Channel*> columns_{};  // inputs that vary
+  std::vector<Interval> ranges_{};         // and how far
   std::vector<double> jump_times_{};
   double end_ = 0.0;  // behind the last row [s]
   std::vector<Beginning> beginnings_{};

@@ -25,7 +25,8 @@ struct EffectCard {
   std::size_t size = 0;      ///< which of them changes nothing at its neutral value
   bool of_channel = false;   ///< changes how a channel answers; otherwise adds a share of its own
   bool at_channel = false;   ///< `where` names a channel, or is empty for the first one
-  bool by_column = false;    ///< named by the column that drives it
+  bool by_column = false;    ///< named by a column: the one that drives it, or of its window
+  bool by_window = false;    ///< may act in a window of a position
   bool of_reading = false;   ///< of this record alone: not carried to another one, nor to a control
   bool evidence = false;     ///< told by the record itself: has no number, is never switched on
   bool needs_input = false;  ///< its columns cannot be left out in a file
@@ -35,6 +36,7 @@ struct EffectCard {
 struct Surroundings {
   const Model& model;
   std::span<const Channel* const> varying{};  ///< inputs of the record that vary
+  std::span<const Interval> ranges{};         ///< through which each of them goes [SI]
   std::span<const double> jump_times{};       ///< at which the displacement leaps [s]
   double end = 0.0;                           ///< behind the last row [s]
 

@@ -35,6 +35,9 @@ struct Window {
   bool of_input = false;
 
   [[nodiscard]] double operator()(double position) const;
+  /// "300..600" in the unit of the column, "300.." without an upper edge, all four points where its
+  /// edges are not sharp.
+  [[nodiscard]] std::string range_text() const;
 };
 
 /// Input of a channel.
@@ -99,6 +102,7 @@ struct Effect {
   std::string id{};
   std::string where{};                     ///< channel or axis that it acts on; empty without
   std::vector<const Channel*> columns{};   ///< of which the mean drives it
+  std::optional<Window> window{};          ///< in which it acts
   std::vector<double> values{};            ///< of its numbers, in the units of its card
   std::shared_ptr<const OwnEffect> own{};  ///< one that the user wrote; null for the catalogue's
   bool off = false;  ///< one of the user's own that waits to be added: a candidate

@@ -121,6 +121,17 @@ double Window::operator()(double position) const {
   return position > full_to ? (to - position) / (to - full_to) : 1.0;
 }
 
+std::string Window::range_text() const {
+  const auto edge = [&](double p) {
+    return std::isinf(p) ? std::string() : fmt::format("{:.6g}", column->in_unit(p));
+  };
+  const auto& [from, full_from, full_to, to] = points;
+  if (from == full_from && full_to == to) return edge(from) + ".." + edge(to);
+  std::vector<std::string> edges;
+  for (const double p : points) edges.push_back(edge(p));
+  return fmt::format("{}", fmt::join(edges, ".."));
+}
+
 std::string_view Input::unit() const {
   if (formula) return "1";
   if (is_power()) return "W";
@@ -208,6 +219,9 @@ double shortest_time_constant(const Input& input, const TimeConstantLimits& limi
 }
 
 std::string full_id(const Effect& effect) {
+  if (effect.window)
+    return fmt::format("{}:{}:{}{}", effect.id, effect.window->column->name,
+                       effect.window->range_text(), effect.where.empty() ? "" : ":" + effect.where);
   if (card_of(effect).by_column)
     return fmt::format("{}:{}", effect.id, effect.columns.front()->name);
   return effect.where.empty() ? effect.id : effect.id + ":" + effect.where;

@@ -27,6 +27,8 @@ std::string words_of(const Input& input) {
   if (input.columns.size() > 1) text = "mean of " + text;
   if (input.exponent != 1.0) text += fmt::format(" to the power {:g}", input.exponent);
   if (input.reference) text += " less " + std::string(input.reference->words);
+  if (input.window)
+    text += fmt::format(" at {} {}", input.window->column->words, input.window->range_text());
   return text;
 }
 

@@ -112,6 +112,7 @@ std::string effect_text(const Effect& e, const Model& m) {
     text += fmt::format("{} = \"{}\"\n", correction::find_channel(m, e.where) ? "channel" : "axis",
                         e.where);
   if (!e.columns.empty()) text += fmt::format("input = {}\n", columns_text(e.columns));
+  if (e.window) text += window_text(*e.window);
   for (std::size_t k = 0; k < e.values.size(); ++k) {
     if (kind.may_end_before(k) && e.values[k] == 0.0) break;
     text += fmt::format("{} = {}\n", kind.key(e, k, m),

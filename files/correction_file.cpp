@@ -144,6 +144,8 @@ constexpr Key correction_effect_keys[]{
     {"input", a_text, unset, "column, or list of columns, that drives it"},
     {"channel", a_text, unset, "name of the channel that it changes"},
     {"axis", a_text, unset, "that it acts on"},
+    {"window", a_table, unset,
+     "{ column, points, acts_on } of input, as of a channel: where its channel acts otherwise"},
 };
 constexpr Key correction_own_effect_keys[]{
     {"formula", a_text, unset, "of an effect of one's own, over columns and its parameters"},
@@ -514,7 +516,14 @@ class CorrectionReader {
     e.where = s.text("channel").value_or(s.text("axis").value_or(""));
     if (s.find("channel") && !correction::find_channel(m, e.where))
       s.fail("channel", fmt::format("channel = \"{}\": the model has no such channel", e.where));
-    if (found->card().needs_input && e.columns.empty())
+    if (const toml::node* const node = s.find("window")) {
+      if (!found->card().by_window)
+        s.fail("window", fmt::format("window: {} has none; input has one", *id));
+      if (!e.columns.empty())
+        s.fail("window", "window: the input of a channel acts in it; channel names it, not input");
+      e.window = window(part_of(s, "correction.effect.window", *node, {window_keys}));
+    }
+    if (found->card().needs_input && e.columns.empty() && !e.window)
       s.fail_missing("input", ", the column that drives the effect");
     const std::span<const record::NumberCard> numbers = found->numbers(e);
     std::deque<std::string> texts;  // of the keys
@@ -676,7 +685,8 @@ std::vector<KeyTable> correction_tables() {
           {"correction.channel.time_constant", element_time_keys},
           {"correction.kinematic", kinematic_keys},
           {"correction.effect", correction_effect_keys},
-          {"correction.effect", correction_own_effect_keys}};
+          {"correction.effect", correction_own_effect_keys},
+          {"correction.effect.window", window_keys}};
 }
 
 CorrectionFile parse_correction(std::string text, const std::string& source,

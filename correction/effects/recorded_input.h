@@ -1,5 +1,9 @@
 #pragma once
 
+#include <array>
+#include <cmath>
+#include <limits>
+
 #include "correction/effect_kind.h"
 #include "correction/effects/shared_numbers.h"
 #include "record/series_channel.h"
@@ -8,20 +12,24 @@ namespace raceway::correction {
 
 /// A column that was recorded and that the model does not use: a lag of it, and of a position,
 /// which is no heat, the column itself. A temperature counts above the reference of the model's
-/// channels, where they have one in common.
+/// channels, where they have one in common. A position also acts as a window, in which one more lag
+/// of the input of a channel is felt; a record is tried by a few windows of the range that the
+/// position goes through.
 struct RecordedInput final : EffectKind {
   static constexpr EffectCard recorded_card{
       .id = "input",
       .title = "a recorded column that the model does not use moves the machine",
       .form =
           "+ K/(1 + tau s) u, of a position + K u; temperatures less the reference that all "
-          "channels of temperatures have",
+          "channels of temperatures have; in a window of a position, w = 1 in it and 0 outside, "
+          "+ w K/(1 + tau s) u of a channel",
       .needs =
           "a column that varies and that the model does not use: a temperature, power, current, "
           "load, torque, flow, pressure or position",
       .confused = "ambient-drift; motor-heat; a body that warms up with the one that was read",
       .numbers = gain_and_time_constant,
       .by_column = true,
+      .by_window = true,
       .needs_input = true};
 
   [[nodiscard]] const EffectCard& card() const override { return recorded_card; }
@@ -32,6 +40,16 @@ struct RecordedInput final : EffectKind {
       list.push_back(at({}, {c}));
       if (record::is_position(*c)) list.back().values.resize(1);
     }
+    for (std::size_t k = 0; k < in.varying.size() && k < in.ranges.size(); ++k) {
+      if (!record::is_position(*in.varying[k])) continue;
+      for (const DrivenChannel& c : in.model.channels) {
+        if (c.sections.empty() || c.input.window) continue;
+        for (const Window& w : windows_of(*in.varying[k], in.ranges[k])) {
+          list.push_back(at(in.where(c)));
+          list.back().window = w;
+        }
+      }
+    }
     return list;
   }
 
@@ -40,6 +58,10 @@ struct RecordedInput final : EffectKind {
 
   [[nodiscard]] Input input(const Effect& e, const Model& m) const override {
     Input driving = EffectKind::input(e, m);
+    if (e.window) {
+      driving.window = e.window;
+      return driving;
+    }
     if (record::is_temperature(*e.columns.front())) driving.reference = common_reference(m);
     return driving;
   }
@@ -50,6 +72,25 @@ struct RecordedInput final : EffectKind {
   }
 
  private:
+  static constexpr double endless = std::numeric_limits<double>::infinity();
+
+  /// In proportion to the way along the axis; its upper half; each third. The lower half is the
+  /// channel itself less the upper one. Edges are round numbers of the column's unit.
+  static std::array<Window, 5> windows_of(const Channel& position, const Interval& range) {
+    const double low = position.in_unit(range.lower), width = position.in_unit(range.upper) - low;
+    const double grain = std::pow(10.0, std::floor(std::log10(width)) - 2.0);
+    const auto edge = [&](double share) {
+      return position.to_SI(grain * std::round((low + share * width) / grain));
+    };
+    const double half = edge(0.5), third = edge(1.0 / 3.0), two_thirds = edge(2.0 / 3.0);
+    const auto between = [&](double from, double full_from, double full_to, double to) {
+      return Window{.column = &position, .points = {from, full_from, full_to, to}};
+    };
+    return {between(edge(0.0), edge(1.0), endless, endless), between(half, half, endless, endless),
+            between(-endless, -endless, third, third),
+            between(third, third, two_thirds, two_thirds),
+            between(two_thirds, two_thirds, endless, endless)};
+  }
   /// Temperatures of the room belong to ambient-drift, feeds and speeds to effects of their own.
   static bool is_nameless(const Channel& c) {
     return !record::is_ambient(c) && !record::acts_by_amount(c) && c.kind != record::offset_kind;

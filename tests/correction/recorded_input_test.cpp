@@ -118,6 +118,37 @@ TEST(RecordedInput, APowerOrAPositionIsNamed) {
   EXPECT_NEAR(found.effects[0].values[0], 0.03, 0.001);
 }
 
+/// A spindle that moves the tool by 5 um/K, and where the axis stands in its upper half by `more`
+/// um/K beyond that.
+MadeRecord with_a_position(double more) {
+  MadeRecord made = of_spindle_and_table(0.0, 2);
+  made.with("x_position_mm", [](double t) { return 300 + 300 * std::sin(t / 4100); });
+  const std::vector<double> spindle = lag_above_base(made, "spindle", 3600);
+  const auto position = made.record.values(*record::series_channel("x_position_mm"));
+  std::vector<double>& z = made.record.find(*record::series_channel("displacement_z_um"))->values;
+  for (std::size_t k = 0; k < z.size(); ++k)
+    if (position[k] >= 0.3) z[k] += more * um * spindle[k];
+  return made;
+}
+
+TEST(WindowOfAPosition, IsNamedByItsPositionAndRangeAndAdded) {
+  const MadeRecord made = with_a_position(2.5);
+  EXPECT_THAT(named_by(made), ElementsAre("input:x_position_mm:300.."));
+  const std::vector<std::string> ids{"input:x_position_mm:300.."};
+  const auto added = loop::add(CorrectionSubject(of_the_spindle_alone()), ids, made.record);
+  const Model found = model_of(*added.calibration.subject);
+  ASSERT_EQ(found.effects.size(), 1U);
+  ASSERT_TRUE(found.effects[0].window);
+  EXPECT_NEAR(found.effects[0].values[0], 2.5, 0.1);
+  EXPECT_NEAR(found.effects[0].values[1], 3600, 250);
+}
+
+TEST(WindowOfAPosition, OfAnAxisThatMovesNothingIsNotNamed) {
+  const verdict::Diagnosis d =
+      loop::diagnose(CorrectionSubject(of_the_spindle_alone()), with_a_position(0.0).record);
+  EXPECT_EQ(d.verdict, verdict::Verdict::nothing_missing) << d.sentence;
+}
+
 // Thirty columns that wander have nothing to do with a misfit that wanders, too.
 TEST(RecordedInput, OneOfManyThatHappensToFollowIsNotNamed) {
   int named = 0;

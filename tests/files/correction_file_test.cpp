@@ -87,6 +87,21 @@ TEST(CorrectionFile, ADelayElementGoesByAnyColumnButATemperature) {
               refused("a temperature has sections"));
 }
 
+TEST(CorrectionFile, AnInputMayActInAWindow) {
+  const std::string effect = head + channel_text +
+                             "[[correction.effect]]\nid = \"input\"\ngain_um_K = 2\n"
+                             "time_constant_s = 900\n";
+  const CorrectionFile file = parse_correction(
+      effect + "window = { column = \"x_position_mm\", points = [100, 400] }\n", "z.toml");
+  EXPECT_EQ(correction::full_id(file.models[0].effects[0]), "input:x_position_mm:100..400");
+  EXPECT_THAT(reading(effect), refused("input"));
+  EXPECT_THAT(reading(head + channel_text +
+                      "[[correction.effect]]\nid = \"second-time-constant\"\ngain_um_K = 2\n"
+                      "time_constant_s = 900\nwindow = { column = \"x_position_mm\", "
+                      "points = [100, 400] }\n"),
+              refused("input has one"));
+}
+
 TEST(CorrectionFile, AFrictionTableIsReadAtOneRadialLoad) {
   const std::string table =
       "speed_rpm,axial_load_N,radial_load_N,friction_torque_Nmm\n0,100,0,10\n1000,100,0,20\n"
