@@ -222,7 +222,19 @@ def chain(program):
         with open(here("spindle.toml"), "a", encoding="utf-8") as spindle:
             spindle.write("[friction]" + read(here("fitted.toml")).split("[friction]")[1].split("\n[")[0])
         steps = raceway(
-            "step-response", "spindle.toml", "--speed", "1000:10000:1000", "--coolant", "off", "--law", "line", "--lags", "one", "--correction", "spindle_part.toml", "--json"
+            "step-response",
+            "spindle.toml",
+            "--speed",
+            "1000:10000:1000",
+            "--coolant",
+            "off",
+            "--law",
+            "line",
+            "--lags",
+            "one",
+            "--correction",
+            "spindle_part.toml",
+            "--json",
         )
         raceway("identify", data + "machine.toml", data + "calibration.csv", "-o", "machine_part.toml")
         raceway("join", "spindle_part.toml", "machine_part.toml", "-o", "sum.toml")
@@ -281,7 +293,10 @@ def chain(program):
     draw(
         "docs/chain-parts.svg",
         [
-            ("nose of the machine over time [h], a constant taken off [um]", [reading, *(line(over(runs[key], predicted), *names[key]) for key in names)]),
+            (
+                "nose of the machine over time [h], a constant taken off [um]",
+                [reading, *(line(over(runs[key], predicted), *names[key]) for key in names)],
+            )
         ],
         columns=1,
         width=9.2,
