@@ -9,8 +9,9 @@ namespace raceway::text {
 
 bool is_missing(std::string_view cell) {
   // Nothing, dashes, and cells that were too narrow for their number.
-  for (const std::string_view filler : {"-", "*", "#", "?"})
-    if (cell.find_first_not_of(filler) == cell.npos) return true;
+  if (cell.find_first_not_of('-') == cell.npos) return true;
+  for (const char filler : {'*', '#', '?'})
+    if (cell.size() > 1 && cell.find_first_not_of(filler) == cell.npos) return true;
   constexpr std::string_view words[]{
       "nan", "-nan", "na", "n/a", "<na>", "nat", "null", "none",
       // infinite and out of range, by C libraries and instruments

@@ -155,8 +155,9 @@ TEST_F(FrictionTable, IsABaseLawThatDiagnoseTriesWhereTheModelNamesIt) {
 TEST_F(FrictionTable, TheBandOfItsReadingsIsToldBesideErrors) {
   write_table(model_text, whole_);
   std::string csv = "speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm,std_Nmm\n";
-  for (const json& p : parsed(run("table " + scratch_.write("made.toml", model_text) + " " +
-                                  whole_ + " --json"))["rows"])
+  const json made =
+      parsed(run("table " + scratch_.write("made.toml", model_text) + " " + whole_ + " --json"));
+  for (const json& p : made["rows"])
     csv += fmt::format("{},{},{},{},6\n", p["speed_rpm"].get<double>(),
                        p["axial_load_N"].get<double>(), p["temperature_C"].get<double>(),
                        p["friction_torque_Nmm"].get<double>());

@@ -219,11 +219,11 @@ TEST(StepResponseCommand, StepsOfLoadsBecomeDelayElements) {
       error(" --axial-load=-300,300 --radial-load 400 --load-speed 1500,4500", "loads.toml");
   EXPECT_LT(with, 0.75 * without);
   const std::string text = file_text(scratch.file("loads.toml"));
-  EXPECT_THAT(text,
-              HasSubstr("window = { column = \"speed_rpm\", points = [-inf, -inf, 1500, 4500]"));
+  EXPECT_THAT(
+      text, HasSubstr("window = { column = \"speed_rpm\", points = [-inf, -inf, 1500.0, 4500.0]"));
   EXPECT_THAT(text,
               HasSubstr("name = \"axial_load_4500rpm\"\ninput = \"axial_load_N\"\n"
-                        "window = { column = \"speed_rpm\", points = [1500, 4500, inf, inf]"));
+                        "window = { column = \"speed_rpm\", points = [1500.0, 4500.0, inf, inf]"));
   EXPECT_THAT(file_text(scratch.file("loads_axial_load_1500rpm.csv")),
               HasSubstr("axial_load_N,gain_um,time_constant_min"));
   // `correct` reads it, and refuses nothing that a control has.
@@ -278,7 +278,7 @@ TEST(StepResponseCommand, SaysWhatIsMissing) {
                                        {"--lags one", "--lags requires --correction"}})
     expect_refused(run("step-response --import " + power + " " + flags), missing);
   expect_refused(run("step-response some.toml --speed 1000 --temperature 50"),
-                 "--temperature excludes --speed");
+                 "--speed excludes --temperature");
 }
 
 }  // namespace

@@ -38,10 +38,10 @@ std::vector<double> evenly(double from, double to, int count) {
   return values;
 }
 
-const friction::TableAxes fine{.speed = evenly(0.0, 8000 * rpm, 17),
-                               .axial_load = evenly(100.0, 1500.0, 15),
+const friction::TableAxes fine{.speed = evenly(0.0, 8000 * rpm, 33),
+                               .axial_load = evenly(100.0, 1500.0, 29),
                                .radial_load = {0.0},
-                               .temperature = evenly(kelvin(15), kelvin(75), 13)};
+                               .temperature = evenly(kelvin(15), kelvin(75), 25)};
 
 TEST(SpindleByTable, HasTheTemperaturesOfTheLawThatMadeTheTable) {
   const model::Model by_law = base_spindle();

@@ -15,7 +15,7 @@ TEST(MissingCell, IsWhatInstrumentsAndSpreadsheetsWriteInPlaceOfANumber) {
 }
 
 TEST(MissingCell, IsNoNumberAndNoName) {
-  for (const char* cell : {"0", "-1", "#1", "run 1", "open 2", "-5", "*1", "a", "N"})
+  for (const char* cell : {"0", "-1", "#1", "run 1", "open 2", "-5", "*1", "a", "N", "#", "*", "?"})
     EXPECT_FALSE(is_missing(cell)) << cell;
 }
 
