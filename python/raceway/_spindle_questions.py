@@ -78,7 +78,7 @@ class SpindleQuestions:
         >>> state = spindle.steady(6000)
         >>> state.to_frame()[["speed_rpm", "axial_displacement_um", "front_force_N"]].round(1)
            speed_rpm  axial_displacement_um  front_force_N
-        0       6000                   72.5          336.1
+        0       6000                   67.8          294.5
         """
         answer = _engine.steady(
             self._engine,
