@@ -17,6 +17,8 @@ sed '/^law/,$d' data/examples/7014.toml > contact.toml; echo 'law = "contact"' >
 sed '/^outer_conformity/a inner_shoulder_diameter_mm = 84\\nouter_shoulder_diameter_mm = 96' data/examples/7014.toml > shoulders.toml
 raceway calibrate rig/model.toml rig/train.csv -o fitted.toml
 raceway displacement data/spindles/two_against_one.toml --speed 0:10000:500 -o curve.csv
+raceway identify data/chain/machine.toml data/chain/calibration.csv -o machine_part.toml
+raceway join data/chain/true_spindle.toml machine_part.toml -o sum.toml
 printf '[correction]\\ndisplacement = "displacement_z_um"\\ntolerance_um = 2\\n' > bare.toml
 cat > polynomials.toml <<'END'
 [correction]
@@ -55,6 +57,7 @@ DOCUMENTS = {
     "calibrate": [
         "calibrate rig/model.toml rig/train.csv --profile",
         "calibrate tests/cli/everyday/logger-drag/model.toml tests/cli/everyday/logger-drag/train.csv",
+        "calibrate sum.toml data/chain/verification.csv --until 20h",
     ],
     "diagnose": [
         "diagnose rig/model.toml rig/train.csv --tolerance 2Nmm",
