@@ -23,11 +23,11 @@ Model room_and_law() {
   Model m;
   m.displacement = record::series_channel("displacement_z_um");
   m.tolerance = 2.0 * um;
-  DrivenChannel room{.name = "room"};
-  room.input.columns = {record::series_channel("ambient_temperature_C")};
-  room.input.name = "ambient_temperature_C";
-  room.sections = {{.gain = -3.0 * um, .time_constant = 7200.0}};
-  m.channels.push_back(std::move(room));
+  DrivenChannel ambient{.name = "room"};
+  ambient.input.columns = {record::series_channel("ambient_temperature_C")};
+  ambient.input.name = "ambient_temperature_C";
+  ambient.sections = {{.gain = -3.0 * um, .time_constant = 7200.0}};
+  m.channels.push_back(std::move(ambient));
   m.kinematic = Kinematic{0.00115, 0.6151, 0.000634};
   return m;
 }
