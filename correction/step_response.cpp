@@ -40,7 +40,7 @@ StepResponse response_to(std::string name, const Input& input) {
   return r;
 }
 
-/// Of a delay element, with the power or the load at which it is shown.
+/// The step response of a delay element to this power or load.
 StepResponse of_element(const DrivenChannel& c, double step) {
   StepResponse r = response_to(c.name, c.input);
   r.step = step;

@@ -30,8 +30,8 @@ struct NoiseModel {
   double input = 0.0;              ///< rms of the part that comes from scatter of an input [SI]
   double correlation = 0.0;        ///< φ of neighbours in time, at the median step [1]
   double run_share = 0.0;          ///< of the variance, common to the rows of a run [1]
-  /// Of the offsets of runs: `run_share` is the share of its square, and all readings of a run have
-  /// the same offset [SI]. 0 where offsets go with the standard deviation of each reading.
+  /// Size of offsets that all readings of a run share [SI]: their variance is `run_share` times its
+  /// square. 0 where an offset goes with the standard deviation of each reading.
   double run_unit = 0.0;
   double state_share = 0.0;           ///< of the variance, common to the pieces of a dwell [1]
   double degrees_of_freedom = unset;  ///< of the variance

@@ -175,8 +175,8 @@ std::vector<NoiseSearch::Shares> NoiseSearch::all_shares() const {
 }
 
 double NoiseSearch::cost(const Shares& shares) {
-  // Fewer parts are preferred unless a mixture is clearly better; of an input that scatters
-  // nobody has said anything.
+  // Fewer parts are preferred unless a mixture is clearly better. Scatter of an input is not
+  // declared by the record, so it has to gain more.
   return static_cast<double>(shares.parts() - 1) + (shares.input > 0.0 ? worth_an_input : 0.0);
 }
 

@@ -30,7 +30,7 @@ using spindle::one_minute;
 using spindle::WhichLag;
 
 constexpr int curve_pieces = 8;  // between two of its points
-// Of a delay element that follows at once, far below the time between two calls [s].
+// Time constant of a part that follows at once: far below the time between two calls [s].
 constexpr double short_time = 0.01;
 constexpr const char* at_once_suffix = "_at_once";
 
@@ -166,8 +166,8 @@ correction::DrivenChannel channel_of_load(std::string name, spindle::Stepped ste
   return channel;
 }
 
-/// Of a load at each of its speeds: the displacement that comes at once, at rest as at the lowest
-/// speed, and the delay element of what it heats, nothing at rest.
+/// Adds two channels for each speed of a load. One is the displacement that comes at once; at rest
+/// it is that at the lowest speed. The other is the delay element of the heat, zero at rest.
 void add_load_channels(const std::vector<spindle::LoadSteps>& loads, spindle::Stepped stepped,
                        StepLaw law, correction::Model& model) {
   constexpr double nowhere = std::numeric_limits<double>::infinity();

@@ -154,7 +154,8 @@ TEST(LoggerExports, TemperaturesInOtherUnitsAreAskedAboutBeforeAnyResult) {
   }
 }
 
-// Of two temperatures one: no other is as warm, and the machine had stood in a room of 20 C.
+// One of two temperatures is in F: it is far warmer than the other, in a machine from a room of 20
+// C.
 TEST(LoggerExports, OneTemperatureInFahrenheitIsAskedAboutBeforeAnyResult) {
   const Exported one = scaled(at_bearing, 1.8, 32.0);
   for (const std::string& command : one.commands())
@@ -299,7 +300,7 @@ TEST(LoggerExports, AnExportGivesCoarseSensorsTheTimeThatTheyNeed) {
   EXPECT_THAT(found.err, HasSubstr("in steps of 0.5 K: it counts as stuck after "));
   EXPECT_THAT(found.err, Not(HasSubstr("bearing_temperature_C stands still")));
   EXPECT_THAT(run(command + folder_of_record + "train.csv").err, Not(HasSubstr("counts as stuck")));
-  // What was found in it says so without it.
+  // The identified model keeps the time without the record.
   const std::string model = coarse.folder.file("found.toml");
   ASSERT_EQ(run("identify " + record_model + " " + coarse.file + " -o " + model).status, 0);
   EXPECT_THAT(file_text(model), HasSubstr("\n[correction.still_s]"));

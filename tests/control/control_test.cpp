@@ -152,7 +152,7 @@ TEST_P(Control, HoldsADelayElementAtAPowerThatItCannotTake) {
   EXPECT_GT(y(5), y(4));
 }
 
-/// What a control knows of loads, motors and axes: a power and a current by lags, a load by delay
+/// Inputs that a control records: a power and a current drive lags, a load drives delay
 /// elements at two speeds and at once, a feed by a delay element, an axis by a window.
 const std::string by_recorded_columns =
     "[correction]\ndisplacement = \"displacement_z_um\"\n"

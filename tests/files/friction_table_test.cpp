@@ -11,6 +11,7 @@
 #include "model/base_laws.h"
 #include "model/needs.h"
 #include "model/prediction.h"
+#include "tests/support/model_text.h"
 #include "text/error.h"
 
 namespace raceway::files {
@@ -35,20 +36,8 @@ const std::string measured_table =
     "1000,100,30,0.090,2\n9000,100,30,0.150,4\n1000,400,30,0.140,2\n9000,400,30,0.260,4\n"
     "1000,100,60,0.050,2\n9000,100,60,0.080,4\n1000,400,60,0.090,2\n9000,400,60,0.140,4\n";
 
-const std::string tabled_bearing = R"([bearing]
-name = "7014"
-ball_count = 20
-ball_diameter_mm = 11.906
-pitch_diameter_mm = 90
-contact_angle_deg = 25.0
-inner_conformity = 0.52
-outer_conformity = 0.52
-static_load_rating_N = 43000
-
-[lubricant]
-viscosity_40C_mm2_s = 22.0
-viscosity_100C_mm2_s = 4.8
-)";
+const std::string tabled_bearing =
+    tests::model_text.substr(0, tests::model_text.find("\n[friction]"));
 const std::string table_law = "\n[friction]\nlaw = \"table\"\nfile = \"rig/t.csv\"  # of May\n";
 
 ModelFile tabled(const std::string& friction, const std::string& table = measured_table) {
