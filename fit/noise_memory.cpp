@@ -84,21 +84,27 @@ void NoiseSearch::find_memory() {
 }
 
 void NoiseSearch::find_states() {
-  const double phi = noise_.correlation, g = noise_.run_share;
-  double best = misfit(phi, g, shares_) + worth_a_parameter * (phi > 0.0 ? 1.0 : 0.0);
+  double best = value();
   NoiseModel chosen = noise_;
+  Shares chosen_shares = shares_;
+  const double phi = noise_.correlation, g = noise_.run_share;
+  // As if rows were independent, the scatter within dwells took the part of the states as well.
+  const std::vector<Shares> list =
+      options_.absolute && !declared_ ? all_shares() : std::vector<Shares>{shares_};
   for (const double h : {0.1, 0.25, 0.5, 0.75, 0.9})
     for (const double p : {0.0, phi}) {
       if (g + h > 0.98) continue;
       noise_.state_share = h;
-      const double value =
-          misfit(p, g, shares_) + worth_a_parameter * (1.0 + (p > 0.0 ? 1.0 : 0.0));
-      if (!(value < best)) continue;
-      best = value;
-      chosen.correlation = p;
-      chosen.state_share = h;
+      noise_.correlation = p;
+      find_shares(list);
+      const double found = value() + worth_a_parameter;
+      if (!(found < best)) continue;
+      best = found;
+      chosen = noise_;
+      chosen_shares = shares_;
     }
   noise_ = std::move(chosen);
+  shares_ = chosen_shares;
 }
 
 void NoiseSearch::find_blocks() {
