@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <functional>
 #include <optional>
 #include <string_view>
@@ -26,7 +25,6 @@
 #include "session/open_input.h"
 #include "session/reading.h"
 #include "session/table_question.h"
-#include "text/csv.h"
 #include "text/error.h"
 #include "text/output_file.h"
 
@@ -43,60 +41,94 @@ struct TableFlags {
   ReportFlag report;
   BandFlag band;
   session::Reading reading;
+
+  [[nodiscard]] text::IfExists if_exists() const {
+    return force ? text::IfExists::replace : text::IfExists::refuse;
+  }
 };
 
-/// "2/4" is the second of four.
-friction::TableSlab slab(const std::string& text) {
-  if (text.empty()) return {};
-  const std::size_t slash = text.find('/');
-  const auto whole = [&](std::string_view part) {
-    std::size_t value = 0;
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
-    return error == std::errc() && end == part.data() + part.size() ? value : 0;
+void check_flags(const TableFlags& f) {
+  const auto fail = [](const char* flag, const std::string& why) {
+    throw text::InputError("raceway table: " + why, {.key = flag});
   };
-  const std::string_view all = text;
-  const std::size_t index = slash == text.npos ? 0 : whole(all.substr(0, slash));
-  const std::size_t count = slash == text.npos ? 0 : whole(all.substr(slash + 1));
-  constexpr std::size_t most = 1000000;
-  if (index == 0 || index > count || count > most)
-    throw text::InputError("--slab: " + text::quoted(text) +
-                               ": write i/N with i from 1 to N, N up to a million, as 2/4",
-                           {.key = "--slab"});
-  return {.index = index - 1, .count = count};
+  if (f.csv.format != "csv" && f.output.empty())
+    fail("--format", "--format needs a file: --output is missing");
+  if (f.csv.format != "csv" && !f.slab.empty())
+    fail("--slab", "a slab is to be merged, which takes --format csv alone");
+  refuse_two_on_stdout("table", f.json, f.output);
+  if (!f.slab.empty() && (f.output.empty() || f.json))
+    fail("--slab", "a slab is for a file to be merged: --slab needs --output");
+  f.csv.require_writable(f.output, f.if_exists());
+  if (!f.plot.empty()) {
+    text::require_name_of(f.plot, text::Written::picture);
+    text::require_writable(f.plot, f.if_exists());
+  }
+  if (!f.data.empty() && f.report.path.empty())
+    fail("--report", "--data is drawn in a report: --report is missing");
+  if (f.data.empty() && (!f.reading.columns.empty() || f.reading.drop_nan))
+    fail("--data", "--columns and --drop-nan are of measurements: --data is missing");
+  f.report.check(f.force);
+}
+
+/// Shows the share of the work that is done, where the table is large and a person looks on.
+class TableProgress {
+ public:
+  TableProgress(std::size_t points, bool to_file)
+      : solved_(to_file ? 0.8 : 1.0), written_(to_file ? 0.95 : 1.0) {
+    if (shows_progress() && points >= 20000) bar_.emplace();
+  }
+  [[nodiscard]] std::function<void(double)> solving() { return part(0.0, solved_, {}); }
+  [[nodiscard]] std::function<void(double)> writing() { return part(solved_, written_, "writing"); }
+  void end() {
+    if (bar_) bar_->show(1.0);
+    bar_.reset();
+  }
+
+ private:
+  std::function<void(double)> part(double from, double to, std::string_view step) {
+    if (!bar_) return {};
+    return [this, from, to, step](double share) {
+      bar_->show(std::min(from + share * (to - from), 0.999), step);
+    };
+  }
+
+  std::optional<Progress> bar_;
+  // Shares of the time that a file takes, as measured: solving, making the text, and the disk.
+  double solved_, written_;
+};
+
+/// The table in the files asked for and on the screen.
+void put(const TableFlags& f, const files::ModelFile& file, const session::TableAnswer& answer,
+         std::size_t points, TableProgress& progress) {
+  if (!f.output.empty()) {
+    const std::string text =
+        answer.text(file, f.csv.format == "excel" ? "csv" : f.csv.format, progress.writing());
+    progress.end();
+    f.csv.put(f.output, text, f.if_exists(), fmt::format(", {} points", points));
+  }
+  progress.end();
+  const model::Model& model = file.model;
+  if (!f.plot.empty()) {
+    text::write_text(f.plot, report::table_svg(answer.table, model.name), f.if_exists());
+    say(f.plot + " written");
+  }
+  const std::string band = answer.band ? session::band_statement(*answer.band) : std::string();
+  if (f.json) {
+    put_document(answer.json(model));
+  } else if (f.output.empty()) {
+    print_table(model, answer.table);
+    if (!band.empty()) fmt::print("\n+-: {}\n", band);
+  }
+  if (!band.empty() && (f.json || !f.output.empty())) tell({"band: " + band});
 }
 
 int run(const TableFlags& flags) {
-  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
   if (!flags.merge.empty()) {
-    merge_slabs(flags.merge, flags.output, flags.csv, if_exists);
+    merge_slabs(flags.merge, flags.output, flags.csv, flags.if_exists());
     return done;
   }
-  const std::string& format = flags.csv.format;
-  if (format != "csv" && flags.output.empty())
-    throw text::InputError("raceway table: --format needs a file: --output is missing",
-                           {.key = "--format"});
-  if (format != "csv" && !flags.slab.empty())
-    throw text::InputError("raceway table: a slab is to be merged, which takes --format csv alone",
-                           {.key = "--slab"});
-  refuse_two_on_stdout("table", flags.json, flags.output);
-  const friction::TableSlab part = slab(flags.slab);
-  if (!flags.slab.empty() && (flags.output.empty() || flags.json))
-    throw text::InputError(
-        "raceway table: a slab is for a file to be merged: --slab needs --output",
-        {.key = "--slab"});
-  flags.csv.require_writable(flags.output, if_exists);
-  if (!flags.plot.empty()) {
-    text::require_name_of(flags.plot, text::Written::picture);
-    text::require_writable(flags.plot, if_exists);
-  }
-  if (!flags.data.empty() && flags.report.path.empty())
-    throw text::InputError("raceway table: --data is drawn in a report: --report is missing",
-                           {.key = "--report"});
-  if (flags.data.empty() && (!flags.reading.columns.empty() || flags.reading.drop_nan))
-    throw text::InputError(
-        "raceway table: --columns and --drop-nan are of measurements: --data is missing",
-        {.key = "--data"});
-  flags.report.check(flags.force);
+  const friction::TableSlab part = slab_of(flags.slab);
+  check_flags(flags);
   const files::ModelFile file =
       session::open_model(messages(), flags.model, session::Accepts::rig_or_shaft);
   const model::Model& model = file.model;
@@ -115,50 +147,21 @@ int run(const TableFlags& flags) {
                  : flags.output.empty() ? TableForm::text
                                         : TableForm::file);
   const std::size_t points = part.points(plan.axes.size());
-  std::optional<Progress> bar;
-  if (shows_progress() && points >= 20000) bar.emplace();
-  // Of the time a file takes, as measured: solving, making the text, and the disk.
-  const double solved = flags.output.empty() ? 1.0 : 0.8, made = flags.output.empty() ? 1.0 : 0.95;
-  const auto progress = [&](double from, double to, std::string_view step) {
-    return !bar ? std::function<void(double)>() : [&bar, from, to, step](double share) {
-      bar->show(std::min(from + share * (to - from), 0.999), step);
-    };
-  };
+  TableProgress progress(points, !flags.output.empty());
   const session::TableAnswer answer =
-      session::make_table(file, question, std::move(plan), progress(0.0, solved, {}));
-  const friction::StribeckTable& table = answer.table;
-  if (!flags.output.empty()) {
-    const std::string text =
-        answer.text(file, format == "excel" ? "csv" : format, progress(solved, made, "writing"));
-    if (bar) bar->show(1.0);
-    bar.reset();
-    flags.csv.put(flags.output, text, if_exists, fmt::format(", {} points", points));
-  }
-  if (bar) bar->show(1.0);
-  bar.reset();
-  if (!flags.plot.empty()) {
-    text::write_text(flags.plot, report::table_svg(table, model.name), if_exists);
-    say(flags.plot + " written");
-  }
-  if (flags.json) {
-    put_document(answer.json(model));
-  } else if (flags.output.empty()) {
-    print_table(model, table);
-    if (answer.band) fmt::print("\n+-: {}\n", session::band_statement(*answer.band));
-  }
-  if (answer.band && (flags.json || !flags.output.empty()))
-    tell({"band: " + session::band_statement(*answer.band)});
+      session::make_table(file, question, std::move(plan), progress.solving());
+  put(flags, file, answer, points, progress);
   flags.report.write(
       [&] {
-        return report::table_report(file.source, model, table,
-                                    session::states_to_draw(model, table.axes),
+        return report::table_report(file.source, model, answer.table,
+                                    session::states_to_draw(model, answer.table.axes),
                                     measured ? &*measured : nullptr,
                                     {session::of_page(file, model)}, texts(answer.warnings()));
       },
       flags.force);
   tell(answer.notes(model));
   tell(answer.warnings());
-  const session::TableFailures failed = session::failures(model, table);
+  const session::TableFailures failed = session::failures(model, answer.table);
   warn(failed.lines);
   return failed.without_torque ? not_converged : done;
 }
