@@ -22,9 +22,9 @@ struct NewFlags {
 /// True if a flag describes a bearing.
 bool names_a_bearing(const session::NewModel& wanted) {
   const files::BearingOutline& o = wanted.outline;
-  return !wanted.bearing.empty() || wanted.spindle || !wanted.law.empty() || o.ball_count > 0 ||
-         o.ball_material != "steel" || std::isfinite(o.bore) || std::isfinite(o.outer_diameter) ||
-         std::isfinite(wanted.contact_angle);
+  return !wanted.bearing.empty() || wanted.spindle || !wanted.law.empty() || !wanted.oil.empty() ||
+         o.ball_count > 0 || o.ball_material != "steel" || std::isfinite(o.bore) ||
+         std::isfinite(o.outer_diameter) || std::isfinite(wanted.contact_angle);
 }
 
 std::string text_of(const NewFlags& flags) {
@@ -74,7 +74,7 @@ Run setup_new(CLI::App& command) {
   command
       .add_option("--record", flags->record,
                   "instead a correction, for the displacements of this record over time\n"
-                  "(CSV), with a channel for each temperature")
+                  "(CSV), with a channel for each temperature, up to four")
       ->type_name("RECORD");
   command
       .add_option("--columns", flags->columns,
@@ -97,6 +97,11 @@ Run setup_new(CLI::App& command) {
       ->check(CLI::IsMember({"steel", "silicon-nitride"}))
       ->type_name("NAME");
   command
+      .add_option("--oil", flags->wanted.oil,
+                  "ISO VG grade, as \"VG 32\"; of a mineral oil of viscosity index 100;\n"
+                  "default: a thin spindle oil, to be replaced")
+      ->type_name("GRADE");
+  command
       .add_option("--law", flags->wanted.law,
                   "palmgren, skf or contact (default; of a spindle and of rollers\n"
                   "palmgren, and rollers have no contact)")
@@ -107,6 +112,7 @@ Run setup_new(CLI::App& command) {
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.footer(
       "Example:\n  raceway new \"S 6014 C\" -o my.toml\n"
+      "  raceway new \"7014 AC\" --oil \"VG 32\" --law palmgren -o rig.toml\n"
       "  raceway new \"7014 C\" --balls 20 --ball-material silicon-nitride -o my.toml\n"
       "  raceway new \"N1012 KTN/SP\" -o rollers.toml\n"
       "  raceway new mine --bore 70 --outer-diameter 110 -o my.toml\n"

@@ -118,7 +118,8 @@ class Search {
   void first_channel() {
     if (options_.offered.empty())
       throw std::invalid_argument(
-          "the model has no channel, and no column is offered to drive one (--inputs)");
+          "the model has no channel, and no column is offered to drive one: name some (--inputs), "
+          "or let all drive it (--lags auto)");
     double least = std::numeric_limits<double>::infinity();
     Model best;
     for (const Channel* column : options_.offered) {

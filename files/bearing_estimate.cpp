@@ -160,7 +160,7 @@ CatalogueBearing row_of(const EstimatedBearing& b) {
 }
 
 std::string estimated_model_text(const EstimatedBearing& b, friction::FrictionLaw law,
-                                 bool of_spindle) {
+                                 bool of_spindle, const std::string& oil) {
   const BearingOutline& o = b.outline;
   const CatalogueBearing row = row_of(b);
   const auto of_rows = fmt::format("in {} catalogue bearings of like section", b.rows);
@@ -181,6 +181,7 @@ std::string estimated_model_text(const EstimatedBearing& b, friction::FrictionLa
     remarks.of_key.emplace_back("ball_count", spread(b.ball_count, 1.0, of_rows));
   remarks.law = law;
   remarks.of_spindle = of_spindle;
+  remarks.oil = oil;
   return model_text(row, remarks);
 }
 

@@ -68,9 +68,9 @@ struct NamedRow {
                                       const std::vector<CatalogueBearing>& rows);
 
 /// A commented model of it, every estimated key marked with its spread: on a rig, or three of it in
-/// a spindle.
+/// a spindle; `oil`: its ISO VG grade.
 [[nodiscard]] std::string estimated_model_text(
     const EstimatedBearing& bearing, friction::FrictionLaw law = friction::FrictionLaw::palmgren,
-    bool of_spindle = false);
+    bool of_spindle = false, const std::string& oil = {});
 
 }  // namespace raceway::files

@@ -88,6 +88,7 @@ struct ModelRemarks {
   std::vector<std::pair<std::string_view, std::string>> of_key{};  ///< in place of the usual remark
   friction::FrictionLaw law = friction::FrictionLaw::palmgren;
   bool of_spindle = false;  ///< in place of the rig a spindle with three of it
+  std::string oil{};        ///< its ISO VG grade; empty: a thin spindle oil
 };
 /// As above, for a bearing that may be in no catalogue (then it has no maker).
 [[nodiscard]] std::string model_text(const CatalogueBearing& row, const ModelRemarks& remarks);

@@ -5,6 +5,7 @@
 
 #include "files/catalogue_defaults.h"
 #include "files/model_file.h"
+#include "files/oil_grade.h"
 #include "friction/contact/contact_data.h"
 #include "friction/friction_law.h"
 #include "model/parameters.h"
@@ -254,12 +255,10 @@ std::string model_text(const CatalogueBearing& row, const ModelRemarks& remarks)
     add("race_roughness_um", number(data.race_roughness / um), "Rq; assumed");
     add("ball_roughness_um", number(data.ball_roughness / um), "Rq; assumed");
   }
-  text += R"(
-[lubricant]                        # assumed: a thin spindle oil; put in the values of yours
-viscosity_40C_mm2_s = 22.0         # of a grease: of its base oil
-viscosity_100C_mm2_s = 4.8
-# supply = "oil-air"               # or "grease", "jet", "bath": rules out effects that need another
-)";
+  text +=
+      lubricant_lines(remarks.oil) +
+      "# supply = \"oil-air\"               # or \"grease\", \"jet\", \"bath\": rules out effects "
+      "that need another\n";
   text += contact_lubricant_lines(remarks.law) + friction_lines(remarks.law);
   return text + (remarks.of_spindle ? spindle_lines(row) : rig_lines(remarks.law));
 }

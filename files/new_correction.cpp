@@ -119,16 +119,17 @@ NewCorrection new_correction(const Source& source, const ReadOptions& given) {
         {.file = source.name});
 
   NewCorrection made;
-  std::string comment = fmt::format(
-      "Correction to begin with, of {}. Replace what is marked as assumed;\n"
-      "# raceway identify THIS-FILE RECORD -o FOUND.toml finds gains and time constants.",
-      text::printable(std::filesystem::path(record.source).filename().string()));
-  if (inputs.size() > most_channels)
-    comment += fmt::format(
-        "\n# {} temperatures vary: raceway identify THIS-FILE RECORD --lags auto -o FOUND.toml "
-        "takes "
-        "them all.",
-        inputs.size());
+  const std::string name =
+      text::printable(std::filesystem::path(record.source).filename().string());
+  const std::string next =
+      inputs.size() > most_channels
+          ? fmt::format(
+                "{} temperatures vary, too many for a channel each:\n# raceway identify "
+                "THIS-FILE RECORD --lags auto -o FOUND.toml takes them all.",
+                inputs.size())
+          : "raceway identify THIS-FILE RECORD -o FOUND.toml finds gains and time constants.";
+  const std::string comment = fmt::format(
+      "Correction to begin with, of {}. Replace what is marked as assumed;\n# {}", name, next);
   made.text = with_remarks(
       new_corrections(models, comment),
       {{"tolerance_um", "assumed: a tenth of the range of the readings; what you tolerate"},

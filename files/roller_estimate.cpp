@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "files/oil_grade.h"
 #include "friction/roller_friction.h"
 #include "life/roller_life.h"
 #include "text/error.h"
@@ -116,7 +117,7 @@ EstimatedRollers estimated_rollers(std::string_view designation,
 }
 
 std::string estimated_model_text(const EstimatedRollers& bearing, friction::FrictionLaw law,
-                                 std::string_view roller_material) {
+                                 std::string_view roller_material, std::string_view oil) {
   const bearing::RollerGeometry& g = bearing.geometry;
   const auto length = [](double value) { return fmt::format("{:.6g}", value / mm); };
   std::string text = fmt::format(
@@ -152,9 +153,7 @@ std::string estimated_model_text(const EstimatedRollers& bearing, friction::Fric
   text += bearing.printed() ? fmt::format("; printed are {:.0f} N and {:.0f} N.\n",
                                           bearing.dynamic_rating, bearing.static_rating)
                             : ".\n";
-  text += "\n[lubricant]\n";
-  add("viscosity_40C_mm2_s", "22.0", "a usual spindle oil; put in yours");
-  add("viscosity_100C_mm2_s", "4.8");
+  text += lubricant_lines(oil);
   add("supply", "\"oil-air\"", "or \"grease\", \"bath\", \"jet\"");
   text += "\n[friction]\n";
   add("law", fmt::format("\"{}\"", friction::name(law)), "or \"palmgren\", \"skf\"");

@@ -38,9 +38,11 @@ struct EstimatedRollers {
 [[nodiscard]] EstimatedRollers estimated_rollers(std::string_view designation,
                                                  const std::vector<CatalogueBearing>& rows);
 
-/// Returns a commented model with the defaults of the law; every estimated key is marked.
+/// Returns a commented model with the defaults of the law; every estimated key is marked. `oil`:
+/// its ISO VG grade.
 [[nodiscard]] std::string estimated_model_text(const EstimatedRollers& bearing,
                                                friction::FrictionLaw law,
-                                               std::string_view roller_material = "steel");
+                                               std::string_view roller_material = "steel",
+                                               std::string_view oil = {});
 
 }  // namespace raceway::files

@@ -29,7 +29,9 @@ Check::Column summary(const record::Column& column) {
 
 }  // namespace
 
-Check check(const fit::Subject& subject, const record::Record& record) {
+Check check(const fit::Subject& subject, const record::Record& record,
+            const record::Record* judged) {
+  if (!judged) judged = &record;
   Check result;
   result.rows = static_cast<int>(record.rows());
   result.runs = static_cast<int>(record.runs.size());
@@ -50,7 +52,7 @@ Check check(const fit::Subject& subject, const record::Record& record) {
     return std::any_of(predicted.begin(), predicted.end(),
                        [&](const fit::Measured& p) { return *p.channel == *m.channel; });
   });
-  if (const auto found = verdict::estimate_noise_as_diagnosis(subject, record))
+  if (const auto found = verdict::estimate_noise_as_diagnosis(subject, *judged))
     for (const verdict::EstimatedNoise& noise : *found)
       for (Check::MeasuredChannel& m : result.measured)
         if (*m.channel == *noise.channel) m.found_noise = noise.rms;
@@ -60,7 +62,7 @@ Check check(const fit::Subject& subject, const record::Record& record) {
     if (const Check::Column c = summary(column); c.levels > 0) result.columns.push_back(c);
   }
   try {
-    result.free = calibrate(subject, record).parameters;
+    result.free = calibrate(subject, *judged).parameters;
   } catch (const std::invalid_argument& e) {
     result.problem = e.what();  // fewer rows than parameters, for example
     for (const std::string& name : subject.free()) {

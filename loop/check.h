@@ -39,6 +39,9 @@ struct Check {
   std::vector<Testable> catalogue;  ///< in the order of Subject::catalogue()
 };
 
-[[nodiscard]] Check check(const fit::Subject& subject, const record::Record& record);
+/// `judged`: the record as calibrate() and diagnose() get it, with the means of dwells in place of
+/// rows; null: the same.
+[[nodiscard]] Check check(const fit::Subject& subject, const record::Record& record,
+                          const record::Record* judged = nullptr);
 
 }  // namespace raceway::loop

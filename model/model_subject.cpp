@@ -212,7 +212,10 @@ effects::Effect ModelSubject::from_catalogue(const std::string& id) const {
 
 std::string ModelSubject::rules_out(const std::string& id) const {
   const effects::Description* const d = description(id);
-  return d && d->moves(model_.form()) ? ruled_out(*d, model_) : std::string();
+  if (!d || !d->moves(model_.form())) return {};
+  if (std::string why = ruled_out(*d, model_); !why.empty()) return why;
+  const std::string why = refused_by_law(*d, active_);
+  return why.empty() ? why : "needs " + why;
 }
 
 std::string ModelSubject::correction(const std::string& id, std::span<const double> values) const {

@@ -168,7 +168,6 @@ std::string refused_by_law(const effects::Description& effect, const Model& mode
 
 std::string missing_need(const effects::Description& effect, const Model& model,
                          const record::Record& record) {
-  if (std::string why = refused_by_law(effect, model); !why.empty()) return why;
   if (!effect.moves(model.form())) {
     if (effect.of_spindles_alone())
       return "a model of a spindle, with [shaft] and [housing], in which alone it acts";

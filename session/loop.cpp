@@ -202,10 +202,12 @@ CheckedModel check(Messages& messages, const Source& source, const Source& data,
       .model = model->about(),
       .data = model->read(messages, options.reading.sources({data}), options.reading)};
   result.over_time = model->over_time(result.data);
+  const fit::Averaged averaged = dwells_of(*model, result.data);
   result.check = with_data(result.model.source, result.data, [&] {
     const std::shared_ptr<const fit::Subject> written = model->as_written();
     const auto informed = result.over_time ? written->informed_by(result.data) : nullptr;
-    return loop::check(informed ? *informed : *written, result.data);
+    return loop::check(informed ? *informed : *written, result.data,
+                       averaged.any() ? &averaged.record : nullptr);
   });
   result.notes = result.model.notes;
   result.notes.insert(result.notes.end(), result.data.notes.begin(), result.data.notes.end());
@@ -214,8 +216,7 @@ CheckedModel check(Messages& messages, const Source& source, const Source& data,
     messages.say(said);
     result.notes.push_back(std::move(said));
   };
-  if (const fit::Averaged averaged = dwells_of(*model, result.data); averaged.any())
-    tell(record::note::averaged(averaged.statement()));
+  if (averaged.any()) tell(record::note::averaged(averaged.statement()));
   if (!result.check.problem.empty()) tell(record::note::no_prediction(result.check.problem));
   if (result.over_time)  // the document has a list of these
     messages.say(result.over_time->warnings);

@@ -49,7 +49,7 @@ std::string new_roller_model(Messages& messages, const NewModel& wanted, bool de
   return files::estimated_model_text(
       rollers,
       friction::find_roller_law(wanted.law).value_or(friction::FrictionLaw::roller_palmgren),
-      wanted.outline.ball_material);
+      wanted.outline.ball_material, wanted.oil);
 }
 
 /// What the flags say of a bearing; of one in the catalogue they must say nothing.
@@ -103,7 +103,8 @@ std::string new_model_text(Messages& messages, const NewModel& wanted) {
       bearing.geometry.static_load_rating = row->static_load_rating_silicon_nitride;
     return files::model_text(bearing, {.ball_material = given.ball_material,
                                        .law = wanted_law(wanted),
-                                       .of_spindle = wanted.spindle});
+                                       .of_spindle = wanted.spindle,
+                                       .oil = wanted.oil});
   }
   if (files::names_rollers(wanted.bearing))
     return new_roller_model(messages, wanted, described, rows);
@@ -129,7 +130,7 @@ std::string new_model_text(Messages& messages, const NewModel& wanted) {
                                         angle_text(wanted, bearing.outline.contact_angle),
                                         balls_text(wanted, known.ball_material)),
                             {.key = "bearing"}));
-  return files::estimated_model_text(bearing, wanted_law(wanted), wanted.spindle);
+  return files::estimated_model_text(bearing, wanted_law(wanted), wanted.spindle, wanted.oil);
 }
 
 std::string new_correction_text(Messages& messages, const Source& data, const Reading& reading) {

@@ -18,6 +18,7 @@ struct NewModel {
   /// "palmgren", "skf" or "contact"; empty: contact for balls on a rig, else palmgren.
   std::string law{};
   bool spindle = false;  ///< three of it in a spindle, in place of one on a rig
+  std::string oil{};     ///< ISO VG grade (files/oil_grade.h); empty: a thin spindle oil
 };
 
 /// A commented model file with the defaults of its law. Throws text::InputError for a bearing that

@@ -296,8 +296,12 @@ std::string Investigation::other_bases_text() const {
       reading_text(first.channel(), best.rmse.front()), best.gain, result_.needed_gain);
   const std::string take = fmt::format("raceway add MODEL {} takes it", best.id);
   if (best.explains) return fmt::format(" {} explains these data: {}; {}.", best.words, fall, take);
-  return fmt::format(" {} comes nearer: {}; {}. Given {} the verdict is {}.", best.words, fall,
-                     take, best.words, name(result_.given_other_base->verdict));
+  std::vector<std::string> sets;
+  for (const std::vector<std::string>& set : result_.given_other_base->sets)
+    sets.push_back(joined(set, "and"));
+  const std::string names = sets.empty() ? "" : ": " + joined(sets, "or");
+  return fmt::format(" {} comes nearer: {}; {}. Given {} the verdict is {}{}.", best.words, fall,
+                     take, best.words, name(result_.given_other_base->verdict), names);
 }
 
 }  // namespace raceway::verdict

@@ -539,6 +539,9 @@ std::shared_ptr<const Diagnosis> Investigation::given(const CalibratedBase& foun
 }
 
 void Investigation::try_other_bases() {
+  const auto explains = [](Verdict v) {
+    return v == Verdict::nothing_missing || v == Verdict::effect || v == Verdict::ambiguous;
+  };
   const bool explained =
       result_.verdict != Verdict::not_in_catalogue && result_.verdict != Verdict::effect_like;
   if (!options_.other_bases || outside_the_inputs() || explained) return;
@@ -552,31 +555,38 @@ void Investigation::try_other_bases() {
   result_.needed_gain = std::log(static_cast<double>(problem_.observed.size())) +
                         2.0 * std::log(std::max(1, result_.candidates_tried));
   for (CalibratedBase& b : bases) result_.other_bases.push_back(tried(b));
-  const auto leads = [&] {
-    for (std::size_t k = 0; k < bases.size(); ++k)
-      if (does_as_well(bases[k], result_.other_bases[k])) return k;
-    return bases.size();
-  }();
-  if (leads < bases.size()) {
-    std::rotate(bases.begin(), bases.begin() + static_cast<std::ptrdiff_t>(leads),
-                bases.begin() + static_cast<std::ptrdiff_t>(leads) + 1);
-    std::rotate(result_.other_bases.begin(),
-                result_.other_bases.begin() + static_cast<std::ptrdiff_t>(leads),
-                result_.other_bases.begin() + static_cast<std::ptrdiff_t>(leads) + 1);
+  const auto to_front = [](auto& list, std::size_t k) {
+    const auto at = list.begin() + static_cast<std::ptrdiff_t>(k);
+    std::rotate(list.begin(), at, at + 1);
+  };
+  bool leads = false;
+  for (std::size_t k = 0; k < bases.size() && !leads; ++k) {
+    leads = does_as_well(bases[k], result_.other_bases[k]);
+    if (!leads) continue;
+    to_front(bases, k);
+    to_front(result_.other_bases, k);
   }
-  const Explanation& best = bases.front().explanation;
-  if (!best.fit.converged || !(best.gain > result_.needed_gain)) return;
-  // One that leaves most of the misfit, or more than an effect does, is no offer.
   const std::vector<Explanation>& singles = search_->singles();
   const double rival =
       singles.empty() || !singles.front().fit.converged ? 0.0 : singles.front().gain;
-  if (leads == bases.size() &&
-      !(best.gain > rival && best.fit.misfit < worth_an_offer * evidence_.base.misfit))
+  for (std::size_t k = 0; k < bases.size(); ++k) {
+    const Explanation& found = bases[k].explanation;
+    const bool as_well = leads && k == 0;
+    // One that leaves most of the misfit is no offer.
+    if (!found.fit.converged || !(found.gain > result_.needed_gain) ||
+        !(as_well || found.fit.misfit < worth_an_offer * evidence_.base.misfit))
+      continue;
+    std::shared_ptr<const Diagnosis> given_this = given(bases[k]);
+    // One that leaves more than an effect does is an offer if an effect explains the rest.
+    if (!as_well && !(found.gain > rival) && !(given_this && explains(given_this->verdict)))
+      continue;
+    to_front(result_.other_bases, k);
+    result_.given_other_base = std::move(given_this);
+    result_.other_bases.front().explains =
+        as_well && result_.given_other_base &&
+        result_.given_other_base->verdict == Verdict::nothing_missing;
     return;
-  result_.given_other_base = given(bases.front());
-  result_.other_bases.front().explains =
-      leads < bases.size() && result_.given_other_base &&
-      result_.given_other_base->verdict == Verdict::nothing_missing;
+  }
 }
 
 void Investigation::propose() {

@@ -290,7 +290,7 @@ void bind_model(py::module_& module) {
       "new_model",
       [](const std::string& bearing, const std::string& law, const std::string& ball_material,
          double bore_mm, double outer_diameter_mm, double contact_angle_deg, int ball_count,
-         bool spindle) {
+         bool spindle, const std::string& oil) {
         Heard heard;
         const session::NewModel wanted{.bearing = bearing,
                                        .outline = {.bore = bore_mm * mm,
@@ -299,13 +299,14 @@ void bind_model(py::module_& module) {
                                                    .ball_material = ball_material},
                                        .contact_angle = contact_angle_deg,
                                        .law = law,
-                                       .spindle = spindle};
+                                       .spindle = spindle,
+                                       .oil = oil};
         std::string text = session::new_model_text(heard, wanted);
         return py::make_tuple(text, heard.notes);
       },
       py::arg("bearing"), py::arg("law"), py::arg("ball_material"), py::arg("bore_mm"),
       py::arg("outer_diameter_mm"), py::arg("contact_angle_deg"), py::arg("ball_count"),
-      py::arg("spindle"));
+      py::arg("spindle"), py::arg("oil"));
 }
 
 }  // namespace raceway::python

@@ -60,6 +60,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         contact_angle_deg: float | None = None,
         ball_count: int | None = None,
         spindle: bool = False,
+        oil: str | None = None,
     ) -> Model:
         """Make a model of a bearing by its designation, with the defaults of its law.
 
@@ -79,6 +80,9 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         spindle : bool
             Three of the bearing in a spindle, in place of one on a rig: a template that runs as it
             stands, whose `text` marks what is assumed.
+        oil : str, optional
+            ISO VG grade, as ``"VG 32"``, of a mineral oil of viscosity index 100; by default a thin
+            spindle oil, to be replaced.
 
         Raises
         ------
@@ -98,7 +102,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         if ball_count is not None and operator.index(ball_count) < 3:
             raise ValueError(f"ball_count = {ball_count}: must be 3 or more")
         bore, outer, angle = (float("nan") if size is None else float(size) for size in (bore_mm, outer_diameter_mm, contact_angle_deg))
-        text, notes = _engine.new_model(bearing, law or "", ball_material, bore, outer, angle, ball_count or 0, bool(spindle))
+        text, notes = _engine.new_model(bearing, law or "", ball_material, bore, outer, angle, ball_count or 0, bool(spindle), oil or "")
         model = cls(bearing, text)
         model._said = notes
         return model

@@ -103,6 +103,31 @@ TEST(Everyday, AnotherBaseLawIsOfferedAndTaken) {
             0.05 * ladder["models"][0]["rmse"].get<double>());
 }
 
+TEST(Everyday, AnotherBaseLawIsOfferedWithTheEffectThatItLeaves) {
+  const ScratchFolder scratch;
+  const std::string model = scratch.file("contact.toml");
+  ASSERT_EQ(run("new '7014 AC' --oil 'VG 32' -o " + model).status, 0);
+  // Palmgren's law with a drag of 10 %: one effect of the contact law comes nearer than Palmgren's
+  // law alone.
+  const json d =
+      json::parse(run("diagnose --json " + model + " " + everyday + "logger-drag/train.csv").out);
+  EXPECT_EQ(d["verdict"], "not-in-catalogue");
+  EXPECT_EQ(d["other_bases"][0]["id"], "law:palmgren");
+  EXPECT_FALSE(d["other_bases"][0]["explains"]);
+  EXPECT_THAT(d["sentence"].get<std::string>(),
+              AnyOf(HasSubstr("palmgren the verdict is ambiguous: lubricant-drag or windage"),
+                    HasSubstr("palmgren the verdict is ambiguous: windage or lubricant-drag")));
+}
+
+TEST(Everyday, CheckFindsTheNoiseThatADiagnosisFinds) {
+  for (const std::string name : {"logger-drag", "law-skf"}) {
+    const json check = json::parse(run("check --json " + files_of(name)).out);
+    const json verdict = json::parse(run("diagnose --json " + files_of(name)).out);
+    const double found = verdict["noise"]["rms"].get<double>();
+    EXPECT_NEAR(check["noise"]["estimated_rms"].get<double>(), found, 1e-6 * found) << name;
+  }
+}
+
 TEST(Everyday, TheShapeOfTheSentenceIsWrittenAndTheLoopGoesOn) {
   const ScratchFolder scratch;
   const std::string model = everyday + "law-skf/model.toml", train = everyday + "law-skf/train.csv";

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace raceway::files {
+
+/// Kinematic viscosities of a mineral oil.
+struct OilGrade {
+  int grade = 0;            ///< its ISO VG, the viscosity at 40 C by ISO 3448 [mm2/s]
+  double at_100_C = unset;  ///< of an oil of viscosity index 100, by ISO 2909 [mm2/s]
+};
+
+/// The oil of "VG 32", "ISO VG 32" or "32". Throws text::InputError, with all grades, for another.
+[[nodiscard]] OilGrade oil_grade(std::string_view words);
+
+/// Table [lubricant] of a new model: viscosities of the oil, those of a thin spindle oil where
+/// `oil` is empty. Throws as oil_grade().
+[[nodiscard]] std::string lubricant_lines(std::string_view oil);
+
+}  // namespace raceway::files
