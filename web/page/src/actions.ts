@@ -3,7 +3,6 @@ import { Asking, documentOf, Refused, refusal, reportOf } from './asking';
 import { decoded, numbersOf, preview, readMap, thinned, writeMap, type Mapped } from './columns';
 import { Stopped, type Engine } from './engine';
 import { examples } from './example';
-import { viscosities } from './oil';
 import * as ask from './questions';
 import { quantity } from './report';
 import { askSpindle, isProgramme } from './spindle_asking';
@@ -31,7 +30,7 @@ import {
   type TextFile,
   type Trust,
 } from './state';
-import { channelsOf, isCorrection, isSpindle, valueOf, withoutAssumption, withValue } from './toml';
+import { channelsOf, isCorrection, isSpindle, valueOf, withValue } from './toml';
 import type { Added } from '../../../report/page/src/document';
 
 export const baseLaws = ['palmgren', 'skf', 'contact'];
@@ -472,17 +471,10 @@ export class Actions {
 
   private async makeModel(designation: string, oil: string, preload: string, spindle: boolean): Promise<void> {
     try {
-      const answer = await this.asking.ask('Writing the model', ask.newModel(designation, spindle));
+      const answer = await this.asking.ask('Writing the model', ask.newModel(designation, spindle, oil.trim()));
       const text = answer.files['model.toml'];
       if (!text) throw new Refused(refusal(answer), 'model.toml', null);
       let model = text;
-      if (oil.trim()) {
-        const [at40, at100] = viscosities(oil) ?? [];
-        if (at40 === undefined || at100 === undefined) throw new Refused(`Oil "${oil}": not an ISO VG grade from 5 to 220. Leave it empty and enter the viscosities below.`, 'model.toml', null);
-        model = withoutAssumption(model, 'lubricant');
-        model = withValue(model, 'lubricant', 'viscosity_40C_mm2_s', String(at40), `ISO VG ${at40}`);
-        model = withValue(model, 'lubricant', 'viscosity_100C_mm2_s', String(at100), 'assumed: mineral oil of viscosity index 100');
-      }
       if (preload.trim()) model = withValue(model, spindle ? 'arrangement' : 'rig', spindle ? 'preload_N' : 'axial_load_N', preload.trim().replace(',', '.'));
       const notes = answer.err
         .split('\n')

@@ -1,12 +1,14 @@
 // The model: a designation and an oil make it; each key has its field, and the text stays in step.
 import { alone, baseLaws, type Actions } from './actions';
-import { grades } from './oil';
 import { capital, el, plain } from './report';
 import { doubled, pieces, withoutPiece, withPiece } from './shaft_pieces';
 import { crossSection } from './spindle_panels';
 import type { Key, State } from './state';
 import { assumedIn, channelsOf, entries, isCorrection, isSpindle, plainValue, quoted, valueOf, withValue, type Entry } from './toml';
 import { button, callout, type Panelled } from './view';
+
+/// ISO VG grades that the command takes.
+const grades = [5, 7, 10, 15, 22, 32, 46, 68, 100, 150, 220];
 
 const words: Record<string, string> = {
   bearing: 'Bearing',
@@ -107,7 +109,7 @@ function designation(s: State, actions: Actions): HTMLElement {
     el('label', {}, el('span', {}, 'Designation of the bearing'), name),
     el('label', {}, el('span', {}, 'Oil, ISO VG grade'), oil),
     el('label', {}, el('span', {}, spindle ? 'Preload as mounted [N]' : 'Preload [N], where the data have no axial load'), load),
-    el('datalist', { id: 'grades' }, ...grades.map((g) => el('option', { value: g }))),
+    el('datalist', { id: 'grades' }, ...grades.map((grade) => el('option', { value: `VG ${grade}` }))),
     el('button', { type: 'submit', class: 'primary', id: 'make-model' }, spindle ? 'Make a spindle on three of these' : s.model ? 'Make a new model' : 'Make the model'),
   );
   form.addEventListener('submit', (event) => {

@@ -133,11 +133,3 @@ export function assumedIn(text: string): Set<string> {
   }
   return found;
 }
-
-/// The header of a table without the remark that its values are assumed.
-export function withoutAssumption(text: string, table: string): string {
-  return text
-    .split('\n')
-    .map((line) => (header.exec(line)?.[2] === table && /#.*\b(assumed|estimated)\b/.test(line) ? `[${table}]` : line))
-    .join('\n');
-}
