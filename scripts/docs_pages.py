@@ -102,7 +102,8 @@ def with_links_of_the_site(text, page):
 def copy_pages():
     shutil.copytree(ROOT / "docs/site", SOURCE, ignore=shutil.ignore_patterns("__pycache__", "site.css"))
     (SOURCE / "_static").mkdir()
-    shutil.copy(ROOT / "docs/site/site.css", SOURCE / "_static")
+    for page in ("docs/site/site.css", "build/share/raceway/workbench.html"):
+        shutil.copy(ROOT / page, SOURCE / "_static")
     for page in [*OTHER_PAGES, *(f"docs/{p.name}" for p in sorted((ROOT / "docs").glob("*.md")) if p.name != "README.md")]:
         write(page, with_links_of_the_site((ROOT / page).read_text(encoding="utf-8"), page))
     for picture in (ROOT / "docs").iterdir():
