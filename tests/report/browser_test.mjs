@@ -4,7 +4,7 @@ import { spawnSync } from 'node:child_process';
 import { readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { csvOf, documentOf, figures, file, marks, notesOf, open, raceway, RACEWAY, results, ROOT, tableOf, write } from './pages.mjs';
+import { asPrinted, csvOf, documentOf, figures, file, marks, notesOf, open, raceway, RACEWAY, results, ROOT, tableOf, write } from './pages.mjs';
 
 const rig = join(ROOT, 'tests/hidden_effect/rigs/dev-03');
 const model = join(rig, 'model.toml');
@@ -138,8 +138,8 @@ for (const name of ['diagnose', 'add', 'compare', 'comparedshaft', 'coastdown'])
     } else if (name === 'add') {
       assert.deepEqual(ladder.map((row) => row.slice(1)), [[printed.before.rmse, printed.after.rmse], ...printed.hold_out.map((h) => [h.rmse_before, h.rmse_after])]);
     } else {
-      assert.equal(await page.textContent('#sentence'), printed.headline);
-      assert.equal(await page.textContent('.more'), printed.sentence);
+      assert.equal(asPrinted(await page.textContent('#sentence')), printed.headline);
+      assert.equal(asPrinted(await page.textContent('.more')), printed.sentence);
       const ranking = await tableOf(page, 'ranking');
       assert.deepEqual(ranking.map((row) => row.slice(0, 4)), printed.effects.map((e) => [e.id, e.in_verdict ? 'yes' : 'no', e.gain, e.rmse]));
       assert.equal((await tableOf(page, 'detectable')).length, printed.would_have_been_found.length);
@@ -258,6 +258,16 @@ test('compare: the ladder shows every model in its order against the noise, and 
   const told = await page.$$eval('#steps tbody tr', (rows) => rows.map((r) => r.lastChild.textContent));
   assert.match(told[0], /^f0 2 → 1\.6\d+, z 0\.0008 → 0\.0009\d+$/);
   assert.match(told[1], /^\+ lubricant-drag, f0 1\.6\d+ → 1\.498, z .*, lubricant-drag\.torque_at_10000_rpm_Nmm = 65\.11 N mm$/);
+  assert.match(asPrinted(await page.textContent('#sentence')), /^better\.toml is nearest: RMS error 69\.94 -> 11\.72 N mm; noise/);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('compare: a worse model behind the best one does not lead the page', async () => {
+  write('worselast', 'compare', file('better.toml'), model, join(rig, 'test.csv'));
+  const { page, faults, close } = await open('worselast');
+  assert.match(asPrinted(await page.textContent('#sentence')), /^better\.toml is nearest: RMS error 11\.72 N mm, model\.toml 69\.94 N mm; noise/);
+  assert.match(await page.textContent('.facts'), /RMS error11\.72 N mm/);
   assert.deepEqual(faults, []);
   await close();
 });

@@ -14,6 +14,9 @@ const { chromium } = createRequire(join(PACKAGES, 'package.json'))('playwright-c
 const folder = mkdtempSync(join(tmpdir(), 'raceway-report-'));
 export const file = (name) => join(folder, name);
 
+/// What the command printed, as its pages write it.
+export const asPrinted = (text) => text.replaceAll('\u00a0', ' ').replaceAll('→', '->').replaceAll('± ', '+- ').replaceAll('µm', 'um').replaceAll('°C', 'C');
+
 let browser;
 export const results = {}; // what --json printed, by page
 

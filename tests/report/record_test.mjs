@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { csvOf, documentOf, figures, file, marks, notesOf, open, raceway, results, ROOT, tableOf, write } from './pages.mjs';
+import { asPrinted, csvOf, documentOf, figures, file, marks, notesOf, open, raceway, results, ROOT, tableOf, write } from './pages.mjs';
 
 const records = join(ROOT, 'data/corrections');
 const of = (name, what) => join(records, name, what);
@@ -115,8 +115,8 @@ for (const name of ['diagnose', 'add', 'compare', 'runs'])
     } else if (name === 'add') {
       assert.deepEqual(ladder.map((row) => row.slice(1, 3)), [[printed.before.rmse, printed.rmse_held_out_before], [printed.after.rmse, printed.rmse_held_out_after]]);
     } else if (name === 'diagnose') {
-      assert.equal(await page.textContent('#sentence'), printed.headline);
-      assert.equal(await page.textContent('.more'), printed.sentence);
+      assert.equal(asPrinted(await page.textContent('#sentence')), printed.headline);
+      assert.equal(asPrinted(await page.textContent('.more')), printed.sentence);
       assert.deepEqual(ladder.map((row) => row.slice(1, 3)), [[printed.rmse_before, printed.rmse_held_out_um], ...printed.effects.map((e) => [e.rmse, e.rmse_held_out_um])]);
       assert.ok((await page.textContent('main')).includes('needs coolant_on that switches'));
     } else {

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { csvOf, documentOf, figures, file, marks, open, raceway, results, ROOT, tableOf, write } from './pages.mjs';
+import { asPrinted, csvOf, documentOf, figures, file, marks, open, raceway, results, ROOT, tableOf, write } from './pages.mjs';
 
 const spindles = join(ROOT, 'data/spindles');
 const model = join(spindles, 'externally_driven.toml');
@@ -214,7 +214,7 @@ test('diagnose: verdict, each channel before, after and held out, and effects in
   const { page, faults, close } = await open('diagnose');
   const d = results.diagnose;
   assert.equal(await page.textContent('#verdict'), 'one effect');
-  assert.equal(await page.textContent('#sentence'), d.headline);
+  assert.equal(asPrinted(await page.textContent('#sentence')), d.headline);
   const bars = await tableOf(page, 'channels');
   d.channels.forEach((c, k) => assert.deepEqual(bars[k].slice(2, 5), [c.rmse_before, c.rmse_after, c.rmse_held_out_um ?? c.rmse_held_out_K]));
   const ladder = await tableOf(page, 'ladder');

@@ -25,6 +25,18 @@ function noiseNote({ noise, source, unit, key }: Floor): string {
   return noise === null ? `The noise of these data is not known (no column std_${key}, no repeated rows): there is no floor to hold it against.` : `Dashed: the noise of the data, ${number(noise, 3)} ${unit}, ${source}.`;
 }
 
+/// The place of the model with the least error.
+export function nearest(models: { rmse: number }[]): number {
+  return models.reduce((best, model, k) => (model.rmse < (models[best] as { rmse: number }).rmse ? k : best), 0);
+}
+
+/// Which of several models is nearest, and how far the first, or where it is the first the next, stands from the readings.
+export function nearestWords(names: string[], models: { rmse: number }[], unit: string): string {
+  const best = nearest(models);
+  const errorOf = (k: number): string => number((models[k] as { rmse: number }).rmse);
+  return best > 0 ? `${names[best]} is nearest: RMS error ${errorOf(0)} → ${errorOf(best)} ${unit}` : `${names[0]} is nearest: RMS error ${errorOf(0)} ${unit}, ${names[1]} ${errorOf(1)} ${unit}`;
+}
+
 /// RMS error of models one after the other.
 export function ladder(names: string[], errors: number[], bias: number[], fit: (number | null)[], floor: Floor): Figure {
   const { noise, unit } = floor;

@@ -8,7 +8,7 @@ import { choices, drawnNote, FitView, misfitMap, parity, residuals } from './fit
 import { drawnSpeeds } from './line_figure';
 import { modes } from './modes';
 import { overSpeed } from './over_speed';
-import { beforeAfter, changes, ladder, noiseSources } from './ladder';
+import { beforeAfter, changes, ladder, nearest, nearestWords, noiseSources } from './ladder';
 import type { Floor } from './ladder';
 import { grid, header, judgedBadge, notes, section, warnings } from './page';
 import { record } from './record';
@@ -59,16 +59,17 @@ function lackOfFit(c: Comparison): [string, string][] {
 
 function compare(report: CompareReport): (Node | undefined)[] {
   const comparisons = 'models' in report.results ? report.results.models : [report.results];
-  const last = comparisons[comparisons.length - 1] as Comparison;
+  const best = nearest(comparisons);
+  const shown = comparisons[best] as Comparison;
   const first = comparisons[0] as Comparison;
-  const files = shortPaths([...comparisons.map((c) => c.model), last.data]);
+  const files = shortPaths([...comparisons.map((c) => c.model), shown.data]);
   report.models.forEach((m, k) => (m.name = files[k] as string));
   const several = comparisons.length > 1;
-  const view = new FitView(report, comparisons.length - 1);
+  const view = new FitView(report, best);
   const { unit } = view;
   const comparedOverSpeed = overSpeed(view);
-  const estimated = first.noise.rms === null && last.noise.estimated_rms !== undefined;
-  const noise = first.noise.rms ?? last.noise.estimated_rms ?? null;
+  const estimated = first.noise.rms === null && shown.noise.estimated_rms !== undefined;
+  const noise = first.noise.rms ?? shown.noise.estimated_rms ?? null;
   const source = estimated ? 'estimated' : first.noise.source;
   const floor = noise === null ? '' : `; noise ${number(noise, 3)} ${unit}${estimated ? ', estimated' : ''}`;
   const steps = report.steps.map((step, k) => [files[k + 1] as string, number(comparisons[k + 1]?.rmse), signed((comparisons[k + 1]?.rmse as number) - (comparisons[k]?.rmse as number)), changes(step)]);
@@ -77,15 +78,15 @@ function compare(report: CompareReport): (Node | undefined)[] {
       {
         command: 'compare',
         files,
-        sentence: several ? `RMS error ${number(first.rmse)} → ${number(last.rmse)} ${unit} over ${comparisons.length} models${floor}.` : last.statement,
-        ...(several ? { more: `${files[comparisons.length - 1]}: ${last.statement}` } : {}),
+        sentence: several ? `${nearestWords(files, comparisons, unit)}${floor}.` : shown.statement,
+        ...(several ? { more: `${files[best]}: ${shown.statement}` } : {}),
       },
       [
-        ['RMS error', `${number(last.rmse)} ${unit}`],
-        ['mean error', `${number(last.bias, 3)} ${unit}`],
+        ['RMS error', `${number(shown.rmse)} ${unit}`],
+        ['mean error', `${number(shown.bias, 3)} ${unit}`],
         [noise === null ? 'noise' : `noise, ${source}`, noise === null ? 'not known' : `${number(noise, 3)} ${unit}`],
-        ['rows', String(last.rows)],
-        ...lackOfFit(last),
+        ['rows', String(shown.rows)],
+        ...lackOfFit(shown),
       ],
     ),
     comparedOverSpeed ? section(`${capital(view.report.quantity.in_words)} over speed`, grid(comparedOverSpeed)) : undefined,

@@ -1,15 +1,15 @@
 // What the pages of all commands are built of: the head with its facts, sections, grids of pictures, notes.
 import type { Assumptions, Said } from './document';
 import type { Figure } from './figure';
-import { el, number, valueList } from './text';
+import { el, number, printed, valueList } from './text';
 
 export function header(words: { command: string; files: string[]; badge?: [string, string] | undefined; sentence: string; more?: string }, facts: [string, string][]): HTMLElement {
   document.title = `${words.command}: ${words.files.join(', ')}`;
   const head = el('header', {}, el('p', { class: 'eyebrow' }, `raceway\u00a0${words.command}`));
   for (const file of words.files) (head.firstChild as HTMLElement).append(el('code', {}, file));
   if (words.badge) head.append(el('span', { class: `badge ${words.badge[1]}`, id: 'verdict' }, words.badge[0]));
-  head.append(el('h1', { id: 'sentence' }, words.sentence));
-  if (words.more) head.append(el('p', { class: 'more' }, words.more));
+  head.append(el('h1', { id: 'sentence' }, printed(words.sentence)));
+  if (words.more) head.append(el('p', { class: 'more' }, printed(words.more)));
   const list = el('dl', { class: 'facts' });
   for (const [name, value] of facts) list.append(el('div', {}, el('dt', {}, name), el('dd', {}, value)));
   head.append(list);

@@ -14,6 +14,16 @@ export function capital(text: string): string {
   return `${text.slice(0, 1).toUpperCase()}${text.slice(1)}`;
 }
 
+/// Words of the command as people print them.
+export function printed(text: string): string {
+  return text
+    .replace(/ -> /g, ' → ')
+    .replace(/\+- /g, '± ')
+    .replace(/\bum\b/g, 'µm')
+    .replace(/(\d) (?=\d{3}\b|N mm|rpm|µm|N\b|K\b|C\b)/g, '$1\u00a0')
+    .replace(/(\d*)[ \u00a0]C\b(?= |\.|,|;|$|\))/g, (all: string, digits: string) => (digits.length > 3 ? all : `${digits}\u00a0°C`)); // 6014 C is a bearing
+}
+
 /// So many significant digits, without exponent where people would write none.
 export function number(value: number | null | undefined, digits = 4): string {
   if (value === null || value === undefined || Number.isNaN(value)) return dash;

@@ -1,9 +1,8 @@
 // Measured against predicted: the model as entered, refitted, and with its effects; parameters to drag.
 import type { Actions } from './actions';
-import { choices, el, FitView, grid, ladder, misfitMap, noiseSources, notes, number, overSpeed, parity, plain, record, residuals, section, unitOfKey, unitText } from './report';
+import { choices, el, FitView, grid, ladder, misfitMap, noiseSources, notes, number, overSpeed, parity, plain, printed, record, residuals, section, unitOfKey, unitText } from './report';
 import type { State } from './state';
 import { callout, Part, type Child, type Panelled } from './view';
-import { printed } from './verdict';
 import { valueOf } from './toml';
 import type { Comparison } from '../../../report/page/src/document';
 

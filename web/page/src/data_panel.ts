@@ -2,11 +2,10 @@
 import { inWords, type Actions } from './actions';
 import { preview, readMap, type Mapped } from './columns';
 import { exampleButtons, filePicker } from './frame';
-import { axisTitle, el, number, plain, quantity } from './report';
+import { axisTitle, el, number, plain, printed, quantity } from './report';
 import type { State } from './state';
 import { button, callout, type Panelled } from './view';
 import { isCorrection } from './toml';
-import { printed } from './verdict';
 
 const svg = 'http://www.w3.org/2000/svg';
 const [plotWidth, plotHeight] = [220, 40];

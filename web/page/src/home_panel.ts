@@ -1,11 +1,11 @@
 // What a user takes home: model, map of columns, report, and the commands that do the same.
-import { el, saveBlob } from './report';
+import { el, printed, saveBlob } from './report';
 import { pythonCommands, shellCommands } from './questions';
 import { readMap, writeMap } from './columns';
 import { caseOf, type State, type Trust } from './state';
 import { alone, type Actions } from './actions';
 import { isCorrection } from './toml';
-import { printed, trustLine } from './verdict';
+import { trustLine } from './verdict';
 import { button, callout, type Panelled } from './view';
 
 function save(name: string, text: string, type: string): void {

@@ -1,10 +1,9 @@
 // What is missing: candidates that a click adds, the curves that move, what would tell candidates apart.
 import { inWords, type Actions } from './actions';
-import { axisTitle, capital, detectable, drawNew, el, field, FitView, grid, number, overSpeed, overTimeSection, plain, plan, RecordView, unitOfKey, unitText, valueList } from './report';
+import { axisTitle, capital, detectable, drawNew, el, field, FitView, grid, number, overSpeed, overTimeSection, plain, plan, printed, RecordView, unitOfKey, unitText, valueList } from './report';
 import type { Result, State } from './state';
 import { plainValue, valueOf } from './toml';
 import { button, callout, type Panelled } from './view';
-import { printed } from './verdict';
 import type { AddReport, DiagnoseReport, Diagnosis, RankedEffect, Size, Suggested } from '../../../report/page/src/document';
 
 const shownAtOnce = 10;

@@ -12,5 +12,5 @@ export { spindleSteady } from '../../../report/page/src/spindle_steady';
 export { RecordView } from '../../../report/page/src/record_view';
 export { overSpeed } from '../../../report/page/src/over_speed';
 export { grid, notes, section } from '../../../report/page/src/page';
-export { axisTitle, capital, dash, el, number, plain, probability, quantity, unitOfKey, unitText, valueList } from '../../../report/page/src/text';
+export { axisTitle, capital, dash, el, number, plain, printed, probability, quantity, unitOfKey, unitText, valueList } from '../../../report/page/src/text';
 export { verdicts } from '../../../report/page/src/verdicts';

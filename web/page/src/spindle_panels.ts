@@ -1,10 +1,9 @@
 // A spindle without measurements: its steady state, a programme of speeds, its modes. The pictures are those of the reports.
 import type { Actions } from './actions';
 import { filePicker } from './frame';
-import { el, modes, sectionFigure, spindleRun, spindleSteady } from './report';
+import { el, modes, printed, sectionFigure, spindleRun, spindleSteady } from './report';
 import type { Machine, State } from './state';
 import { button, callout, Part, type Child, type Panelled } from './view';
-import { printed } from './verdict';
 
 type Nodes = (Node | undefined)[];
 

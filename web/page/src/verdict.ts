@@ -1,20 +1,11 @@
 // The verdict above all steps: the sentence, the error against the noise, and the button that mends it.
 import { alone, heldOut, inWords, judgedErrors, type Actions } from './actions';
 import { examples } from './example';
-import { el, field, number, probability, unitOfKey, verdicts } from './report';
+import { el, field, number, printed, probability, unitOfKey, verdicts } from './report';
 import { spindleHead } from './spindle_panels';
 import type { Result, State, Trust } from './state';
 import { isCorrection } from './toml';
 import { button, callout, Part, type Shown } from './view';
-
-/// Words of the command as people print them.
-export const printed = (text: string): string =>
-  text
-    .replace(/ -> /g, ' → ')
-    .replace(/\+- /g, '± ')
-    .replace(/\bum\b/g, 'µm')
-    .replace(/(\d) (?=\d{3}\b|N mm|rpm|µm|N\b|K\b|C\b)/g, '$1\u00a0')
-    .replace(/(\d*)[ \u00a0]C\b(?= |\.|,|;|$|\))/g, (all: string, digits: string) => (digits.length > 3 ? all : `${digits}\u00a0°C`)); // 6014 C is a bearing
 
 interface Errors {
   before: number;
