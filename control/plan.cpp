@@ -359,8 +359,10 @@ class Planner {
     void operator()(const correction::Kinematic& law) const {
       if (law.A != 0.0) axis.kinematics.push_back({law.A, law.B, law.C});
     }
-    template <typename OfReadings>
-    void operator()(const OfReadings&) const {}
+    // These belong to one record, not to the machine.
+    void operator()(const correction::SettlingShare&) const {}
+    void operator()(const correction::JumpShare&) const {}
+    void operator()(std::monostate) const {}
 
    private:
     void section(std::size_t drive, double gain, double time_constant, bool straight) const {

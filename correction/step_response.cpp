@@ -118,10 +118,10 @@ struct Responder {
   std::optional<StepResponse> operator()(const SettlingShare& s) const {
     return of_one_size("the start of the record", s.size, s.time_constant);
   }
-  template <typename AtOnce>
-  std::optional<StepResponse> operator()(const AtOnce&) const {
-    return std::nullopt;
-  }
+  // These act at once.
+  std::optional<StepResponse> operator()(const Kinematic&) const { return std::nullopt; }
+  std::optional<StepResponse> operator()(const JumpShare&) const { return std::nullopt; }
+  std::optional<StepResponse> operator()(std::monostate) const { return std::nullopt; }
 
  private:
   [[nodiscard]] StepResponse of_one_size(std::string input, double size,
