@@ -55,10 +55,13 @@ int list_bearings(const BearingsFlags& flags) {
   if (rows.empty())
     throw text::InputError(
         fmt::format(
-            "raceway bearings: no bearing has \"{}\" in its name{}; without a filter all are "
+            "raceway bearings: no bearing has \"{}\" in its name{}; {}without a filter all are "
             "listed",
             flags.filter,
-            std::isnan(flags.bore) && std::isnan(flags.outer_diameter) ? "" : " and this size"),
+            std::isnan(flags.bore) && std::isnan(flags.outer_diameter) ? "" : " and this size",
+            files::read_designation(flags.filter).boundary()
+                ? fmt::format("raceway new \"{}\" estimates it, ", flags.filter)
+                : ""),
         {.key = "FILTER"});
   if (json) {
     put_document(results::bearings_json(rows));

@@ -37,6 +37,7 @@ Estimate exactly(double value) { return {value, value, value}; }
 struct Ratios {
   Estimate ball, fill, rating;
   std::size_t rows = 0;
+  bool like_section = false;
 };
 
 Ratios ratios_of(const BearingOutline& outline, const std::vector<CatalogueBearing>& rows) {
@@ -49,7 +50,8 @@ Ratios ratios_of(const BearingOutline& outline, const std::vector<CatalogueBeari
                  section(outline.bore, outline.outer_diameter)) < 0.025)
       near.push_back(&row);
   }
-  const auto& used = near.size() >= enough_rows ? near : all;
+  const bool like_section = near.size() >= enough_rows;
+  const auto& used = like_section ? near : all;
   if (used.empty())
     throw text::InputError("the catalogue has no bearing to estimate another one by");
   std::vector<double> ball, fill, rating;
@@ -63,7 +65,7 @@ Ratios ratios_of(const BearingOutline& outline, const std::vector<CatalogueBeari
     rating.push_back((ceramic ? of_ceramic : g.static_load_rating) /
                      (g.ball_count * std::pow(g.ball_diameter, 2) * std::cos(g.contact_angle)));
   }
-  return {over(ball), over(fill), over(rating), used.size()};
+  return {over(ball), over(fill), over(rating), used.size(), like_section};
 }
 
 std::string spread(const Estimate& e, double unit, std::string_view words) {
@@ -76,26 +78,23 @@ std::string spread(const Estimate& e, double unit, std::string_view words) {
 
 }  // namespace
 
-BearingOutline outline_of(std::string_view designation, const std::vector<CatalogueBearing>& rows) {
+BearingOutline outline_of(std::string_view designation) {
   require_angular_contact(designation);
   const Designation d = read_designation(designation);
   BearingOutline outline{.designation = std::string(designation),
                          .contact_angle = d.contact_angle,
                          .ball_material = d.ceramic_balls ? "silicon-nitride" : "steel"};
-  const std::string size = d.size();
-  if (size.empty()) return outline;
-  for (const CatalogueBearing& row : rows)
-    if (read_designation(row.designation).size() == size) {
-      outline.bore = row.geometry.bore;
-      outline.outer_diameter = row.geometry.outer_diameter;
-      break;
-    }
+  if (const auto size = d.boundary()) {
+    outline.bore = size->bore;
+    outline.outer_diameter = size->outer_diameter;
+    outline.width = size->width;
+  }
   return outline;
 }
 
 NamedRow bearing_called(std::string_view name, const std::vector<CatalogueBearing>& rows) {
   if (const CatalogueBearing* const row = known_bearing(rows, name)) return {*row};
-  const BearingOutline outline = outline_of(name, rows);
+  const BearingOutline outline = outline_of(name);
   if (std::isnan(outline.bore)) return {find_bearing(rows, name)};  // which says what is near
   NamedRow named{row_of(estimated_bearing(outline, rows))};
   named.is_estimated = true;
@@ -123,6 +122,7 @@ EstimatedBearing estimated_bearing(const BearingOutline& given,
   if (std::isnan(o.contact_angle)) o.contact_angle = 15 * degree;
   const Ratios ratios = ratios_of(o, rows);
   b.rows = ratios.rows;
+  b.like_section = ratios.like_section;
   const double pitch = 0.5 * (o.bore + o.outer_diameter);
   b.pitch_diameter = exactly(pitch);
   b.ball_diameter = o.ball_count > 0 ? times(ratios.fill, pi * pitch / o.ball_count)
@@ -146,6 +146,7 @@ EstimatedBearing estimated_bearing(const BearingOutline& given,
 CatalogueBearing row_of(const EstimatedBearing& b) {
   CatalogueBearing row;
   row.designation = b.outline.designation;
+  row.width = b.outline.width;
   row.geometry = {.ball_count = static_cast<int>(b.ball_count.value),
                   .ball_diameter = b.ball_diameter.value,
                   .pitch_diameter = b.pitch_diameter.value,
@@ -163,14 +164,14 @@ std::string estimated_model_text(const EstimatedBearing& b, friction::FrictionLa
                                  bool of_spindle, const std::string& oil) {
   const BearingOutline& o = b.outline;
   const CatalogueBearing row = row_of(b);
-  const auto of_rows = fmt::format("in {} catalogue bearings of like section", b.rows);
+  const auto of_rows = fmt::format("in {} catalogue bearings of {} section", b.rows,
+                                   b.like_section ? "like" : "another");
   const auto of_rigidity = spread(b.conformity, 1.0, "by printed rigidities of pairs");
   ModelRemarks remarks{
-      .title =
-          fmt::format("Model of a {} on a rig, of which the catalogue knows nothing: what is "
-                      "marked as estimated\n# comes from bearings of like section. Put in what "
-                      "you know better.",
-                      o.designation),
+      .title = fmt::format("Model of a {} on a rig, of which the catalogue knows nothing: what is "
+                           "marked as estimated\n# comes from bearings of {} section. Put in what "
+                           "you know better.",
+                           o.designation, b.like_section ? "like" : "another"),
       .ball_material = o.ball_material,
       .of_key = {{"ball_diameter_mm", spread(b.ball_diameter, mm, of_rows)},
                  {"pitch_diameter_mm", "estimated: mean of bore and outer diameter"},

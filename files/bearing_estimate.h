@@ -15,6 +15,7 @@ struct BearingOutline {
   std::string designation{};
   double bore = unset;            ///< [m]
   double outer_diameter = unset;  ///< [m]
+  double width = unset;           ///< [m]; NaN where it is not known
   double contact_angle = unset;   ///< [rad]; by the designation, else 15 deg
   int ball_count = 0;             ///< 0: not known
   std::string ball_material = "steel";
@@ -32,14 +33,14 @@ struct EstimatedBearing {
   Estimate ball_diameter, pitch_diameter, conformity;  ///< [m], [m], [1]
   Estimate ball_count;                                 ///< as given where it was
   Estimate static_load_rating;                         ///< [N]
-  std::size_t rows = 0;  ///< of the catalogue that the ratios come from
+  std::size_t rows = 0;      ///< of the catalogue that the ratios come from
+  bool like_section = true;  ///< those rows have about its section; else all rows
 };
 
-/// Angle and balls by the designation (files/designation.h); bore and outer diameter of the rows of
-/// the same size where the catalogue has one, nothing otherwise. Throws InputError for a bearing of
-/// another type.
-[[nodiscard]] BearingOutline outline_of(std::string_view designation,
-                                        const std::vector<CatalogueBearing>& rows);
+/// Angle and balls by the designation (files/designation.h); bore, outer diameter and width of its
+/// size by ISO 15 (files/boundary_dimensions.h), nothing for another one. Throws InputError for a
+/// bearing of another type.
+[[nodiscard]] BearingOutline outline_of(std::string_view designation);
 
 /// Inner geometry by the rows of about the same section, all of them where there are few:
 ///
@@ -63,7 +64,7 @@ struct NamedRow {
   bool states_angle = true;    ///< false: 15 deg is assumed
 };
 /// The row of the catalogue, else the estimate by its designation. Throws InputError as
-/// find_bearing() for a size that no catalogue has, and as outline_of().
+/// find_bearing() for a size that is not known, and as outline_of().
 [[nodiscard]] NamedRow bearing_called(std::string_view name,
                                       const std::vector<CatalogueBearing>& rows);
 

@@ -1,24 +1,32 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "files/boundary_dimensions.h"
 #include "record/units.h"
 
 namespace raceway::files {
 
-/// Contents of a bearing's designation, by the systems of SKF, FAG, NSK, NTN and GMN.
+/// Contents of a bearing's designation, by the systems of SKF, SNFA, FAG, Barden, NSK, NTN and GMN.
 ///
-/// Makers use the same letters for the same angles, with exceptions that are rows of the table in
+/// Most names have the digits of ISO's system, 7014. Those of SNFA (VEX 70), NTN's fast series
+/// (HSE014), Barden (114HC) and NSK's robust series (70BNR10) have forms of their own. Makers use
+/// the same letters for the same angles, with exceptions that are rows of the table in
 /// designation.cpp: E is 25 deg behind "B7014-" of FAG and "S 6014 " of GMN, and a design of SKF
 /// behind C or AC. Cage, seals and precision are passed over.
 ///
-/// Source: SKF, Super-precision bearings, 13383; Schaeffler, Super Precision Bearings, SP 1; NSK,
-/// Super Precision Bearings, E1254; NTN, Precision Rolling Bearings, 2260; GMN, High Precision Ball
-/// Bearings, 4001. Prints not seen; the codes of angle, balls and preload of NSK, NTN and FAG were
-/// compared with tables of dealers.
+/// Source: SKF, Super-precision bearings, 13383, and for the series of SNFA 06939 (HB, HX) and
+/// 06981 (E 200); Schaeffler, Super Precision Bearings, SP 1; Barden, MRO Catalog C8A, p. 4; NSK,
+/// Super Precision Bearings, E1254; NTN, Precision Rolling Bearings, 2260, p. 56, and ULTAGE, 7000
+/// and 7900; GMN, High Precision Ball Bearings, 4001. Read in copies of their text: Barden's page,
+/// NTN's pages, titles of SKF. Not seen: the other prints; the codes of angle, balls and preload of
+/// NSK, NTN and FAG were compared with tables of dealers, the digits of angles of SNFA with
+/// nothing.
 struct Designation {
-  std::string series{};          ///< "70", "719"; of GMN "60", "619"
+  std::string series{};          ///< as written: "70", "719", "VEX"; of GMN "60", "619"
+  std::string dimensions{};      ///< dimension series of ISO 15: "10", "19"; empty where unknown
   std::string bore_code{};       ///< "14"
   double contact_angle = unset;  ///< [rad]; NaN where it is not stated
   std::string angle_code{};      ///< "AC"
@@ -30,6 +38,8 @@ struct Designation {
 
   /// "6014" of "B7014-C": what bearings of one size have in common; empty where it is not known.
   [[nodiscard]] std::string size() const;
+  /// Boundary dimensions of that size by ISO 15.
+  [[nodiscard]] std::optional<BoundaryDimensions> boundary() const;
 };
 
 /// Never throws: what is not known stays empty.

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <iterator>
 
+#include "files/boundary_dimensions.h"
 #include "files/oil_grade.h"
 #include "friction/roller_friction.h"
 #include "life/roller_life.h"
@@ -72,8 +72,7 @@ bool names_rollers(std::string_view designation) {
   return false;
 }
 
-EstimatedRollers estimated_rollers(std::string_view designation,
-                                   const std::vector<CatalogueBearing>& rows) {
+EstimatedRollers estimated_rollers(std::string_view designation) {
   const std::string digits = digits_behind(plain_designation(designation), "N");
   const auto refuse = [&](const std::string& why) {
     throw text::InputError(
@@ -85,15 +84,12 @@ EstimatedRollers estimated_rollers(std::string_view designation,
   };
   if (digits.size() != 4 || !digits.starts_with("10"))
     refuse("of cylindrical roller bearings only series N10 is known");
-  const std::string like = "S 60" + digits.substr(2) + " ";
-  const auto row = std::find_if(rows.begin(), rows.end(), [&](const CatalogueBearing& r) {
-    return r.designation.starts_with(like);
-  });
-  if (row == rows.end()) refuse("the catalogue has no boundary dimensions of this size");
+  const auto size = boundary_dimensions("10", digits.substr(2));
+  if (!size) refuse("there are no boundary dimensions of this size in the table of ISO 15");
   bearing::RollerGeometry g;
-  g.bore = row->geometry.bore;
-  g.outer_diameter = row->geometry.outer_diameter;
-  g.width = row->width;
+  g.bore = size->bore;
+  g.outer_diameter = size->outer_diameter;
+  g.width = size->width;
   g.pitch_diameter = 0.5 * (g.bore + g.outer_diameter);
   EstimatedRollers result{.designation = std::string(designation)};
   if (const PrintedSize* const printed = printed_size(digits.substr(2))) {

@@ -3,10 +3,8 @@
 #include <cmath>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "bearing/roller_bearing.h"
-#include "files/catalogue_file.h"
 #include "friction/friction_law.h"
 
 namespace raceway::files {
@@ -25,8 +23,8 @@ struct EstimatedRollers {
   [[nodiscard]] bool printed() const { return !std::isnan(outer_raceway); }
 };
 
-/// Estimates the rollers of a size of series N10. Boundary dimensions follow dimension series 10,
-/// as in the rows S 60xx of the catalogue.
+/// Estimates the rollers of a size of series N10, whose boundary dimensions are of dimension series
+/// 10 (files/boundary_dimensions.h).
 ///
 ///   d_m = (d + D)/2,   L = D_w
 ///   printed sizes   D_w = E - d_m,   Z = C0/(44 (1 - γ) L D_w), rounded
@@ -34,9 +32,8 @@ struct EstimatedRollers {
 ///
 /// Accuracy: C by these rollers, which is not used to find them, meets the printed C within 2.1 %
 ///           for eight of eleven sizes; N1013 5.6 % above, N1022 and N1024 16 % below it.
-/// Throws InputError for another series and for a size that the catalogue does not have.
-[[nodiscard]] EstimatedRollers estimated_rollers(std::string_view designation,
-                                                 const std::vector<CatalogueBearing>& rows);
+/// Throws InputError for another series and for a size whose dimensions are not known.
+[[nodiscard]] EstimatedRollers estimated_rollers(std::string_view designation);
 
 /// Returns a commented model with the defaults of the law; every estimated key is marked. `oil`:
 /// its ISO VG grade.

@@ -28,8 +28,7 @@ friction::FrictionLaw wanted_law(const NewModel& wanted) {
 }
 
 /// The model of a cylindrical roller bearing by its designation.
-std::string new_roller_model(Messages& messages, const NewModel& wanted, bool described,
-                             const std::vector<files::CatalogueBearing>& rows) {
+std::string new_roller_model(Messages& messages, const NewModel& wanted, bool described) {
   const auto refuse = [&](const std::string& why) {
     throw text::InputError(
         fmt::format("raceway new: {} is a cylindrical roller bearing; {}", wanted.bearing, why),
@@ -40,7 +39,7 @@ std::string new_roller_model(Messages& messages, const NewModel& wanted, bool de
   if (wanted.spindle) refuse("the sets of a spindle have ball bearings");
   if (wanted.law == friction::name(friction::FrictionLaw::contact))
     refuse("its laws are palmgren and skf");
-  const files::EstimatedRollers rollers = files::estimated_rollers(wanted.bearing, rows);
+  const files::EstimatedRollers rollers = files::estimated_rollers(wanted.bearing);
   messages.say(record::note::assumed(
       wanted.bearing +
           " is a cylindrical roller bearing: its rollers are estimated and marked in the "
@@ -53,9 +52,10 @@ std::string new_roller_model(Messages& messages, const NewModel& wanted, bool de
 }
 
 /// What the flags say of a bearing; of one in the catalogue they must say nothing.
-files::BearingOutline outline(const NewModel& wanted,
-                              const std::vector<files::CatalogueBearing>& rows) {
-  files::BearingOutline result = files::outline_of(wanted.bearing, rows);
+files::BearingOutline outline(const NewModel& wanted) {
+  files::BearingOutline result = files::outline_of(wanted.bearing);
+  if (!std::isnan(wanted.outline.bore) || !std::isnan(wanted.outline.outer_diameter))
+    result.width = unset;
   if (!std::isnan(wanted.outline.bore)) result.bore = wanted.outline.bore;
   if (!std::isnan(wanted.outline.outer_diameter))
     result.outer_diameter = wanted.outline.outer_diameter;
@@ -106,9 +106,8 @@ std::string new_model_text(Messages& messages, const NewModel& wanted) {
                                        .of_spindle = wanted.spindle,
                                        .oil = wanted.oil});
   }
-  if (files::names_rollers(wanted.bearing))
-    return new_roller_model(messages, wanted, described, rows);
-  const files::BearingOutline known = outline(wanted, rows);
+  if (files::names_rollers(wanted.bearing)) return new_roller_model(messages, wanted, described);
+  const files::BearingOutline known = outline(wanted);
   // A misspelt name of the catalogue is answered with the nearest ones.
   if (!described && std::isnan(known.bore)) {
     try {

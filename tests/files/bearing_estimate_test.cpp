@@ -42,19 +42,21 @@ TEST(BearingEstimate, EveryCatalogueBearingLiesWithinTheSpreadOfTheOthers) {
 }
 
 TEST(BearingEstimate, ADesignationSaysBoreAndOuterDiameter) {
-  const auto rows = read_catalogues();
-  const BearingOutline o = outline_of("7014 C", rows);
+  const BearingOutline o = outline_of("7014 C");
   EXPECT_DOUBLE_EQ(o.bore, 70 * mm);
   EXPECT_DOUBLE_EQ(o.outer_diameter, 110 * mm);
   EXPECT_DOUBLE_EQ(o.contact_angle, 15 * degree);
-  EXPECT_DOUBLE_EQ(outline_of("71914 AC", rows).contact_angle, 25 * degree);
-  EXPECT_DOUBLE_EQ(outline_of("71914 AC", rows).outer_diameter, 100 * mm);
-  EXPECT_TRUE(std::isnan(outline_of("mine", rows).bore));
+  EXPECT_DOUBLE_EQ(outline_of("71914 AC").contact_angle, 25 * degree);
+  EXPECT_DOUBLE_EQ(outline_of("71914 AC").outer_diameter, 100 * mm);
+  EXPECT_TRUE(std::isnan(outline_of("mine").bore));
+  // No row of the catalogue has this size.
+  EXPECT_DOUBLE_EQ(outline_of("7214 C").outer_diameter, 125 * mm);
+  EXPECT_DOUBLE_EQ(outline_of("7214 C").width, 24 * mm);
 }
 
 TEST(BearingEstimate, TheModelMarksWhatIsEstimatedAndReadsBack) {
   const auto rows = read_catalogues();
-  BearingOutline o = outline_of("7014 C", rows);
+  BearingOutline o = outline_of("7014 C");
   o.ball_count = 20;
   o.ball_material = "silicon-nitride";
   const std::string text = estimated_model_text(estimated_bearing(o, rows));
@@ -73,6 +75,20 @@ TEST(BearingEstimate, TheModelMarksWhatIsEstimatedAndReadsBack) {
   o.ball_count = 0;
   EXPECT_THAT(estimated_model_text(estimated_bearing(o, rows)),
               testing::ContainsRegex("ball_count = [0-9]+ +# estimated: "));
+}
+
+/// A section that the catalogue has not, and one that it has.
+TEST(BearingEstimate, TheModelSaysWhichBearingsItIsMadeOf) {
+  const auto rows = read_catalogues();
+  const auto text = [&](const char* designation) {
+    return estimated_model_text(estimated_bearing(outline_of(designation), rows));
+  };
+  EXPECT_THAT(text("7214 C"), HasSubstr("catalogue bearings of like section"));
+  EXPECT_THAT(text("71814 C"), HasSubstr("catalogue bearings of another section"));
+  const ModelFile file = parse_model(text("7214 AC"), "m.toml");
+  EXPECT_DOUBLE_EQ(file.model.bearing.geometry().pitch_diameter, 97.5 * mm);
+  // Between the two balls that would touch the rings and the cage: 16 of 5/8 to 11/16 inch.
+  EXPECT_NEAR(file.model.bearing.geometry().ball_diameter, 16.7 * mm, 1.2 * mm);
 }
 
 TEST(BearingEstimate, WhatIsNoRingIsRefused) {

@@ -22,12 +22,11 @@ TEST(RollerEstimate, KnowsDesignationsOfCylindricalRollers) {
 
 // E gives the diameter of the rollers and C0 their number; the printed C is used for neither.
 TEST(RollerEstimate, RollersByPrintedNumbersMeetThePrintedDynamicRating) {
-  const auto rows = files::read_catalogues();
   int within = 0, printed = 0;
   for (int code = 6; code <= 24; ++code) {
     if (code == 23) continue;
     const files::EstimatedRollers one =
-        files::estimated_rollers((code < 10 ? "N 100" : "N 10") + std::to_string(code), rows);
+        files::estimated_rollers((code < 10 ? "N 100" : "N 10") + std::to_string(code));
     if (!one.printed()) continue;
     ++printed;
     const double twice = one.geometry.roller_diameter / (0.5 * mm);
@@ -42,9 +41,8 @@ TEST(RollerEstimate, RollersByPrintedNumbersMeetThePrintedDynamicRating) {
 }
 
 TEST(RollerEstimate, WritesAModelThatReadsBack) {
-  const auto rows = files::read_catalogues();
-  const auto read = [&](const char* designation, friction::FrictionLaw law) {
-    const files::EstimatedRollers rollers = files::estimated_rollers(designation, rows);
+  const auto read = [](const char* designation, friction::FrictionLaw law) {
+    const files::EstimatedRollers rollers = files::estimated_rollers(designation);
     const files::ModelFile file = files::parse_model(
         files::estimated_model_text(rollers, law, "silicon-nitride"), "n10.toml");
     EXPECT_EQ(file.model.law, law);
@@ -57,14 +55,15 @@ TEST(RollerEstimate, WritesAModelThatReadsBack) {
   EXPECT_NEAR(n1012.roller_diameter, 8 * mm, 1e-12);
   EXPECT_NEAR(n1012.width, 18 * mm, 1e-12);
   const bearing::RollerGeometry n1014 = read("N 1014", friction::FrictionLaw::roller_skf);
+  // A size of no catalogue here.
+  EXPECT_NEAR(read("N 1030", friction::FrictionLaw::roller_skf).outer_diameter, 225 * mm, 1e-12);
   EXPECT_NEAR(n1014.bore, 70 * mm, 1e-12);
   EXPECT_NEAR(n1014.roller_diameter, 9.5 * mm, 1e-12);  // 0.485 of 20 mm
 }
 
 TEST(RollerEstimate, RefusesOtherSeriesAndSizes) {
-  const auto rows = files::read_catalogues();
-  const auto why = [&](const char* designation) {
-    return tests::message_of([&] { (void)files::estimated_rollers(designation, rows); });
+  const auto why = [](const char* designation) {
+    return tests::message_of([&] { (void)files::estimated_rollers(designation); });
   };
   EXPECT_THAT(why("NU 210"), HasSubstr("only series N10 is known"));
   EXPECT_THAT(why("N 1099"), HasSubstr("no boundary dimensions of this size"));

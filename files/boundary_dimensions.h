@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace raceway::files {
+
+/// Boundary dimensions of a radial rolling bearing.
+struct BoundaryDimensions {
+  double bore, outer_diameter, width;  ///< [m]
+};
+
+/// Dimensions of a size: dimension series "18", "19", "10", "02" or "03" (width series, diameter
+/// series) and bore code, "14" for 70 mm. Nothing for a size outside of the table, whose bores end
+/// at 200 mm (series 03: 120 mm).
+///
+/// Source:   ISO 15, as makers print its sizes: [GMN4000] for the bearings of our catalogue;
+/// NTN-SNR,
+///           high-precision range ULTAGE, series 7000 and 7900. The series 18, 02 and 03 are
+///           written from knowledge of the common sizes; a test holds the rules that ISO 15 keeps.
+[[nodiscard]] std::optional<BoundaryDimensions> boundary_dimensions(
+    std::string_view dimension_series, std::string_view bore_code);
+
+/// Bore code of a bore in millimetres: "14" of 70, "00" to "03" of 10, 12, 15 and 17; empty for
+/// another one.
+[[nodiscard]] std::string_view bore_code_of(int bore_mm);
+
+}  // namespace raceway::files
