@@ -12,6 +12,7 @@
 #include "text/error.h"
 #include "text/missing_cell.h"
 #include "text/names.h"
+#include "text/units.h"
 
 namespace raceway::files {
 namespace {
@@ -80,10 +81,13 @@ std::vector<double> ColumnReader::times(const ColumnSource& source,
                                         std::optional<text::DateOrder> order) {
   const bool excel = source.excel_date, texts = !excel || !table_.is_numeric(source.column);
   const std::string begin = stamp(source, 0);
+  const auto unit = texts && !excel && !source.dates ? unit_of_short_times(source) : std::nullopt;
   // A time of day is one that has passed since midnight.
-  const auto parse_passed = [](std::string_view cell) {
-    const auto passed = text::parse_elapsed(cell);
-    return passed ? passed : text::parse_clock(cell);
+  const auto parse_passed = [&](std::string_view cell) {
+    if (const auto passed = text::parse_elapsed(cell)) return passed;
+    if (const auto time = unit ? text::parse_short_time(cell) : std::nullopt)
+      return std::optional(*unit * (time->units + time->sixtieths / 60.0));
+    return text::parse_clock(cell);
   };
   const bool elapsed = texts && !excel && parse_passed(begin).has_value();
   if (!order) order = texts && !excel && !elapsed ? order_of(source) : text::DateOrder::day_first;
@@ -114,12 +118,53 @@ std::vector<double> ColumnReader::times(const ColumnSource& source,
                                           source.excel_date ? "dates of Excel" : "dates",
                                           undecided_date_ ? begin : text::timestamp_text(first)),
                               {.file = table_.source, .key = source.name}));
+  if (unit && elapsed)
+    notes_.push_back(record::note::read_as(
+        fmt::format("column {} has {}", source.name,
+                    *unit > 60.0 ? "hours and minutes" : "minutes and seconds"),
+        {.file = table_.source, .key = source.name}));
   if (elapsed && first > 0.0)
     notes_.push_back(record::note::read_as(
         fmt::format("column {} has {}: time_s counts from {}", source.name,
-                    text::parse_elapsed(begin) ? "elapsed times" : "times of day", begin),
+                    unit || text::parse_elapsed(begin) ? "elapsed times" : "times of day", begin),
         {.file = table_.source, .key = source.name}));
   return list;
+}
+
+std::optional<double> ColumnReader::unit_of_short_times(const ColumnSource& source) const {
+  constexpr double hour = 3600.0, minute = 60.0;
+  const auto short_time = [&](std::size_t row) {
+    return text::parse_short_time(table_.shown(row, source.column));
+  };
+  if (!short_time(0)) return std::nullopt;
+  // The user, the header ("Time [h:mm]", "t in min") or the row of units says it.
+  const auto said = [&](std::string_view text) {
+    const std::string form = text::lower_case(text);
+    const text::Unit* const unit =
+        text::find_unit(form.substr(0, form.find(':')), text::Dimension::time);
+    if (unit && (unit->factor == hour || unit->factor == minute)) return unit->factor;
+    return form == "hh:mm" ? hour : form == "mm:ss" || form == "m:ss" ? minute : unset;
+  };
+  double unit = source.cells.unit ? said(source.cells.unit->suffix) : unset;
+  if (std::isnan(unit)) unit = said(text::header_parts(source.name).unit);
+  if (std::isnan(unit) && source.column < table_.units.size())
+    unit = said(table_.units[source.column]);
+  if (!std::isnan(unit)) return unit;
+  // A stop watch goes on with hours; a clock begins anew behind 23.
+  std::optional<text::ShortTime> before;
+  for (std::size_t row = 0; row < table_.rows(); ++row) {
+    const auto time = short_time(row);
+    if (!time && text::parse_elapsed(table_.shown(row, source.column))) return minute;
+    if (time && before && before->units == 23 && time->units == 0) return hour;
+    before = time;
+  }
+  const text::Place place{table_.source, table_.line(0), source.name};
+  throw text::InputError(
+      fmt::format("{}: {} = {}: hours and minutes, or minutes and seconds? Say unit = \"h\" or "
+                  "\"min\" in [columns]: {} = {{ column = {}, unit = \"h\" }}",
+                  place.text(), source.name, table_.shown(0, source.column), source.channel->name,
+                  text::in_quotes(source.name)),
+      place);
 }
 
 /// Times of day begin anew at midnight.

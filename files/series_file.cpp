@@ -462,6 +462,40 @@ class SeriesOfFiles {
     }
   }
 
+  /// True for a log with a row for every change of what a control sets: what its last row says
+  /// holds on. A log that samples has even rows, most of them as the one before, and ends with its
+  /// last.
+  [[nodiscard]] bool is_log_of_changes(const Record& part) const {
+    constexpr double much_longer = 10.0, uneven = 2.0, most = 0.9;
+    if (part.settings_hold == record::SettingsHold::until_row) return false;
+    const std::span<const double> time = part.values(record::time);
+    std::vector<bool> changes(time.size());
+    for (const record::Column& c : part.columns) {
+      if (*c.channel == record::time || c.channel->role == Role::kept) continue;
+      if (!c.channel->is_input() || !record::acts_by_amount(*c.channel)) return false;
+      double last = unset;
+      for (std::size_t row = 0; row < time.size(); ++row) {
+        if (std::isnan(c.values[row])) continue;
+        changes[row] = changes[row] || c.values[row] != last;
+        last = c.values[row];
+      }
+    }
+    const auto count = static_cast<double>(std::count(changes.begin(), changes.end(), true));
+    // The last row may say that the log ended.
+    if (count < most * static_cast<double>(time.size() - 1)) return false;
+    const auto steps_of = [](std::span<const double> times) {
+      std::vector<double> steps;
+      for (std::size_t row = 1; row < times.size(); ++row)
+        steps.push_back(times[row] - times[row - 1]);
+      return steps;
+    };
+    const std::vector<double> steps = steps_of(time);
+    if (steps.size() < 2) return true;
+    const double usual = record::median(steps);
+    return *std::max_element(steps.begin(), steps.end()) > uneven * usual ||
+           usual > much_longer * record::median(steps_of(times_));
+  }
+
   /// Without the ends at which a file with inputs has no rows.
   [[nodiscard]] Record in_common(Record record) const {
     double begin = times_.front(), end = times_.back();
@@ -470,7 +504,15 @@ class SeriesOfFiles {
                        [](const record::Column& c) { return c.channel->is_input(); }))
         continue;
       begin = std::max(begin, part.values(record::time).front());
-      end = std::min(end, part.values(record::time).back());
+      const double last = part.values(record::time).back();
+      if (last < times_.back() && is_log_of_changes(part))
+        record.notes.push_back(record::note::filled_in(
+            fmt::format("{} has a row where something changed: its last row, at {:.6g} s, holds to "
+                        "the end",
+                        part.source, last),
+            {.file = part.source, .key = "time_s"}));
+      else
+        end = std::min(end, last);
     }
     std::vector<std::size_t> rows;
     for (std::size_t row = 0; row < times_.size(); ++row)

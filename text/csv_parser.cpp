@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <unordered_map>
+#include <utility>
 
 #include "text/csv_form.h"
 #include "text/missing_cell.h"
@@ -50,6 +51,9 @@ bool is_row(std::string_view line, char separator, std::size_t columns, std::siz
 bool names_unit(std::string_view name) {
   constexpr std::array<std::string_view, 7> names{"",        "unit",      "units", "uom",
                                                   "einheit", "einheiten", "[unit]"};
+  // Programs number names that stand twice: "unit.1", "unit_2".
+  name = name.substr(0, name.find_last_not_of("0123456789") + 1);
+  if (name.ends_with('.') || name.ends_with('_') || name.ends_with(' ')) name.remove_suffix(1);
   return std::find(names.begin(), names.end(), lower_case(name)) != names.end();
 }
 
@@ -258,13 +262,22 @@ void CsvParser::take_row(const Line& line) {
   }
   if (is_header(cells_)) {
     ++headers_again_;
+    behind_header_ = true;
+    // A logger that began anew: what it wrote at its end and at its beginning is no end of the
+    // file.
+    lines_between_ += held_.size() + (footer_ > 0 ? footers_ : 0);
+    held_.clear();
+    footer_ = 0;
+    footers_ = 0;
     return;
   }
+  if (std::exchange(behind_header_, false) && is_unit_row_again(line.number)) return;
   take_units(cells_, line.number);
   fit_to_header(cells_);
   if (cells_.size() != table_.header.size()) {
     if (!is_footer(cells_)) refuse(cells_, line);
     if (footer_ == 0) footer_ = line.number;
+    ++footers_;
     return;
   }
   if (footer_ > 0)
@@ -278,6 +291,27 @@ void CsvParser::take_row(const Line& line) {
   }
   give_held();
   give(cells_, line.number);
+}
+
+/// The row of units where it stands again. Throws InputError where it has other ones.
+bool CsvParser::is_unit_row_again(int line) const {
+  if (form_.unit_line == 0) return false;
+  const auto unit_in = [&](std::size_t k) {
+    return k < cells_.size() ? text_of(cells_[k]) : std::string_view();
+  };
+  for (std::size_t k = 0; k < cells_.size(); ++k)
+    if (is_reading(unit_in(k)) && !find_unit(unit_in(k))) return false;
+  for (std::size_t k = 0; k < table_.units.size(); ++k) {
+    const std::string_view here = unit_in(k), above = table_.units[k];
+    if (here == above || (find_unit(here) && find_unit(here) == find_unit(above))) continue;
+    if (!find_unit(here) && !find_unit(above)) return false;
+    throw InputError(
+        fmt::format("{}: {} is in {} here, and in {} above: one column has one unit",
+                    place(line).text(), k < table_.header.size() ? table_.header[k] : "",
+                    quoted(here), quoted(above)),
+        place(line));
+  }
+  return true;
 }
 
 /// Empty cells at the end come and go; the time of a LabVIEW file comes from its head.
@@ -316,7 +350,7 @@ bool CsvParser::is_footer(const std::vector<CellSpan>& cells) const {
          });
 }
 
-/// "Mean,4000,25.3" below rows that begin with a reading.
+/// "Mean,4000,25.3" or "End of data,," below rows that begin with a reading.
 bool CsvParser::may_be_statistics(const std::vector<CellSpan>& cells) const {
   constexpr std::array<std::string_view, 22> words{
       "average", "avg", "mean",    "median",     "min",   "max",    "minimum",
@@ -324,8 +358,11 @@ bool CsvParser::may_be_statistics(const std::vector<CellSpan>& cells) const {
       "count",   "end", "mittel",  "mittelwert", "summe", "anzahl", "standardabweichung",
       "ende"};
   const std::string_view first = text_of(cells.front());
-  return begins_with_reading_ && !first.empty() && (first.front() & 0x40) != 0 &&
-         std::find(words.begin(), words.end(), lower_case(first)) != words.end();
+  if (!begins_with_reading_ || first.empty() || (first.front() & 0x40) == 0) return false;
+  return std::find(words.begin(), words.end(), lower_case(first)) != words.end() ||
+         (!is_missing(first) && !is_reading(first) &&
+          std::all_of(cells.begin() + 1, cells.end(),
+                      [](const CellSpan& c) { return c.size == 0; }));
 }
 
 void CsvParser::give(const std::vector<CellSpan>& cells, int line) {
@@ -374,6 +411,9 @@ void CsvParser::add_notes() {
     notes.push_back(
         fmt::format("the header stands {} more and is skipped there",
                     headers_again_ == 1 ? "once" : fmt::format("{} times", headers_again_)));
+  if (lines_between_ > 0)
+    notes.push_back(fmt::format("{} between rows and the header that stands again skipped",
+                                plural(lines_between_, "line")));
   if (footer_ > 0)
     notes.push_back(fmt::format("the text behind the rows, from line {} on, is skipped", footer_));
   if (empty_rows_ > 0)

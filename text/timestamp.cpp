@@ -85,6 +85,19 @@ class Scan {
     failed_ = true;
     return 0;
   }
+  /// One blank or more; the digits of a day stand in columns.
+  void need_blanks() {
+    need(" ");
+    while (maybe(" ")) continue;
+  }
+  /// "CEST" and blanks, where it stands here.
+  void maybe_zone_name() {
+    const std::size_t size =
+        std::min(rest_.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ"), rest_.size());
+    if (size < 3 || size > 5) return;
+    skip(size);
+    need_blanks();
+  }
   [[nodiscard]] std::string_view rest() const { return rest_; }
   [[nodiscard]] char next() const { return rest_.empty() ? '\0' : rest_.front(); }
   [[nodiscard]] bool done() const { return !failed_ && rest_.empty(); }
@@ -198,6 +211,25 @@ std::optional<double> scan_clock(Scan& scan, bool compact) {
   return 3600.0 * hour + 60.0 * minute + second;
 }
 
+/// "Tue Sep  3 20:24:11 2024" of ctime() and of date: the year stands behind the time of day. Names
+/// of zones say nothing new of a local clock.
+std::optional<double> parse_ctime(std::string_view cell) {
+  Scan scan(cell);
+  skip_weekday(scan, cell);
+  Date date;
+  date.month = scan.month();
+  scan.need_blanks();
+  date.day = scan.digits(1, 2);
+  scan.need_blanks();
+  const auto clock = scan_clock(scan, false);
+  scan.need_blanks();
+  scan.maybe_zone_name();
+  date.year = scan.digits(4, 4);
+  const auto days = seconds_of(date);
+  if (!scan.done() || !clock || !days) return std::nullopt;
+  return *days + *clock;
+}
+
 }  // namespace
 
 std::string_view name(DateOrder order) {
@@ -213,6 +245,8 @@ std::string_view name(DateOrder order) {
 }
 
 std::optional<double> parse_timestamp(std::string_view cell, DateOrder order) {
+  if (!cell.empty() && (cell.front() & 0x40) != 0)
+    if (const auto time = parse_ctime(cell)) return time;
   Scan scan(cell);
   const Date date = scan_date(scan, cell, order);
   if (date.glued) {
@@ -278,10 +312,20 @@ std::optional<double> parse_elapsed(std::string_view cell) {
   return day * days + 3600.0 * hours + 60.0 * minutes + seconds;
 }
 
+std::optional<ShortTime> parse_short_time(std::string_view cell) {
+  Scan scan(cell);
+  ShortTime time;
+  time.units = scan.digits(1, 6);
+  scan.need(":");
+  time.sixtieths = scan.digits(2, 2);
+  return scan.done() && time.sixtieths < 60 ? std::optional(time) : std::nullopt;
+}
+
 bool is_time(std::string_view cell) {
   return std::any_of(date_orders.begin(), date_orders.end(),
                      [&](DateOrder order) { return parse_timestamp(cell, order).has_value(); }) ||
-         parse_elapsed(cell) || (lower_case(cell).ends_with('m') && parse_clock(cell));
+         parse_elapsed(cell) || parse_short_time(cell) ||
+         (lower_case(cell).ends_with('m') && parse_clock(cell));
 }
 
 bool clocks_may_change(double before, bool forward) {

@@ -18,7 +18,8 @@ inline constexpr std::array date_orders{DateOrder::day_first, DateOrder::month_f
 /// A date with a time as seconds since 1970, leap seconds left out: "2024-03-12T08:15:00.5+01:00"
 /// (ISO 8601; a blank for the T, Z, no seconds), "20240312T081500", "2024/03/12 08:15",
 /// "12.03.2024 08:15:00,5", "12-03-24 08:15", "12-Mar-2024 08:15:00", "Mar 12, 2024 8:15 AM",
-/// "03/12/2024 08:15:00.5 AM"; "20240312081500" and "202403120815" of the years 1970 to 2099. Names
+/// "03/12/2024 08:15:00.5 AM", "Tue Mar 12 08:15:00 2024" of ctime(), with or without a name of its
+/// zone, which is passed over; "20240312081500" and "202403120815" of the years 1970 to 2099. Names
 /// of months are English or German, of three letters or more. Years of two digits are 1969 to 2068.
 /// Nothing for all else.
 [[nodiscard]] std::optional<double> parse_timestamp(std::string_view cell,
@@ -38,8 +39,16 @@ inline constexpr std::array date_orders{DateOrder::day_first, DateOrder::month_f
 /// "2 01:30:05", "2 days 01:30:05", "2.01:30:05". Nothing for all else.
 [[nodiscard]] std::optional<double> parse_elapsed(std::string_view cell);
 
-/// True if a cell is a date with a time, in either order, an elapsed time, or a time of day with AM
-/// or PM.
+/// "12:05", which may be hours and minutes or minutes and seconds.
+struct ShortTime {
+  int units = 0;      ///< hours or minutes
+  int sixtieths = 0;  ///< minutes or seconds
+};
+/// Nothing for all else.
+[[nodiscard]] std::optional<ShortTime> parse_short_time(std::string_view cell);
+
+/// True if a cell is a date with a time, in either order, an elapsed time, "12:05", or a time of
+/// day with AM or PM.
 [[nodiscard]] bool is_time(std::string_view cell);
 
 /// True if clocks may have been changed between two local times: on the last Sunday of March and of

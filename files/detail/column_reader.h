@@ -71,6 +71,9 @@ class ColumnReader {
                                                text::DateOrder order) const;
   [[noreturn]] void ask_for_order(const ColumnSource& source, const std::vector<Reading>& readings,
                                   std::size_t row) const;
+  /// Seconds of one unit of "12:05" in that column: 3600 or 60; nothing where its cells are of
+  /// another form. Throws InputError where nothing tells hours from minutes.
+  [[nodiscard]] std::optional<double> unit_of_short_times(const ColumnSource& source) const;
   void undo_midnights(const ColumnSource& source, std::vector<double>& list);
   void undo_changes_of_clocks(const ColumnSource& source, std::vector<double>& list);
   void keep_mark(char mark, std::size_t row, std::string_view text);

@@ -406,11 +406,12 @@ TEST(LoggerExports, FilesWithClocksOfTheirOwnAreOneRecord) {
   std::istringstream in(file_text(folder_of_record + "train.csv"));
   for (std::string line; std::getline(in, line);) {
     const Cells cells = cells_of(line);
-    if (cells[1] != last) speeds += cells[0] + "," + cells[1] + "\n";
+    // The number of the block in the program is kept.
+    if (cells[1] != last)
+      speeds += cells[0] + "," + cells[1] + (last.empty() ? ",block" : ",10") + "\n";
     last = cells[1];
     if (cells[0] != "time_s") probe += cells[0] + ".0," + cells[4] + "\n";
   }
-  speeds += "50400,0\n";
   const std::string beside = " --beside " + temperatures.folder.write("speed.csv", speeds) +
                              " --beside " + temperatures.folder.write("probe.csv", probe);
   expect_truth(temperatures.file, beside);
@@ -419,9 +420,65 @@ TEST(LoggerExports, FilesWithClocksOfTheirOwnAreOneRecord) {
   EXPECT_THAT(checked.err, HasSubstr("speed.csv and "));
   EXPECT_THAT(checked.err, HasSubstr("are one record of 841 rows on one clock"));
   EXPECT_THAT(checked.err, HasSubstr("have no speed_rpm: the last value holds until the next one"));
+  EXPECT_THAT(checked.err,
+              HasSubstr("speed.csv has a row where something changed: its last row, at "
+                        "46800 s, holds to the end"));
   expect_refused(
       run("check " + record_model + " " + temperatures.file + " --beside " + temperatures.file),
       "stands in another of these files, too");
+}
+
+/// The control was sampled and its logger stopped: nobody knows what it set behind that.
+TEST(LoggerExports, AFileBesideThatSamplesEndsWithItsLastRow) {
+  const Exported rest([](std::size_t, Cells& cells) { cells.erase(cells.begin() + 1); });
+  std::string speeds;
+  std::istringstream in(file_text(folder_of_record + "train.csv"));
+  for (std::string line; std::getline(in, line) && speeds.size() < 4000;)
+    speeds += cells_of(line)[0] + "," + cells_of(line)[1] + "\n";
+  const Result checked = run("check " + record_model + " " + rest.file + " --beside " +
+                             rest.folder.write("speed.csv", speeds));
+  EXPECT_THAT(checked.err, HasSubstr("where one of these files has none, and are left out"));
+  EXPECT_THAT(checked.err, Not(HasSubstr("holds to the end")));
+}
+
+TEST(LoggerExports, ALoggerThatBeganAnewRepeatsItsHeaderAndItsUnits) {
+  const Exported anew([](std::size_t row, Cells& cells) {
+    const std::string header =
+        "time_s,speed_rpm,bearing_temperature_C,room_temperature_C,"
+        "displacement_z_um\ns,rpm,°C,°C,µm\n";
+    if (row == 0) cells = {header.substr(0, header.size() - 1)};
+    if (row == 300) cells[0] = "Logger stopped\n" + header + cells[0];
+  });
+  const Result checked = run("check " + record_model + " " + anew.file);
+  EXPECT_EQ(checked.status, 0) << checked.err;
+  EXPECT_THAT(checked.err, HasSubstr("the header stands once more and is skipped there"));
+  expect_truth(anew.file);
+}
+
+/// "Tue Mar 12 20:11:33 2024" of ctime(), and hours and minutes without seconds.
+TEST(LoggerExports, DatesOfCtimeAndTimesWithoutSecondsAreRead) {
+  const Exported dates = stamped("Time", [](int seconds) {
+    return fmt::format("Tue Mar {:2} {} 2024", 12 + seconds / 86400, clock_of(seconds % 86400));
+  });
+  const std::string map = dates.folder.write("map.toml", "[columns]\ntime_s = \"Time\"\n");
+  expect_truth(dates.file, "--columns " + map);
+
+  const auto written = [&](const std::string& header) {
+    return Exported([=](std::size_t row, Cells& cells) {
+      const int at = row > 0 ? static_cast<int>(row) - 1 : 0;
+      cells[at_time] = row == 0 ? header : fmt::format("{}:{:02}", at / 60, at % 60);
+    });
+  };
+  const Exported asked = written("Time"), form = written("Time [h:mm]");
+  expect_refused(run("identify " + record_model + " " + asked.file + " --columns " + map),
+                 "Time = 0:00: hours and minutes, or minutes and seconds? Say unit = \"h\" or "
+                 "\"min\" in [columns]: time_s = { column = \"Time\", unit = \"h\" }");
+  const std::string hours =
+      asked.folder.write("hours.toml", "[columns]\ntime_s = { column = \"Time\", unit = \"h\" }\n");
+  expect_truth(asked.file, "--columns " + hours);
+  const std::string named =
+      form.folder.write("named.toml", "[columns]\ntime_s = \"Time [h:mm]\"\n");
+  expect_truth(form.file, "--columns " + named);
 }
 
 TEST(LoggerExports, AFileBesideMayHaveItsUnitsAskedFor) {

@@ -146,7 +146,7 @@ TEST(Csv, AColumnOfUnitsBehindEachValueIsItsUnit) {
   const auto read = [](const std::string& text) {
     return parse_csv(text, "d.csv", false, [](std::string_view) { return CsvForm{}; });
   };
-  for (const char* header : {"t,unit,n,unit", "t,,n,", "t,Einheit,n,Einheit"}) {
+  for (const char* header : {"t,unit,n,unit", "t,,n,", "t,Einheit,n,Einheit", "t,unit,n,unit.1"}) {
     const CsvTable table = read(std::string(header) + "\n1,s,600,rpm\n2,s,-,1/min\n3,s,700,\n");
     EXPECT_EQ(table.header, (std::vector<std::string>{"t", "n"})) << header;
   }
@@ -180,6 +180,31 @@ TEST(Csv, RowsOfStatisticsBehindTheRowsAreNoRows) {
               testing::Contains("the text behind the rows, from line 4 on, is skipped"));
   // Between rows it is a row, of which the reader says what is wrong.
   EXPECT_EQ(parse_csv("t,n\n1,600\nMean,650\n2,700\n", "d.csv").rows(), 3u);
+}
+
+TEST(Csv, WordsInTheFirstCellBehindTheRowsAreNoRow) {
+  const CsvTable table = parse_csv("t,n,x\n1,600,1\n2,700,2\nEnd of data,,\n", "d.csv");
+  EXPECT_EQ(table.rows(), 2u);
+  EXPECT_THAT(table.notes,
+              testing::Contains("the text behind the rows, from line 4 on, is skipped"));
+  EXPECT_EQ(parse_csv("t,n\n1,600\nPause,\n2,700\n", "d.csv").rows(), 3u);
+}
+
+TEST(Csv, AHeaderThatStandsAgainMayHaveItsUnitsBelowIt) {
+  const auto read = [](const std::string& text) {
+    return parse_csv(text, "d.csv", false,
+                     [](std::string_view) { return CsvForm{.header_line = 1, .unit_line = 2}; });
+  };
+  const CsvTable table =
+      read("t;T\ns;°C\n1;20\n2;21\nstopped\nMean;20.5\nt;T\ns;C\n3;22\nt;T\n4;23\n");
+  EXPECT_EQ(table.rows(), 4u);
+  EXPECT_EQ(table.number(2, 1), 22);
+  EXPECT_EQ(table.notes,
+            (std::vector<std::string>{
+                "line 2 is a row of units", "the header stands 2 times more and is skipped there",
+                "2 lines between rows and the header that stands again skipped"}));
+  EXPECT_EQ(tests::message_of([&] { (void)read("t;T\ns;C\n1;20\nt;T\ns;F\n2;70\n"); }),
+            "d.csv:5: T is in \"F\" here, and in \"C\" above: one column has one unit");
 }
 
 TEST(Csv, ALabviewFileWithoutTimesHasThemFromItsHead) {

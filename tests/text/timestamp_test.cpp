@@ -75,6 +75,25 @@ TEST(Timestamp, WhatIsNoDateIsNone) {
     EXPECT_FALSE(parse_timestamp(text)) << text;
 }
 
+TEST(Timestamp, CtimeHasTheYearBehindTheTime) {
+  const double time = parse_timestamp("2024-09-11T20:24:11").value();
+  for (const char* text : {"Wed Sep 11 20:24:11 2024", "Sep 11 20:24:11 2024",
+                           "Wed Sep 11 20:24:11 CEST 2024", "Mi Sep 11 20:24:11 2024"})
+    EXPECT_EQ(parse_timestamp(text), time) << text;
+  EXPECT_EQ(parse_timestamp("Sun Sep  1 20:24:11.5 2024"), time - 10 * 86400.0 + 0.5);
+  for (const char* text : {"Wed Sep 11 20:24:11", "Wed Sep 31 20:24:11 2024",
+                           "Wed Sep 11 25:24:11 2024", "Wed Sep 11 20:24:11 24"})
+    EXPECT_FALSE(parse_timestamp(text)) << text;
+}
+
+TEST(Timestamp, TwoNumbersMayBeHoursOrMinutes) {
+  EXPECT_EQ(parse_short_time("100:05").value().units, 100);
+  EXPECT_EQ(parse_short_time("1:05").value().sixtieths, 5);
+  EXPECT_TRUE(is_time("1:05"));
+  for (const char* text : {"", "1:5", "1:60", "1:05:00", "1:05.0", "-1:05"})
+    EXPECT_FALSE(parse_short_time(text)) << text;
+}
+
 TEST(Timestamp, ElapsedTimesAreHoursMinutesAndSeconds) {
   EXPECT_DOUBLE_EQ(parse_elapsed("1:30:05.5").value(), 5405.5);
   EXPECT_DOUBLE_EQ(parse_elapsed("100:00:00").value(), 360000.0);

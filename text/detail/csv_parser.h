@@ -58,6 +58,7 @@ class CsvParser {
   void take_row(const Line& line);
   void fit_to_header(std::vector<CellSpan>& cells);
   [[nodiscard]] bool is_header(const std::vector<CellSpan>& cells) const;
+  [[nodiscard]] bool is_unit_row_again(int line) const;
   [[nodiscard]] bool is_footer(const std::vector<CellSpan>& cells) const;
   [[nodiscard]] bool may_be_statistics(const std::vector<CellSpan>& cells) const;
   void give(const std::vector<CellSpan>& cells, int line);
@@ -87,7 +88,9 @@ class CsvParser {
   LabviewHead labview_;
   std::size_t empty_ends_ = 0;  ///< separators behind the last name
   std::size_t titles_ = 0, empty_rows_ = 0, headers_again_ = 0, rows_ = 0;
-  int footer_ = 0;                    ///< line of the first one
+  int footer_ = 0;  ///< line of the first one
+  std::size_t footers_ = 0, lines_between_ = 0;
+  bool behind_header_ = false;        ///< that stood again
   std::vector<CellSpan> cells_;       ///< of the current line
   bool begins_with_reading_ = false;  ///< the first row does
 };
