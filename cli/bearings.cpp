@@ -60,7 +60,7 @@ int list_bearings(const BearingsFlags& flags) {
             flags.filter,
             std::isnan(flags.bore) && std::isnan(flags.outer_diameter) ? "" : " and this size",
             files::read_designation(flags.filter).boundary()
-                ? fmt::format("raceway new \"{}\" estimates it, ", flags.filter)
+                ? fmt::format("raceway new \"{}\" estimates it; ", flags.filter)
                 : ""),
         {.key = "FILTER"});
   if (json) {

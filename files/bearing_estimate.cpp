@@ -88,6 +88,7 @@ BearingOutline outline_of(std::string_view designation) {
     outline.bore = size->bore;
     outline.outer_diameter = size->outer_diameter;
     outline.width = size->width;
+    outline.dimension_series = d.dimensions;
   }
   return outline;
 }
@@ -123,6 +124,10 @@ EstimatedBearing estimated_bearing(const BearingOutline& given,
   const Ratios ratios = ratios_of(o, rows);
   b.rows = ratios.rows;
   b.like_section = ratios.like_section;
+  b.like_series = o.dimension_series.empty() ||
+                  std::any_of(rows.begin(), rows.end(), [&](const CatalogueBearing& row) {
+                    return read_designation(row.designation).dimensions == o.dimension_series;
+                  });
   const double pitch = 0.5 * (o.bore + o.outer_diameter);
   b.pitch_diameter = exactly(pitch);
   b.ball_diameter = o.ball_count > 0 ? times(ratios.fill, pi * pitch / o.ball_count)
@@ -164,8 +169,9 @@ std::string estimated_model_text(const EstimatedBearing& b, friction::FrictionLa
                                  bool of_spindle, const std::string& oil) {
   const BearingOutline& o = b.outline;
   const CatalogueBearing row = row_of(b);
-  const auto of_rows = fmt::format("in {} catalogue bearings of {} section", b.rows,
-                                   b.like_section ? "like" : "another");
+  const auto of_rows = fmt::format(
+      "in {} catalogue bearings of {} section{}", b.rows, b.like_section ? "like" : "another",
+      b.like_series ? "" : fmt::format(", none of series {}", o.dimension_series));
   const auto of_rigidity = spread(b.conformity, 1.0, "by printed rigidities of pairs");
   ModelRemarks remarks{
       .title = fmt::format("Model of a {} on a rig, of which the catalogue knows nothing: what is "

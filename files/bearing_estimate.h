@@ -13,11 +13,12 @@ namespace raceway::files {
 /// Known data of a bearing whose inner geometry is not published.
 struct BearingOutline {
   std::string designation{};
-  double bore = unset;            ///< [m]
-  double outer_diameter = unset;  ///< [m]
-  double width = unset;           ///< [m]; NaN where it is not known
-  double contact_angle = unset;   ///< [rad]; by the designation, else 15 deg
-  int ball_count = 0;             ///< 0: not known
+  double bore = unset;             ///< [m]
+  double outer_diameter = unset;   ///< [m]
+  double width = unset;            ///< [m]; NaN where it is not known
+  std::string dimension_series{};  ///< of ISO 15, "10"; empty where it is not known
+  double contact_angle = unset;    ///< [rad]; by the designation, else 15 deg
+  int ball_count = 0;              ///< 0: not known
   std::string ball_material = "steel";
 };
 
@@ -35,6 +36,7 @@ struct EstimatedBearing {
   Estimate static_load_rating;                         ///< [N]
   std::size_t rows = 0;      ///< of the catalogue that the ratios come from
   bool like_section = true;  ///< those rows have about its section; else all rows
+  bool like_series = true;   ///< a row has its dimension series
 };
 
 /// Angle and balls by the designation (files/designation.h); bore, outer diameter and width of its

@@ -14,10 +14,9 @@ struct BoundaryDimensions {
 /// series) and bore code, "14" for 70 mm. Nothing for a size outside of the table, whose bores end
 /// at 200 mm (series 03: 120 mm).
 ///
-/// Source:   ISO 15, as makers print its sizes: [GMN4000] for the bearings of our catalogue;
-/// NTN-SNR,
-///           high-precision range ULTAGE, series 7000 and 7900. The series 18, 02 and 03 are
-///           written from knowledge of the common sizes; a test holds the rules that ISO 15 keeps.
+/// Source:   ISO 15, as others print it: series 10 and 19 to 130 mm by NTN-SNR (ULTAGE, 7000 and
+///           7900) and [GMN4000], series 02 to 100 mm by GB/T 276. The other sizes were not
+///           compared with a print.
 [[nodiscard]] std::optional<BoundaryDimensions> boundary_dimensions(
     std::string_view dimension_series, std::string_view bore_code);
 

@@ -212,7 +212,7 @@ class SeriesReader {
 
 /// Steps of time far beyond the usual one.
 void note_gaps(Record& result) {
-  constexpr double far_beyond = 20.0;
+  constexpr double far_beyond = 20.0, an_hour = 3600.0;
   const std::span<const double> time = result.values(record::time);
   std::vector<double> steps;
   for (std::size_t row = 1; row < time.size(); ++row)
@@ -235,7 +235,11 @@ void note_gaps(Record& result) {
             count, count == 1 ? "" : "s", result.place(first), longest, usual,
             result.settings_hold == record::SettingsHold::until_row
                 ? "the settings of the row behind it hold"
-                : "temperatures are carried over it in a straight line, all else as it was"),
+                : "temperatures are carried over it in a straight line, all else as it was") +
+            (longest > an_hour
+                 ? ". If the machine was not left alone there, give the rows behind it "
+                   "another run_id: a run begins from rest and from a new zero"
+                 : ""),
         {.line = result.line(first)}));
 }
 

@@ -55,7 +55,7 @@ std::string new_roller_model(Messages& messages, const NewModel& wanted, bool de
 files::BearingOutline outline(const NewModel& wanted) {
   files::BearingOutline result = files::outline_of(wanted.bearing);
   if (!std::isnan(wanted.outline.bore) || !std::isnan(wanted.outline.outer_diameter))
-    result.width = unset;
+    result.width = unset, result.dimension_series.clear();
   if (!std::isnan(wanted.outline.bore)) result.bore = wanted.outline.bore;
   if (!std::isnan(wanted.outline.outer_diameter))
     result.outer_diameter = wanted.outline.outer_diameter;

@@ -280,15 +280,15 @@ void CsvParser::take_row(const Line& line) {
     ++footers_;
     return;
   }
-  if (footer_ > 0)
-    throw InputError(fmt::format("{}: fewer cells than the header (line {}) has columns",
-                                 place(footer_).text(), table_.header_line),
-                     place(footer_));
   constexpr std::size_t most_statistics = 10;
   if (may_be_statistics(cells_) && held_.size() < most_statistics) {
     held_.push_back({cells_, line.number});
     return;
   }
+  if (footer_ > 0)
+    throw InputError(fmt::format("{}: fewer cells than the header (line {}) has columns",
+                                 place(footer_).text(), table_.header_line),
+                     place(footer_));
   give_held();
   give(cells_, line.number);
 }

@@ -422,7 +422,7 @@ TEST(LoggerExports, FilesWithClocksOfTheirOwnAreOneRecord) {
   EXPECT_THAT(checked.err, HasSubstr("have no speed_rpm: the last value holds until the next one"));
   EXPECT_THAT(checked.err,
               HasSubstr("speed.csv has a row where something changed: its last row, at "
-                        "46800 s, holds to the end"));
+                        "41460 s, holds to the end"));
   expect_refused(
       run("check " + record_model + " " + temperatures.file + " --beside " + temperatures.file),
       "stands in another of these files, too");

@@ -83,12 +83,14 @@ TEST(BearingEstimate, TheModelSaysWhichBearingsItIsMadeOf) {
   const auto text = [&](const char* designation) {
     return estimated_model_text(estimated_bearing(outline_of(designation), rows));
   };
-  EXPECT_THAT(text("7214 C"), HasSubstr("catalogue bearings of like section"));
-  EXPECT_THAT(text("71814 C"), HasSubstr("catalogue bearings of another section"));
+  EXPECT_THAT(text("7214 C"), HasSubstr("catalogue bearings of like section, none of series 02"));
+  EXPECT_THAT(text("71814 C"), HasSubstr("of another section, none of series 18"));
+  EXPECT_THAT(text("7030 C"), testing::Not(HasSubstr("none of series")));
   const ModelFile file = parse_model(text("7214 AC"), "m.toml");
   EXPECT_DOUBLE_EQ(file.model.bearing.geometry().pitch_diameter, 97.5 * mm);
-  // Between the two balls that would touch the rings and the cage: 16 of 5/8 to 11/16 inch.
-  EXPECT_NEAR(file.model.bearing.geometry().ball_diameter, 16.7 * mm, 1.2 * mm);
+  // The catalogue lacks series 02, whose balls are larger: 22.225 mm in the 218 of books.
+  const double estimated = estimated_bearing(outline_of("7218 B"), rows).ball_diameter.value;
+  EXPECT_NEAR(estimated, 22.225 * mm, 0.12 * 22.225 * mm);
 }
 
 TEST(BearingEstimate, WhatIsNoRingIsRefused) {

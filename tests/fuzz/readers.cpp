@@ -14,6 +14,7 @@
 #include "files/column_map.h"
 #include "files/correction_file.h"
 #include "files/data_file.h"
+#include "files/designation.h"
 #include "files/displacement_curve.h"
 #include "files/model_file.h"
 #include "files/new_correction.h"
@@ -177,6 +178,7 @@ void timestamp(const std::string& text) {
 }
 
 void command_line(const std::string& text) {
+  (void)files::read_designation(text).boundary();
   refusable([&] { cli::require_all(cli::axis(text, "--speed"), cli::speed_range, "--speed"); });
   for (const bool comma : {false, true}) (void)text::parse_number(text, comma);
 }
