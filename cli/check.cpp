@@ -105,18 +105,19 @@ void print_defaults(const std::string& source, const std::vector<files::UsedDefa
 void print_noise(const correction::RecordCheck& c) {
   constexpr std::size_t most_lines = 6;
   const fit::Repeatability& r = c.repeatability;
+  const std::string unit(c.displacement->unit);
   if (!r.known()) {
     if (std::isfinite(c.noise_at_most))
-      fmt::print("noise of a reading: {} um at most, by the calmest quarter of the readings\n",
-                 number(c.noise_at_most / um, 2));
+      fmt::print("noise of a reading: {} {} at most, by the calmest quarter of the readings\n",
+                 number(c.noise_at_most / um, 2), unit);
     return;
   }
   fmt::print(
-      "repeated readings in {} stops: a reading scatters by ±{} um (2 sigma, {} degrees of "
+      "repeated readings in {} stops: a reading scatters by ±{} {} (2 sigma, {} degrees of "
       "freedom)\n",
-      r.stops.size(), number(2.0 * r.std / um, 2), r.degrees_of_freedom);
+      r.stops.size(), number(2.0 * r.std / um, 2), unit, r.degrees_of_freedom);
   TextTable table(
-      {{"stop at", "s"}, {"readings", ""}, {"mean", "um"}, {"2 sigma of the mean", "um"}});
+      {{"stop at", "s"}, {"readings", ""}, {"mean", unit}, {"2 sigma of the mean", unit}});
   for (std::size_t k = 0; k < std::min(most_lines, r.stops.size()); ++k) {
     const fit::Stop& s = r.stops[k];
     table.add({number(s.time, 5), fmt::format("{}", s.readings), number(s.mean / um, 4),
@@ -143,9 +144,9 @@ void print(const correction::RecordCheck& c) {
     for (const double tau : p.check.time_constants)
       lags.push_back(std::isfinite(tau) ? fmt::format("{:.4g} s", tau) : "no decay");
     fmt::print(
-        "channel {}: poles of {}, DC gain {:.4g} um per unit ({:.4g} to {:.4g} as printed)\n",
-        p.channel, fmt::join(lags, ", "), p.check.dc_gain / um, p.check.dc_gain_lower / um,
-        p.check.dc_gain_upper / um);
+        "channel {}: poles of {}, DC gain {:.4g} {} per unit ({:.4g} to {:.4g} as printed)\n",
+        p.channel, fmt::join(lags, ", "), p.check.dc_gain / um, c.displacement->unit,
+        p.check.dc_gain_lower / um, p.check.dc_gain_upper / um);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "cli/messages.h"
 #include "cli/text_bars.h"
 #include "cli/text_table.h"
+#include "record/series_channel.h"
 #include "results/correction_results.h"
 
 namespace raceway::cli {
@@ -65,7 +66,7 @@ void print_summary(const verdict::Comparison& c) {
              error_text(c.mae, *c.channel), unit, error_text(c.max_abs, *c.channel), unit);
   if (!std::isnan(c.fit_percent))
     fmt::print("fit             {:>10} %\n", number(c.fit_percent, 3));
-  if (!c.begins.empty() && c.channel->unit == "um") {
+  if (!c.begins.empty() && (c.channel->unit == "um" || record::is_angle(*c.channel))) {
     const correction::Metrics m = results::metrics_of(c);
     fmt::print("peak to peak    {:>10} {}   largest error     {:>10} % below the largest reading\n",
                error_text(m.peak_to_peak, *c.channel), unit, number(m.reduction_of_max_percent, 3));

@@ -36,30 +36,32 @@ void print_band(const results::Corrected& c, const record::Record& record) {
       c.band.begin(), c.band.end(), [](double a, double b) { return !(a >= b) && !std::isnan(b); });
   const auto least = std::min_element(c.band.begin(), c.band.end(),
                                       [](double a, double b) { return a < b && !std::isnan(a); });
-  fmt::print("95 % band of {}: +- {} um at its narrowest, +- {} um at {:.4g} s",
+  fmt::print("95 % band of {}: +- {} {unit} at its narrowest, +- {} {unit} at {:.4g} s",
              c.displacement->name, number(*least / um, 3), number(*widest / um, 3),
-             record.value(record::time, static_cast<std::size_t>(widest - c.band.begin())));
+             record.value(record::time, static_cast<std::size_t>(widest - c.band.begin())),
+             fmt::arg("unit", c.displacement->unit));
   if (std::isfinite(c.readings_in_band))
     fmt::print("; {:.1f} % of the readings lie in it{}", 100.0 * c.readings_in_band,
-               std::isfinite(c.noise)
-                   ? fmt::format(", their noise of {} um allowed for", number(c.noise / um, 2))
-                   : "");
+               std::isfinite(c.noise) ? fmt::format(", their noise of {} {} allowed for",
+                                                    number(c.noise / um, 2), c.displacement->unit)
+                                      : "");
   fmt::print("\n");
 }
 
 void print(const std::vector<results::Corrected>& list, const record::Record& record) {
+  const CommonUnit unit(list);
   TextTable table({{"displacement", "", true},
-                   {"predicted from", "um"},
-                   {"to", "um"},
+                   {"predicted from", unit.head()},
+                   {"to", unit.head()},
                    {"readings", ""},
-                   {"RMS", "um"},
-                   {"largest", "um"},
+                   {"RMS", unit.head()},
+                   {"largest", unit.head()},
                    {"fit", "%"}});
   for (const results::Corrected& c : list) {
     const auto [low, high] = std::minmax_element(c.predicted.begin(), c.predicted.end());
-    table.add({std::string(c.displacement->name), number(*low / um, 4), number(*high / um, 4),
-               fmt::format("{}", c.metrics.readings), number(c.metrics.rms / um, 3),
-               number(c.metrics.max_abs / um, 3), number(c.metrics.fit_percent, 3)});
+    table.add({std::string(c.displacement->name), unit.text(c, *low, 4), unit.text(c, *high, 4),
+               fmt::format("{}", c.metrics.readings), unit.text(c, c.metrics.rms, 3),
+               unit.text(c, c.metrics.max_abs, 3), number(c.metrics.fit_percent, 3)});
   }
   fmt::print("{}: {} rows over {:.4g} h\n\n{}", record.source, record.rows(),
              (record.values(record::time).back() - record.values(record::time).front()) / 3600.0,
@@ -111,8 +113,8 @@ Run setup_correct(CLI::App& command) {
       .add_option("-o,--output", flags->output,
                   "CSV file to write, - for stdout: time_s, predicted_um, band_low_um and\n"
                   "band_high_um (95 %, of a model that was fitted), what each channel adds,\n"
-                  "residual_um; of several displacements predicted_COLUMN, CHANNEL_COLUMN,\n"
-                  "residual_COLUMN")
+                  "residual_um (urad of an angle); of several displacements predicted_COLUMN,\n"
+                  "CHANNEL_COLUMN, residual_COLUMN")
       ->type_name("FILE");
   flags->learning.declare(command);
   declare(command, flags->reading);

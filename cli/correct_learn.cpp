@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cli/identification_text.h"
 #include "cli/messages.h"
 #include "cli/text_table.h"
 #include "correction/learning.h"
@@ -25,20 +26,22 @@ std::string next_reading(const correction::Learning& l) {
 }
 
 void print_errors(const std::vector<results::Learnt>& list) {
+  const CommonUnit unit(list);
   TextTable table({{"displacement", "", true},
                    {"learnt", ""},
                    {"judged by", ""},
-                   {"first zero", "um"},
-                   {"last zero", "um"},
-                   {"learning", "um"},
+                   {"first zero", unit.head()},
+                   {"last zero", unit.head()},
+                   {"learning", unit.head()},
                    {"due in", ""}});
   for (const results::Learnt& one : list) {
     const correction::Learning& l = one.learning;
     const auto count =
         std::count_if(l.readings.begin(), l.readings.end(), [](const auto& r) { return r.learnt; });
     table.add({std::string(one.displacement->name), fmt::format("{}", count),
-               fmt::format("{}", l.error.readings), number(l.error.first / um, 3),
-               number(l.error.zeroed / um, 3), number(l.error.learnt / um, 3), next_reading(l)});
+               fmt::format("{}", l.error.readings), unit.text(one, l.error.first, 3),
+               unit.text(one, l.error.zeroed, 3), unit.text(one, l.error.learnt, 3),
+               next_reading(l)});
   }
   fmt::print("{}", table.text(terminal_width()));
   fmt::print(
@@ -55,7 +58,8 @@ void print_gains(const results::Learnt& one, bool several) {
     const double unit = g.is_lag ? um : 0.01;
     if (g.is_lag && !(std::abs(g.value) > g.std)) continue;
     table.add({g.name, fmt::format("{:+.1f}", g.value / unit), fmt::format("{:.1f}", g.std / unit),
-               fmt::format("{}{}", g.is_lag ? "um" : "%", g.at_bound ? ", at its bound" : "")});
+               fmt::format("{}{}", g.is_lag ? one.displacement->unit : "%",
+                           g.at_bound ? ", at its bound" : "")});
   }
   fmt::print("\n{}{}", several ? fmt::format("{}\n", one.displacement->name) : "",
              table.text(terminal_width()));

@@ -11,6 +11,10 @@
 namespace raceway::cli {
 namespace {
 
+std::string unit_of(const correction::Identification& found) {
+  return std::string(correction::unit_of(found.model));
+}
+
 /// Gains of a bank of lags, an input in each line.
 void print_bank(const correction::Identification& found) {
   std::vector<double> lags;
@@ -19,8 +23,8 @@ void print_bank(const correction::Identification& found) {
       if (std::find(lags.begin(), lags.end(), s.time_constant) == lags.end())
         lags.push_back(s.time_constant);
   std::vector<TextTable::Column> head{
-      {"input", "", true}, {"gain per", "", true}, {"at once", "um"}};
-  for (const double lag : lags) head.push_back({fmt::format("{:g} s", lag), "um"});
+      {"input", "", true}, {"gain per", "", true}, {"at once", unit_of(found)}};
+  for (const double lag : lags) head.push_back({fmt::format("{:g} s", lag), unit_of(found)});
   TextTable table(std::move(head));
   for (const correction::DrivenChannel& c : found.model.channels) {
     // A gain per 1000 rpm is easier to read than one per rpm.
@@ -41,7 +45,7 @@ void print_bank(const correction::Identification& found) {
 
 /// Errors on the rest of the record, of fits to its first part.
 void print_ahead(const correction::Identification& found) {
-  TextTable table({{"fitted to", "h"}, {"RMS of the rest", "um"}});
+  TextTable table({{"fitted to", "h"}, {"RMS of the rest", unit_of(found)}});
   for (const correction::AheadError& e : found.ahead)
     table.add({number(e.from / 3600.0, 3), number(e.rms / um, 3)});
   fmt::print("{}", table.text(terminal_width()));
@@ -58,7 +62,8 @@ void print_sections(const correction::Identification& found) {
 
 /// Structures that were taken, and how the error fell.
 void print_ladder(const correction::Identification& found) {
-  TextTable table({{"structure", "", true}, {"held out", "um"}, {"in sample", "um"}});
+  TextTable table(
+      {{"structure", "", true}, {"held out", unit_of(found)}, {"in sample", unit_of(found)}});
   for (const correction::StructureTried& t : found.tried) {
     if (!t.taken) continue;
     std::string text;
@@ -81,8 +86,9 @@ void print_identification(const correction::Identification& found, const record:
                record.source);
     print_ahead(found);
     print_bank(found);
-    fmt::print("\nRMS {} um, ahead {} um, noise {} um\n", number(found.metrics.rms / um, 3),
-               number(found.rms_held_out / um, 3), number(found.noise / um, 2));
+    fmt::print("\nRMS {} {unit}, ahead {} {unit}, noise {} {unit}\n",
+               number(found.metrics.rms / um, 3), number(found.rms_held_out / um, 3),
+               number(found.noise / um, 2), fmt::arg("unit", unit_of(found)));
     return;
   }
   if (correction::is_regression(found.model)) {
@@ -96,31 +102,35 @@ void print_identification(const correction::Identification& found, const record:
   }
   print_sections(found);
   fmt::print(
-      "\nRMS {} um, held out {} um, noise {} um; condition {:.2g}; residuals are correlated "
+      "\nRMS {} {unit}, held out {} {unit}, noise {} {unit}; condition {:.2g}; residuals are "
+      "correlated "
       "over {:.3g} min\n",
       number(found.metrics.rms / um, 3), number(found.rms_held_out / um, 3),
-      number(found.noise / um, 2), found.condition, found.correlation_time / 60.0);
+      number(found.noise / um, 2), found.condition, found.correlation_time / 60.0,
+      fmt::arg("unit", unit_of(found)));
 }
 
 void print_more_errors(const record::Channel& displacement, const correction::Metrics& m) {
   if (m.readings == 0) return;
   fmt::print(
-      "{}: mean absolute error {} um, peak to peak {} um; the largest error is {} % below the "
+      "{}: mean absolute error {} {unit}, peak to peak {} {unit}; the largest error is {} % below "
+      "the "
       "largest displacement\n",
       displacement.name, number(m.mean_abs / um, 3), number(m.peak_to_peak / um, 3),
-      number(m.reduction_of_max_percent, 3));
+      number(m.reduction_of_max_percent, 3), fmt::arg("unit", displacement.unit));
 }
 
 void print_baseline(const record::Channel& displacement, const correction::ArxBaseline& a,
                     const record::Record& record) {
   fmt::print("{} of {}: ARX from {} on {} points every {:.4g} s\n\n", displacement.name,
              record.source, text::listed(a.inputs), a.rows, a.sampling);
+  const std::string unit(displacement.unit);
   TextTable table({{"order", ""},
-                   {"one step", "um"},
+                   {"one step", unit},
                    {"fit", "%"},
-                   {"simulated", "um"},
+                   {"simulated", unit},
                    {"fit", "%"},
-                   {"second half", "um"},
+                   {"second half", unit},
                    {"poles", "time constants, s", true, true}});
   for (const correction::ArxFit& f : a.fits) {
     std::vector<std::string> lags;

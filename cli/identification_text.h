@@ -1,11 +1,38 @@
 #pragma once
 
+#include <algorithm>
+#include <string>
+
+#include "cli/text_table.h"
 #include "correction/baseline.h"
 #include "correction/identify.h"
 #include "correction/trust.h"
 #include "record/record.h"
 
 namespace raceway::cli {
+
+/// Unit of a table with results of several displacements: above its columns where all have one
+/// unit, else behind each number.
+class CommonUnit {
+ public:
+  /// `results`: each with its `displacement`.
+  template <typename Results>
+  explicit CommonUnit(const Results& results) {
+    const auto unit_of = [](const auto& one) { return one.displacement->unit; };
+    if (std::all_of(results.begin(), results.end(),
+                    [&](const auto& one) { return unit_of(one) == unit_of(results.front()); }))
+      head_ = unit_of(results.front());
+  }
+  [[nodiscard]] const std::string& head() const { return head_; }
+  template <typename Result>
+  [[nodiscard]] std::string text(const Result& one, double si, int digits) const {
+    const record::Channel& c = *one.displacement;
+    return number(c.in_unit(si), digits) + (head_.empty() ? " " + std::string(c.unit) : "");
+  }
+
+ private:
+  std::string head_{};
+};
 
 /// The line of trust.
 void print_trust(const record::Channel& displacement, const correction::Trust& trust);

@@ -44,9 +44,9 @@ std::vector<results::Validation> validated(std::vector<correction::Identificatio
     session::judge_by(model, one.validation);
     const correction::Metrics& m = one.validation.metrics;
     if (!flags.json)
-      fmt::print("on {}: {} RMS {} um, largest {} um, fit {} %\n", other.source,
+      fmt::print("on {}: {} RMS {} {unit}, largest {} {unit}, fit {} %\n", other.source,
                  model.displacement->name, number(m.rms / um, 3), number(m.max_abs / um, 3),
-                 number(m.fit_percent, 3));
+                 number(m.fit_percent, 3), fmt::arg("unit", model.displacement->unit));
     if (!flags.json) print_more_errors(*model.displacement, m);
     tell(one.warnings);
   }

@@ -89,6 +89,7 @@ class Numbers {
         {"CHECK", check.empty() ? "  {0}\n" : check},
         {"CHECK_ROWS", std::to_string(plan_.check.rows.size())},
         {"TOLERANCE", control_tolerance},
+        {"UM", units_of(plan_)},
         {"HEADING", "/*\n" + control_heading(plan_, " * ") + " */\n"},
         {"POWER", plan_.tables.empty() && element_count_ == 0 ? "0" : "1"},
         {"STAMP", fmt::format("{}.0", stamp(plan_))},
@@ -223,7 +224,7 @@ class Numbers {
       const std::string& of = plan_.drives[e.drive].unit;
       elements_ +=
           fmt::format("  {{{}, {}, {}, {}, {},\n   {},\n   {}}}, /* {} */\n", output, e.drive,
-                      real(e.scale), real(e.from), real(e.limit), curve(e.gain_um, "um", of),
+                      real(e.scale), real(e.from), real(e.limit), curve(e.gain_um, unit_of(a), of),
                       curve(e.time_constant_s, "s", of), harmless(e.channel));
     }
     for (const ControlFeedthrough& f : a.feedthroughs)

@@ -105,9 +105,9 @@ std::vector<std::string> coarse_sensors(const ControlPlan& plan, const record::R
       for (const ControlSection& s : a.sections) add(s.drive, s.direct * s.gain);
       if (!(std::abs(per_K) * step_K >= noticed_um)) continue;
       notes.push_back(fmt::format(
-          "{} reads in steps of {:.3g} K, each of which moves {} by {:.3g} um at once: [export] "
+          "{} reads in steps of {:.3g} K, each of which moves {} by {:.3g} {} at once: [export] "
           "smoothing_s = {{ {} = 60 }} spreads them",
-          in.column, step_K, a.column, std::abs(per_K) * step_K, in.column));
+          in.column, step_K, a.column, std::abs(per_K) * step_K, unit_of(a), in.column));
     }
   }
   return notes;

@@ -8,6 +8,7 @@
 #include "control/detail/table_fields.h"
 #include "control/detail/text.h"
 #include "control/formats.h"
+#include "record/series_channel.h"
 #include "text/detail/csv_text.h"
 
 namespace raceway::control {
@@ -96,7 +97,8 @@ class Table {
     text::append_text(out_, of_);
     out_.push_back(',');
     text::append_text(out_, channel_);
-    fmt::format_to(out, ",{},{},{},{}\n", part_, name, value, unit);
+    fmt::format_to(out, ",{},{},{},{}\n", part_, name, value,
+                   displacement_ ? record::in_unit_of(*displacement_, unit) : std::string(unit));
   }
   void word(std::string_view name, std::string_view value) {
     fmt::memory_buffer cell;
@@ -192,6 +194,7 @@ class Table {
     of_ = a.column;
     channel_ = "";
     part_ = "displacement";
+    displacement_ = record::series_channel(a.column);
     for (const auto& f : axis_texts)
       if (!(a.*f.text).empty()) word(f.name, a.*f.text);
     numbers(a, axis_numbers);
@@ -232,6 +235,7 @@ class Table {
       begin("", "kinematic", k + 1);
       numbers(a.kinematics[k], kinematic_numbers);
     }
+    displacement_ = nullptr;
   }
 
   void add(const ControlCheck::Row& r) {
@@ -244,13 +248,14 @@ class Table {
     }
     for (std::size_t k = 0; k < r.displacements_um.size(); ++k) {
       of_ = plan_.axes[k].column;
-      number(name, r.displacements_um[k], "um");
+      number(name, r.displacements_um[k], unit_of(plan_.axes[k]));
     }
   }
 
   const ControlPlan& plan_;
   fmt::memory_buffer out_;
-  std::string of_, channel_, part_;  // of the rows that are written
+  const record::Channel* displacement_ = nullptr;  // whose units are written
+  std::string of_, channel_, part_;                // of the rows that are written
 };
 
 }  // namespace

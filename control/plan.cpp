@@ -18,6 +18,7 @@
 #include "record/series_channel.h"
 #include "text/error.h"
 #include "text/number_text.h"
+#include "text/units.h"
 
 namespace raceway::control {
 namespace {
@@ -125,21 +126,23 @@ class Planner {
     in.smoothing_s = settings_.smoothing_s.of(in.column);
   }
 
-  /// Where it goes to: displacement_z_um is of the axis z.
-  void hand_out(ControlAxis& axis) const {
-    constexpr std::string_view before = "displacement_", after = "_um";
-    const std::string name =
-        axis.column.substr(before.size(), axis.column.size() - before.size() - after.size());
+  /// Where it goes to: displacement_z_um is of the axis z, displacement_b_urad of b.
+  void hand_out(ControlAxis& axis, const Channel& displacement) const {
+    constexpr std::string_view before = "displacement_";
+    const std::string name(displacement.variable.substr(before.size()));
     axis.letter = settings_.axis.of(axis.column);
+    axis.angle = record::is_angle(displacement);
     if (axis.letter.empty() && name.size() == 1 &&
-        std::string_view("xyzuvw").find(name.front()) != std::string_view::npos)
+        std::string_view(axis.angle ? "abc" : "xyzuvw").find(name.front()) !=
+            std::string_view::npos)
       axis.letter = name;
     axis.sign = settings_.sign.of(axis.column);
     axis.limit_um = settings_.limit_um.of(axis.column);
     axis.slew_um_s = settings_.slew_um_s.of(axis.column);
     const std::string unit = settings_.unit.of(axis.column);
     axis.counts = unit == "counts";
-    axis.unit_um = axis.counts ? settings_.count_um.of(axis.column) : unit == "mm" ? 1000.0 : 1.0;
+    axis.unit_um = axis.counts ? settings_.count_um.of(axis.column)
+                               : as_printed(text::find_unit(unit)->factor / displacement.factor);
     axis.output = fmt::format("offset_{}_{}", name, unit);
   }
 
@@ -394,7 +397,7 @@ class Planner {
     ControlAxis axis{.column = std::string(m.displacement->name),
                      .name = m.name,
                      .offset_um = as_printed(m.offset / um)};
-    hand_out(axis);
+    hand_out(axis, *m.displacement);
     if (const correction::Trust trust = correction::trust_of(m);
         trust.level == correction::TrustLevel::unknown) {
       note(fmt::format("{}: how far it may be trusted is {}", axis.column,

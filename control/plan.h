@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "correction/control_settings.h"
@@ -10,8 +11,9 @@
 
 /// Corrections as numbers for a control; every format of `export` is written from them.
 ///
-/// Units are the units of the files throughout: um, C, K, W, rpm, m/min, s, N mm. Every slow part
-/// is a sum of parallel sections. Each section has a state that follows its target by
+/// Units are the units of the files throughout: um (of an angle urad in its place), C, K, W, rpm,
+/// m/min, s, N mm. Every slow part is a sum of parallel sections. Each section has a state that
+/// follows its target by
 ///
 ///   s += (1 - exp(-dt/tau)) (target - s),   dt the time since the last call, as measured
 ///
@@ -146,7 +148,8 @@ struct ControlAxis {
   double sign = -1.0, limit_um = 100.0, slew_um_s = 1.0;
   double unit_um = 1.0;  ///< of the output
   bool counts = false;   ///< whole numbers of it
-  std::string output{};  ///< "offset_z_um", "offset_z_mm", "offset_z_counts"
+  std::string output{};  ///< "offset_z_um", "offset_z_mm", "offset_z_counts", "offset_b_urad"
+  bool angle = false;    ///< urad in the place of um in all of its numbers
   double offset_um = 0.0;
   /// Trust in its model, in the words of correction::name(), and the reason; empty where that is
   /// not known.
@@ -204,6 +207,11 @@ void in_order(ControlPlan& plan);
 [[nodiscard]] std::string allow_to_stand(ControlInput& input, double still_s,
                                          const correction::ControlSettings& settings,
                                          const std::string& where);
+
+/// Unit of the displacement of an axis: "um", or "urad".
+[[nodiscard]] constexpr std::string_view unit_of(const ControlAxis& axis) {
+  return axis.angle ? "urad" : "um";
+}
 
 /// The line of trust of an axis; empty where it is not known.
 [[nodiscard]] std::string trust_line(const ControlAxis& axis);

@@ -117,16 +117,17 @@ std::string axis_text(const ControlPlan& plan, const ControlAxis& a) {
       harmless(a.name), a.column, a.output, a.letter, fmt::join(used_inputs(plan, a), ", "),
       number(a.sign), number(a.limit_um), number(a.slew_um_s), number(a.unit_um),
       a.counts ? "True" : "False", number(a.offset_um));
+  if (a.angle) text += "     \"angle\": True,  # urad in the place of um\n";
   text += "     \"sections\": [\n";
   for (const ControlSection& s : a.sections) text += section_text(s);
   text += "     ],\n     \"elements\": [\n";
   for (const ControlElement& e : a.elements)
     text += fmt::format(
-        "         # {}; of gain [um] and time constant [s] over its drive [{}]\n"
+        "         # {}; of gain [{}] and time constant [s] over its drive [{}]\n"
         "         {{\"drive\": {}, \"scale\": {}, \"from\": {}, \"limit\": {},\n"
         "          \"gain\": {},\n          \"time_constant\": {}}},\n",
-        harmless(e.channel), plan.drives[e.drive].unit, e.drive, number(e.scale), number(e.from),
-        number(e.limit), curve_text(e.gain_um), curve_text(e.time_constant_s));
+        harmless(e.channel), unit_of(a), plan.drives[e.drive].unit, e.drive, number(e.scale),
+        number(e.from), number(e.limit), curve_text(e.gain_um), curve_text(e.time_constant_s));
   text += "     ],\n     \"feedthroughs\": [\n";
   for (const ControlFeedthrough& f : a.feedthroughs)
     text += fmt::format("         {{\"drive\": {}, \"gain\": {}}},  # {}\n", f.drive,
@@ -139,8 +140,8 @@ std::string axis_text(const ControlPlan& plan, const ControlAxis& a) {
         harmless(e.channel), e.drive, number(e.scale), list(e.numerator), list(e.denominator));
   text += "     ],\n     \"kinematics\": [\n";
   for (const ControlKinematic& k : a.kinematics)
-    text += fmt::format("         {{\"A\": {}, \"B\": {}, \"C\": {}}},  # um, 1, 1/rpm\n",
-                        number(k.A_um), number(k.B), number(k.C_per_rpm));
+    text += fmt::format("         {{\"A\": {}, \"B\": {}, \"C\": {}}},  # {}, 1, 1/rpm\n",
+                        number(k.A_um), number(k.B), number(k.C_per_rpm), unit_of(a));
   return text + "     ]},\n";
 }
 
@@ -159,7 +160,8 @@ std::string program_with(const ControlPlan& plan, std::string_view usage, std::s
     check += fmt::format("{:.15g} {:.15g} {:.15g}\n", r.time_s, fmt::join(r.inputs, " "),
                          fmt::join(r.displacements_um, " "));
   const correction::ControlSettings& s = plan.settings;
-  return filled(python_program, {{"HEADING", control_heading(plan, "# ")},
+  return filled(python_program, {{"UM", units_of(plan)},
+                                 {"HEADING", control_heading(plan, "# ")},
                                  {"USAGE", std::string(usage)},
                                  {"GUARDS", guards},
                                  {"LONGEST_GAP", number(s.longest_gap_s)},

@@ -149,6 +149,7 @@ class TableReader {
     const record::Channel* const c = record::series_channel(r.of);
     if (!make || !c || c->role != record::Role::measured) fail(r, "is no displacement");
     plan_.axes.push_back({.column = std::string(r.of)});
+    plan_.axes.back().angle = record::is_angle(*c);
     return plan_.axes.back();
   }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "control/formats.h"
@@ -61,12 +62,26 @@ std::string_view rest_of(std::string_view line, std::string_view mark, std::stri
 
 }  // namespace
 
+std::string units_of(const ControlPlan& plan) {
+  std::string units;
+  for (const std::string_view unit : {"um", "urad"})
+    if (std::any_of(plan.axes.begin(), plan.axes.end(),
+                    [&](const ControlAxis& a) { return unit_of(a) == unit; }))
+      units += (units.empty() ? "" : " or ") + std::string(unit);
+  return units;
+}
+
 std::string control_heading(const ControlPlan& plan, std::string_view mark) {
   std::string text = fmt::format("{}{}{}{}{}.\n", mark, written_by, RACEWAY_VERSION, of_model,
                                  harmless(plan.source));
   for (const ControlAxis& axis : plan.axes)
     if (!axis.trust.empty())
       text += fmt::format("{}Trust in {}: {}.\n", mark, axis.column, harmless(trust_line(axis)));
+  if (std::any_of(plan.axes.begin(), plan.axes.end(), [](const auto& a) { return a.angle; }))
+    text += fmt::format(
+        "{}Displacements whose names end in urad are angles: um is urad in all of "
+        "their numbers.\n",
+        mark);
   for (const std::string& warning : plan.warnings)
     text += fmt::format("{}{}{}.\n", mark, before_warning, harmless(warning));
   for (const std::string& note : plan.notes)

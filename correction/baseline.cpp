@@ -194,14 +194,15 @@ Identification regression_baseline(const Model& model, const std::vector<const C
   const Eigen::MatrixXd inverse =
       algebra::symmetric_inverse(design.columns().transpose() * design.columns());
   const auto std_of = [&](Eigen::Index k) { return std::sqrt(variance * inverse(k, k)); };
-  result.parameters.push_back(coefficient("offset", "um", fit.coefficients[0], std_of(0)));
+  result.parameters.push_back(
+      coefficient("offset", std::string(unit_of(found)), fit.coefficients[0], std_of(0)));
   StructureTried tried{.rms_held_out = result.rms_held_out, .rms = fit.rms * um, .taken = true};
   for (std::size_t k = 0; k < found.channels.size(); ++k) {
     const Eigen::Index at = zeros + static_cast<Eigen::Index>(k);
     const DrivenChannel& channel = found.channels[k];
-    result.parameters.push_back(coefficient(channel.name + ".feedthrough",
-                                            "um/" + std::string(channel.input.unit()),
-                                            fit.coefficients[at], std_of(at)));
+    result.parameters.push_back(coefficient(
+        channel.name + ".feedthrough", in_unit_of(found, "um/" + std::string(channel.input.unit())),
+        fit.coefficients[at], std_of(at)));
     tried.channels.push_back(channel.name);
     tried.orders.push_back(0);
   }

@@ -30,13 +30,15 @@ struct ControlLimits {
   double low = 0.0, high = 0.0;
 };
 
-/// Units are the units of the files: um, s, C, and for an input the unit of its column.
+/// Units are the units of the files: um, for an angle urad, s, C, and for an input the unit of its
+/// column.
 struct ControlSettings {
   // Axes, by the column of their displacement.
   ByColumn<double> limit_um{100.0};  ///< an offset is at most this, either way
   ByColumn<double> slew_um_s{1.0};   ///< and goes no faster
   ByColumn<double> sign{-1.0};       ///< offset = sign * displacement: an axis moves against it
-  ByColumn<std::string> unit{"um"};  ///< of what is handed out: "um", "mm", "counts"
+  ByColumn<std::string> unit{"um"};  ///< of what is handed out: "um", "mm", "counts";
+                                     ///< of an angle "urad", "mrad", "rad", "deg", "counts"
   ByColumn<double> count_um{0.1};    ///< of one count
   ByColumn<std::string> axis{};  ///< letter of the axis; empty: LETTER of displacement_LETTER_um
   // Inputs, by their column.

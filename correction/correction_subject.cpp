@@ -187,10 +187,10 @@ std::vector<WithinPart> inputs_within_a_part(const Model& model, const fit::Reco
   return list;
 }
 
-fit::Parameter beginning_parameter(std::string name) {
+fit::Parameter beginning_parameter(std::string name, const Model& model) {
   fit::Parameter p;
   p.name = std::move(name);
-  p.unit = "um";
+  p.unit = unit_of(model);
   p.start = p.value = p.initial = 0.0;
   p.lower = p.plausible_lower = -std::numeric_limits<double>::infinity();
   p.upper = p.plausible_upper = std::numeric_limits<double>::infinity();
@@ -271,15 +271,16 @@ std::unique_ptr<fit::Subject> CorrectionSubject::informed_by(const fit::Record& 
   result->beginnings_.clear();
   for (int z = 1; z < series.zeros(); ++z)
     result->beginnings_.push_back(
-        {.parameter = beginning_parameter(fmt::format("zero.{}", z + 1)), .zero = z});
+        {.parameter = beginning_parameter(fmt::format("zero.{}", z + 1), model_), .zero = z});
   if (model_.initial_state == InitialState::free)
     for (std::size_t c = 0; c < model_.channels.size(); ++c)
       for (std::size_t s = 0; s < model_.channels[c].sections.size(); ++s)
-        result->beginnings_.push_back({.parameter = beginning_parameter(fmt::format(
-                                           "initial.{}.{}", model_.channels[c].name, s + 1)),
-                                       .channel = c,
-                                       .section = s,
-                                       .is_state = true});
+        result->beginnings_.push_back(
+            {.parameter = beginning_parameter(
+                 fmt::format("initial.{}.{}", model_.channels[c].name, s + 1), model_),
+             .channel = c,
+             .section = s,
+             .is_state = true});
   result->informed_ = true;
   return result;
 }

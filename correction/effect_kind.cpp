@@ -83,9 +83,13 @@ Effect EffectKind::at(std::string where, std::vector<const Channel*> columns) co
 
 std::string unit_of(const Effect& effect, std::size_t number, const Model& model) {
   const record::NumberCard& n = kind_of(effect).numbers(effect)[number];
-  if (!is_gain(n)) return std::string(n.unit);
+  if (!is_gain(n)) return in_unit_of(model, n.unit);
   const Input driving = input_of(effect, model);
-  return driving.is_none() ? "um" : "um/" + std::string(driving.unit());
+  return in_unit_of(model, driving.is_none() ? "um" : "um/" + std::string(driving.unit()));
+}
+
+std::string key_of(const Effect& effect, std::size_t number, const Model& model) {
+  return in_unit_of(model, kind_of(effect).key(effect, number, model));
 }
 
 DrivenShare lag_of_input(const EffectKind& kind, const Effect& effect, const Model& model) {

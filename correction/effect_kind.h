@@ -86,7 +86,8 @@ class EffectKind {
   /// Bounds of a number; `limits` of the record apply to time constants.
   [[nodiscard]] virtual Interval bounds(const Effect& effect, std::size_t number,
                                         const Model& model, const TimeConstantLimits& limits) const;
-  /// Key of a number in a file: "gain_um_K".
+  /// Key of a number in a file, for a displacement that is a length: "gain_um_K". key_of() gives it
+  /// for any.
   [[nodiscard]] virtual std::string key(const Effect& effect, std::size_t number,
                                         const Model& model) const;
 
@@ -108,7 +109,10 @@ class EffectKind {
   [[nodiscard]] Effect at(std::string where = {}, std::vector<const Channel*> columns = {}) const;
 };
 
-/// The unit of a number of an effect, for people: "um/K".
+/// Key of a number of an effect in the file of a model: "gain_um_K", of an angle "gain_urad_K".
+[[nodiscard]] std::string key_of(const Effect& effect, std::size_t number, const Model& model);
+
+/// The unit of a number of an effect, for people: "um/K", of an angle "urad/K".
 [[nodiscard]] std::string unit_of(const Effect& effect, std::size_t number, const Model& model);
 
 /// A lag of what drives it: the share of effects with the numbers `gain` and `time_constant`.

@@ -166,9 +166,9 @@ class Learner {
       filter_->reset(the_zero);
       is_due(jumped, row,
              fmt::format(
-                 "readings are off by {:.3g} um at once: something was clamped anew or hit, or "
+                 "readings are off by {:.3g} {} at once: something was clamped anew or hit, or "
                  "the model does not hold",
-                 off / um));
+                 off / um, unit_of(model_)));
     } else if (has_zero_) {
       remember(off, row);
     }
@@ -194,9 +194,10 @@ class Learner {
     if (sum > chi_squared_of_judged)
       is_due(
           too_far, row,
-          fmt::format("{} readings in a row are off by {:.2g} times of what a misfit of {:.3g} um "
+          fmt::format("{} readings in a row are off by {:.2g} times of what a misfit of {:.3g} {} "
                       "explains",
-                      judged, std::sqrt(sum / static_cast<double>(judged)), result_.misfit / um));
+                      judged, std::sqrt(sum / static_cast<double>(judged)), result_.misfit / um,
+                      unit_of(model_)));
   }
 
   /// Each reason once, at its first row.

@@ -174,4 +174,13 @@ struct Model {
   std::optional<Evidence> evidence{};
 };
 
+/// Unit of the displacement: "um", or "urad" of an angle.
+[[nodiscard]] inline std::string_view unit_of(const Model& model) {
+  return model.displacement ? model.displacement->unit : "um";
+}
+/// Name or unit of a number, which is written for a length: see record::in_unit_of().
+[[nodiscard]] inline std::string in_unit_of(const Model& model, std::string_view text) {
+  return model.displacement ? record::in_unit_of(*model.displacement, text) : std::string(text);
+}
+
 }  // namespace raceway::correction

@@ -36,12 +36,13 @@ class List {
   }
 
  private:
-  record::Parameter& add(std::string name, std::string unit, std::string address, std::string group,
-                         double& place, double factor) {
+  /// Unit and address are written for a length.
+  record::Parameter& add(std::string name, const std::string& unit, const std::string& address,
+                         std::string group, double& place, double factor) {
     Number& n = list_.emplace_back();
     n.parameter.name = std::move(name);
-    n.parameter.unit = std::move(unit);
-    n.parameter.addresses = {std::move(address)};
+    n.parameter.unit = in_unit_of(model_, unit);
+    n.parameter.addresses = {in_unit_of(model_, address)};
     n.parameter.start = n.parameter.value = n.parameter.initial = place / factor;
     n.parameter.lower = -endless;
     n.parameter.upper = endless;
@@ -96,7 +97,7 @@ class List {
       const record::NumberCard& n = cards[k];
       record::Parameter& p =
           add(full_id(e) + "." + std::string(n.name), unit_of(e, k, model_),
-              fmt::format("correction.effect.{}.{}", index, kind.key(e, k, model_)), "effects",
+              fmt::format("correction.effect.{}.{}", index, key_of(e, k, model_)), "effects",
               e.values[k], 1.0);
       p.initial = n.initial;
       p.neutral = n.neutral;

@@ -29,6 +29,7 @@ class Checking {
       : model_(model), record_(record), series_(record) {}
 
   RecordCheck run() {
+    result_.displacement = model_.displacement;
     look_at_time();
     for (const record::Column& c : record_.columns)
       if (c.channel->is_input()) look_at(c);
@@ -153,8 +154,8 @@ class Checking {
     if (result_.readings > 0 && result_.reading_interval > 120.0)
       warn(record::note::noise(fmt::format(
           "readings come every {:.3g} s: what scatters between them is not the noise of "
-          "the sensor; declare measurement_std_um",
-          result_.reading_interval)));
+          "the sensor; declare {}",
+          result_.reading_interval, in_unit_of(model_, "measurement_std_um"))));
   }
 
   void look_at_model() {
@@ -171,7 +172,8 @@ class Checking {
         double quantum = 0.1 * c.input.factor();
         for (const Channel* column : c.input.columns)
           if (const double q = quantum_of_column(*column); std::isfinite(q)) quantum = q;
-        result_.printed.push_back({c.name, c.input.factor(), quantum, check(*c.printed, quantum)});
+        result_.printed.push_back(
+            {c.name, c.input.factor(), quantum, check(*c.printed, quantum, unit_of(model_))});
         for (const std::string& text : result_.printed.back().check.warnings)
           warn(record::note::polynomial(fmt::format("channel {}: {}", c.name, text),
                                         {.key = c.name}));
@@ -182,8 +184,9 @@ class Checking {
           warn(record::note::sensor(
               fmt::format(
                   "channel {}: a step of the last digit of {} ({}) moves the displacement by "
-                  "{:.3g} um at once",
-                  c.name, column->name, amount(*column, q), std::abs(c.feedthrough * q) / um),
+                  "{:.3g} {} at once",
+                  c.name, column->name, amount(*column, q), std::abs(c.feedthrough * q) / um,
+                  unit_of(model_)),
               {.key = c.name}));
     }
   }

@@ -22,6 +22,7 @@ struct RecordCheck {
     double quantum = unset;  ///< of the input, as the record shows it, or 0.1 of its unit [SI]
     TransferFunctionCheck check;
   };
+  const Channel* displacement = nullptr;
   double sampling = unset;                   ///< median time between rows [s]
   double duration = unset;                   ///< of the longest run [s]
   std::size_t readings = 0;                  ///< of the displacement

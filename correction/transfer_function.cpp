@@ -155,7 +155,9 @@ std::vector<std::string> warnings_of(const Poles& poles) {
   return result;
 }
 
-std::vector<std::string> warnings(const TransferFunctionCheck& c, double quantum, double visible) {
+std::vector<std::string> warnings(const TransferFunctionCheck& c, double quantum,
+                                  std::string_view unit) {
+  constexpr double visible = 0.1 * um;
   std::vector<std::string> result = warnings_of(c.poles);
   if (c.unstable_share > 0.0)
     result.push_back(
@@ -167,8 +169,8 @@ std::vector<std::string> warnings(const TransferFunctionCheck& c, double quantum
         c.dc_gain / um, c.dc_gain_lower / um, c.dc_gain_upper / um));
   if (std::abs(c.feedthrough) * quantum > visible)
     result.push_back(
-        fmt::format("feedthrough turns a quantum of {:g} of its sensor into a step of {:.3g} um",
-                    quantum, c.feedthrough * quantum / um));
+        fmt::format("feedthrough turns a quantum of {:g} of its sensor into a step of {:.3g} {}",
+                    quantum, c.feedthrough * quantum / um, unit));
   if (!(std::abs(c.single_error) <= 0.01))
     result.push_back(
         fmt::format("in single precision a step ends {:.1f} % of the gain off after 40 h",
@@ -286,7 +288,8 @@ ParallelForm parallel_form(const TransferFunction& printed) {
   return form;
 }
 
-TransferFunctionCheck check(const TransferFunction& printed, double quantum, double visible) {
+TransferFunctionCheck check(const TransferFunction& printed, double quantum,
+                            std::string_view unit) {
   const TransferFunction f = reduced(printed);
   TransferFunctionCheck result;
   result.poles = poles_of(printed.denominator);
@@ -298,7 +301,7 @@ TransferFunctionCheck check(const TransferFunction& printed, double quantum, dou
   result.feedthrough = printed.numerator.front();
   draw_roundings(printed, result);
   result.single_error = single_error(printed, result.dc_gain);
-  result.warnings = warnings(result, quantum, visible);
+  result.warnings = warnings(result, quantum, unit);
   return result;
 }
 

@@ -83,9 +83,8 @@ struct TransferFunctionCheck {
 };
 
 /// Checks printed coefficients. `quantum`: resolution of the input's sensor, in its unit;
-/// `visible`: step of the output above which it is reported, in the unit of a(0) times the unit of
-/// the input.
+/// `unit` of the displacement: a step of more than a tenth of it is reported.
 [[nodiscard]] TransferFunctionCheck check(const TransferFunction& printed, double quantum = 0.1,
-                                          double visible = 0.1 * um);
+                                          std::string_view unit = "um");
 
 }  // namespace raceway::correction

@@ -54,13 +54,16 @@ Slowest slowest_of(const Model& model) {
   return slowest;
 }
 
-std::string in_um(double value) { return fmt::format("{:.3g} um", value / um); }
+std::string shown(const Model& model, double value) {
+  return fmt::format("{:.3g} {}", value / um, unit_of(model));
+}
 std::string in_h(double value) { return fmt::format("{:.3g} h", value / 3600.0); }
 
-std::string errs_by(const Evidence& e) {
+std::string errs_by(const Model& model) {
+  const Evidence& e = *model.evidence;
   return fmt::format("{} it errs by {}",
                      e.other_record ? "on another record" : "on parts that no fit saw",
-                     in_um(e.error));
+                     shown(model, e.error));
 }
 
 /// More of the mean square is left than is taken.
@@ -136,8 +139,8 @@ Trust trust_of(const Model& model) {
     return refused(fmt::format("a time constant of {} is {}, longer than the {} of its readings",
                                slowest.channel, in_h(slowest.time_constant), in_h(e.duration)));
   if (leaves_most(e.error, e.uncorrected))
-    return refused(
-        fmt::format("{}, and without it the displacement is {}", errs_by(e), in_um(e.uncorrected)));
+    return refused(fmt::format("{}, and without it the displacement is {}", errs_by(model),
+                               shown(model, e.uncorrected)));
   if (!e.other_record && three_of_them * slowest.time_constant > e.duration)
     return limited(
         fmt::format("a time constant of {} is {}, and the {} of its readings are shorter than "
@@ -145,10 +148,11 @@ Trust trust_of(const Model& model) {
                     slowest.channel, in_h(slowest.time_constant), in_h(e.duration)));
   if (std::isfinite(model.tolerance)) {
     if (e.error > model.tolerance)
-      return limited(fmt::format("{}, of {} tolerated", errs_by(e), in_um(model.tolerance)));
+      return limited(
+          fmt::format("{}, of {} tolerated", errs_by(model), shown(model, model.tolerance)));
   } else if (e.error > a_quarter * e.uncorrected) {
-    return limited(
-        fmt::format("{}, and without it the displacement is {}", errs_by(e), in_um(e.uncorrected)));
+    return limited(fmt::format("{}, and without it the displacement is {}", errs_by(model),
+                               shown(model, e.uncorrected)));
   }
   return {TrustLevel::good, {}};
 }
@@ -158,7 +162,7 @@ Trust trust_on(const Model& model, const Metrics& errors, double uncorrected,
   if (leaves_most(errors.rms, uncorrected))
     return {TrustLevel::do_not_use,
             fmt::format("on this record it errs by {}, and without it the displacement is {}",
-                        in_um(errors.rms), in_um(uncorrected))};
+                        shown(model, errors.rms), shown(model, uncorrected))};
   Trust trust = trust_of(model);
   if (trust.level == TrustLevel::good && beyond.rows() > 0)
     trust = {TrustLevel::within_range,

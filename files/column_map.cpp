@@ -188,7 +188,7 @@ std::optional<NamedChannel> named_series_channel(std::string_view name) {
   const text::HeaderParts parts = text::header_parts(name);
   std::string base = text::lower_case(parts.name);
   std::replace(base.begin(), base.end(), ' ', '_');
-  for (const std::string_view ending : {"_C", "_m_min", "_rpm", "_um", "_mm", "_A", "_V", "_W",
+  for (const std::string_view ending : {"_C", "_m_min", "_rpm", "_um", "_urad", "_mm", "_A", "_V", "_W",
                                         "_N", "_Nm", "_l_min", "_bar", "_percent"}) {
     const Channel* const channel = record::series_channel(base + std::string(ending));
     const text::Unit* const own = channel ? unit_of(*channel) : nullptr;

@@ -23,15 +23,16 @@ using correction::DrivenChannel;
 using correction::Effect;
 using correction::Model;
 
-std::string section_text(const DrivenChannel& c, const correction::Section& s) {
-  return fmt::format("{{ gain_um_{} = {}, time_constant_s = {} }}", c.input.key_unit(),
+std::string section_text(const Model& m, const DrivenChannel& c, const correction::Section& s) {
+  return fmt::format("{{ {}_{} = {}, time_constant_s = {} }}", correction::in_unit_of(m, "gain_um"),
+                     c.input.key_unit(),
                      text::toml_float(text::with_15_digits(s.gain * c.input.factor() / um)),
                      text::toml_float(text::with_15_digits(s.time_constant)));
 }
 
-std::string sections_text(const DrivenChannel& c) {
+std::string sections_text(const Model& m, const DrivenChannel& c) {
   std::vector<std::string> parts;
-  for (const correction::Section& s : c.sections) parts.push_back(section_text(c, s));
+  for (const correction::Section& s : c.sections) parts.push_back(section_text(m, c, s));
   return fmt::format("[{}]", fmt::join(parts, ", "));
 }
 
@@ -115,13 +116,13 @@ std::string effect_text(const Effect& e, const Model& m) {
   if (e.window) text += window_text(*e.window);
   for (std::size_t k = 0; k < e.values.size(); ++k) {
     if (kind.may_end_before(k) && e.values[k] == 0.0) break;
-    text += fmt::format("{} = {}\n", kind.key(e, k, m),
+    text += fmt::format("{} = {}\n", correction::key_of(e, k, m),
                         text::toml_float(text::with_15_digits(e.values[k])));
   }
   return text;
 }
 
-std::string channel_text(const DrivenChannel& c) {
+std::string channel_text(const Model& m, const DrivenChannel& c) {
   std::string text = fmt::format("[[correction.channel]]\nname = \"{}\"\ninput = {}\n", c.name,
                                  columns_text(c.input.columns));
   if (c.input.exponent != 1.0)
@@ -129,7 +130,7 @@ std::string channel_text(const DrivenChannel& c) {
         fmt::format("exponent = {}\n", text::toml_float(text::with_15_digits(c.input.exponent)));
   if (c.input.reference) text += fmt::format("reference = \"{}\"\n", c.input.reference->name);
   if (c.input.window) text += window_text(*c.input.window);
-  if (!c.sections.empty()) text += fmt::format("sections = {}\n", sections_text(c));
+  if (!c.sections.empty()) text += fmt::format("sections = {}\n", sections_text(m, c));
   if (c.printed) {
     const auto list = [](const std::vector<double>& numbers, double unit) {
       std::vector<std::string> texts;
@@ -143,7 +144,7 @@ std::string channel_text(const DrivenChannel& c) {
   }
   if (c.feedthrough != 0.0)
     text +=
-        fmt::format("feedthrough_um_{} = {}\n", c.input.key_unit(),
+        fmt::format("{}_{} = {}\n", correction::in_unit_of(m, "feedthrough_um"), c.input.key_unit(),
                     text::toml_float(text::with_15_digits(c.feedthrough * c.input.factor() / um)));
   return text;
 }
@@ -156,8 +157,8 @@ void write_sections(Editor& editor, std::size_t index, const Model& old, const M
     editor.with_table(index, [&](const toml::table& table) {
       const toml::table& of = *table.get("channel")->as_array()->get(c)->as_table();
       if (const toml::node* const sections = of.get("sections")) {
-        const std::string text = sections_text(channel);
-        if (sections_text(old.channels[c]) != text) editor.replace(*sections, text);
+        const std::string text = sections_text(now, channel);
+        if (sections_text(old, old.channels[c]) != text) editor.replace(*sections, text);
       }
     });
   }
@@ -197,9 +198,9 @@ std::string head_text(const Model& m) {
     if (std::isfinite(value))
       text += fmt::format("{} = {}\n", key, text::toml_float(text::with_15_digits(value / um)));
   };
-  add("tolerance_um", m.tolerance);
-  add("measurement_std_um", m.measured_std);
-  add("offset_um", m.offset);
+  add(correction::in_unit_of(m, "tolerance_um"), m.tolerance);
+  add(correction::in_unit_of(m, "measurement_std_um"), m.measured_std);
+  add(correction::in_unit_of(m, "offset_um"), m.offset);
   if (std::isfinite(m.sampling))
     text += fmt::format("sampling_s = {}\n", text::toml_float(text::with_15_digits(m.sampling)));
   return text;
@@ -223,7 +224,7 @@ std::string new_corrections(const std::vector<Model>& models, const std::string&
   for (const Model& m : models) {
     text += models.size() > 1 ? "\n[[correction]]\n" : "[correction]\n";
     text += head_text(m);
-    for (const DrivenChannel& c : m.channels) text += "\n" + channel_text(c);
+    for (const DrivenChannel& c : m.channels) text += "\n" + channel_text(m, c);
     if (const std::string trust = trust_text(m); !trust.empty()) text += "\n" + trust;
   }
   (void)parse_correction(text, "model");  // it reads back
@@ -245,7 +246,7 @@ std::string with_corrections(const CorrectionFile& file, const std::vector<Model
     const bool is_new = trust != trust_text(old);
     if (is_new) remove_trust(editor, index);
     for (std::size_t c = old.channels.size(); c < now.channels.size(); ++c)
-      editor.append(index, channel_text(now.channels[c]));
+      editor.append(index, channel_text(now, now.channels[c]));
     for (std::size_t e = old.effects.size(); e < now.effects.size(); ++e)
       editor.append(index, effect_text(now.effects[e], now));
     if (is_new && !trust.empty()) editor.append(index, trust);

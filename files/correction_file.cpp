@@ -9,6 +9,7 @@
 #include "correction/catalogue.h"
 #include "correction/numbers.h"
 #include "correction/own_effect.h"
+#include "files/detail/displacement_keys.h"
 #include "files/friction_table.h"
 #include "files/key_tables.h"
 #include "record/series_channel.h"
@@ -30,7 +31,10 @@ namespace {
 constexpr double most = 1e9;  // of any number of a file
 
 constexpr Key correction_keys[]{
-    {"displacement", a_text, is_required, "the column that is modelled, displacement_NAME_um"},
+    {"displacement", a_text, is_required,
+     "the column that is modelled, displacement_NAME_um, or an angle, displacement_NAME_urad, "
+     "whose "
+     "keys end in urad in the place of um: gain_urad_K, offset_urad, tolerance_urad ..."},
     {"name", a_text, "as the column", "for results"},
     {"tolerance_um", between(0, 1e6, "um"), unset,
      "RMS error on parts held out with which the user is content, above 0; diagnose needs it, "
@@ -187,25 +191,27 @@ class CorrectionReader {
       : tables_(tables), notes_(file.notes) {}
 
   Model model(const Section& table) {
-    const Section s = table.with({correction_keys});
+    displacement_ = record::series_channel(table.text_or_empty("displacement"));
+    const Section s = table.with({keys(correction_keys)});
     Model m;
     m.displacement = displacement(s);
     m.name = s.text("name").value_or(std::string(m.displacement->variable));
-    if (const auto t = s.number("tolerance_um")) {
-      if (*t == 0.0) s.fail("tolerance_um", "tolerance_um = 0 um: must be above 0");
+    const std::string tolerance = own("tolerance_um");
+    if (const auto t = s.number(tolerance)) {
+      if (*t == 0.0) s.fail(tolerance, own("tolerance_um = 0 um: must be above 0"));
       m.tolerance = *t * um;
     }
-    if (const auto std = s.number("measurement_std_um")) m.measured_std = *std * um;
+    if (const auto std = s.number(own("measurement_std_um"))) m.measured_std = *std * um;
     m.initial_state = tables_.choice(s, "initial_state") == "free" ? correction::InitialState::free
                                                                    : correction::InitialState::rest;
     if (const auto dt = s.number("sampling_s")) m.sampling = *dt;
-    m.offset = tables_.number(s, "offset_um") * um;
+    m.offset = tables_.number(s, own("offset_um")) * um;
     if (const toml::array* const list = list_of_tables(s, "channel"))
       for (const toml::node& node : *list)
         m.channels.push_back(channel(part_of(s, "correction.channel", node), m));
     if (s.find("kinematic"))
-      m.kinematic =
-          kinematic(part_of(s, "correction.kinematic", *s.find("kinematic"), {kinematic_keys}));
+      m.kinematic = kinematic(
+          part_of(s, "correction.kinematic", *s.find("kinematic"), {keys(kinematic_keys)}));
     if (const toml::array* const list = list_of_tables(s, "effect"))
       for (const toml::node& node : *list)
         m.effects.push_back(effect(part_of(s, "correction.effect", node), m));
@@ -221,6 +227,14 @@ class CorrectionReader {
   }
 
  private:
+  /// Keys, names and units of the displacement that is read, see keys_of().
+  [[nodiscard]] std::span<const Key> keys(std::span<const Key> of_length) const {
+    return keys_of(displacement_, of_length);
+  }
+  [[nodiscard]] std::string own(std::string_view of_length) const {
+    return displacement_ ? record::in_unit_of(*displacement_, of_length) : std::string(of_length);
+  }
+
   const Channel* displacement(const Section& s) const {
     const auto name = s.text("displacement");
     if (!name)
@@ -229,7 +243,9 @@ class CorrectionReader {
     const Channel* const c = record::series_channel(*name);
     if (!c || c->role != record::Role::measured)
       s.fail("displacement",
-             fmt::format("displacement = \"{}\": must be a column displacement_NAME_um", *name));
+             fmt::format("displacement = \"{}\": must be a column displacement_NAME_um or "
+                         "displacement_NAME_urad",
+                         *name));
     return c;
   }
 
@@ -356,8 +372,9 @@ class CorrectionReader {
   DrivenChannel channel(const Section& table, const Model& m) {
     DrivenChannel c;
     c.input = input(table.part({correction_channel_keys}));
-    const std::string unit(c.input.key_unit()), per_input = "um/" + std::string(c.input.unit());
-    const std::string gain = "gain_um_" + unit, feedthrough = "feedthrough_um_" + unit;
+    const std::string unit(c.input.key_unit()),
+        per_input = own("um/" + std::string(c.input.unit()));
+    const std::string gain = own("gain_um_" + unit), feedthrough = own("feedthrough_um_" + unit);
     const std::array at_once{feedthrough_keys[0].as(feedthrough, per_input)};
     const Section s = table.with({correction_channel_keys, at_once});
     c.name = s.text("name").value_or(
@@ -407,14 +424,15 @@ class CorrectionReader {
   correction::Characteristic characteristic(const Section& s, const Input& input,
                                             const std::string& key, std::span<const Key> of_power,
                                             double unit) const {
-    const std::string stem = key == "gain" ? "um" : "min";
+    const std::string stem = key == "gain" ? own("um") : "min";
     const std::string slope = fmt::format("slope_{}_{}", stem, input.key_unit());
-    std::vector<Key> keys(of_power.begin(), of_power.end());
-    keys[0] = keys[0].as(slope, fmt::format("{}/{}", stem, input.unit()));
+    const std::span<const Key> of_length = keys(of_power);
+    std::vector<Key> own_keys(of_length.begin(), of_length.end());
+    own_keys[0] = own_keys[0].as(slope, fmt::format("{}/{}", stem, input.unit()));
     const toml::node* const node = s.find(key);
     if (!node)
       s.fail("name", fmt::format("gain and time_constant stand together: {} is missing", key));
-    const Section of = part_of(s, key, *node, {std::span<const Key>(keys)});
+    const Section of = part_of(s, key, *node, {std::span<const Key>(own_keys)});
     if (of.find("table")) {
       const auto file = of.text("table");
       try {
@@ -434,7 +452,7 @@ class CorrectionReader {
           correction::Characteristic::Power{of.required("factor") * unit, of.required("exponent")});
     // Slope and offset, whose names have the unit.
     return correction::Characteristic(correction::Characteristic::Line{
-        of.required(keys[0].name) * unit, of.required(keys[1].name) * unit});
+        of.required(own_keys[0].name) * unit, of.required(own_keys[1].name) * unit});
   }
 
   void read_element(const Section& s, DrivenChannel& c) {
@@ -494,7 +512,7 @@ class CorrectionReader {
   }
 
   Effect effect(const Section& table, const Model& m) {
-    const Section s = table.part({correction_effect_keys, correction_own_effect_keys});
+    const Section s = table.part({correction_effect_keys, keys(correction_own_effect_keys)});
     const auto id = s.text("id");
     Names known;
     for (const correction::EffectCard& card : correction::catalogue()) known.emplace_back(card.id);
@@ -527,16 +545,16 @@ class CorrectionReader {
       s.fail_missing("input", ", the column that drives the effect");
     const std::span<const record::NumberCard> numbers = found->numbers(e);
     std::deque<std::string> texts;  // of the keys
-    std::vector<Key> keys;
+    std::vector<Key> of_numbers;
     for (std::size_t k = 0; k < numbers.size(); ++k) {
-      const std::string& name = texts.emplace_back(found->key(e, k, m));
+      const std::string& name = texts.emplace_back(correction::key_of(e, k, m));
       if (found->may_end_before(k) && !s.find(name)) break;
       const Form form = between(std::max(-most, numbers[k].lower), std::min(most, numbers[k].upper),
                                 texts.emplace_back(correction::unit_of(e, k, m)));
-      keys.push_back({name, form, is_required, found->card().title});
-      e.values.push_back(*s.number(keys.back()));
+      of_numbers.push_back({name, form, is_required, found->card().title});
+      e.values.push_back(*s.number(of_numbers.back()));
     }
-    (void)table.with({correction_effect_keys, keys});  // no others
+    (void)table.with({correction_effect_keys, of_numbers});  // no others
     return e;
   }
 
@@ -553,18 +571,18 @@ class CorrectionReader {
                                        .title = s.text("title").value_or(""),
                                        .formula = s.text("formula").value_or(""),
                                        .lags = s.find("time_constant_s") != nullptr};
-    Names keys{"id"};
-    for (const Key& key : correction_own_effect_keys) keys.emplace_back(key.name);
+    Names taken{"id"};
+    for (const Key& key : keys(correction_own_effect_keys)) taken.emplace_back(key.name);
     for (const auto& [key, node] : *s.table()) {
       const std::string name(key.str());
-      if (std::find(keys.begin(), keys.end(), name) != keys.end()) continue;
+      if (std::find(taken.begin(), taken.end(), name) != taken.end()) continue;
       if (correction::column_of_formula(name))
         s.fail(name, fmt::format("{}: a column has this name; take another", name));
-      const FormulaNumber n = read_formula_number(s, id, name, node, keys);
+      const FormulaNumber n = read_formula_number(s, id, name, node, taken);
       given.parameters.push_back({n.name, n.unit, n.value, n.lower, n.upper, n.in_braces});
     }
     Effect e{.id = id};
-    e.values.push_back(s.required("gain_um"));
+    e.values.push_back(s.required(own("gain_um")));
     if (given.lags) e.values.push_back(s.required("time_constant_s"));
     Names known{"speed_rpm",        "NAME_temperature_C", "NAME_feed_m_min", "NAME_speed_rpm",
                 "NAME_position_mm", "coolant_on",         "time_s"};
@@ -625,6 +643,7 @@ class CorrectionReader {
 
   ModelTables& tables_;
   std::vector<record::Note>& notes_;
+  const Channel* displacement_ = nullptr;  ///< of the model that is read
 };
 
 void check_correction_tables(const ModelTables& tables) {
@@ -665,10 +684,11 @@ Names read_free(const ModelTables& tables, const Model& model) {
 
 void read_tolerance(const ModelTables& tables, Model& model) {
   const Section s = loop_section(tables);
-  const auto value = s.number("tolerance_um");
+  const std::string key = correction::in_unit_of(model, "tolerance_um");
+  const auto value = s.number(key);
   if (!value) return;
   if (!std::isnan(model.tolerance))
-    s.fail("tolerance_um", "tolerance_um: stands under [correction] as well; keep one of them");
+    s.fail(key, key + ": stands under [correction] as well; keep one of them");
   model.tolerance = *value * um;
 }
 

@@ -156,10 +156,11 @@ std::string head_of(std::span<const CorrectionFile> files, const std::string& na
     if (std::isfinite(value))
       text += fmt::format("{} = {}\n", key, text::toml_float(text::with_15_digits(value)));
   };
-  add("tolerance_um", tolerance / um);
-  add("measurement_std_um", std / um);
+  const Model& own = files.front().models.front();
+  add(correction::in_unit_of(own, "tolerance_um"), tolerance / um);
+  add(correction::in_unit_of(own, "measurement_std_um"), std / um);
   add("sampling_s", sampling);
-  if (offset != 0.0) add("offset_um", offset / um);
+  if (offset != 0.0) add(correction::in_unit_of(own, "offset_um"), offset / um);
   return text;
 }
 

@@ -5,6 +5,7 @@
 
 #include "correction/numbers.h"
 #include "correction/trust.h"
+#include "files/detail/displacement_keys.h"
 #include "record/digits.h"
 #include "record/series_channel.h"
 #include "text/number_text.h"
@@ -124,22 +125,23 @@ void read_correction_covariance(const Section& s, Model& m, std::vector<std::str
   m.covariance = std::move(c);
 }
 
-correction::Left read_left(const Section& s) {
-  correction::Left left{.rms = s.required("rms_um") * um};
+correction::Left read_left(const Section& s, const Model& m) {
+  correction::Left left{.rms = s.required(correction::in_unit_of(m, "rms_um")) * um};
   if (const auto time = s.number("correlation_time_s")) left.correlation_time = *time;
   return left;
 }
 
-correction::Evidence read_evidence(const Section& s) {
+correction::Evidence read_evidence(const Section& s, const Model& m) {
   const auto word = [&](std::string_view key) {
     if (auto value = s.choice(key)) return *value;
     s.fail_missing(key);
   };
-  correction::Evidence e{.uncorrected = s.required("uncorrected_um") * um,
-                         .duration = s.required("duration_s"),
-                         .one_way = word("course") == "one-way",
-                         .other_record = word("judged_by") == "other-record"};
-  if (const auto error = s.number("error_um")) e.error = *error * um;
+  correction::Evidence e{
+      .uncorrected = s.required(correction::in_unit_of(m, "uncorrected_um")) * um,
+      .duration = s.required("duration_s"),
+      .one_way = word("course") == "one-way",
+      .other_record = word("judged_by") == "other-record"};
+  if (const auto error = s.number(correction::in_unit_of(m, "error_um"))) e.error = *error * um;
   return e;
 }
 
@@ -235,10 +237,11 @@ std::string covariance_text(const Model& m) {
   return text;
 }
 
-std::string left_text(const correction::Left& left) {
+std::string left_text(const Model& m) {
+  const correction::Left& left = *m.left;
   std::string text = fmt::format(
-      "[correction.residual]  # what the model left, on parts that no fit saw\nrms_um = {}\n",
-      text::toml_float(record::with_digits(left.rms / um, 6)));
+      "[correction.residual]  # what the model left, on parts that no fit saw\n{} = {}\n",
+      correction::in_unit_of(m, "rms_um"), text::toml_float(record::with_digits(left.rms / um, 6)));
   if (std::isfinite(left.correlation_time))
     text += fmt::format("correlation_time_s = {}\n",
                         text::toml_float(record::with_digits(left.correlation_time, 6)));
@@ -250,12 +253,13 @@ std::string evidence_text(const Model& m) {
   const auto number = [](double value) { return text::toml_float(record::with_digits(value, 6)); };
   std::string text =
       fmt::format("[correction.trust]  # {}\n", correction::line_of(correction::trust_of(m)));
-  if (std::isfinite(e.error)) text += fmt::format("error_um = {}\n", number(e.error / um));
+  if (std::isfinite(e.error))
+    text += fmt::format("{} = {}\n", correction::in_unit_of(m, "error_um"), number(e.error / um));
   return text + fmt::format(
-                    "uncorrected_um = {}\nduration_s = {}\ncourse = \"{}\"\n"
+                    "{} = {}\nduration_s = {}\ncourse = \"{}\"\n"
                     "judged_by = \"{}\"\n",
-                    number(e.uncorrected / um), number(e.duration),
-                    e.one_way ? "one-way" : "returns",
+                    correction::in_unit_of(m, "uncorrected_um"), number(e.uncorrected / um),
+                    number(e.duration), e.one_way ? "one-way" : "returns",
                     e.other_record ? "other-record" : "held-out");
 }
 
@@ -276,13 +280,14 @@ void read_trust(const Section& correction, Model& model, std::vector<std::string
       correction.fail(key, fmt::format("{} = {}: must be a table, written as [correction.{}]", key,
                                        text::shown(*node), key));
     return Section(correction.source(), fmt::format("correction.{}", key), node->as_table(),
-                   {keys});
+                   {keys_of(model.displacement, keys)});
   };
   if (const auto table = part("together", correction_together_keys))
     model.together = read_together(*table);
-  if (const auto table = part("residual", correction_residual_keys)) model.left = read_left(*table);
+  if (const auto table = part("residual", correction_residual_keys))
+    model.left = read_left(*table, model);
   if (const auto table = part("trust", correction_trust_keys))
-    model.evidence = read_evidence(*table);
+    model.evidence = read_evidence(*table, model);
   if (const auto table = part("covariance", covariance_keys))
     read_correction_covariance(*table, model, notes);
 }
@@ -297,7 +302,7 @@ std::string trust_text(const Model& model) {
   if (const std::string still = still_text(model); !still.empty()) add(still);
   if (model.together) add(together_text(*model.together));
   if (model.covariance) add(covariance_text(model));
-  if (model.left) add(left_text(*model.left));
+  if (model.left) add(left_text(model));
   if (model.evidence) add(evidence_text(model));
   return text;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "correction/simulation.h"
 #include "record/series_channel.h"
@@ -15,6 +16,10 @@ const Key control_keys[]{
      "an offset is at most this, either way; of all axes, or { COLUMN = ... } by displacement"},
     {"slew_um_s", between(1e-6, 1e6, "um/s"), usual_control.slew_um_s.all,
      "an offset goes no faster; of all axes, or by displacement"},
+    {"limit_urad", between(1e-3, 1e6, "urad"), usual_control.limit_um.all,
+     "as limit_um, of angles: of all, or by displacement"},
+    {"slew_urad_s", between(1e-6, 1e6, "urad/s"), usual_control.slew_um_s.all,
+     "as slew_um_s, of angles: of all, or by displacement"},
     {"sign", between(-1, 1), usual_control.sign.all,
      "1 or -1: offset = sign * displacement, an axis moves against it; of all axes, or by "
      "displacement"},
@@ -22,7 +27,12 @@ const Key control_keys[]{
      "of what is handed out, counts being whole numbers; of all axes, or by displacement"},
     {"count_um", between(1e-6, 1e6, "um"), usual_control.count_um.all,
      "of one count; of all axes, or by displacement"},
-    {"axis", one_of("x|y|z|u|v|w"), "that of displacement_LETTER_um", "of LinuxCNC that is moved"},
+    {"unit_of_angles", one_of("urad|mrad|rad|deg|counts"), "urad",
+     "as unit, of angles: of all, or by displacement"},
+    {"count_urad", between(1e-6, 1e6, "urad"), usual_control.count_um.all,
+     "as count_um, of angles: of all, or by displacement"},
+    {"axis", one_of("x|y|z|u|v|w|a|b|c"),
+     "that of displacement_LETTER_um or displacement_LETTER_urad", "of LinuxCNC that is moved"},
     {"plausible", a_list, "[-40, 150] of temperatures, 10 times the range of others",
      "[lowest, highest] that an input can be, in its unit; one pair is of all temperatures, or { "
      "COLUMN = [...] } of any input"},
@@ -64,18 +74,19 @@ class ExportReader {
       : s_(tables.section("export", {control_keys})) {
     for (const correction::Model& m : models) {
       axes_.emplace_back(m.displacement->name);
+      (record::is_angle(*m.displacement) ? angles_ : lengths_).push_back(axes_.back());
       for (const correction::Channel* c : correction::inputs_of(m)) inputs_.emplace_back(c->name);
     }
   }
 
   correction::ControlSettings read() {
     correction::ControlSettings all;
-    number("limit_um", axes_, all.limit_um);
-    number("slew_um_s", axes_, all.slew_um_s);
+    of_displacements("limit_um", "limit_urad", all.limit_um, all.limit_um.all);
+    of_displacements("slew_um_s", "slew_urad_s", all.slew_um_s, all.slew_um_s.all);
     number("sign", axes_, all.sign);
-    text("unit", all.unit);
-    number("count_um", axes_, all.count_um);
-    text("axis", all.axis);
+    of_displacements("unit", "unit_of_angles", all.unit, std::string("urad"));
+    of_displacements("count_um", "count_urad", all.count_um, all.count_um.all);
+    text("axis", axes_, all.axis);
     limits("plausible", all.plausible);
     number("fastest_per_s", inputs_, all.fastest_per_s);
     number("stuck_s", inputs_, all.stuck_s);
@@ -107,7 +118,7 @@ class ExportReader {
       if (std::find(known.begin(), known.end(), column.str()) == known.end())
         s_.fail(key,
                 fmt::format("{} = {}: {} is none of {}{}", key, text::shown(*node), column.str(),
-                            &known == &axes_ ? "the displacements" : "the inputs",
+                            &known == &inputs_ ? "the inputs" : "the displacements",
                             known.empty() ? "" : ": " + text::listed(known)));
     return node->as_table();
   }
@@ -131,12 +142,32 @@ class ExportReader {
       return s.number(key.as(at, key.form.unit)).value_or(value.all);
     });
   }
-  void text(std::string_view name, correction::ByColumn<std::string>& value) {
+  void text(std::string_view name, const Names& known, correction::ByColumn<std::string>& value) {
     const Names choices = s_.key(name).form.choices();
-    read(name, axes_, value, [&](const Section& s, std::string_view at) {
+    read(name, known, value, [&](const Section& s, std::string_view at) {
       return s.choice(at, choices).value_or(value.all);
     });
   }
+  void one(std::string_view name, const Names& known, correction::ByColumn<double>& value) {
+    number(name, known, value);
+  }
+  void one(std::string_view name, const Names& known, correction::ByColumn<std::string>& value) {
+    text(name, known, value);
+  }
+  /// A key of lengths and its like of angles; the values of angles stand by their column.
+  template <typename T>
+  void of_displacements(std::string_view of_length, std::string_view of_angle,
+                        correction::ByColumn<T>& value, T usual) {
+    for (const auto& [key, known, kind] :
+         {std::tuple{of_length, &lengths_, "a length"}, std::tuple{of_angle, &angles_, "an angle"}})
+      if (s_.find(key) && known->empty())
+        s_.fail(key, fmt::format("{}: no displacement of the model is {}", key, kind));
+    one(of_length, lengths_, value);
+    correction::ByColumn<T> angles{usual, {}};
+    one(of_angle, angles_, angles);
+    for (const std::string& column : angles_) value.columns.emplace_back(column, angles.of(column));
+  }
+
   void limits(std::string_view key, correction::ByColumn<correction::ControlLimits>& value) {
     read(key, inputs_, value, [&](const Section& s, std::string_view name) {
       const toml::node* const at = s.find(name);
@@ -162,7 +193,7 @@ class ExportReader {
   }
 
   Section s_;
-  Names axes_, inputs_;
+  Names axes_, lengths_, angles_, inputs_;  ///< columns
 };
 
 }  // namespace

@@ -27,6 +27,8 @@ constexpr Key loop_keys[]{
      "error of the friction torque below which nothing matters, above 0"},
     {"tolerance_um", between(0, 1e9, "um"), unset,
      "error of the displacement below which nothing matters, above 0"},
+    {"tolerance_urad", between(0, 1e9, "urad"), unset,
+     "of a correction: error of an angle below which nothing matters, above 0"},
     {"tolerance_K", between(0, 1e9, "K"), unset,
      "of a spindle: error of a temperature below which nothing matters, above 0"},
 };

@@ -133,7 +133,9 @@ NewCorrection new_correction(const Source& source, const ReadOptions& given) {
   made.text = with_remarks(
       new_corrections(models, comment),
       {{"tolerance_um", "assumed: a tenth of the range of the readings; what you tolerate"},
+       {"tolerance_urad", "assumed: a tenth of the range of the readings; what you tolerate"},
        {"offset_um", "assumed; identify finds it"},
+       {"offset_urad", "assumed; identify finds it"},
        {"sections", "assumed: a share of the range of the readings, a tenth of the record"}});
   if (!columns.all_ours) made.text += "\n" + columns.text;
   (void)parse_correction(made.text, "new correction");  // it reads back

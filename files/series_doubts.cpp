@@ -287,26 +287,41 @@ double warming_of(const Record& data) {
 }
 
 void look_at_displacements(const Record& data, std::vector<Doubt>& found) {
+  // Angles alike: a micrometre over a metre is a microradian.
   constexpr double least_warming = 2.0;                               // [K]
-  constexpr double little = 0.02 * um, much = 300.0 * um;             // [m/K]
-  constexpr double usual_least = 0.05 * um, usual_most = 100.0 * um;  // [m/K]
+  constexpr double little = 0.02 * um, much = 300.0 * um;             // [m/K] or [rad/K]
+  constexpr double usual_least = 0.05 * um, usual_most = 100.0 * um;  // [m/K] or [rad/K]
+  constexpr std::array lengths{"mm", "m", "nm"};
+  constexpr std::array angles{"arcsec", "mrad", "deg", "rad"};
   const double warming = warming_of(data);
   if (!(warming > least_warming)) return;
   for (const record::Column& c : data.columns) {
-    if (c.channel->role != Role::measured || unit_of(*c.channel) != text::find_unit("um")) continue;
+    const bool is_angle = record::is_angle(*c.channel);
+    const text::Dimension kind = is_angle ? text::Dimension::angle : text::Dimension::length;
+    if (c.channel->role != Role::measured ||
+        unit_of(*c.channel) != text::find_unit(is_angle ? "urad" : "um"))
+      continue;
     const double rate = extent_of(c.values).width() / warming;
     if (!(rate > 0.0) || (rate > little && rate < much)) continue;
-    for (const char* const name : {"mm", "m", "nm"}) {
-      const text::Unit& unit = *text::find_unit(name, text::Dimension::length);
-      const double other = unit.factor / um * rate;
-      if (other < usual_least || other > usual_most) continue;
-      found.push_back(
-          {.text = fmt::format("{} moves by {:.3g} um for each kelvin of the warmest sensor: is it "
-                               "in {}, {:.3g} um/K?",
-                               c.channel->name, rate / um, unit.words, other / um),
-           .units = {{c.channel, unit.suffix}}});
-      break;
+    // Several may be possible: the one whose rate is nearest to the middle of the usual ones.
+    const text::Unit* likely = nullptr;
+    const auto rate_in = [&](const text::Unit& unit) { return unit.factor / um * rate; };
+    const auto apart = [&](const text::Unit& unit) {
+      return std::abs(std::log(rate_in(unit) / std::sqrt(usual_least * usual_most)));
+    };
+    for (const char* const name :
+         is_angle ? std::span<const char* const>(angles) : std::span<const char* const>(lengths)) {
+      const text::Unit& unit = *text::find_unit(name, kind);
+      if (rate_in(unit) < usual_least || rate_in(unit) > usual_most) continue;
+      if (!likely || apart(unit) < apart(*likely)) likely = &unit;
     }
+    if (!likely) continue;
+    found.push_back({.text = fmt::format(
+                         "{} {} by {:.3g} {} for each kelvin of the warmest sensor: is it in "
+                         "{}, {:.3g} {}/K?",
+                         c.channel->name, is_angle ? "turns" : "moves", rate / um, c.channel->unit,
+                         likely->words, rate_in(*likely) / um, c.channel->unit),
+                     .units = {{c.channel, likely->suffix}}});
   }
 }
 

@@ -162,7 +162,8 @@ class SeriesReader {
                                   : "over time has NAME_temperature_C, NAME_feed_m_min, "
                                     "NAME_speed_rpm, NAME_position_mm, NAME_current_A, "
                                     "NAME_voltage_V, NAME in W, N, Nm, l_min, bar or percent, "
-                                    "coolant_on, displacement_NAME_um, offset_NAME_um");
+                                    "coolant_on, displacement_NAME_um, displacement_NAME_urad, "
+                                    "offset_NAME_um, offset_NAME_urad");
   }
 
   void set_constant(const Recognised::Constant& constant, Record& result) {
@@ -355,7 +356,7 @@ void take_offsets_off(Record& record, const std::function<bool(const Channel&)>&
   std::vector<std::string> lone;
   for (const record::Column& offset : record.columns) {
     if (offset.channel->kind != record::offset_kind) continue;
-    const std::string of = "displacement" + std::string(offset.channel->variable.substr(6)) + "_um";
+    const std::string of = "displacement" + std::string(offset.channel->name.substr(6));
     const Channel& displacement = *record::series_channel(of);
     record::Column* const read = record.find(displacement);
     if (!read) {

@@ -33,6 +33,7 @@ constexpr std::array series_kinds{
                "coolant_on"},
     SeriesKind{"displacement_", "_um",
                "verlagerung verschiebung displacement dehnung growth drift probe taster weg"},
+    SeriesKind{"displacement_", "_urad", "kippung neigung winkel tilt pitch yaw angle rotation"},
     SeriesKind{"offset_", "_um", "korrektur kompensation correction compensation offset"},
     SeriesKind{"", "_temperature_C", "temperatur temperature temp t"},
     SeriesKind{"", "_feed_m_min", "vorschub feed feedrate"},
@@ -136,7 +137,8 @@ std::optional<SeriesColumn> column_of_series(const text::CsvTable& table, std::s
     if (!p) continue;
     std::size_t named = longest_word_in(name, kind.words);
     if (kind.end == "_temperature_C" && is_numbered_temperature(name)) named = name.size();
-    if (named == 0 && !p->unit) continue;
+    // An angle of any name may be the position of an axis.
+    if (named == 0 && (!p->unit || kind.end == "_urad")) continue;
     if (kind.single == "coolant_on" && !is_switch(table, column)) continue;
     p->score += named;
     if (!best || p->score > best->as.score) best = SeriesColumn{&kind, *std::move(p), name};

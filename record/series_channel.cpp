@@ -9,7 +9,9 @@
 namespace raceway::record {
 namespace {
 
-constexpr std::string_view position_kind = "position";
+constexpr std::string_view position_kind = "position", angle_kind = "angle";
+constexpr double urad = 1e-6;  // [rad]
+static_assert(urad == um, "in_unit_of() changes names alone");
 
 /// Columns of one kind: a name between `begin` and `end`, which ends in `unit`.
 struct Family {
@@ -39,6 +41,22 @@ constexpr std::array families{
                    .upper = 1e6,
                    .role = Role::measured,
                    .direction = "positive towards the tool"}},
+    Family{"displacement_", "_urad", "_urad",
+           Channel{.name = {},
+                   .unit = "urad",
+                   .factor = urad,
+                   .lower = -1e6,
+                   .upper = 1e6,
+                   .role = Role::measured,
+                   .kind = angle_kind,
+                   .direction = "right-handed about its axis"}},
+    Family{"offset_", "_urad", "_urad",
+           Channel{.name = {},
+                   .unit = "urad",
+                   .factor = urad,
+                   .lower = -1e6,
+                   .upper = 1e6,
+                   .kind = offset_kind}},
     Family{"offset_", "_um", "_um",
            Channel{.name = {},
                    .unit = "um",
@@ -83,6 +101,14 @@ constexpr std::array families{
     Family{"", "_bar", "_bar", recorded("bar", 1e5, "pressure")},
     Family{"", "_percent", "_percent", recorded("%", 0.01, "share")}};
 
+constexpr Family transducers{"", "_um", "_um",
+                             Channel{.name = {},
+                                     .unit = "um",
+                                     .factor = um,
+                                     .lower = -1e6,
+                                     .upper = 1e6,
+                                     .role = Role::measured}};
+
 constexpr Channel coolant{.name = "coolant_on",
                           .variable = "coolant",
                           .words = "coolant",
@@ -111,36 +137,61 @@ bool is_name(std::string_view text) {
   return !text.empty() && text.front() != '_';
 }
 
+bool has(const Family& family, std::string_view name) {
+  return name.size() > family.begin.size() + family.end.size() && name.starts_with(family.begin) &&
+         name.ends_with(family.end);
+}
+
+/// The channel of that name, made once; null for a name with other characters than a name has.
+const Channel* channel_of(const Family& family, std::string_view name) {
+  if (!is_name(
+          name.substr(family.begin.size(), name.size() - family.begin.size() - family.end.size())))
+    return nullptr;
+  static std::mutex mutex;
+  static std::deque<Owned> made;  // addresses of its elements stay
+  const std::scoped_lock lock(mutex);
+  for (const Owned& one : made)
+    if (one.name == name) return &one.channel;
+  Owned& one = made.emplace_back();
+  one.name = name;
+  one.variable = name.substr(0, name.size() - family.unit.size());
+  one.words = in_words(one.variable);
+  one.channel = family.like;
+  one.place = std::string(family.like.unit) + " of " + one.words;
+  one.channel.name = one.name;
+  one.channel.variable = one.variable;
+  one.channel.words = one.words;
+  one.channel.place = one.place;
+  return &one.channel;
+}
+
 }  // namespace
 
 const Channel* series_channel(std::string_view name) {
   for (const Channel* fixed : {&time, &speed, &run, &coolant, &setup})
     if (fixed->name == name) return fixed;
-  for (const Family& family : families) {
-    if (name.size() <= family.begin.size() + family.end.size() || !name.starts_with(family.begin) ||
-        !name.ends_with(family.end))
-      continue;
-    if (!is_name(name.substr(family.begin.size(),
-                             name.size() - family.begin.size() - family.end.size())))
-      return nullptr;
-    static std::mutex mutex;
-    static std::deque<Owned> made;  // addresses of its elements stay
-    const std::scoped_lock lock(mutex);
-    for (const Owned& one : made)
-      if (one.name == name) return &one.channel;
-    Owned& one = made.emplace_back();
-    one.name = name;
-    one.variable = name.substr(0, name.size() - family.unit.size());
-    one.words = in_words(one.variable);
-    one.channel = family.like;
-    one.place = std::string(family.like.unit) + " of " + one.words;
-    one.channel.name = one.name;
-    one.channel.variable = one.variable;
-    one.channel.words = one.words;
-    one.channel.place = one.place;
-    return &one.channel;
-  }
+  for (const Family& family : families)
+    if (has(family, name)) return channel_of(family, name);
   return nullptr;
+}
+
+const Channel* transducer_channel(std::string_view name) {
+  return has(transducers, name) && !series_channel(name) ? channel_of(transducers, name) : nullptr;
+}
+
+bool is_angle(const Channel& channel) { return channel.kind == angle_kind; }
+
+std::string in_unit_of(const Channel& displacement, std::string_view text) {
+  constexpr std::string_view length = "um", angle = "urad";
+  std::string result(text);
+  if (!is_angle(displacement)) return result;
+  const auto is_letter = [&](std::size_t at) {
+    return at < result.size() && std::isalnum(static_cast<unsigned char>(result[at]));
+  };
+  for (std::size_t at = result.find(length); at != result.npos; at = result.find(length, at + 1))
+    if (!is_letter(at - 1) && !is_letter(at + length.size()))
+      result.replace(at, length.size(), angle);
+  return result;
 }
 
 Course course_of(const Channel& channel) {

@@ -151,12 +151,6 @@ class Page {
     return {values.begin(), values.end()};
   }
 
-  std::string add_um(const std::string& name, std::vector<double> values) {
-    for (double& v : values) v /= um;
-    columns_.add_course(name + "_um", std::move(values));
-    return name + "_um";
-  }
-
   std::string add_readings(const std::string& name, const record::Channel& channel,
                            std::vector<double> values) {
     for (double& v : values) v = channel.in_unit(v);
@@ -213,9 +207,10 @@ class Page {
           inputs = inputs_of_part(correction::input_of(e, model));
       if (part.name == "kinematic" && inputs.empty()) inputs = {record::speed.name};
       const std::string column = fmt::format("part_{}_{}", number, list.size());
-      list.push_back({{"name", part.name},
-                      {"column", add_um(column, std::move(part.displacement))},
-                      {"inputs", std::move(inputs)}});
+      list.push_back(
+          {{"name", part.name},
+           {"column", add_readings(column, *model.displacement, std::move(part.displacement))},
+           {"inputs", std::move(inputs)}});
     }
     return list;
   }
@@ -229,22 +224,25 @@ class Page {
     return name;
   }
 
+  /// In the unit of the displacement.
   [[nodiscard]] text::json responses(const correction::Model& model) const {
+    const record::Channel& unit = *model.displacement;
     text::json list = text::json::array();
     for (const correction::StepResponse& r : correction::step_responses(model, record_)) {
       text::json parts = text::json::array(), sampled = text::json::array();
       for (const correction::StepResponse::Part& p : r.parts)
-        parts.push_back(
-            {{"name", p.name}, {"gain_um", p.gain / um}, {"time_constant_s", p.time_constant}});
-      for (const double v : r.sampled) sampled.push_back(v / um);
+        parts.push_back({{"name", p.name},
+                         {"gain", unit.in_unit(p.gain)},
+                         {"time_constant_s", p.time_constant}});
+      for (const double v : r.sampled) sampled.push_back(unit.in_unit(v));
       list.push_back({{"name", r.name},
                       {"input", r.input},
                       {"step", r.step},
                       {"unit", r.unit},
                       {"parts", std::move(parts)},
-                      {"at_once_um", r.at_once / um},
+                      {"at_once", unit.in_unit(r.at_once)},
                       {"sensor_time_constant_s", r.sensor_time_constant},
-                      {"sampled_um", std::move(sampled)},
+                      {"sampled", std::move(sampled)},
                       {"sampling_s", r.sampling},
                       {"changed_by", r.changed_by}});
     }

@@ -8,6 +8,7 @@
 #include "correction/numbers.h"
 #include "fit/noise.h"
 #include "record/digits.h"
+#include "record/series_channel.h"
 #include "results/detail/correction_objects.h"
 #include "results/detail/fit_objects.h"
 #include "text/detail/csv_text.h"
@@ -39,7 +40,7 @@ text::json channel_of(const Identification& found, const correction::DrivenChann
   if (through.is_null())  // not fitted: as the file has it
     through = {{"value", c.feedthrough * c.input.factor() / um},
                {"std", nullptr},
-               {"unit", "um/" + std::string(c.input.unit())}};
+               {"unit", correction::in_unit_of(found.model, "um/" + std::string(c.input.unit()))}};
   return {{"name", c.name},
           {"input", c.input.name},
           {"sections", std::move(sections)},
@@ -71,7 +72,7 @@ text::json identified_object(const Identification& found) {
                  {"rmse_held_out_um", found.rms_held_out / um},
                  {"condition", found.condition},
                  {"at_bound", found.at_bound},
-                 {"metrics", metrics_object(found.metrics)},
+                 {"metrics", metrics_object(found.metrics, *found.model.displacement)},
                  {"noise", {{"rms", found.noise / um}, {"source", fit::name(found.noise_source)}}},
                  {"tolerance_um", found.model.tolerance / um},
                  {"initial_state", name(found.model.initial_state)},
@@ -80,7 +81,8 @@ text::json identified_object(const Identification& found) {
                  {"trust", trust_object(correction::trust_of(found.model))},
                  {"warnings", nullptr}});
   text::put_notes(result, "warnings", found.messages);
-  if (!found.is_bank()) return result;
+  const record::Channel& displacement = *found.model.displacement;
+  if (!found.is_bank()) return in_unit_of(displacement, result);
   text::json ahead = text::json::array(), strengths = text::json::array();
   for (const correction::AheadError& e : found.ahead)
     ahead.push_back({{"from_s", e.from}, {"rmse_um", e.rms / um}});
@@ -90,7 +92,7 @@ text::json identified_object(const Identification& found) {
                          {"rmse_ahead_um", t.rms_ahead / um},
                          {"share", t.share}});
   result.update({{"ahead", std::move(ahead)}, {"strengths", std::move(strengths)}});
-  return result;
+  return in_unit_of(displacement, result);
 }
 
 text::json beyond_part(const correction::Beyond::Part& p, const record::Record& record) {
@@ -111,10 +113,10 @@ text::json beyond_part(const correction::Beyond::Part& p, const record::Record& 
   return result;
 }
 
-text::json validation_object(const Validation& v) {
+text::json validation_object(const Validation& v, const record::Channel& displacement) {
   text::json result = {{"data", v.data}};
-  result.update(metrics_object(v.metrics));
-  result["uncorrected_rmse_um"] = v.uncorrected / um;
+  result.update(metrics_object(v.metrics, displacement));
+  result[record::in_unit_of(displacement, "uncorrected_rmse_um")] = v.uncorrected / um;
   result["rows_beyond_range"] = v.rows_beyond_range;
   return result;
 }
@@ -125,9 +127,9 @@ text::json arx_object(const record::Channel& displacement, const correction::Arx
     text::json poles = text::json::array();
     for (const std::complex<double>& pole : f.poles) poles.push_back({pole.real(), pole.imag()});
     fits.push_back({{"order", f.order},
-                    {"one_step", metrics_object(f.one_step)},
-                    {"simulated", metrics_object(f.simulated)},
-                    {"simulated_second_half", metrics_object(f.second_half)},
+                    {"one_step", metrics_object(f.one_step, displacement)},
+                    {"simulated", metrics_object(f.simulated, displacement)},
+                    {"simulated_second_half", metrics_object(f.second_half, displacement)},
                     {"poles", std::move(poles)},
                     {"time_constants_s", f.time_constants},
                     {"stable", f.stable}});
@@ -160,9 +162,9 @@ text::json corrected_object(const Corrected& c, const record::Record& record) {
                        {"predicted_range_um", {*low / um, *high / um}},
                        {"band", band_object(c)},
                        {"trust", trust_object(c.trust)},
-                       {"metrics", metrics_object(c.metrics)}};
+                       {"metrics", metrics_object(c.metrics, *c.displacement)}};
   result.update(beyond_object(c.beyond, record));
-  return result;
+  return in_unit_of(*c.displacement, result);
 }
 
 }  // namespace
@@ -193,16 +195,31 @@ Metrics metrics_of(const verdict::Comparison& c) {
   return correction::metrics(measured, predicted);
 }
 
-text::json metrics_object(const Metrics& m) {
-  return {{"readings", m.readings},
-          {"rmse_um", m.rms / um},
-          {"mae_um", m.mean_abs / um},
-          {"max_abs_um", m.max_abs / um},
-          {"residue_min_um", m.residue_min / um},
-          {"residue_max_um", m.residue_max / um},
-          {"peak_to_peak_um", m.peak_to_peak / um},
-          {"fit_percent", m.fit_percent},
-          {"reduction_of_max_percent", m.reduction_of_max_percent}};
+text::json in_unit_of(const record::Channel& displacement, const text::json& object) {
+  if (!record::is_angle(displacement) || !object.is_structured()) return object;
+  text::json result = object.is_array() ? text::json::array() : text::json::object();
+  if (object.is_array()) {
+    for (const text::json& one : object) result.push_back(in_unit_of(displacement, one));
+    return result;
+  }
+  for (const auto& [key, value] : object.items())
+    result[record::in_unit_of(displacement, key)] =
+        key == "unit" && value.is_string()
+            ? text::json(record::in_unit_of(displacement, value.get<std::string>()))
+            : in_unit_of(displacement, value);
+  return result;
+}
+
+text::json metrics_object(const Metrics& m, const record::Channel& displacement) {
+  return in_unit_of(displacement, {{"readings", m.readings},
+                                   {"rmse_um", m.rms / um},
+                                   {"mae_um", m.mean_abs / um},
+                                   {"max_abs_um", m.max_abs / um},
+                                   {"residue_min_um", m.residue_min / um},
+                                   {"residue_max_um", m.residue_max / um},
+                                   {"peak_to_peak_um", m.peak_to_peak / um},
+                                   {"fit_percent", m.fit_percent},
+                                   {"reduction_of_max_percent", m.reduction_of_max_percent}});
 }
 
 std::string identification_json(const std::string& model_file, const record::Record& record,
@@ -213,7 +230,8 @@ std::string identification_json(const std::string& model_file, const record::Rec
   for (std::size_t k = 0; k < found.size(); ++k) {
     axes.push_back(identified_object(found[k]));
     axes.back()["validation"] =
-        k < validations.size() ? validation_object(validations[k]) : text::json();
+        k < validations.size() ? validation_object(validations[k], *found[k].model.displacement)
+                               : text::json();
   }
   add_axes(document, std::move(axes));
   return text::text(document);
@@ -242,13 +260,14 @@ std::string corrected_text(const record::Record& record, const std::vector<Corre
   };
   for (const Corrected& c : corrected) {
     const auto of = [&](std::string_view what) {
-      name(several ? fmt::format("{}_{}", what, c.displacement->name) : fmt::format("{}_um", what));
+      name(several ? fmt::format("{}_{}", what, c.displacement->name)
+                   : fmt::format("{}_{}", what, c.displacement->unit));
     };
     of("predicted");
     if (!c.band.empty()) of("band_low"), of("band_high");
     for (const correction::Contribution& part : c.parts) {
       std::string column =
-          part.name + "_" + (several ? std::string(c.displacement->name) : std::string("um"));
+          part.name + "_" + std::string(several ? c.displacement->name : c.displacement->unit);
       std::replace(column.begin(), column.end(), ':', '_');
       name(column);
     }

@@ -54,7 +54,7 @@ struct Corrected {
 
 /// time_s, predicted_um (of several displacements predicted_COLUMN), band_low_um and band_high_um
 /// where a band is known, what each channel adds (of several displacements CHANNEL_COLUMN), and
-/// where it was read the residual_um.
+/// where it was read the residual_um. An angle has urad in the place of um.
 [[nodiscard]] std::string corrected_text(const record::Record& record,
                                          const std::vector<Corrected>& corrected);
 [[nodiscard]] std::string corrected_json(const std::string& model_file,

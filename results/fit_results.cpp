@@ -74,10 +74,10 @@ text::json compared_channel(const verdict::Comparison& c, const record::Record& 
                   {{"statistic", c.lack_of_fit.statistic}, {"p_value", c.lack_of_fit.p_value}}}});
   // Of a record over time.
   if (record::find_channel(c.channel->name) == nullptr) {
-    result.update(metrics_object(metrics_of(c)));
+    result.update(metrics_object(metrics_of(c), *c.channel));
     result["initial_state"] = c.begins;
     result["correlation_time_s"] = c.correlation_time;
-    result["tolerance_um"] = c.tolerance / factor;
+    result[record::in_unit_of(*c.channel, "tolerance_um")] = c.tolerance / factor;
     result["within_tolerance"] =
         std::isnan(c.tolerance) ? text::json() : text::json(c.rmse <= c.tolerance);
   }
@@ -341,7 +341,8 @@ text::json over_time_object(const correction::RecordCheck& c) {
   text::json quanta = text::json::object(), printed = text::json::array();
   for (const correction::RecordCheck::Quantum& q : c.quanta)
     quanta[std::string(q.column->name)] = q.step / q.column->factor;
-  for (const correction::RecordCheck::Printed& p : c.printed) printed.push_back(printed_object(p));
+  for (const correction::RecordCheck::Printed& p : c.printed)
+    printed.push_back(in_unit_of(*c.displacement, printed_object(p)));
   text::json document = {{"sampling_s", c.sampling},
                          {"duration_s", c.duration},
                          {"readings", c.readings},
@@ -352,6 +353,7 @@ text::json over_time_object(const correction::RecordCheck& c) {
                          {"quanta", std::move(quanta)},
                          {"warnings", nullptr}};  // check_json() has them
   // The first at the top, as with channels.
+  document = in_unit_of(*c.displacement, document);
   if (printed.empty()) return document;
   text::json first = printed.front();
   first.erase("warnings");

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "record/digits.h"
+#include "results/detail/correction_objects.h"
 #include "results/detail/fit_objects.h"
 #include "text/detail/json_text.h"
 #include "text/number_text.h"
@@ -58,24 +59,25 @@ text::json object_of(const Learnt& one, const record::Record& record) {
     due.push_back(place_of(record, d.row));
     due.back()["reason"] = d.reason;
   }
-  return {{"displacement", one.displacement->name},
-          {"readings_learnt", learnt},
-          {"readings_refused", all - learnt},
-          {"between_readings",
-           {{"readings", l.error.readings},
-            {"rmse_first_zero_um", l.error.first / um},
-            {"rmse_last_zero_um", l.error.zeroed / um},
-            {"rmse_learnt_um", l.error.learnt / um}}},
-          {"tolerance_um", l.tolerance / um},
-          {"rows_beyond_tolerance", l.rows_beyond_tolerance},
-          {"next_reading_due_s", l.next_reading},
-          {"next_reading_ever_due", !std::isinf(l.next_reading)},
-          {"identification_due", std::move(due)},
-          {"misfit_um", l.misfit / um},
-          {"reading_std_um", l.reading_std / um},
-          {"level", l.level},
-          {"gains", gains_of(l)},
-          {"readings", readings_of(l, record)}};
+  const text::json object = {{"displacement", one.displacement->name},
+                             {"readings_learnt", learnt},
+                             {"readings_refused", all - learnt},
+                             {"between_readings",
+                              {{"readings", l.error.readings},
+                               {"rmse_first_zero_um", l.error.first / um},
+                               {"rmse_last_zero_um", l.error.zeroed / um},
+                               {"rmse_learnt_um", l.error.learnt / um}}},
+                             {"tolerance_um", l.tolerance / um},
+                             {"rows_beyond_tolerance", l.rows_beyond_tolerance},
+                             {"next_reading_due_s", l.next_reading},
+                             {"next_reading_ever_due", !std::isinf(l.next_reading)},
+                             {"identification_due", std::move(due)},
+                             {"misfit_um", l.misfit / um},
+                             {"reading_std_um", l.reading_std / um},
+                             {"level", l.level},
+                             {"gains", gains_of(l)},
+                             {"readings", readings_of(l, record)}};
+  return in_unit_of(*one.displacement, object);
 }
 
 }  // namespace
@@ -84,8 +86,9 @@ std::string learnt_text(const record::Record& record, const std::vector<Learnt>&
   std::string result = "time_s";
   for (const Learnt& one : learnt)
     for (const std::string_view name : {"predicted", "std", "residual", "reading"})
-      result += learnt.size() > 1 ? fmt::format(",{}_{}", name, one.displacement->name)
-                                  : fmt::format(",{}{}", name, name == "reading" ? "" : "_um");
+      result += learnt.size() > 1   ? fmt::format(",{}_{}", name, one.displacement->name)
+                : name == "reading" ? std::string(",reading")
+                                    : fmt::format(",{}_{}", name, one.displacement->unit);
   result += '\n';
   const auto cell = [&](double value) {
     result += ',';

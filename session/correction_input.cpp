@@ -139,9 +139,10 @@ std::vector<std::string> range_notes(const correction::Model& model,
     const std::vector<double> share = correction::extrapolated(model, series, beyond);
     const auto most = std::max_element(share.begin(), share.end());
     notes.push_back(
-        fmt::format("a regression goes on in straight lines there: {:.3g} um of what it predicts "
+        fmt::format("a regression goes on in straight lines there: {:.3g} {} of what it predicts "
                     "in {} come from outside the measurements",
-                    *most / um, when(record, static_cast<std::size_t>(most - share.begin()))));
+                    *most / um, correction::unit_of(model),
+                    when(record, static_cast<std::size_t>(most - share.begin()))));
   }
   for (const correction::Beyond::Part& p : beyond.parts) notes.push_back(note_of(p, record));
   for (const correction::DrivenChannel& c : model.channels)

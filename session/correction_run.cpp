@@ -116,14 +116,16 @@ std::vector<std::string> notes_on(const correction::Model& model) {
   std::vector<std::string> notes;
   if (std::isnan(model.tolerance))
     notes.push_back(
-        fmt::format("{}: no tolerance_um in the model: a misfit of {:g} um is assumed, "
+        fmt::format("{}: no {} in the model: a misfit of {:g} {} is assumed, "
                     "and no reading is due",
-                    model.displacement->name, correction::usual_misfit / um));
+                    model.displacement->name, correction::in_unit_of(model, "tolerance_um"),
+                    correction::usual_misfit / um, correction::unit_of(model)));
   if (std::isnan(model.measured_std))
     notes.push_back(
-        fmt::format("{}: no measurement_std_um in the model: readings are taken to "
-                    "scatter by {:g} um",
-                    model.displacement->name, correction::usual_reading_std / um));
+        fmt::format("{}: no {} in the model: readings are taken to "
+                    "scatter by {:g} {}",
+                    model.displacement->name, correction::in_unit_of(model, "measurement_std_um"),
+                    correction::usual_reading_std / um, correction::unit_of(model)));
   if (model.range.empty())
     notes.push_back(
         fmt::format("{}: no [correction.range] in the model: lags that it lacks are "
@@ -141,10 +143,10 @@ std::vector<std::string> warnings_on(const results::Learnt& one, const record::R
   };
   for (const correction::OfferedReading& r : one.learning.readings)
     if (!r.learnt)
-      list.push_back(
-          fmt::format("{}: {:.4g} um read where {:.4g} +- {:.2g} was expected: refused, "
-                      "not learnt",
-                      place(r.row), r.reading / um, r.predicted / um, r.std / um));
+      list.push_back(fmt::format(
+          "{}: {:.4g} {} read where {:.4g} +- {:.2g} was expected: refused, "
+          "not learnt",
+          place(r.row), r.reading / um, one.displacement->unit, r.predicted / um, r.std / um));
   for (const correction::IdentificationDue& d : one.learning.due)
     list.push_back(fmt::format("{}: a new identification is due: {}", place(d.row), d.reason));
   return list;

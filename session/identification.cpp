@@ -164,11 +164,12 @@ ArxText arx_text(
           {.file = asked.data.source, .key = "--baseline"});
     models.push_back(correction::with_arx(asked.file.models[k], baseline, *best));
     result.notes.push_back(record::note::limits(
-        fmt::format("{}: ARX of order {}, which errs least over the second half ({:.3g} um "
-                    "simulated, {:.3g} um one step ahead). A control gets the simulation, at calls "
-                    "every {:.10g} s alone",
-                    displacement->name, best->order, best->second_half.rms / um,
-                    best->one_step.rms / um, baseline.sampling),
+        fmt::format(
+            "{}: ARX of order {}, which errs least over the second half ({:.3g} {unit} "
+            "simulated, {:.3g} {unit} one step ahead). A control gets the simulation, at calls "
+            "every {:.10g} s alone",
+            displacement->name, best->order, best->second_half.rms / um, best->one_step.rms / um,
+            baseline.sampling, fmt::arg("unit", displacement->unit)),
         {.file = asked.data.source}));
   }
   result.text = files::new_corrections(models, "ARX models of " + asked.data.source);

@@ -90,6 +90,8 @@ constexpr std::array all_units{
     Unit{"deg", "deg", D::angle, degree, 0, "", "deg degree degrees"},
     Unit{"mrad", "mrad", D::angle, mrad, 0, "", "milliradian milliradians"},
     Unit{"rad", "rad", D::angle, 1.0, 0, "", "radian radians"},
+    Unit{"urad", "urad", D::angle, 1e-6, 0, "", "microradian microradians"},
+    Unit{"arcsec", "arcsec", D::angle, degree / 3600.0, 0, "", "arcsec arcsecond arcseconds"},
     Unit{"MPa", "MPa", D::pressure, MPa},
     Unit{"GPa", "GPa", D::pressure, GPa},
     Unit{"bar", "bar", D::pressure, 1e5},

@@ -60,7 +60,7 @@ inline constexpr std::array axis_numbers{
     NumberField<ControlAxis>{"unit", &ControlAxis::unit_um, "um", true, 1e-9}};
 inline constexpr std::array axis_texts{
     TextField<ControlAxis>{"name", &ControlAxis::name},
-    TextField<ControlAxis>{"axis", &ControlAxis::letter, " x y z u v w "},
+    TextField<ControlAxis>{"axis", &ControlAxis::letter, " x y z u v w a b c "},
     TextField<ControlAxis>{"output", &ControlAxis::output},
     TextField<ControlAxis>{"trust", &ControlAxis::trust, " good within-range do-not-use "},
     TextField<ControlAxis>{"trust_because", &ControlAxis::trust_because}};

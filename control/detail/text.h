@@ -22,7 +22,10 @@ namespace raceway::control {
                                           std::string_view before = {},
                                           std::string_view after = {});
 
-/// Tolerance of the check record against `correct`, in double [um].
+/// Units of the displacements: "um", "urad" or "um or urad".
+[[nodiscard]] std::string units_of(const ControlPlan& plan);
+
+/// Tolerance of the check record against `correct`, in double [um] or [urad].
 inline constexpr const char* control_tolerance = "1e-9";
 
 /// Hash of the numbers of a plan; a saved state belongs to the plan with the same stamp.

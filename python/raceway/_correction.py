@@ -82,7 +82,7 @@ class Correction(LoopModel):
 
     @property
     def displacements(self) -> list[str]:
-        """Columns that it predicts, such as ``"displacement_z_um"``."""
+        """Columns that it predicts, such as ``"displacement_z_um"`` or, of an angle, ``"displacement_b_urad"``."""
         return self._engine.displacements
 
     @property

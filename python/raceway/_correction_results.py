@@ -6,6 +6,7 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from . import _engine
+from ._documents import in_unit_of
 from ._note import Note
 from ._results import _Answer, _frame, _write, write_files
 
@@ -146,7 +147,8 @@ class Program:
 
 def _numbers(axis: dict[str, Any]) -> list[tuple[str, dict[str, Any]]]:
     """Numbers of the document of one displacement, by the names of the model's parameters."""
-    found = [("offset", axis["offset_um"])] if axis.get("offset_um") else []
+    offset = axis.get(in_unit_of(axis["displacement"], "offset_um"))
+    found = [("offset", offset)] if offset else []
     for channel in axis.get("channels", []):
         name = channel["name"]
         for k, section in enumerate(channel["sections"], 1):

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import os
+import re
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -40,6 +41,7 @@ UNITS = {
     "GPa": "GPa",
     "rpm": "rpm",
     "mrad": "mrad",
+    "urad": "µrad",
     "deg": "°",
     "um": "µm",
     "mm": "mm",
@@ -101,6 +103,15 @@ def unit_text(unit: str | None) -> str:
         return ""
     of, per, what = unit.partition("/")
     return UNITS.get(unit, UNITS.get(of, of) + per + what)
+
+
+def in_unit_of(displacement: str, name: str) -> str:
+    """Name of a number of a displacement, by its name for a length: of an angle it ends in urad.
+
+    >>> in_unit_of("displacement_z_um", "rmse_um"), in_unit_of("displacement_b_urad", "rmse_um")
+    ('rmse_um', 'rmse_urad')
+    """
+    return re.sub(r"(?<![^\W_])um(?![^\W_])", "urad", name) if displacement.endswith("_urad") else name
 
 
 def error_unit(unit: str | None) -> str:

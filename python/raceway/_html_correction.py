@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ._documents import files_text, number, unit_text
+from ._documents import files_text, in_unit_of, number, unit_text
 from ._html import _FAINT, heading, messages_html, paragraph, table, text
 
 FEW = 24  # rows of a table
@@ -17,6 +17,21 @@ def _page(inner: str) -> str:
 def _axes(data: dict[str, Any]) -> list[dict[str, Any]]:
     """Table of each displacement."""
     return data.get("axes", [data])
+
+
+def _unit(axis: dict[str, Any]) -> str:
+    return unit_text(in_unit_of(axis["displacement"], "um"))
+
+
+def _error(axis: dict[str, Any], of: dict[str, Any], name: str) -> str:
+    """An error of a displacement, by its name for a length."""
+    return number(of[in_unit_of(axis["displacement"], name)])
+
+
+def _head(data: dict[str, Any], names: list[str]) -> list[str]:
+    """Head of a table of displacements, "*" standing for their unit; their names end in it."""
+    units = sorted({_unit(axis) for axis in _axes(data)})
+    return [name.replace("*", " or ".join(units)) for name in names]
 
 
 def _said(data: dict[str, Any]) -> str:
@@ -53,7 +68,13 @@ def identification_html(found: Any) -> str:
     for axis in _axes(data):
         if "fits" in axis:
             rows += [
-                [text(axis["displacement"]), f'ARX {text(f["order"])}', number(f["simulated"]["rmse_um"]), number(f["one_step"]["rmse_um"]), ""]
+                [
+                    text(axis["displacement"]),
+                    f'ARX {text(f["order"])}',
+                    _error(axis, f["simulated"], "rmse_um"),
+                    _error(axis, f["one_step"], "rmse_um"),
+                    "",
+                ]
                 for f in axis["fits"]
             ]
         else:
@@ -61,19 +82,19 @@ def identification_html(found: Any) -> str:
                 [
                     text(axis["displacement"]),
                     text(", ".join(c["name"] for c in axis["channels"][:6])),
-                    number(axis["rmse_held_out_um"]),
-                    number(axis["metrics"]["rmse_um"]),
+                    _error(axis, axis, "rmse_held_out_um"),
+                    _error(axis, axis["metrics"], "rmse_um"),
                     number(axis["noise"]["rms"]),
                 ]
             )
     arx = any("fits" in axis for axis in _axes(data))
-    head = ["displacement", "of", "simulated, µm" if arx else "held out, µm", "one step, µm" if arx else "RMS, µm", "" if arx else "noise, µm"]
+    head = _head(data, ["displacement", "of", *(["simulated, *", "one step, *", ""] if arx else ["held out, *", "RMS, *", "noise, *"])])
     out = table(head, rows, left=2)
     for axis in _axes(data):
         if (other := axis.get("validation")) is not None:
             out += paragraph(
                 f'on {text(other["data"])}: {text(axis["displacement"])} RMS '
-                f'{number(other["rmse_um"])} µm, largest {number(other["max_abs_um"])} µm'
+                f'{_error(axis, other, "rmse_um")} {_unit(axis)}, largest {_error(axis, other, "max_abs_um")} {_unit(axis)}'
             )
     if found.parameters:
         out += heading("Parameters") + parameters_table(found.parameters)
@@ -92,21 +113,28 @@ def run_html(run: Any) -> str:
                 [
                     text(axis["displacement"]),
                     text(axis["readings_learnt"]),
-                    number(b["rmse_first_zero_um"]),
-                    number(b["rmse_last_zero_um"]),
-                    number(b["rmse_learnt_um"]),
+                    _error(axis, b, "rmse_first_zero_um"),
+                    _error(axis, b, "rmse_last_zero_um"),
+                    _error(axis, b, "rmse_learnt_um"),
                 ]
             )
         else:
-            low, high = axis["predicted_range_um"]
+            low, high = axis[in_unit_of(axis["displacement"], "predicted_range_um")]
             m = axis["metrics"]
             rows.append(
-                [text(axis["displacement"]), f"{number(low)} to {number(high)}", text(m["readings"]), number(m["rmse_um"]), number(m["max_abs_um"])]
+                [
+                    text(axis["displacement"]),
+                    f"{number(low)} to {number(high)}",
+                    text(m["readings"]),
+                    _error(axis, m, "rmse_um"),
+                    _error(axis, m, "max_abs_um"),
+                ]
             )
-    head = (
-        ["displacement", "learnt", "first zero, µm", "last zero, µm", "learning, µm"]
+    head = _head(
+        data,
+        ["displacement", "learnt", "first zero, *", "last zero, *", "learning, *"]
         if learnt
-        else ["displacement", "predicted, µm", "readings", "RMS, µm", "largest, µm"]
+        else ["displacement", "predicted, *", "readings", "RMS, *", "largest, *"],
     )
     words = "RMS of the readings that nothing was learnt from" if learnt else "RMS and largest error of the readings when one constant is taken off"
     return _page(table(head, rows) + paragraph(words, _FAINT) + _of(data) + _said(data))

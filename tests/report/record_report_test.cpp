@@ -195,10 +195,10 @@ TEST_F(RecordReport, TellsWhatAStepOfEachInputDoes) {
   const Json& responses = d["models"][0]["responses"];
   ASSERT_EQ(responses.size(), 3U);
   EXPECT_EQ(responses[0]["input"], "nose temperature less base temperature");
-  EXPECT_NEAR(responses[0]["parts"][0]["gain_um"].get<double>(), 5.0, 1e-9);
+  EXPECT_NEAR(responses[0]["parts"][0]["gain"].get<double>(), 5.0, 1e-9);
   EXPECT_EQ(responses[0]["parts"][1]["time_constant_s"], 400.0);
   EXPECT_EQ(responses[1]["unit"], "m/min");
-  EXPECT_NEAR(responses[1]["parts"][0]["gain_um"].get<double>(), 0.5, 1e-9);
+  EXPECT_NEAR(responses[1]["parts"][0]["gain"].get<double>(), 0.5, 1e-9);
   EXPECT_EQ(responses[2]["input"], "the start of the record");
 }
 

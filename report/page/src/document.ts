@@ -504,10 +504,10 @@ export interface StepResponse {
   input: string; // for people
   step: number;
   unit: string;
-  parts: { name: string; gain_um: number; time_constant_s: number }[];
-  at_once_um: number;
+  parts: { name: string; gain: number; time_constant_s: number }[]; // in the unit of the model
+  at_once: number;
   sensor_time_constant_s: number;
-  sampled_um: number[]; // of printed coefficients instead of parts
+  sampled: number[]; // of printed coefficients instead of parts
   sampling_s: number | null;
   changed_by: string[];
 }
@@ -533,9 +533,9 @@ export interface ModelOverTime {
 /// What `correct` says of one displacement.
 export interface CorrectedAxis {
   displacement: string;
-  predicted_range_um: [number | null, number | null];
   rows_beyond_range: number;
-  metrics: { readings: number; rmse_um: number | null; max_abs_um: number | null; fit_percent: number | null; reduction_of_max_percent: number | null };
+  /// Names of errors end in the unit of the displacement: rmse_um, of an angle rmse_urad.
+  metrics: { readings: number; fit_percent: number | null; reduction_of_max_percent: number | null };
 }
 
 export interface Corrected extends CorrectedAxis {

@@ -180,9 +180,9 @@ export function contributions(view: RecordView): HTMLElement {
         return {
           legend: top.option,
           grid: { left, right, top: top.height + 26, bottom: 46 },
-          tooltip: rowTooltip(view, l, (row) => [...view.tell(row).slice(0, 2), ...view.shares().map((s): [string, string] => [s.name, `${(s.values[row] as number).toPrecision(4).replace('-', '−')} µm`])]),
+          tooltip: rowTooltip(view, l, (row) => [...view.tell(row).slice(0, 2), ...view.shares().map((s): [string, string] => [s.name, `${(s.values[row] as number).toPrecision(4).replace('-', '−')} ${view.unit}`])]),
           xAxis: timeAxis(view, l),
-          yAxis: valueAxis('displacement [µm]', l, 'y', { scale: false }),
+          yAxis: valueAxis(`displacement [${view.unit}]`, l, 'y', { scale: false }),
           series: [
             ...parts.flatMap((p, k) => [areas(p.name, p.up, colours(k)), areas(p.name, p.down, colours(k))]),
             ...lines(view, 'sum', total, inner, l.ink, { z: 6, lineStyle: { color: l.ink, width: 1.6 } }),
@@ -193,7 +193,7 @@ export function contributions(view: RecordView): HTMLElement {
       table: () =>
         table(
           view,
-          (view.chosen.parts ?? []).map((p): [string, Float64Array] => [`${p.name} [µm]`, view.rows.get(p.column)]),
+          (view.chosen.parts ?? []).map((p): [string, Float64Array] => [`${p.name} [${view.unit}]`, view.rows.get(p.column)]),
         ),
     }),
   );

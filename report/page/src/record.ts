@@ -1,36 +1,36 @@
 // The page of a record over time, of compare, diagnose, add and correct with a correction.
-import type { Comparison, Corrected, Diagnosis, RecordReport } from './document';
+import type { Comparison, Corrected, CorrectedAxis, Diagnosis, RecordReport } from './document';
 import { grid, header, notes, section } from './page';
-import { field, ladder, lengthOf, overTimeSection, sizes, um } from './record_parts';
+import { field, inUnit, ladder, lengthOf, overTimeSection, sizes, unitKey } from './record_parts';
 import type { Rung } from './record_parts';
 import { RecordView } from './record_view';
 import { spindleRecord } from './spindle_record';
 import { steps } from './steps';
-import { el, number, plain, shortPaths, signed, unitText, valueList } from './text';
+import { el, number, plain, shortPaths, signed, unitOfKey, unitText, valueList } from './text';
 import { verdicts } from './verdicts';
 
 /// The refitted model, the explanations of the verdict, then every other effect.
-function rungsOf(d: Diagnosis): Rung[] {
+function rungsOf(d: Diagnosis, heldOut: string): Rung[] {
   const of = (ids: string[], name: string): Rung => {
     const effects = d.effects.filter((e) => ids.includes(e.id));
     const first = effects[0];
-    return { name, rms: first?.rmse ?? null, held: first ? field(first, 'rmse_held_out_um') : null, note: effects.map((e) => sizes(e.parameters)).join(', ') };
+    return { name, rms: first?.rmse ?? null, held: first ? field(first, heldOut) : null, note: effects.map((e) => sizes(e.parameters)).join(', ') };
   };
   const sets = d.explanations.filter((ids) => d.effects.some((e) => ids.includes(e.id)));
   const told = sets.flat();
   return [
-    { name: 'refitted, nothing added', rms: d.rmse_before, held: field(d, 'rmse_held_out_um') },
+    { name: 'refitted, nothing added', rms: d.rmse_before, held: field(d, heldOut) },
     ...sets.map((ids) => of(ids, `${ids.join(' and ')} (verdict)`)),
     ...d.effects.filter((e) => !told.includes(e.id)).map((e) => of([e.id], e.id)),
   ];
 }
 
-function where(c: Comparison): HTMLElement | undefined {
+function where(c: Comparison, unit: string): HTMLElement | undefined {
   if (!c.where.length) return undefined;
   const range = (from: number | string, to: number | string) => (from === to ? `${from}` : `${typeof from === 'number' ? plain(from, 4) : from} to ${typeof to === 'number' ? plain(to, 4) : to}`);
   return valueList(
     'Where it errs, the worst first',
-    ['by', 'from, to', 'rows', 'RMS [µm]', 'mean [µm]'],
+    ['by', 'from, to', 'rows', `RMS [${unit}]`, `mean [${unit}]`],
     c.where.map((w) => [w.variable.replace(/_/g, ' '), `${range(w.from, w.to)} ${w.unit}`.trim(), String(w.rows), number(w.rmse, 3), signed(w.bias, 3)]),
   );
 }
@@ -41,6 +41,7 @@ function compare(report: RecordReport & { command: 'compare' }): (Node | undefin
   const files = shortPaths([...comparisons.map((c) => c.model), last.data]);
   report.models.forEach((m, k) => (m.name = files[k] as string));
   const view = new RecordView(report, comparisons.length - 1);
+  const um = (value: number | null | undefined) => inUnit(value, view.unit);
   const several = comparisons.length > 1;
   const limits = { tolerance: view.chosen.tolerance, noise: last.noise.rms };
   return [
@@ -48,7 +49,7 @@ function compare(report: RecordReport & { command: 'compare' }): (Node | undefin
       {
         command: 'compare',
         files,
-        sentence: several ? `RMS error ${number((comparisons[0] as Comparison).rmse, 3)} → ${number(last.rmse, 3)} µm over ${comparisons.length} models.` : last.statement,
+        sentence: several ? `RMS error ${number((comparisons[0] as Comparison).rmse, 3)} → ${um(last.rmse)} over ${comparisons.length} models.` : last.statement,
         ...(several ? { more: `${files[comparisons.length - 1]}: ${last.statement}` } : {}),
       },
       [['RMS error', um(last.rmse)], ['largest', um(last.max_abs)], ['tolerance', um(limits.tolerance)], ['noise of the sensor', um(limits.noise)], ['readings', String(last.rows)], lengthOf(view)],
@@ -60,9 +61,10 @@ function compare(report: RecordReport & { command: 'compare' }): (Node | undefin
         ladder(
           comparisons.map((c, k) => ({ name: files[k] as string, rms: c.rmse, held: null })),
           limits,
+          view.unit,
         ),
       ),
-      where(last),
+      where(last, view.unit),
     ),
     section('Step responses', grid(steps(view))),
     notes(report.results.said),
@@ -73,7 +75,9 @@ function diagnose(report: RecordReport & { command: 'diagnose' }): (Node | undef
   const d = report.results;
   const view = new RecordView(report, report.models.length - 1);
   const limits = { tolerance: view.chosen.tolerance, noise: d.noise.rms };
-  const held = [field(d, 'rmse_held_out_um'), d.explanations.length ? field(d.effects[0] ?? {}, 'rmse_held_out_um') : null];
+  const um = (value: number | null | undefined) => inUnit(value, view.unit);
+  const heldOut = `rmse_held_out_${view.chosen.unit}`;
+  const held = [field(d, heldOut), d.explanations.length ? field(d.effects[0] ?? {}, heldOut) : null];
   return [
     header({ command: 'diagnose', files: shortPaths([d.model, d.data]), badge: verdicts[d.verdict] ?? [d.verdict, 'open'], sentence: d.headline, more: d.sentence }, [
       ['on parts that no fit saw', held[1] === null ? um(held[0]) : `${number(held[0], 3)} → ${um(held[1])}`],
@@ -82,7 +86,7 @@ function diagnose(report: RecordReport & { command: 'diagnose' }): (Node | undef
       ['readings', String(d.rows)],
       lengthOf(view),
     ]),
-    section('The verdict', grid(ladder(rungsOf(d), limits))),
+    section('The verdict', grid(ladder(rungsOf(d, heldOut), limits, view.unit))),
     overTimeSection(view),
     section('Step responses', grid(steps(view))),
     section(
@@ -109,6 +113,7 @@ function add(report: RecordReport & { command: 'add' }): (Node | undefined)[] {
   const view = new RecordView(report, report.models.length - 1);
   const parameters = Object.entries(r.calibration.parameters);
   const limits = { tolerance: view.chosen.tolerance, noise: r.before.noise.rms };
+  const um = (value: number | null | undefined) => inUnit(value, view.unit);
   return [
     header(
       {
@@ -129,6 +134,7 @@ function add(report: RecordReport & { command: 'add' }): (Node | undefined)[] {
             { name: 'after', rms: r.after.rmse, held: r.rmse_held_out_after },
           ],
           limits,
+          view.unit,
         ),
       ),
       valueList(
@@ -147,14 +153,19 @@ function correct(report: RecordReport & { command: 'correct' }): (Node | undefin
   const r: Corrected = report.results;
   const axes = r.axes ?? [r];
   const view = new RecordView(report, 0);
-  const read = axes.filter((a) => a.metrics.rmse_um !== null && a.metrics.readings > 0);
-  const range = ([low, high]: [number | null, number | null]) => (low === null || high === null ? 'not all rows predicted' : `${number(low, 3)} to ${number(high, 3)} µm predicted`);
+  const unitOf = (a: CorrectedAxis) => unitOfKey(unitKey(a.displacement));
+  const error = (a: CorrectedAxis, name: string) => field(a.metrics, `${name}_${unitKey(a.displacement)}`);
+  const read = axes.filter((a) => error(a, 'rmse') !== null && a.metrics.readings > 0);
+  const range = (a: CorrectedAxis) => {
+    const [low, high] = (a as unknown as Record<string, [number | null, number | null]>)[`predicted_range_${unitKey(a.displacement)}`] ?? [null, null];
+    return low === null || high === null ? 'not all rows predicted' : `${number(low, 3)} to ${number(high, 3)} ${unitOf(a)} predicted`;
+  };
   return [
     header(
       {
         command: 'correct',
         files: shortPaths([r.model, r.data]),
-        sentence: axes.map((a, k) => `${report.models[k]?.name ?? a.displacement}: ${range(a.predicted_range_um)}${a.metrics.readings > 0 ? `, ${um(a.metrics.rmse_um)} RMS left` : ''}.`).join(' '),
+        sentence: axes.map((a, k) => `${report.models[k]?.name ?? a.displacement}: ${range(a)}${a.metrics.readings > 0 ? `, ${inUnit(error(a, 'rmse'), unitOf(a))} RMS left` : ''}.`).join(' '),
         ...(read.length ? { more: 'Left: predicted − measured when one constant is taken off, since the zero of a reading is arbitrary.' } : { more: 'Nothing was read: what is left is not known.' }),
       },
       [
@@ -162,7 +173,7 @@ function correct(report: RecordReport & { command: 'correct' }): (Node | undefin
         ...(axes.length === 1
           ? ([
               ['readings', String(r.metrics.readings)],
-              ['largest left', um(r.metrics.max_abs_um)],
+              ['largest left', inUnit(error(r, 'max_abs'), unitOf(r))],
               ['rows beyond the range', String(r.rows_beyond_range)],
             ] as [string, string][])
           : []),
@@ -174,9 +185,14 @@ function correct(report: RecordReport & { command: 'correct' }): (Node | undefin
       ? section(
           'The error',
           grid(
-            ladder(
-              axes.map((a, k) => ({ name: report.models[k]?.name ?? a.displacement, rms: a.metrics.rmse_um, held: null })),
-              { tolerance: view.chosen.tolerance, noise: null },
+            ...[...new Set(axes.map(unitOf))].map((unit, n) =>
+              ladder(
+                axes.flatMap((a, k) => (unitOf(a) === unit ? [{ name: report.models[k]?.name ?? a.displacement, rms: error(a, 'rmse'), held: null }] : [])),
+                { tolerance: unit === view.unit ? view.chosen.tolerance : null, noise: null },
+                unit,
+                undefined,
+                n === 0 ? 'ladder' : `ladder_${n}`,
+              ),
             ),
           ),
         )

@@ -27,15 +27,16 @@ export function field(of: object, name: string): number | null {
   return typeof value === 'number' ? value : null;
 }
 
-function inUnit(value: number | null | undefined, unit: string): string {
+export function inUnit(value: number | null | undefined, unit: string): string {
   return value === null || value === undefined ? dash : `${number(value, 3)} ${unit}`;
 }
-export function um(value: number | null | undefined): string {
-  return inUnit(value, 'µm');
+/// "um" of displacement_z_um.
+export function unitKey(displacement: string): string {
+  return displacement.slice(displacement.lastIndexOf('_') + 1);
 }
 
 /// Errors of models or effects, against what is tolerated and what the sensor scatters.
-export function ladder(rungs: Rung[], { tolerance, noise }: Limits, unit = 'µm', note?: string): Figure {
+export function ladder(rungs: Rung[], { tolerance, noise }: Limits, unit: string, note?: string, id = 'ladder'): Figure {
   const um = (value: number | null | undefined) => inUnit(value, unit);
   const held = rungs.some((r) => r.held !== null);
   const names = ['on all readings', ...(held ? ['on parts that no fit saw'] : [])];
@@ -43,7 +44,7 @@ export function ladder(rungs: Rung[], { tolerance, noise }: Limits, unit = 'µm'
   const most = Math.max(...values.flat().map((v) => v ?? 0));
   const lines = [...(tolerance === null ? [] : [`the tolerance, ${um(tolerance)}`]), ...(noise === null ? [] : [`the noise of the sensor, ${um(noise)}`])];
   return new Figure({
-    id: 'ladder',
+    id,
     title: rungs.length > 1 ? 'RMS error, one after the other' : 'RMS error',
     note: note ?? (lines.length ? `Dashed: ${lines.join('; ')}.` : 'No tolerance was given, and the noise is not known.'),
     wide: true,

@@ -22,29 +22,29 @@ export function duration(seconds: number): string {
 
 interface Curve {
   name: string;
-  at: [number, number][]; // [s], [um]
+  at: [number, number][]; // [s], in the unit of the displacement
   bend?: [number, number]; // after one time constant
 }
 
-function partCurve(r: StepResponse, part: StepResponse['parts'][number], until: number): Curve {
-  const { gain_um: gain, time_constant_s: tau } = part;
+function partCurve(r: StepResponse, part: StepResponse['parts'][number], until: number, unit: string): Curve {
+  const { gain, time_constant_s: tau } = part;
   const y = (t: number) => gain * (1 - (1 - r.sensor_time_constant_s / tau) * Math.exp(-t / tau));
-  return { name: `${r.parts.length > 1 ? `${part.name}: ` : ''}${signed(gain)} µm, ${duration(tau)}`, at: Array.from({ length: points + 1 }, (_, k) => [(until * k) / points, y((until * k) / points)]), bend: [tau, y(tau)] };
+  return { name: `${r.parts.length > 1 ? `${part.name}: ` : ''}${signed(gain)} ${unit}, ${duration(tau)}`, at: Array.from({ length: points + 1 }, (_, k) => [(until * k) / points, y((until * k) / points)]), bend: [tau, y(tau)] };
 }
 
 /// Its parts, then their sum where there is more than one.
-function curves(r: StepResponse): Curve[] {
-  if (r.sampled_um.length) return [{ name: `printed coefficients: ${signed(final(r))} µm`, at: r.sampled_um.map((v, k) => [k * (r.sampling_s ?? 1), v]) }];
+function curves(r: StepResponse, unit: string): Curve[] {
+  if (r.sampled.length) return [{ name: `printed coefficients: ${signed(final(r))} ${unit}`, at: r.sampled.map((v, k) => [k * (r.sampling_s ?? 1), v]) }];
   const until = 4 * Math.max(...r.parts.map((p) => p.time_constant_s), 1);
-  const list = r.parts.map((p) => partCurve(r, p, until));
-  if (r.at_once_um === 0 && list.length === 1) return list;
-  const sum = Array.from({ length: points + 1 }, (_, k): [number, number] => [(until * k) / points, r.at_once_um + list.reduce((s, c) => s + (c.at[k] as [number, number])[1], 0)]);
-  return [...list, { name: `${list.length ? 'together: ' : 'at once: '}${signed(final(r))} µm${r.at_once_um && list.length ? `, ${signed(r.at_once_um)} at once` : ''}`, at: sum }];
+  const list = r.parts.map((p) => partCurve(r, p, until, unit));
+  if (r.at_once === 0 && list.length === 1) return list;
+  const sum = Array.from({ length: points + 1 }, (_, k): [number, number] => [(until * k) / points, r.at_once + list.reduce((s, c) => s + (c.at[k] as [number, number])[1], 0)]);
+  return [...list, { name: `${list.length ? 'together: ' : 'at once: '}${signed(final(r))} ${unit}${r.at_once && list.length ? `, ${signed(r.at_once)} at once` : ''}`, at: sum }];
 }
 
 /// Where it leads to.
 function final(r: StepResponse): number {
-  return r.sampled_um.length ? (r.sampled_um[r.sampled_um.length - 1] as number) : r.at_once_um + r.parts.reduce((s, p) => s + p.gain_um, 0);
+  return r.sampled.length ? (r.sampled[r.sampled.length - 1] as number) : r.at_once + r.parts.reduce((s, p) => s + p.gain, 0);
 }
 
 function stepText(r: StepResponse): string {
@@ -61,7 +61,7 @@ interface Placed {
 }
 
 /// Two beside each other where there is room.
-function layout(list: StepResponse[], width: number, l: Look): { panels: Placed[]; tall: number; height: number } {
+function layout(list: StepResponse[], width: number, l: Look, unit: string): { panels: Placed[]; tall: number; height: number } {
   const columns = width >= 600 && list.length > 1 ? 2 : 1;
   const tall = l.print ? 0.62 * panelHeight : panelHeight;
   const wide = (width - (columns - 1) * between) / columns;
@@ -69,7 +69,7 @@ function layout(list: StepResponse[], width: number, l: Look): { panels: Placed[
   let top = 0;
   for (let k = 0; k < list.length; k += columns) {
     const row = list.slice(k, k + columns).map((response) => {
-      const own = curves(response);
+      const own = curves(response, unit);
       return {
         response,
         curves: own,
@@ -107,9 +107,9 @@ export function steps(view: RecordView): HTMLElement | undefined {
       },
       wide: true,
       onPaper: 1,
-      height: (width) => layout(shown(), width, look()).height,
+      height: (width) => layout(shown(), width, look(), view.unit).height,
       option: (l, width) => {
-        const { panels, tall } = layout(shown(), width, l);
+        const { panels, tall } = layout(shown(), width, l, view.unit);
         const scale = (p: Placed) => {
           const until = Math.max(...p.curves.flatMap((c) => c.at.map(([t]) => t)));
           return until < 600 ? { unit: 's', of: 1 } : until < 4 * 7200 ? { unit: 'min', of: 60 } : { unit: 'h', of: 3600 };
@@ -139,19 +139,19 @@ export function steps(view: RecordView): HTMLElement | undefined {
               max: Math.max(...p.curves.flatMap((c) => c.at.map(([t]) => t))) / scale(p).of,
             }),
           ),
-          yAxis: panels.map((p, k) => valueAxis(`${p.response.name}: ${stepText(p.response)} [µm]`, l, 'y', { gridIndex: k, scale: false, splitNumber: 4, nameTruncate: { maxWidth: p.width - 10 } })),
+          yAxis: panels.map((p, k) => valueAxis(`${p.response.name}: ${stepText(p.response)} [${view.unit}]`, l, 'y', { gridIndex: k, scale: false, splitNumber: 4, nameTruncate: { maxWidth: p.width - 10 } })),
           series,
         };
       },
       table: () => ({
-        columns: ['channel', 'step', 'part', 'gain [µm per step]', 'time constant [s]'],
+        columns: ['channel', 'step', 'part', `gain [${view.unit} per step]`, 'time constant [s]'],
         rows: all().flatMap((r): Cell[][] => [
-          ...r.parts.map((p): Cell[] => [r.name, stepText(r), p.name, p.gain_um, p.time_constant_s]),
-          ...(r.at_once_um ? [[r.name, stepText(r), 'at once', r.at_once_um, 0] as Cell[]] : []),
-          ...(r.sampled_um.length ? [[r.name, stepText(r), 'printed coefficients', final(r), null] as Cell[]] : []),
+          ...r.parts.map((p): Cell[] => [r.name, stepText(r), p.name, p.gain, p.time_constant_s]),
+          ...(r.at_once ? [[r.name, stepText(r), 'at once', r.at_once, 0] as Cell[]] : []),
+          ...(r.sampled.length ? [[r.name, stepText(r), 'printed coefficients', final(r), null] as Cell[]] : []),
         ]),
       }),
-      csv: () => ({ columns: ['channel', 'step', 'curve', 'time [s]', 'displacement [µm]'], rows: all().flatMap((r) => curves(r).flatMap((c) => c.at.map(([t, y]): Cell[] => [r.name, stepText(r), c.name, t, y]))) }),
+      csv: () => ({ columns: ['channel', 'step', 'curve', 'time [s]', `displacement [${view.unit}]`], rows: all().flatMap((r) => curves(r, view.unit).flatMap((c) => c.at.map(([t, y]): Cell[] => [r.name, stepText(r), c.name, t, y]))) }),
     }),
   );
 }

@@ -72,6 +72,7 @@ const units: [string, string][] = [
   ['_deg', '°'],
   ['_mm', 'mm'],
   ['_um', 'µm'],
+  ['_urad', 'µrad'],
   ['_Hz', 'Hz'],
   ['_min', 'min'],
   ['_K', 'K'],

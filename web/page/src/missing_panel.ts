@@ -30,7 +30,7 @@ interface Candidate {
 }
 
 function fromRanking(e: RankedEffect): Candidate {
-  return { id: e.id, on: false, rmse: e.rmse, held: e.rmse_cross_validated ?? field(e, 'rmse_held_out_um'), gain: e.gain, size: sizes(e.parameters), inVerdict: e.in_verdict, law: e.id.startsWith('law:') };
+  return { id: e.id, on: false, rmse: e.rmse, held: e.rmse_cross_validated ?? field(e, 'rmse_held_out_um') ?? field(e, 'rmse_held_out_urad'), gain: e.gain, size: sizes(e.parameters), inVerdict: e.in_verdict, law: e.id.startsWith('law:') };
 }
 
 /// Those that are on, then what the diagnosis of the model with them ranks, base laws in their place by error.

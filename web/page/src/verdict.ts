@@ -19,7 +19,7 @@ export function errors({ base, added, before: start, ...result }: Result, until:
   const fit = { before: start ?? d.rmse_before, now: a?.after.rmse ?? d.rmse_before };
   const [noise, unit] = [d.noise.rms, unitOfKey(d.baseline.unit)];
   if (until) return { fit, held: judgedErrors({ base, ...result }), noise, unit };
-  const before = a?.rmse_held_out_before ?? heldOut(d.hold_out) ?? field(d, 'rmse_held_out_um') ?? undefined;
+  const before = a?.rmse_held_out_before ?? heldOut(d.hold_out) ?? field(d, 'rmse_held_out_um') ?? field(d, 'rmse_held_out_urad') ?? undefined;
   const now = a?.rmse_held_out_after ?? before;
   return { fit, held: before === undefined || now === undefined ? undefined : { before, now }, noise, unit };
 }
