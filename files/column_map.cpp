@@ -13,6 +13,7 @@
 
 // Last: see text/detail/toml_text.h.
 #include "files/detail/column_section.h"
+#include "files/detail/transducer_section.h"
 
 namespace raceway::files {
 namespace {
@@ -100,8 +101,10 @@ void read_rule_table(const Section& s, const toml::key& key, const toml::table& 
   if (rule.factor == 0.0) wrong(s, key, table, "factor = 0 makes all of it 0");
 }
 
-ColumnRule read_rule(const Section& s, const toml::key& key, const toml::node& node) {
-  auto named = named_channel(key.str(), file_channels());
+ColumnRule read_rule(const Section& s, const toml::key& key, const toml::node& node,
+                     const ColumnMap& map) {
+  auto named = map.find_transducer(key.str());
+  if (!named) named = named_channel(key.str(), file_channels());
   if (!named) named = named_series_channel(key.str());
   if (!named) named = named_spindle_channel(key.str());
   if (!named) {
@@ -188,8 +191,8 @@ std::optional<NamedChannel> named_series_channel(std::string_view name) {
   const text::HeaderParts parts = text::header_parts(name);
   std::string base = text::lower_case(parts.name);
   std::replace(base.begin(), base.end(), ' ', '_');
-  for (const std::string_view ending : {"_C", "_m_min", "_rpm", "_um", "_urad", "_mm", "_A", "_V", "_W",
-                                        "_N", "_Nm", "_l_min", "_bar", "_percent"}) {
+  for (const std::string_view ending : {"_C", "_m_min", "_rpm", "_um", "_urad", "_mm", "_A", "_V",
+                                        "_W", "_N", "_Nm", "_l_min", "_bar", "_percent"}) {
     const Channel* const channel = record::series_channel(base + std::string(ending));
     const text::Unit* const own = channel ? unit_of(*channel) : nullptr;
     const text::Unit* const unit = own ? text::find_unit(parts.unit, own->dimension) : nullptr;
@@ -230,7 +233,7 @@ std::vector<KeyTable> column_tables() {
 
 ColumnMap read_columns(const ModelTables& tables) {
   const Section s = tables.part("columns", {columns_keys});
-  ColumnMap map{.source = tables.source()};
+  ColumnMap map{.source = tables.source(), .transducers = read_transducers(tables)};
   if (!s.given()) return map;
   if (const auto mark = s.choice("decimal_mark")) map.decimal_mark = mark->front();
   if (const auto wanted = s.choice("date_order"))
@@ -248,7 +251,7 @@ ColumnMap read_columns(const ModelTables& tables) {
   for (const auto& [key, node] : *s.table())
     if (!is_of_file(key.str())) lines.emplace(order_of(key), std::pair(&key, &node));
   for (const auto& [_, entry] : lines) {
-    ColumnRule rule = read_rule(s, *entry.first, *entry.second);
+    ColumnRule rule = read_rule(s, *entry.first, *entry.second, map);
     for (const ColumnRule& other : map.rules) {
       if (*other.channel == *rule.channel)
         throw text::InputError(
@@ -268,11 +271,12 @@ ColumnMap read_columns(const ModelTables& tables) {
 ColumnMap parse_column_map(std::string_view text, const std::string& source) {
   const ModelTables tables(text, source);
   for (const auto& [key, node] : tables.root())
-    if (key.str() != "columns" || !node.is_table())
-      throw text::InputError(fmt::format("{}: {}: a file of columns has the table [columns] alone",
+    if ((key.str() != "columns" && key.str() != "transducers") || !node.is_table())
+      throw text::InputError(fmt::format("{}: {}: a file of columns has the tables [columns] and "
+                                         "[transducers] alone",
                                          tables.place(key), key.str()),
                              tables.at(key));
-  if (!tables.section("columns").given())
+  if (!tables.section("columns").given() && !tables.section("transducers").given())
     throw text::InputError(
         source + ": no table [columns]: speed_rpm = \"header of their column\" ...",
         {.file = source, .key = "columns"});

@@ -63,15 +63,29 @@ struct ColumnRule {
   text::Place place{};               ///< in the map
 };
 
-/// The table [columns] of a model, or of a file of its own.
+/// One line of [transducers]: a displacement as a sum of readings of transducers.
+struct Combination {
+  struct Term {
+    const record::Channel* transducer;
+    double factor;  ///< [m/m], of an angle [rad/m]
+  };
+  const record::Channel* displacement;
+  std::vector<Term> terms{};
+  text::Place place{};
+};
+
+/// The table [columns] of a model, or of a file of its own, and its [transducers].
 struct ColumnMap {
   std::string source{};
   std::vector<ColumnRule> rules{};
   char decimal_mark = '\0';                             ///< of the file; '\0': not said
   std::optional<text::DateOrder> date_order{};          ///< of dates with slashes
   std::optional<record::SettingsHold> settings_hold{};  ///< of records over time
+  std::vector<Combination> transducers{};               ///< of records over time
 
   [[nodiscard]] const ColumnRule* find(std::string_view header) const;
+  /// The transducer of a name, in any unit of length: "x1_um", "x1 [nm]".
+  [[nodiscard]] std::optional<NamedChannel> find_transducer(std::string_view name) const;
 };
 
 /// Options for reading a file of measurements.
@@ -89,7 +103,7 @@ struct ReadOptions {
 /// sensor and of its calibration.
 [[nodiscard]] std::span<const record::Channel* const> file_channels();
 
-/// A file with [columns] alone. Throws InputError as read_model().
+/// A file with [columns], [transducers] or both alone. Throws InputError as read_model().
 [[nodiscard]] ColumnMap read_column_map(const std::string& path);
 [[nodiscard]] ColumnMap parse_column_map(std::string_view text, const std::string& source);
 

@@ -128,9 +128,11 @@ std::string_view unit_words(const ColumnSource& source) {
   return source.cells.unit ? source.cells.unit->words : source.channel->unit;
 }
 
-std::optional<NamedChannel> named_column(std::string_view name, bool over_time, bool of_spindle) {
-  if (of_spindle) return named_spindle_channel(name);
-  return over_time ? named_series_channel(name) : named_channel(name, file_channels());
+std::optional<NamedChannel> named_column(std::string_view name, const ReadOptions& options) {
+  if (options.of_spindle) return named_spindle_channel(name);
+  if (!options.over_time) return named_channel(name, file_channels());
+  const auto transducer = options.columns.find_transducer(name);
+  return transducer ? transducer : named_series_channel(name);
 }
 
 /// A power, a load or the like of any name: without that unit it may be anything.
@@ -139,12 +141,11 @@ bool is_known_by_its_unit(const Channel& channel) {
 }
 
 /// The channel of a name that ends in a unit in brackets which is not known: "axial load [lbz]".
-const Channel* channel_without_unit(std::string_view header, bool over_time, bool of_spindle) {
+const Channel* channel_without_unit(std::string_view header, const ReadOptions& options) {
   if (text::states_no_unit(text::in_brackets(header))) return nullptr;
   const std::string_view name = text::header_parts(header).name;
   for (const text::Unit& unit : text::units())
-    if (const auto named =
-            named_column(fmt::format("{} [{}]", name, unit.suffix), over_time, of_spindle);
+    if (const auto named = named_column(fmt::format("{} [{}]", name, unit.suffix), options);
         named && !is_known_by_its_unit(*named->channel))
       return named->channel;
   return nullptr;
@@ -153,8 +154,7 @@ const Channel* channel_without_unit(std::string_view header, bool over_time, boo
 text::FormFinder finder(const ReadOptions& options) {
   return [&](std::string_view text) {
     return text::find_form(text, [&](std::string_view cell) {
-      return options.columns.find(cell) != nullptr ||
-             named_column(cell, options.over_time, options.of_spindle).has_value();
+      return options.columns.find(cell) != nullptr || named_column(cell, options).has_value();
     });
   };
 }
@@ -243,7 +243,7 @@ const ColumnSource* Recognised::find(const Channel& channel) const {
 
 Recognised recognise(const text::CsvTable& table, const ReadOptions& options) {
   const ColumnMap& map = options.columns;
-  const bool over_time = options.over_time, of_spindle = options.of_spindle;
+  const bool of_spindle = options.of_spindle;
   Recognised result;
   const auto has_column_of = [&](const ColumnRule& rule) {
     return table.column(rule.header).has_value();
@@ -264,7 +264,7 @@ Recognised recognise(const text::CsvTable& table, const ReadOptions& options) {
           table, result);
       continue;
     }
-    const auto named = named_column(name, over_time, of_spindle);
+    const auto named = named_column(name, options);
     const bool replaced = named && is_ruled(map, *named->channel) &&
                           std::any_of(map.rules.begin(), map.rules.end(), [&](const auto& rule) {
                             return *rule.channel == *named->channel && has_column_of(rule);
@@ -276,8 +276,8 @@ Recognised recognise(const text::CsvTable& table, const ReadOptions& options) {
   }
   for (std::size_t c = 0; c < table.header.size(); ++c) {
     const std::string& name = table.header[c];
-    if (map.find(name) || named_column(name, over_time, of_spindle)) continue;
-    const Channel* const meant = channel_without_unit(name, over_time, of_spindle);
+    if (map.find(name) || named_column(name, options)) continue;
+    const Channel* const meant = channel_without_unit(name, options);
     if (meant && !result.find(*meant)) (void)stated_unit(text::in_brackets(name), *meant, table, c);
   }
   require_columns(table, options, result);

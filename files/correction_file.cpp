@@ -649,7 +649,7 @@ class CorrectionReader {
 void check_correction_tables(const ModelTables& tables) {
   const Names known{"correction", "calibration", "loop",          "columns", "bearing",
                     "lubricant",  "friction",    "arrangement",   "rig",     "solver",
-                    "material",   "effect",      "torque_sensor", "export"};
+                    "material",   "effect",      "torque_sensor", "export",  "transducers"};
   for (const auto& [key, node] : tables.root())
     if (std::find(known.begin(), known.end(), key.str()) == known.end())
       throw text::InputError(fmt::format("{}: {}: unknown table{}", tables.place(key), key.str(),

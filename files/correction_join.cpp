@@ -167,7 +167,7 @@ std::string head_of(std::span<const CorrectionFile> files, const std::string& na
 /// Tables beside [correction]: of the first file that has them.
 std::string tables_beside(std::span<const CorrectionFile> files, std::vector<record::Note>& notes) {
   std::string text;
-  for (const std::string_view key : {"columns", "export"}) {
+  for (const std::string_view key : {"columns", "transducers", "export"}) {
     const CorrectionFile* from = nullptr;
     for (const CorrectionFile& file : files) {
       const toml::table root = text::parse_toml(file.text, file.source);

@@ -32,7 +32,7 @@ const Key control_keys[]{
     {"count_urad", between(1e-6, 1e6, "urad"), usual_control.count_um.all,
      "as count_um, of angles: of all, or by displacement"},
     {"axis", one_of("x|y|z|u|v|w|a|b|c"),
-     "that of displacement_LETTER_um or displacement_LETTER_urad", "of LinuxCNC that is moved"},
+     "LETTER of displacement_LETTER_um or displacement_LETTER_urad", "of LinuxCNC that is moved"},
     {"plausible", a_list, "[-40, 150] of temperatures, 10 times the range of others",
      "[lowest, highest] that an input can be, in its unit; one pair is of all temperatures, or { "
      "COLUMN = [...] } of any input"},

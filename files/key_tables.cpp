@@ -21,6 +21,7 @@
 #include "files/detail/shaft_section.h"
 #include "files/detail/spindle_parts.h"
 #include "files/detail/spindle_section.h"
+#include "files/detail/transducer_section.h"
 
 namespace raceway::files {
 
@@ -39,10 +40,11 @@ std::string ListedKey::fallback() const {
 std::vector<ListedKey> model_keys() {
   std::vector<KeyTable> tables;
   for (const auto& of_reader :
-       {bearing_tables(), contact_tables(), friction_tables(), effect_tables(), formula_tables(),
-        rig_tables(), loop_tables(), column_tables(), torque_sensor_tables(), arrangement_tables(),
-        spindle_tables(), body_tables(), surroundings_tables(), network_tables(),
-        correction_tables(), prior_tables(), trust_tables(), export_tables(), roller_tables()})
+       {bearing_tables(),    contact_tables(),       friction_tables(),    effect_tables(),
+        formula_tables(),    rig_tables(),           loop_tables(),        column_tables(),
+        transducer_tables(), torque_sensor_tables(), arrangement_tables(), spindle_tables(),
+        body_tables(),       surroundings_tables(),  network_tables(),     correction_tables(),
+        prior_tables(),      trust_tables(),         export_tables(),      roller_tables()})
     tables.insert(tables.end(), of_reader.begin(), of_reader.end());
   std::vector<ListedKey> list;
   for (auto first = tables.begin(); first != tables.end();) {

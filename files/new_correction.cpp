@@ -10,6 +10,7 @@
 #include "files/correction_file.h"
 #include "files/detail/column_source.h"
 #include "files/detail/series_columns.h"
+#include "files/detail/transducers.h"
 #include "files/series_doubts.h"
 #include "files/series_file.h"
 #include "record/series_channel.h"
@@ -105,7 +106,9 @@ NewCorrection new_correction(const Source& source, const ReadOptions& given) {
   ReadOptions options = over_time(given);
   const SeriesColumns columns =
       series_columns(read_measurements(source, options), {}, options.columns);
-  if (!columns.all_ours) options.columns = parse_column_map(columns.text, "[columns]");
+  const std::string combined = transducers_text(options.columns);
+  if (!columns.all_ours)
+    options.columns = parse_column_map(columns.text + "\n" + combined, "[columns]");
   const Record record = read_series(source, {}, {}, options);
   const std::vector<const record::Column*> inputs = driving(record);
   std::vector<correction::Model> models;
@@ -138,6 +141,7 @@ NewCorrection new_correction(const Source& source, const ReadOptions& given) {
        {"offset_urad", "assumed; identify finds it"},
        {"sections", "assumed: a share of the range of the readings, a tenth of the record"}});
   if (!columns.all_ours) made.text += "\n" + columns.text;
+  if (!combined.empty()) made.text += "\n" + combined;
   (void)parse_correction(made.text, "new correction");  // it reads back
   made.notes = record.notes;
   for (const Doubt& doubt : series_doubts(record, std::vector<correction::Model>()))

@@ -11,6 +11,7 @@
 #include "files/detail/column_reader.h"
 #include "files/detail/filled_inputs.h"
 #include "files/detail/kept_columns.h"
+#include "files/detail/transducers.h"
 #include "fit/isolated_readings.h"
 #include "record/median.h"
 #include "record/series_channel.h"
@@ -36,6 +37,7 @@ class SeriesReader {
       : table_(std::move(table)),
         wanted_(wanted),
         found_(recognise(table_, options)),
+        transducers_(options.columns.transducers),
         of_spindle_(options.of_spindle),
         date_order_(options.columns.date_order),
         settings_hold_(options.columns.settings_hold.value_or(
@@ -79,17 +81,20 @@ class SeriesReader {
     return result;
   }
 
+  [[nodiscard]] const std::string& source() const { return table_.source; }
   [[nodiscard]] const Recognised& found() const { return found_; }
   [[nodiscard]] const std::optional<ColumnReader::ClockStart>& clock_start() const {
     return cells_.clock_start();
   }
-  void require(const Channel& channel) const {
+  /// `why` it is needed, in words.
+  void require(const Channel& channel, const std::string& why = {}) const {
     if (has(channel)) return;
     std::vector<std::string> others = found_.others;
     for (const ColumnSource& source : found_.columns) others.push_back(source.name);
     throw text::InputError(
-        fmt::format("{}:{}: column {} is missing{}; the header has {}", table_.source,
-                    table_.header_line, channel.name, text::suggestion(channel.name, others),
+        fmt::format("{}:{}: column {} is missing{}{}; the header has {}", table_.source,
+                    table_.header_line, channel.name, why,
+                    why.empty() ? text::suggestion(channel.name, others) : std::string(),
                     text::listed(table_.header)),
         place_in_header(table_, channel.name));
   }
@@ -101,8 +106,14 @@ class SeriesReader {
 
  private:
   [[nodiscard]] bool is_wanted(const Channel& channel) const {
-    return wanted_.empty() || std::any_of(wanted_.begin(), wanted_.end(),
-                                          [&](const Channel* w) { return *w == channel; });
+    const auto reads = [&](const Combination& c) {
+      return std::any_of(c.terms.begin(), c.terms.end(),
+                         [&](const Combination::Term& t) { return *t.transducer == channel; });
+    };
+    return wanted_.empty() ||
+           std::any_of(wanted_.begin(), wanted_.end(),
+                       [&](const Channel* w) { return *w == channel; }) ||
+           std::any_of(transducers_.begin(), transducers_.end(), reads);
   }
 
   /// Readings need not have been taken in every row, and inputs are filled between theirs.
@@ -202,6 +213,7 @@ class SeriesReader {
   text::CsvTable table_;
   const Channels& wanted_;
   Recognised found_;
+  std::vector<Combination> transducers_;
   bool of_spindle_;
   std::optional<text::DateOrder> date_order_;
   record::SettingsHold settings_hold_;
@@ -539,6 +551,32 @@ class SeriesOfFiles {
   std::vector<double> times_;
 };
 
+/// Throws InputError where files have some transducers and lack others that a displacement is made
+/// of, and where they have this displacement, too.
+void require_transducers(const SeriesOfFiles::Files& files, const ColumnMap& map,
+                         const Channels& wanted) {
+  const auto here = [&](const Channel& channel) {
+    return std::any_of(files.begin(), files.end(), [&](const auto& f) { return f->has(channel); });
+  };
+  const auto is_here = [&](const Combination::Term& t) { return here(*t.transducer); };
+  if (std::none_of(map.transducers.begin(), map.transducers.end(), [&](const Combination& c) {
+        return std::any_of(c.terms.begin(), c.terms.end(), is_here);
+      }))
+    return;
+  for (const Combination* c : combinations_for(map, wanted)) {
+    for (const Combination::Term& t : c->terms)
+      if (!is_here(t))
+        files.front()->require(*t.transducer, fmt::format(", of which {} [transducers] makes {}",
+                                                          c->place.text(), c->displacement->name));
+    if (here(*c->displacement))
+      throw text::InputError(
+          fmt::format("{} has a column {}, which {} [transducers] makes of other columns; keep one "
+                      "of them",
+                      files.front()->source(), c->displacement->name, c->place.text()),
+          c->place);
+  }
+}
+
 /// Throws InputError for a column that none of the files has, of those that are needed and of those
 /// that the map names.
 SeriesOfFiles::Files readers_of(const Source& source, const Channels& wanted,
@@ -554,6 +592,7 @@ SeriesOfFiles::Files readers_of(const Source& source, const Channels& wanted,
   const auto none = [&](const auto& has) { return std::none_of(files.begin(), files.end(), has); };
   for (const Channel* c : needed)
     if (none([&](const auto& f) { return f->has(*c); })) files.front()->require(*c);
+  require_transducers(files, options.columns, wanted);
   for (const ColumnRule* rule : files.front()->found().not_here)
     if (none([&](const auto& f) {
           const auto& absent = f->found().not_here;
@@ -579,9 +618,11 @@ record::Record read_series(const Source& source, const Channels& wanted, const C
   std::vector<std::unique_ptr<SeriesReader>> files = readers_of(source, wanted, needed, options);
   Record record = files.size() > 1 ? SeriesOfFiles(files).read() : files.front()->read();
   leave_out_impossible_inputs(record);
+  combine_transducers(record, options.columns, wanted);
   fill_inputs(record, needed, options.of_spindle);
   take_offsets_off(record, [&](const Channel& c) {
-    return std::any_of(files.begin(), files.end(), [&](const auto& f) { return f->has(c); });
+    return std::any_of(files.begin(), files.end(), [&](const auto& f) { return f->has(c); }) ||
+           !combinations_for(options.columns, {&c}).empty();
   });
   note_gaps(record);
   return record;

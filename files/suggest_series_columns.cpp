@@ -197,7 +197,7 @@ class SeriesProposals {
     }
     for (const ColumnRule& rule : given.rules) std::erase(wanted_, rule.channel);
     for (std::size_t c = 0; c < table.header.size(); ++c) {
-      if (given.find(table.header[c])) continue;
+      if (given.find(table.header[c]) || given.find_transducer(table.header[c])) continue;
       if (auto column = column_of_series(table, c))
         columns_.push_back(*std::move(column));
       else

@@ -30,6 +30,7 @@ files::ReadOptions Reading::options(const files::ModelFile& model) const {
 files::ReadOptions Reading::options(const files::ColumnMap& of_model) const {
   files::ReadOptions result = options();
   if (columns.empty() && columns_text.empty()) result.columns = of_model;
+  if (result.columns.transducers.empty()) result.columns.transducers = of_model.transducers;
   return result;
 }
 

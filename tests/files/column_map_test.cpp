@@ -178,7 +178,8 @@ TEST(ColumnMap, WhatIsWrongInItIsNamedWithItsLine) {
   EXPECT_THAT(map_error(data, "[columns]\nfriction_torque_Nmm = 3\n"), HasSubstr("no number"));
   EXPECT_THAT(map_error(data, "[columns]\nspeed_rpm = \"n\"\nspeed_rad_s = \"m\"\n"),
               HasSubstr("map.toml:3: [columns] speed_rpm and speed_rad_s are one quantity"));
-  EXPECT_THAT(map_error(data, "[bearing]\n"), HasSubstr("has the table [columns] alone"));
+  EXPECT_THAT(map_error(data, "[bearing]\n"),
+              HasSubstr("has the tables [columns] and [transducers] alone"));
   EXPECT_THAT(map_error("n,friction_torque_Nmm\n1000,5\n", "[columns]\nspeed_rpm = \"N\"\n"),
               HasSubstr("d.csv:1: no column \"N\", which map.toml:2 takes for speed_rpm"));
 }

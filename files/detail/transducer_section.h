@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "files/column_map.h"
+
+// Last: see text/detail/toml_text.h.
+#include "files/detail/model_tables.h"
+
+namespace raceway::files {
+
+[[nodiscard]] std::vector<KeyTable> transducer_tables();
+
+/// Reads [transducers]; empty where there is none. Throws InputError for a combination that is
+/// none, one that follows from those before it, and a transducer without a factor.
+[[nodiscard]] std::vector<Combination> read_transducers(const ModelTables& tables);
+
+}  // namespace raceway::files

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "files/column_map.h"
+#include "record/record.h"
+
+/// Several transducers that together read position and angle of a tool.
+namespace raceway::files {
+
+/// Of the combinations of a map those that make one of the `wanted` displacements; all where
+/// nothing is wanted.
+[[nodiscard]] std::vector<const Combination*> combinations_for(
+    const ColumnMap& map, const std::vector<const record::Channel*>& wanted);
+
+/// Puts the displacements that they make in the place of the transducers, and says so. A reading of
+/// which a transducer is missing is missing. A record without any transducer stays.
+void combine_transducers(record::Record& record, const ColumnMap& map,
+                         const std::vector<const record::Channel*>& wanted);
+
+/// The table [transducers] of a model file; empty without combinations.
+[[nodiscard]] std::string transducers_text(const ColumnMap& map);
+
+}  // namespace raceway::files
