@@ -219,8 +219,8 @@ def chain(program):
         raceway("calibrate-sensor", data + "weights.csv", "-o", "sensor.toml")
         raceway("calibrate", "rig.toml", data + "signals.csv", "-o", "fitted.toml")
         raceway("check", "fitted.toml", data + "signals.csv", "-o", "torque.csv")
-        with open(here("spindle.toml"), "a", encoding="utf-8") as spindle:
-            spindle.write("[friction]" + read(here("fitted.toml")).split("[friction]")[1].split("\n[")[0])
+        axes = ["--speed", "0:10000:500", "--axial-load", "100:1500:100", "--temperature", "20:100:10"]
+        raceway("table", "fitted.toml", *axes, "--band", "-o", "stribeck.csv")
         steps = raceway(
             "step-response",
             "spindle.toml",

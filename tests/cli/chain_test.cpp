@@ -95,6 +95,39 @@ TEST_F(Chain, TheSumOfBothPartsIsWithinATenthOfAMicrometre) {
   EXPECT_LT(error(path("sum.toml")), 0.1);
 }
 
+/// From volts to the correction of the machine; every command takes the files of the one before.
+TEST_F(Chain, TheTableOfTheRigHeatsTheSpindle) {
+  for (const char* const name : {"rig.toml", "spindle.toml"})
+    scratch_.write(name, file_text(chain + name));
+  const auto must = [](const std::string& command) {
+    const Result r = run(command);
+    EXPECT_EQ(r.status, 0) << command << "\n" << r.err;
+    return r;
+  };
+  const auto table = [&](const std::string& loads) {
+    must("table " + path("fitted.toml") + " --speed 0:10000:500 --axial-load " + loads +
+         " --temperature 20:100:10 --band --force -o " + path("stribeck.csv"));
+    return must("spindle " + path("spindle.toml") +
+                " --speed 10000 --coolant off --steady --json");
+  };
+  must("calibrate-sensor " + chain + "weights.csv -o " + path("sensor.toml"));
+  must("calibrate " + path("rig.toml") + " " + chain + "signals.csv -o " + path("fitted.toml"));
+  // The rear bearing carries 1180 N at 10 000 rpm.
+  EXPECT_THAT(table("100:900:100").err, HasSubstr("beyond the friction table stribeck.csv"));
+  const Result steady = table("100:1500:100");
+  EXPECT_THAT(steady.err, Not(HasSubstr("beyond the friction table")));
+  EXPECT_THAT(steady.out, HasSubstr("friction_power_band_W"));
+  must("step-response " + path("spindle.toml") +
+       " --speed 1000:10000:1000 --coolant off --law line --lags one --correction " +
+       path("spindle_part.toml"));
+  must("join " + path("spindle_part.toml") + " " + path("machine.toml") + " -o " +
+       path("sum.toml"));
+  must("calibrate " + path("sum.toml") + " " + chain + "verification.csv --until 20h -o " +
+       path("correction.toml"));
+  EXPECT_LT(error(path("sum.toml")), 1.8);
+  EXPECT_LT(error(path("correction.toml")), 1.3);
+}
+
 TEST(PriorTable, WhatIsWrongIsSaid) {
   const ScratchFolder scratch;
   const auto said = [&](const std::string& line) {
