@@ -21,12 +21,10 @@ text::json drawn_values(const std::vector<double>& values, double unit) {
   return list;
 }
 
-text::json courses_json(const std::vector<spindle::StepResponse>& steps) {
-  text::json list = text::json::array();
+void add_courses(const std::vector<spindle::StepResponse>& steps, text::json& list) {
   for (const spindle::StepResponse& s : steps)
     list.push_back({{"time_s", drawn_values(s.time, 1.0)},
                     {"displacement_um", drawn_values(s.displacement, um)}});
-  return list;
 }
 
 /// The laws between rest and beyond the largest power, for lines: P, the straight line, the power
@@ -95,7 +93,11 @@ std::string step_report(const std::string& source, const spindle::StepResponses&
   document.add("assumed", model_facts(facts));
   document.add("source", source);
   document.add_text("results", results::step_responses_json(responses, laws, notes, error));
-  document.add("courses", courses_json(responses.steps));
+  text::json courses = text::json::array(), load_courses = text::json::array();
+  add_courses(responses.steps, courses);
+  for (const spindle::LoadSteps& at : responses.loads) add_courses(at.steps, load_courses);
+  document.add("courses", courses);
+  if (!load_courses.empty()) document.add("load_courses", load_courses);
   document.add("laws", law_courses(responses, laws));
   if (error && error->report.converged()) add_superposition(document, *error, programme);
   return report_page(document.text());

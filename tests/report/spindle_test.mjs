@@ -33,6 +33,7 @@ before(() => {
   write('deflection', 'deflection', model, '--force', '1000', '--speed', '8000', '--warm');
   write('axial', 'deflection', model, '--force', '200', '--direction', 'axial');
   write('steps', 'step-response', model, '--speed', '2000:8000:2000', '--coolant', 'off', '--hours', '8', '--correction', file('correction.toml'), '--programme', join(spindles, 'day.csv'));
+  write('loads', 'step-response', model, '--speed', '2000,6000', '--axial-load=-500,250,500', '--radial-load', '1000,2000', '--coolant', 'off', '--hours', '4');
   writeFileSync(file('fe.csv'), ['load_case,time_s,axial_displacement_um,power_W', ...[50, 100].flatMap((p) => Array.from({ length: 40 }, (_, k) => `<b>${p}</b>,${60 * k},${(p / 10) * (1 - Math.exp(-k / 9))},${p}`))].join('\n'));
   write('imported', 'step-response', '--import', file('fe.csv'));
   write('network', 'spindle', file('network.toml'), '--speed-profile', file('few.csv'));
@@ -52,6 +53,7 @@ const expected = {
   deflection: { line: 20, balls: 20, stiffness: 9 },
   axial: { balls: 20, stiffness: 9 },
   steps: { courses: 8, left: 2, gain: 4, 'time-constant': 4, 'two-gains': 2, 'two-times': 2, superposition: 8 },
+  loads: { courses: 4, left: 2, gain: 4, 'time-constant': 4, 'two-gains': 1, 'two-times': 1, 'load-courses': 8, 'axial-gain': 1, 'axial-at-once': 1, 'radial-gain': 1, 'radial-at-once': 1 },
   imported: { courses: 4, left: 1, gain: 2, 'time-constant': 2 },
   compare: { ladder: 2, channels: 14, 'over-time': 8, residual: 10 },
   alone: { channels: 7, 'over-time': 8, residual: 10 },
@@ -310,6 +312,19 @@ test('steps: gains and laws are those of --json, and the programme has the error
   const last = courses.filter((row) => row[0] === '8000 rpm');
   near(rms(last.map((row) => Number(row[3]) - Number(row[2]))), r.rows[3].fit_rms_um, 1e-2, 'what one time constant leaves');
   near(rms(last.map((row) => Number(row[4]) - Number(row[2]))), r.rows[3].fit_rms_two_um, 5e-2, 'what two leave');
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('loads: every step of a load is drawn, with the gains of --json', async () => {
+  const { page, faults, close } = await open('loads');
+  const of = (speed) => results.loads.load_rows.filter((row) => row.axial_load_N !== null && row.speed_rpm === speed).map((row) => row.K_um);
+  const gains = await tableOf(page, 'axial-gain');
+  assert.deepEqual(gains.map((row) => row[0]), [-500, 250, 500]);
+  assert.deepEqual(gains.map((row) => row[1]), of(2000));
+  assert.deepEqual(gains.map((row) => row[2]), of(6000));
+  const { rows } = await csvOf(page, 'load-courses');
+  assert.deepEqual([...new Set(rows.map((row) => row[0]))].slice(0, 2), ['−500 N axial, 2000 rpm', '250 N axial, 2000 rpm']);
   assert.deepEqual(faults, []);
   await close();
 });

@@ -470,6 +470,13 @@ export interface StepRow {
   settled: boolean;
   status: string;
   message?: string;
+  axial_load_N?: number | null; // of a step of a load
+  radial_load_N?: number | null;
+}
+
+export interface StepCourse {
+  time_s: number[];
+  displacement_um: number[];
 }
 
 type Values = (number | null)[];
@@ -482,6 +489,7 @@ export interface StepsReport {
   source: string;
   results: {
     rows: StepRow[];
+    load_rows?: StepRow[];
     K_of_P: { slope_um_W: number | null; offset_um: number | null; slope_um_W_std: number | null; offset_um_std: number | null };
     T_of_P: { slope_min_W: number | null; offset_min: number | null; slope_min_W_std: number | null; offset_min_std: number | null };
     K_power_law: { factor_um: number | null; exponent: number | null; exponent_std: number | null; rms_percent: number | null };
@@ -492,7 +500,8 @@ export interface StepsReport {
     superposition?: { rows: number; rms_um: number; largest_um: number; time_of_largest_s: number; lowest_um: number; highest_um: number; status: string };
     said: Said[];
   };
-  courses: { time_s: number[]; displacement_um: number[] }[];
+  courses: StepCourse[];
+  load_courses?: StepCourse[]; // of load_rows
   laws: { power_W: number[]; K_line_um: Values; K_power_um: Values; K_curve_um: Values; T_line_min: Values; T_power_min: Values; T_curve_min: Values } | null;
   programme?: string;
   rows?: ColumnData; // of the programme

@@ -2,7 +2,7 @@
 import { legend, valueAxis } from './chart';
 import type { Option } from './chart';
 import { columnsOf, Rows } from './document';
-import type { StepRow, StepsReport } from './document';
+import type { StepCourse, StepRow, StepsReport } from './document';
 import type { Cell } from './figure';
 import { choice, Figure, tooltip } from './figure';
 import { thinned } from './groups';
@@ -21,7 +21,12 @@ const one = (r: StepRow, t: number) => lag(r.K_um, r.T_min, t);
 const two = (r: StepRow, t: number) => lag(r.K1_um, r.T1_min, t) + lag(r.K2_um, r.T2_min, t);
 const hasTwo = (r: StepRow) => r.K2_um !== null;
 
-const nameOf = (r: StepRow) => r.load_case || (r.speed_rpm === null ? `${plain(r.power_end_W, 4)} W` : `${plain(r.speed_rpm)} rpm`);
+const directions = ['axial', 'radial'] as const;
+type Direction = (typeof directions)[number];
+
+const loadOf = (r: StepRow, direction: Direction) => r[`${direction}_load_N`] ?? null;
+const speedOf = (r: StepRow) => (r.speed_rpm === null ? `${plain(r.power_end_W, 4)} W` : `${plain(r.speed_rpm)} rpm`);
+const nameOf = (r: StepRow) => r.load_case || [...directions.flatMap((d) => (loadOf(r, d) === null ? [] : [`${plain(loadOf(r, d) as number)} N ${d}`])), speedOf(r)].join(', ');
 
 interface Step {
   row: StepRow;
@@ -34,7 +39,10 @@ function scaleOf(seconds: number): { unit: string; of: number } {
   return seconds < 600 ? { unit: 's', of: 1 } : seconds < 8 * 3600 ? { unit: 'min', of: 60 } : { unit: 'h', of: 3600 };
 }
 
-function courses(steps: Step[]): Figure {
+const ofSpeeds = { id: 'courses', title: 'Step responses', from: 'From rest' };
+const ofLoads = { id: 'load-courses', title: 'Responses to a load', from: 'From the settled spindle' };
+
+function courses(steps: Step[], { id, title, from } = ofSpeeds): Figure {
   const drawn = thinned(
     steps.map((_, k) => k),
     mostDrawn,
@@ -43,9 +51,9 @@ function courses(steps: Step[]): Figure {
   const { unit, of } = scaleOf(until);
   const both = drawn.some((s) => hasTwo(s.row));
   return new Figure({
-    id: 'courses',
-    title: 'Step responses',
-    note: `From rest, less the kinematic part, which is there at once. Points: the spindle; dashed: one time constant${both ? '; solid: two' : ''}.${drawn.length < steps.length ? ` ${drawn.length} of ${steps.length}, evenly chosen.` : ''}`,
+    id,
+    title,
+    note: `${from}, less the kinematic part, which is there at once. Points: the spindle; dashed: one time constant${both ? '; solid: two' : ''}.${drawn.length < steps.length ? ` ${drawn.length} of ${steps.length}, evenly chosen.` : ''}`,
     wide: true,
     marks: 1e4,
     height: 420,
@@ -229,6 +237,25 @@ function twoLags(steps: Step[]): Figure[] {
   ];
 }
 
+/// Gain and displacement at once over a load, a line for each speed.
+function overLoad(steps: Step[], direction: Direction): Figure[] {
+  const rows = steps.map((s) => s.row).filter((r) => loadOf(r, direction) !== null);
+  if (rows.length === 0) return [];
+  const speeds = [...new Set(rows.map((r) => r.speed_rpm as number))].sort((a, b) => a - b);
+  const column = (what: string, speed: number) => `${what}_at_${speed}_rpm_um`;
+  const x = `${direction}_load_N`;
+  const byLoad = new Map<number, Record<string, unknown>>();
+  for (const r of rows) {
+    const load = loadOf(r, direction) as number;
+    const row = byLoad.get(load) ?? { [x]: load };
+    byLoad.set(load, { ...row, [column('K', r.speed_rpm as number)]: r.K_um, [column('at_once', r.speed_rpm as number)]: r.kinematic_um });
+  }
+  const table = new Rows(columnsOf([...byLoad.values()].sort((a, b) => (a[x] as number) - (b[x] as number))));
+  const figure = (id: string, title: string, axis: string, what: string) =>
+    lineFigure(table, { id: `${direction}-${id}`, title, x, axis, fromZero: true, lines: speeds.map((speed, k) => ({ name: `${plain(speed)} rpm`, column: column(what, speed), kind: k })) });
+  return [figure('gain', `Gain K against the ${direction} load`, 'gain_um', 'K'), figure('at-once', `At once against the ${direction} load`, 'displacement_um', 'at_once')];
+}
+
 function superposition(report: StepsReport): HTMLElement | undefined {
   const s = report.results.superposition;
   if (!s || !report.rows) return undefined;
@@ -262,11 +289,18 @@ function superposition(report: StepsReport): HTMLElement | undefined {
   );
 }
 
+/// The steps that have a fit.
+function fitted(rows: StepRow[], drawn: StepCourse[]): Step[] {
+  const all = rows.map((row, k): Step => ({ row, time: drawn[k]?.time_s ?? [], displacement: drawn[k]?.displacement_um ?? [] }));
+  return all.filter((s) => s.row.status === 'converged' && s.row.K_um !== null);
+}
+
 export function stepResponses(report: StepsReport): (Node | undefined)[] {
   const { results: r } = report;
-  const all = r.rows.map((row, k): Step => ({ row, time: report.courses[k]?.time_s ?? [], displacement: report.courses[k]?.displacement_um ?? [] }));
-  const steps = all.filter((s) => s.row.status === 'converged' && s.row.K_um !== null);
-  const failed = r.rows.filter((row) => row.status !== 'converged').map((row) => `${nameOf(row)}: ${row.message ?? row.status.replace(/_/g, ' ')}`);
+  const rows = [...r.rows, ...(r.load_rows ?? [])];
+  const steps = fitted(r.rows, report.courses);
+  const loads = fitted(r.load_rows ?? [], report.load_courses ?? []);
+  const failed = rows.filter((row) => row.status !== 'converged').map((row) => `${nameOf(row)}: ${row.message ?? row.status.replace(/_/g, ' ')}`);
   const warnings = failed.length ? section('Warnings', el('ul', { class: 'notes', id: 'warnings' }, ...failed.map((w) => el('li', {}, w)))) : undefined;
   const head = { command: 'step-response', files: shortPaths([report.source, ...(report.programme ? [report.programme] : [])]) };
   if (steps.length === 0) return [header({ ...head, sentence: 'No step response has a fit.' }, []), warnings, notes(r.said)];
@@ -277,7 +311,7 @@ export function stepResponses(report: StepsReport): (Node | undefined)[] {
     header(
       {
         ...head,
-        ...(failed.length ? { badge: [`${failed.length} of ${r.rows.length} steps without a fit`, 'open'] as [string, string] } : {}),
+        ...(failed.length ? { badge: [`${failed.length} of ${rows.length} steps without a fit`, 'open'] as [string, string] } : {}),
         sentence: `${steps.length === 1 ? 'One step' : `${steps.length} steps`} from rest: K ${ends((row) => row.K_um)} µm and T ${ends((row) => row.T_min)} min at ${ends((row) => row.power_end_W)} W.`,
         ...(r.superposition ? { more: `Over ${head.files[1] ?? 'the programme'} the correction differs from the simulation by ${number(r.superposition.rms_um, 3)} µm RMS.` } : {}),
       },
@@ -291,13 +325,14 @@ export function stepResponses(report: StepsReport): (Node | undefined)[] {
     warnings,
     section('The steps', grid(steps.some((s) => s.time.length) ? courses(steps) : undefined, steps.some((s) => s.time.length) ? left(steps) : undefined)),
     section('The laws', grid(law(report, steps, 'K'), law(report, steps, 'T'), ...twoLags(steps))),
+    loads.length ? section('The loads', grid(courses(loads, ofLoads), ...directions.flatMap((d) => overLoad(loads, d)))) : undefined,
     superposition(report),
     section(
       'The numbers',
       valueList(
         'Each step',
         ['step', 'P at once [W]', 'at the end [W]', 'kinematic [µm]', 'K [µm]', 'T [min]', 'left [µm]', 'K1 [µm]', 'T1 [min]', 'K2 [µm]', 'T2 [min]', 'left [µm]', 'front force [N]', 'at most [N]'],
-        r.rows.map((row) => [
+        rows.map((row) => [
           nameOf(row),
           ...[row.power_start_W, row.power_end_W, row.kinematic_um, row.K_um, row.T_min, row.fit_rms_um, row.K1_um, row.T1_min, row.K2_um, row.T2_min, row.fit_rms_two_um, row.front_force_N, row.highest_front_force_N].map((v, k) =>
             v === null ? dash : number(v, k === 5 || k === 10 ? 2 : 4),
