@@ -109,7 +109,8 @@ class Numbers {
         {"DRIVE_INPUTS", listed_or_zero(drive_inputs_)},
         {"DRIVES_COUNT", std::to_string(plan_.drives.size())},
         {"DRIVES",
-         rows(drives_, "{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0, {0, 0, 0, 0}}")},
+         rows(drives_, "{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0, {0, 0, 0, 0}}")},
+        {"TABLE_AXES", rows(table_axes_, "{0, 0, 0, 0}")},
         {"TOGETHER_COUNT", std::to_string(plan_.together.size())},
         {"TOGETHER_INPUTS", listed_or_zero(together_inputs_)},
         {"TOGETHER_MEAN", listed_or_zero(together_mean_)},
@@ -175,27 +176,30 @@ class Numbers {
 
   void add(const ControlDrive& d) {
     constexpr std::string_view kinds[] = {"rise", "size", "power", "motor"};
-    std::size_t speeds = 0, temperatures = 0, torques = 0, speed_count = 0, temperature_count = 0;
+    std::size_t torques = 0, axes = 0;
+    const std::size_t first_axis = axis_count_;
     if (d.table != nowhere) {
       const ControlTable& t = plan_.tables[d.table];
-      const std::string file = harmless(t.file);
-      speeds = add_points(t.speed_rpm, fmt::format("{} at {:g} N: rpm", file, t.axial_load_N));
-      temperatures = add_points(t.temperature_C, "C");
+      for (const TableAxis& axis : axes_of(plan_, d)) {
+        table_axes_ += fmt::format(
+            "  {{{}, {}, {}, {}}},\n", axis.input, axis.by_amount ? 1 : 0,
+            add_points(axis.points, axes == 0 ? fmt::format("{}{}: rpm", harmless(t.file),
+                                                            fixed_load(plan_, d))
+                                              : plan_.inputs[axis.input].unit),
+            axis.points.size());
+        ++axes;
+      }
       torques = add_points(t.torque_Nmm, "N mm, speed first");
-      speed_count = t.speed_rpm.size();
-      temperature_count = t.temperature_C.size();
+      axis_count_ += axes;
     }
     const auto point = [&](double value) { return real(std::isnan(value) ? 0.0 : value); };
     drives_ += fmt::format(
-        "  {{{}_{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, "
-        "{{{}, {}, {}, {}}}}},\n",
-        name_, kinds[static_cast<std::size_t>(d.kind)], drive_input_count_, d.inputs.size(),
-        place(d.reference), place(d.temperature),
-        real(std::isnan(d.temperature_C) ? 0.0 : d.temperature_C),
-        real(std::isnan(d.decay_rpm) ? 1.0 : d.decay_rpm),
+        "  {{{}_{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {{{}, {}, {}, {}}}}},\n", name_,
+        kinds[static_cast<std::size_t>(d.kind)], drive_input_count_, d.inputs.size(),
+        place(d.reference), real(std::isnan(d.decay_rpm) ? 1.0 : d.decay_rpm),
         real(std::isnan(d.lowest) ? -unbounded : d.lowest),
-        real(std::isnan(d.highest) ? unbounded : d.highest), speeds, temperatures, torques,
-        speed_count, temperature_count, real(d.exponent), place(d.window),
+        real(std::isnan(d.highest) ? unbounded : d.highest), first_axis, axes, torques,
+        real(d.exponent), place(d.window),
         d.window_of_drive ? 1 : 0, point(d.window_from), point(d.window_full_from),
         point(d.window_full_to), point(d.window_to));
     for (const std::size_t k : d.inputs) drive_inputs_ += fmt::format("{}, ", k);
@@ -252,9 +256,9 @@ class Numbers {
   std::string name_;
   std::string together_, together_inputs_, together_mean_, together_weights_;
   std::size_t together_input_count_ = 0, together_weight_count_ = 0;
-  std::string points_, drive_inputs_, drives_, sections_, elements_, feedthroughs_, kinematics_;
+  std::string points_, table_axes_, drive_inputs_, drives_, sections_, elements_, feedthroughs_, kinematics_;
   std::string equations_, numerators_, denominators_;
-  std::size_t point_count_ = 0, drive_input_count_ = 0, section_count_ = 0, element_count_ = 0,
+  std::size_t point_count_ = 0, axis_count_ = 0, drive_input_count_ = 0, section_count_ = 0, element_count_ = 0,
               feedthrough_count_ = 0, kinematic_count_ = 0, equation_count_ = 0,
               coefficient_count_ = 0;
 };

@@ -65,6 +65,10 @@ constexpr std::string_view sign_formulas =
     R"(# Inputs in other units than rpm, m/min, C, and 0 or 1, act with their sign, as they stand.
 )";
 
+constexpr std::string_view load_formulas =
+    R"(# A friction table is read at axial_load_input and radial_load_input, by their amount where it has no load below 0.
+)";
+
 constexpr std::string_view window_formulas =
     R"(# window       share of its input x: 0 outside of window_from and window_to, 1 between window_full_from and window_full_to,
 #              straight between. Where it acts on the input u takes this factor, on the displacement what the part adds
@@ -155,6 +159,8 @@ class Table {
     word("u", drive_kinds[static_cast<std::size_t>(d.kind)]);
     for (const std::size_t k : d.inputs) word("input", plan_.inputs[k].column);
     if (d.reference != nowhere) word("reference", plan_.inputs[d.reference].column);
+    if (d.axial_load != nowhere) word("axial_load_input", plan_.inputs[d.axial_load].column);
+    if (d.radial_load != nowhere) word("radial_load_input", plan_.inputs[d.radial_load].column);
     if (d.temperature != nowhere) word("temperature", plan_.inputs[d.temperature].column);
     if (d.window != nowhere) {
       word("window", plan_.inputs[d.window].column);
@@ -164,11 +170,19 @@ class Table {
     if (d.kind != DriveKind::power) return;
     const ControlTable& t = plan_.tables[d.table];
     word("friction_table", t.file);
-    number("axial_load", t.axial_load_N, "N");
-    for (std::size_t j = 0; j < t.temperature_C.size(); ++j)
-      for (std::size_t k = 0; k < t.speed_rpm.size(); ++k)
-        number(fmt::format("torque at {:.15g} rpm {:.15g} C", t.speed_rpm[k], t.temperature_C[j]),
-               t.torque_Nmm[j * t.speed_rpm.size() + k], "N mm");
+    if (d.axial_load == nowhere) number("axial_load", t.axial_load_N.front(), "N");
+    const auto load = [](std::size_t input, double at, std::string_view direction) {
+      return input == nowhere ? std::string() : fmt::format(" {:.15g} N {}", at, direction);
+    };
+    std::size_t k = 0;
+    for (const double temperature : t.temperature_C)
+      for (const double radial : t.radial_load_N)
+        for (const double axial : t.axial_load_N)
+          for (const double speed : t.speed_rpm)
+            number(fmt::format("torque at {:.15g} rpm{}{} {:.15g} C", speed,
+                               load(d.axial_load, axial, "axial"),
+                               load(d.radial_load, radial, "radial"), temperature),
+                   t.torque_Nmm[k++], "N mm");
   }
 
   void add_curve(const std::string& name, const ControlCurve& c, const std::string& unit,
@@ -281,6 +295,10 @@ std::string control_csv(const ControlPlan& plan) {
   if (std::any_of(plan.drives.begin(), plan.drives.end(),
                   [](const ControlDrive& d) { return d.window != nowhere; }))
     text += window_formulas;
+  if (std::any_of(plan.drives.begin(), plan.drives.end(), [](const ControlDrive& d) {
+        return d.axial_load != nowhere || d.radial_load != nowhere;
+      }))
+    text += load_formulas;
   return fmt::format("{}{}{}\n{}", text, schema, table_header, Table(plan).text());
 }
 

@@ -173,19 +173,27 @@ class Planner {
                       unknown));
   }
 
-  /// The torque at the load of the channel: between loads it is straight, so that nothing is lost.
+  /// The table along the axes that an input reads; of the others their one value remains, and since
+  /// the torque is straight between points nothing is lost.
   std::size_t table(const Input& in, const std::string& channel) {
     const correction::FrictionTable& t = *in.table;
-    ControlTable made{.file = t.file, .axial_load_N = in.axial_load};
+    ControlTable made{.file = t.file};
+    const auto points = [](const correction::TableCoordinate& at, const std::vector<double>& axis) {
+      return at.column ? axis : std::vector{at.value};
+    };
+    const std::vector<double> temperatures = points(in.temperature, t.temperature);
+    made.axial_load_N = points(in.axial_load, t.axial_load);
+    made.radial_load_N = points(in.radial_load, t.radial_load);
     for (const double n : t.speed) made.speed_rpm.push_back(as_printed(n / rpm));
-    std::vector<double> temperatures = t.temperature;
-    if (!in.temperature_column) temperatures = {in.temperature};
     for (const double T : temperatures)
       made.temperature_C.push_back(record::with_digits(celsius(T), 12));
     for (const double T : temperatures)
-      for (const double n : t.speed) made.torque_Nmm.push_back(t(n, in.axial_load, T) / N_mm);
-    if (!t.holds(t.speed.front(), in.axial_load,
-                 in.temperature_column ? t.temperature.front() : in.temperature))
+      for (const double radial : made.radial_load_N)
+        for (const double axial : made.axial_load_N)
+          for (const double n : t.speed)
+            made.torque_Nmm.push_back(t({n, axial, radial, T}) / N_mm);
+    if (!t.holds({t.speed.front(), made.axial_load_N.front(), made.radial_load_N.front(),
+                  temperatures.front()}))
       note(fmt::format("channel {}: its load or temperature lies beyond {}; the edge holds",
                        channel, t.file));
     plan_.tables.push_back(std::move(made));
@@ -197,10 +205,12 @@ class Planner {
     if (in.is_power()) {
       d.kind = ControlDrive::Kind::power;
       d.table = table(in, channel);
-      if (in.temperature_column)
-        d.temperature = input(*in.temperature_column);
+      if (in.axial_load.column) d.axial_load = input(*in.axial_load.column);
+      if (in.radial_load.column) d.radial_load = input(*in.radial_load.column);
+      if (in.temperature.column)
+        d.temperature = input(*in.temperature.column);
       else
-        d.temperature_C = record::with_digits(celsius(in.temperature), 12);
+        d.temperature_C = record::with_digits(celsius(in.temperature.value), 12);
       for (const correction::SeenRange& r : m.range)
         if (!r.column && r.name == channel) {
           d.lowest = r.lower;
@@ -436,16 +446,18 @@ namespace {
 /// All that makes two drives different.
 std::string key_of(const ControlDrive& d) {
   return fmt::format(
-      "{} {} {} {} {:.17g} {} {:.17g} {:.17g} {:.17g} {:.17g} {} {} {:.17g} {:.17g} {:.17g} "
+      "{} {} {} {} {} {} {:.17g} {} {:.17g} {:.17g} {:.17g} {:.17g} {} {} {:.17g} {:.17g} {:.17g} "
       "{:.17g} "
       "{}",
-      static_cast<int>(d.kind), fmt::join(d.inputs, ","), d.reference, d.temperature,
-      d.temperature_C, d.table, d.exponent, d.decay_rpm, d.lowest, d.highest, d.unit, d.window,
-      d.window_from, d.window_full_from, d.window_full_to, d.window_to, d.window_of_drive);
+      static_cast<int>(d.kind), fmt::join(d.inputs, ","), d.reference, d.axial_load, d.radial_load,
+      d.temperature, d.temperature_C, d.table, d.exponent, d.decay_rpm, d.lowest, d.highest, d.unit,
+      d.window, d.window_from, d.window_full_from, d.window_full_to, d.window_to,
+      d.window_of_drive);
 }
 std::string key_of(const ControlTable& t) {
-  return fmt::format("{} {:.17g} {:.17g} {:.17g} {:.17g}", t.file, t.axial_load_N,
-                     fmt::join(t.speed_rpm, ","), fmt::join(t.temperature_C, ","),
+  return fmt::format("{} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}", t.file,
+                     fmt::join(t.speed_rpm, ","), fmt::join(t.axial_load_N, ","),
+                     fmt::join(t.radial_load_N, ","), fmt::join(t.temperature_C, ","),
                      fmt::join(t.torque_Nmm, ","));
 }
 
@@ -533,7 +545,7 @@ std::vector<std::size_t> used_inputs(const ControlPlan& plan, const ControlAxis&
   const auto add_drive = [&](std::size_t index) {
     const ControlDrive& d = plan.drives[index];
     used.insert(d.inputs.begin(), d.inputs.end());
-    used.insert({d.reference, d.temperature, d.window});
+    used.insert({d.reference, d.axial_load, d.radial_load, d.temperature, d.window});
     if (d.kind == ControlDrive::Kind::power || d.kind == ControlDrive::Kind::motor)
       used.insert(plan.speed);
   };

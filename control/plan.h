@@ -47,12 +47,13 @@ struct ControlTogether {
   double farthest = unset;
 };
 
-/// Friction torque of a spindle at one load, straight between its points, held beyond them.
+/// Friction torque of a spindle, straight between its points, held beyond them. A load counts by
+/// its amount where its axis has no negative one.
 struct ControlTable {
   std::string file{};
-  double axial_load_N = unset;
-  std::vector<double> speed_rpm{}, temperature_C{};  ///< rising, one value or more each
-  std::vector<double> torque_Nmm{};                  ///< speed runs fastest
+  /// Rising, one value or more each; of one value where no input of the drive reads the axis.
+  std::vector<double> speed_rpm{}, axial_load_N{}, radial_load_N{}, temperature_C{};
+  std::vector<double> torque_Nmm{};  ///< in this order, speed runs fastest
 };
 
 /// Input u of a part.
@@ -65,8 +66,9 @@ struct ControlDrive {
   } kind = Kind::size;
   std::vector<std::size_t> inputs{};  ///< of rise and size
   std::size_t reference = nowhere;    ///< of rise
-  std::size_t temperature = nowhere;  ///< of power; without it `temperature_C` holds
-  double temperature_C = unset;
+  /// Inputs at which the table of a power is read.
+  std::size_t axial_load = nowhere, radial_load = nowhere, temperature = nowhere;
+  double temperature_C = unset;  ///< where no input has it
   std::size_t table = nowhere;             ///< of power
   double exponent = 1.0;                   ///< of size
   double decay_rpm = unset;                ///< of motor

@@ -45,19 +45,18 @@ std::string plain_drive_text(const ControlDrive& d, const ControlPlan& plan) {
       break;
   }
   const ControlTable& t = plan.tables[d.table];
-  std::string rows;
-  for (std::size_t j = 0; j < t.temperature_C.size(); ++j) {
-    const auto from = t.torque_Nmm.begin() + static_cast<std::ptrdiff_t>(j * t.speed_rpm.size());
-    rows += fmt::format(
-        "         {},\n",
-        list(std::vector(from, from + static_cast<std::ptrdiff_t>(t.speed_rpm.size()))));
-  }
+  const auto speeds = static_cast<std::ptrdiff_t>(t.speed_rpm.size());
+  std::string axes, rows;
+  for (const TableAxis& axis : axes_of(plan, d))
+    axes += fmt::format("{}({}, {})", axes.empty() ? "" : ",\n               ", axis.input,
+                        list(axis.points));
+  for (auto row = t.torque_Nmm.begin(); row != t.torque_Nmm.end(); row += speeds)
+    rows += fmt::format("         {},\n", control_numbers(std::vector(row, row + speeds)));
   return fmt::format(
-      "{{\"kind\": \"power\", \"temperature\": {}, \"temperature_C\": {}, \"lowest\": {}, "
-      "\"highest\": {},\n     # of {}, at {:g} N\n     \"table\": {{\"speed_rpm\": {},\n"
-      "      \"temperature_C\": {},\n      \"torque_Nmm\": [\n{}     ]}}}}",
-      place(d.temperature), number(d.temperature_C), number(d.lowest), number(d.highest),
-      harmless(t.file), t.axial_load_N, list(t.speed_rpm), list(t.temperature_C), rows);
+      "{{\"kind\": \"power\", \"lowest\": {}, \"highest\": {},\n"
+      "     # of {}{}\n     \"table\": {{\n"
+      "      \"axes\": [{}],\n      \"torque_Nmm\": [\n{}     ]}}}}",
+      number(d.lowest), number(d.highest), harmless(t.file), fixed_load(plan, d), axes, rows);
 }
 
 std::string drive_text(const ControlDrive& d, const ControlPlan& plan) {

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "control/detail/table_fields.h"
@@ -295,13 +297,28 @@ class TableReader {
     plan_.together.push_back(std::move(t));
   }
 
+  /// Torques of a table by temperature, radial load, axial load and speed: the order of a plan.
+  using Torques = std::map<std::vector<double>, double>;
+
+  /// Place of a torque among them; empty for another name. 0 for a load that no input has.
+  static std::vector<double> torque_point(std::string_view name, const ControlDrive& d) {
+    std::vector<std::string_view> units{" rpm "};
+    if (d.axial_load != nowhere) units.emplace_back(" N axial ");
+    if (d.radial_load != nowhere) units.emplace_back(" N radial ");
+    units.emplace_back(" C");
+    const std::vector<double> at = numbers_at(name, "torque at ", units);
+    if (at.empty()) return {};
+    const double axial = d.axial_load == nowhere ? 0.0 : at[1];
+    return {at.back(), d.radial_load == nowhere ? 0.0 : at[at.size() - 2], axial, at.front()};
+  }
+
   /// A part that something drives: its own numbers, and those of the drive.
   template <typename Of, std::size_t count>
   Part read_driven(const Part& part, Of& of, const std::array<NumberField<Of>, count>& fields) {
     Part others;
     ControlDrive d;
     ControlTable t;
-    std::map<std::pair<double, double>, double> torques;
+    Torques torques;
     std::string_view u;
     for (const Row& r : part) {
       if (take(r, of, fields) || take(r, d, drive_numbers)) continue;
@@ -314,6 +331,10 @@ class TableReader {
         d.inputs.push_back(input_named(r, r.value));
       } else if (r.name == "reference") {
         d.reference = input_named(r, r.value);
+      } else if (r.name == "axial_load_input") {
+        d.axial_load = input_named(r, r.value);
+      } else if (r.name == "radial_load_input") {
+        d.radial_load = input_named(r, r.value);
       } else if (r.name == "temperature") {
         d.temperature = input_named(r, r.value);
       } else if (r.name == "window") {
@@ -325,9 +346,9 @@ class TableReader {
       } else if (r.name == "friction_table") {
         t.file = text_of(r.value);
       } else if (r.name == "axial_load") {
-        t.axial_load_N = number(r);
-      } else if (const auto at = numbers_at(r.name, "torque at ", {" rpm ", " C"}); !at.empty()) {
-        torques[{at[1], at[0]}] = number(r);
+        t.axial_load_N = {number(r)};
+      } else if (const auto at = torque_point(r.name, d); !at.empty()) {
+        torques[at] = number(r);
       } else {
         others.push_back(r);
       }
@@ -342,7 +363,7 @@ class TableReader {
   }
 
   void complete(const Row& first, ControlDrive& d, ControlTable& t,
-                const std::map<std::pair<double, double>, double>& torques) {
+                const Torques& torques) {
     using Kind = ControlDrive::Kind;
     if ((d.kind == Kind::rise || d.kind == Kind::size) && d.inputs.empty())
       fail_missing(first, "input");
@@ -360,14 +381,24 @@ class TableReader {
     d.unit = "W";
     if (d.temperature == nowhere && std::isnan(d.temperature_C))
       fail_missing(first, "temperature or temperature_value");
+    std::array<std::set<double>, 4> axes;
     for (const auto& [at, torque] : torques) {
-      if (t.temperature_C.empty() || t.temperature_C.back() != at.first)
-        t.temperature_C.push_back(at.first);
-      if (t.temperature_C.size() == 1) t.speed_rpm.push_back(at.second);
+      for (std::size_t k = 0; k < axes.size(); ++k) axes[k].insert(at[k]);
       t.torque_Nmm.push_back(torque);
     }
-    if (torques.empty() || t.torque_Nmm.size() != t.speed_rpm.size() * t.temperature_C.size())
-      fail(first, "needs the torque at every speed and temperature");
+    std::size_t points = 1;
+    for (const auto& axis : axes) points *= axis.size();
+    if (torques.empty() || t.torque_Nmm.size() != points)
+      fail(first, "needs the torque at every speed, load and temperature");
+    const auto list = [](const std::set<double>& axis) {
+      return std::vector<double>(axis.begin(), axis.end());
+    };
+    t.temperature_C = list(axes[0]);
+    t.radial_load_N = list(axes[1]);
+    if (d.axial_load != nowhere || t.axial_load_N.empty()) t.axial_load_N = list(axes[2]);
+    t.speed_rpm = list(axes[3]);
+    if (d.temperature == nowhere && t.temperature_C.size() > 1)
+      fail(first, "has torques at several temperatures: temperature must name the input");
     d.table = plan_.tables.size();
     plan_.tables.push_back(std::move(t));
   }

@@ -34,6 +34,23 @@ std::string control_numbers(const std::vector<double>& values, std::string_view 
   return text;
 }
 
+std::vector<TableAxis> axes_of(const ControlPlan& plan, const ControlDrive& power) {
+  const ControlTable& t = plan.tables[power.table];
+  std::vector<TableAxis> axes{{plan.speed, t.speed_rpm}};
+  const auto add_load = [&](std::size_t input, const std::vector<double>& loads) {
+    if (input != nowhere) axes.push_back({input, loads, loads.front() >= 0.0});
+  };
+  add_load(power.axial_load, t.axial_load_N);
+  add_load(power.radial_load, t.radial_load_N);
+  if (power.temperature != nowhere) axes.push_back({power.temperature, t.temperature_C});
+  return axes;
+}
+
+std::string fixed_load(const ControlPlan& plan, const ControlDrive& power) {
+  if (power.axial_load != nowhere) return {};
+  return fmt::format(" at {:g} N", plan.tables[power.table].axial_load_N.front());
+}
+
 std::uint32_t stamp(const ControlPlan& plan) {
   ControlPlan bare = plan;  // the numbers count, not where they come from
   bare.source.clear();

@@ -1,6 +1,7 @@
 #include "correction/friction_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -25,25 +26,39 @@ bool within(const std::vector<double>& axis, double value) {
   return axis.size() < 2 || (value >= axis.front() && value <= axis.back());
 }
 
+double amount_on(const std::vector<double>& axis, double load) {
+  return axis.front() < 0.0 ? load : std::abs(load);
+}
+
 }  // namespace
 
-double FrictionTable::operator()(double of_speed, double load, double of_temperature) const {
-  if (!std::isfinite(of_speed + load + of_temperature)) return of_speed + load + of_temperature;
-  const Place s = place_on(speed, of_speed), l = place_on(axial_load, load),
-              t = place_on(temperature, of_temperature);
+double FrictionTable::operator()(const Point& at) const {
+  const double all = at.speed + at.axial_load + at.radial_load + at.temperature;
+  if (!std::isfinite(all)) return all;
+  // From the slowest axis to the fastest.
+  const std::array places{place_on(temperature, at.temperature),
+                          place_on(radial_load, amount_on(radial_load, at.radial_load)),
+                          place_on(axial_load, amount_on(axial_load, at.axial_load)),
+                          place_on(speed, at.speed)};
+  const std::array sizes{temperature.size(), radial_load.size(), axial_load.size(), speed.size()};
   double sum = 0.0;
-  for (std::size_t corner = 0; corner < 8; ++corner) {
-    const bool i = corner & 1U, j = corner & 2U, k = corner & 4U;
-    const double weight = (i ? s.share : 1.0 - s.share) * (j ? l.share : 1.0 - l.share) *
-                          (k ? t.share : 1.0 - t.share);
-    if (weight == 0.0) continue;
-    sum += weight * torque[((t.at + k) * axial_load.size() + l.at + j) * speed.size() + s.at + i];
+  for (std::size_t corner = 0; corner < std::size_t{1} << places.size(); ++corner) {
+    double weight = 1.0;
+    std::size_t index = 0;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const std::size_t next = corner >> k & 1U;
+      weight *= next ? places[k].share : 1.0 - places[k].share;
+      index = index * sizes[k] + places[k].at + next;
+    }
+    if (weight != 0.0) sum += weight * torque[index];
   }
   return sum;
 }
 
-bool FrictionTable::holds(double of_speed, double load, double of_temperature) const {
-  return within(speed, of_speed) && within(axial_load, load) && within(temperature, of_temperature);
+bool FrictionTable::holds(const Point& at) const {
+  return within(speed, at.speed) && within(axial_load, amount_on(axial_load, at.axial_load)) &&
+         within(radial_load, amount_on(radial_load, at.radial_load)) &&
+         within(temperature, at.temperature);
 }
 
 }  // namespace raceway::correction

@@ -40,6 +40,12 @@ struct Window {
   [[nodiscard]] std::string range_text() const;
 };
 
+/// Where a friction table is read on one of its axes: at a number, or at the value of a column.
+struct TableCoordinate {
+  double value = unset;  ///< SI
+  const Channel* column = nullptr;
+};
+
 /// Input of a channel.
 ///
 /// Temperatures count from the first row of a run. Feeds and speeds act by their absolute value,
@@ -53,9 +59,7 @@ struct Input {
   double exponent = 1.0;
   Interval seen{};  ///< range of that speed in the fit [SI]; the power is continued() beyond it
   std::shared_ptr<const FrictionTable> table{};  ///< power: its torque at the speed times the speed
-  double axial_load = unset;                     ///< [N], of the power
-  double temperature = unset;                    ///< [K], of the power, where no column has it
-  const Channel* temperature_column = nullptr;
+  TableCoordinate axial_load{}, radial_load{}, temperature{};  ///< at which that table is read
   Interval within{};  ///< to which the power is held [W]
   std::optional<Window> window{};
   std::shared_ptr<const OwnEffect>

@@ -86,11 +86,12 @@ double Series::id_of(const Input& input) const {
                         fmt::join(input.window->points, " "), input.window->of_input);
   if (input.exponent != 1.0)
     text += fmt::format("^{} {} {}", input.exponent, input.seen.lower, input.seen.upper);
-  if (input.is_power())
-    text += fmt::format("power {} {} {} {}", static_cast<const void*>(input.table.get()),
-                        input.axial_load, input.temperature,
-                        input.temperature_column ? input.temperature_column->name : "") +
-            fmt::format("{} {}", input.within.lower, input.within.upper);
+  if (input.is_power()) {
+    text += fmt::format("power {} {} {}", static_cast<const void*>(input.table.get()),
+                        input.within.lower, input.within.upper);
+    for (const TableCoordinate& c : {input.axial_load, input.radial_load, input.temperature})
+      text += fmt::format(" {} {}", c.value, c.column ? c.column->name : "");
+  }
   const std::scoped_lock lock(mutex_);
   const auto found = std::find(inputs_.begin(), inputs_.end(), text);
   const auto id = static_cast<double>(found - inputs_.begin());
@@ -98,20 +99,30 @@ double Series::id_of(const Input& input) const {
   return id;
 }
 
-std::vector<double> Series::power(const Input& input) const {
+std::vector<FrictionTable::Point> Series::points_of_table(const Input& input) const {
   if (speed_rpm_.empty()) throw std::invalid_argument("the input power_W needs a column speed_rpm");
-  const std::span<const double> temperature = input.temperature_column
-                                                  ? record_.values(*input.temperature_column)
-                                                  : std::span<const double>();
-  if (input.temperature_column && temperature.empty())
-    throw std::invalid_argument(
-        fmt::format("the input power_W needs a column {}", input.temperature_column->name));
+  std::vector<FrictionTable::Point> points(
+      rows(),
+      {0.0, input.axial_load.value, input.radial_load.value, input.temperature.value});
+  for (std::size_t k = 0; k < rows(); ++k) points[k].speed = speed_rpm_[k] * rpm;
+  const auto read = [&](const TableCoordinate& of, double FrictionTable::Point::*into) {
+    if (!of.column) return;
+    const std::span<const double> values = record_.values(*of.column);
+    if (values.empty())
+      throw std::invalid_argument(
+          fmt::format("the input power_W needs a column {}", of.column->name));
+    for (std::size_t k = 0; k < rows(); ++k) points[k].*into = values[k];
+  };
+  read(input.axial_load, &FrictionTable::Point::axial_load);
+  read(input.radial_load, &FrictionTable::Point::radial_load);
+  read(input.temperature, &FrictionTable::Point::temperature);
+  return points;
+}
+
+std::vector<double> Series::power(const Input& input) const {
   std::vector<double> list;
-  for (std::size_t k = 0; k < rows(); ++k) {
-    const double speed = speed_rpm_[k] * rpm;
-    const double power =
-        speed * (*input.table)(speed, input.axial_load,
-                               temperature.empty() ? input.temperature : temperature[k]);
+  for (const FrictionTable::Point& at : points_of_table(input)) {
+    const double power = at.speed * (*input.table)(at);
     list.push_back(power < input.within.lower   ? input.within.lower
                    : power > input.within.upper ? input.within.upper
                                                 : power);
@@ -149,18 +160,11 @@ Series::Key Series::key_of(const Input& input) const {
 
 std::size_t Series::rows_beyond_table(const Input& input) const {
   if (!input.is_power()) return 0;
-  const std::span<const double> temperature = input.temperature_column
-                                                  ? record_.values(*input.temperature_column)
-                                                  : std::span<const double>();
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < rows(); ++k)
-    // At rest there is no power, whatever the torque.
-    count += speed_rpm_[k] == 0.0 ||
-                     input.table->holds(speed_rpm_[k] * rpm, input.axial_load,
-                                        temperature.empty() ? input.temperature : temperature[k])
-                 ? 0
-                 : 1;
-  return count;
+  const std::vector<FrictionTable::Point> points = points_of_table(input);
+  // At rest there is no power, whatever the torque.
+  return static_cast<std::size_t>(std::count_if(
+      points.begin(), points.end(),
+      [&](const auto& at) { return at.speed != 0.0 && !input.table->holds(at); }));
 }
 
 std::vector<double> Series::shares(const Window& window) const {

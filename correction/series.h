@@ -82,6 +82,7 @@ class Series {
   template <typename Make>
   [[nodiscard]] Values kept(Key key, const Make& make) const;
   [[nodiscard]] double id_of(const Input& input) const;
+  [[nodiscard]] std::vector<FrictionTable::Point> points_of_table(const Input& input) const;
   [[nodiscard]] std::vector<double> power(const Input& input) const;
   [[nodiscard]] std::vector<double> formula(const Input& input) const;
   /// Key of the stored values of `input`.

@@ -132,7 +132,8 @@ std::vector<const Channel*> inputs_of(const Model& model) {
       for (const Channel* c : input.formula->columns()) add(c);
     if (!input.is_power()) return;
     add(&record::speed);
-    add(input.temperature_column);
+    for (const TableCoordinate& c : {input.axial_load, input.radial_load, input.temperature})
+      add(c.column);
   };
   for (const DrivenChannel& c : model.channels) add_input(c.input);
   if (model.kinematic) add(&record::speed);

@@ -80,10 +80,10 @@ constexpr Key correction_channel_keys[]{
      "of \"power_W\": a CSV with speed_rpm, axial_load_N, temperature_C, friction_torque_Nmm, "
      "in the folder of the model"},
     {"axial_load_N", between(-1e8, 1e8, "N"), 0.0,
-     "of \"power_W\": the load at which the table is read"},
-    {"radial_load_N", between(0, 1e8, "N"), unset,
-     "of \"power_W\": the radial load at which a table with several of them is read"},
-    {"temperature_C", between(-273, 500, "C"), unset,
+     "of \"power_W\": a number or a column of loads at which the table is read"},
+    {"radial_load_N", between(0, 1e8, "N"), "that of a table with one",
+     "of \"power_W\": a number or a column of radial loads at which the table is read"},
+    {"temperature_C", between(-273, 500, "C"), "that of a table with one",
      "of \"power_W\": a number or a column at which the table is read"},
     {"gain", a_table, unset,
      "in place of sections, over \"power_W\" or a column that is no temperature, such as a load: { "
@@ -292,8 +292,11 @@ class CorrectionReader {
             "temperature_C and friction_torque_Nmm, as raceway table writes it; a power that was "
             "recorded has a name of its own, as spindle_power_W");
       in.table = std::make_shared<const correction::FrictionTable>(table(s, *file));
-      in.axial_load = s.value("axial_load_N");
-      read_temperature(s, in);
+      const correction::FrictionTable& t = *in.table;
+      in.axial_load = coordinate(s, record::axial_load, t.axial_load, 0.0);
+      in.radial_load = coordinate(s, record::radial_load, t.radial_load);
+      in.temperature = coordinate(s, record::temperature, t.temperature);
+      require_radial_load(s, in);
     } else {
       if (!s.find("input")) s.fail_missing("input", ", the column that drives the channel");
       in.columns = columns(s, "input");
@@ -342,8 +345,7 @@ class CorrectionReader {
     try {
       NamedFiles& files = tables_.files();
       correction::FrictionTable read =
-          at_radial_load(parse_friction_table(files.read(file).text, files.shown(file)),
-                         s.number("radial_load_N").value_or(unset));
+          of_correction(parse_friction_table(files.read(file).text, files.shown(file)));
       read.file = file;
       return read;
     } catch (const text::InputError& e) {
@@ -353,20 +355,41 @@ class CorrectionReader {
     }
   }
 
-  void read_temperature(const Section& s, Input& in) {
-    const toml::node* const node = s.find("temperature_C");
+  /// A number or a column at which a friction table is read on `axis`; without either `otherwise`,
+  /// or the only value of the axis.
+  correction::TableCoordinate coordinate(const Section& s, const Channel& of,
+                                         const std::vector<double>& axis,
+                                         double otherwise = unset) const {
+    const toml::node* const node = s.find(of.name);
     if (node && node->is_string()) {
-      in.temperature_column = input_column(s, "temperature_C", *node->value<std::string>());
-      if (!record::is_temperature(*in.temperature_column))
-        s.fail("temperature_C", "temperature_C: must be a number, or a column NAME_temperature_C");
-    } else if (const auto value = s.number("temperature_C")) {
-      in.temperature = kelvin(*value);
-    } else if (in.table->temperature.size() > 1) {
-      s.fail_missing("temperature_C",
-                     ", at which the friction table is read (a number or a column)");
-    } else {
-      in.temperature = in.table->temperature.front();
+      const Channel* const c = input_column(s, of.name, *node->value<std::string>());
+      if (c->unit != of.unit)
+        s.fail(of.name, fmt::format("{}: must be a number, or a column {}", of.name,
+                                    record::is_temperature(of) ? "NAME_temperature_C"
+                                                               : "that ends in _N"));
+      if (axis.size() < 2)
+        s.fail(of.name, fmt::format("{} = \"{}\": the friction table has one value of it, so that "
+                                    "the column would change nothing",
+                                    of.name, c->name));
+      return {.column = c};
     }
+    if (const auto value = s.number(of.name)) return {.value = of.to_SI(*value)};
+    if (!std::isnan(otherwise)) return {.value = otherwise};
+    if (axis.size() > 1)
+      s.fail_missing(of.name, ", at which the friction table is read (a number or a column)");
+    return {.value = axis.front()};
+  }
+
+  /// A radial load that is a number lies within its table.
+  void require_radial_load(const Section& s, const Input& in) const {
+    const double asked = in.radial_load.value;
+    const std::vector<double>& loads = in.table->radial_load;
+    if (in.radial_load.column || (asked >= loads.front() && asked <= loads.back())) return;
+    std::vector<std::string> known;
+    for (const double load : loads) known.push_back(fmt::format("{:g}", load));
+    s.fail("radial_load_N",
+           fmt::format("radial_load_N = {:g} N lies beyond {}, which has the radial load{} {} N",
+                       asked, in.table->file, known.size() == 1 ? "" : "s", text::listed(known)));
   }
 
   DrivenChannel channel(const Section& table, const Model& m) {

@@ -113,39 +113,14 @@ friction::TorqueTable parse_friction_table(std::string text, const std::string& 
   return table;
 }
 
-correction::FrictionTable at_radial_load(const friction::TorqueTable& table, double radial_load) {
-  const friction::TableAxes& axes = table.grid.axes;
-  const std::vector<double>& loads = axes.radial_load;
-  const bool asked = !std::isnan(radial_load);
-  const bool one = loads.size() == 1 && !(asked && radial_load != loads.front());
-  if (!one && !(radial_load >= loads.front() && radial_load <= loads.back())) {
-    std::vector<std::string> known;
-    for (const double load : loads) known.push_back(fmt::format("{:g}", load));
-    throw text::InputError(
-        fmt::format(
-            "{}: has the radial load{} {} N: radial_load_N {}", table.file,
-            known.size() == 1 ? "" : "s", text::listed(known),
-            asked ? fmt::format("= {:g} N lies beyond", radial_load) : "says at which it is read"),
-        {table.file});
-  }
-  correction::FrictionTable found{.file = table.file,
-                                  .speed = axes.speed,
-                                  .axial_load = axes.axial_load,
-                                  .temperature = axes.temperature};
-  const auto above = static_cast<std::size_t>(
-      std::lower_bound(loads.begin() + (one ? 0 : 1), loads.end() - 1, radial_load) -
-      loads.begin());
-  const std::size_t below = one ? 0 : above - 1;
-  const double share = one ? 0.0 : (radial_load - loads[below]) / (loads[above] - loads[below]);
-  for (std::size_t t = 0; t < axes.temperature.size(); ++t)
-    for (std::size_t a = 0; a < axes.axial_load.size(); ++a)
-      for (std::size_t s = 0; s < axes.speed.size(); ++s) {
-        const double at = table.grid.friction_moment[table.grid.index(s, a, below, t)];
-        found.torque.push_back(
-            one ? at
-                : at + share * (table.grid.friction_moment[table.grid.index(s, a, above, t)] - at));
-      }
-  return found;
+correction::FrictionTable of_correction(friction::TorqueTable table) {
+  friction::TableAxes& axes = table.grid.axes;
+  return {.file = std::move(table.file),
+          .speed = std::move(axes.speed),
+          .axial_load = std::move(axes.axial_load),
+          .radial_load = std::move(axes.radial_load),
+          .temperature = std::move(axes.temperature),
+          .torque = std::move(table.grid.friction_moment)};
 }
 
 correction::Characteristic::Table parse_characteristic(std::string text, const std::string& source,

@@ -17,10 +17,8 @@ namespace raceway::files {
 [[nodiscard]] friction::TorqueTable parse_friction_table(std::string text,
                                                          const std::string& source);
 
-/// The table at one radial load [N], straight between those that it has; NaN: its only one. Throws
-/// InputError for a radial load that is not given or beyond the table.
-[[nodiscard]] correction::FrictionTable at_radial_load(const friction::TorqueTable& table,
-                                                       double radial_load);
+/// The torques of a table as a correction reads them.
+[[nodiscard]] correction::FrictionTable of_correction(friction::TorqueTable table);
 
 /// Input of a table of gains or time constants: "power" of "power_W", or a column of a record.
 struct CurveInput {

@@ -48,7 +48,7 @@ std::vector<StepElement> step_elements(const spindle::CoolDown& down, bool two) 
 
 std::shared_ptr<const correction::FrictionTable> step_friction(
     const std::vector<PowerAtSpeed>& powers) {
-  correction::FrictionTable table{.axial_load = {0.0}, .temperature = {0.0}};
+  correction::FrictionTable table{.temperature = {0.0}};
   for (const PowerAtSpeed& p : powers) {
     table.speed.push_back(p.speed);
     table.torque.push_back(p.power / p.speed);
@@ -240,7 +240,7 @@ correction::Model step_model(const spindle::StepResponses& responses,
     correction::DrivenChannel channel{.name = element.name};
     channel.input.name = "power_W";
     channel.input.table = friction;
-    channel.input.axial_load = channel.input.temperature = 0.0;
+    channel.input.axial_load = channel.input.radial_load = channel.input.temperature = {0.0};
     channel.element = step_element(points, element.at_rest, parts.law);
     model.channels.push_back(std::move(channel));
     model.range.push_back(seen_powers(points, parts.law, element.name));

@@ -28,6 +28,17 @@ namespace raceway::control {
 /// Tolerance of the check record against `correct`, in double [um] or [urad].
 inline constexpr const char* control_tolerance = "1e-9";
 
+/// An axis of a friction table that an input reads, in the unit of that input.
+struct TableAxis {
+  std::size_t input = nowhere;
+  std::vector<double> points{};
+  bool by_amount = false;
+};
+/// Those of the table of a power, the one that runs fastest first.
+[[nodiscard]] std::vector<TableAxis> axes_of(const ControlPlan& plan, const ControlDrive& power);
+/// " at 300 N": the axial load of its table, where no input has it.
+[[nodiscard]] std::string fixed_load(const ControlPlan& plan, const ControlDrive& power);
+
 /// Hash of the numbers of a plan; a saved state belongs to the plan with the same stamp.
 [[nodiscard]] std::uint32_t stamp(const ControlPlan& plan);
 

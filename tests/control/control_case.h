@@ -13,6 +13,7 @@
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "control/formats.h"
@@ -123,9 +124,11 @@ struct Case {
   record::Record data{};
   ControlPlan plan{};
 
-  explicit Case(const std::string& model, const std::string& record = record_text()) {
+  explicit Case(const std::string& model, const std::string& record = record_text(),
+                const std::vector<std::pair<std::string, std::string>>& tables = {}) {
     for (const char* table : {"friction.csv", "K.csv", "T.csv", "K_F.csv"})
       (void)folder.write(table, part(table));
+    for (const auto& [name, text] : tables) (void)folder.write(name, text);
     file = files::read_correction(folder.write("model.toml", model));
     std::vector<const record::Channel*> wanted, needed;
     for (const auto& m : file.models) {

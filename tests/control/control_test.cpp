@@ -197,6 +197,55 @@ TEST_P(Control, RecordedColumnsDriveLagsAndDelayElements) {
   EXPECT_EQ(control_c(again, "correction"), control_c(c.plan, "correction"));
 }
 
+/// Friction over speed, both loads and temperature heats the spindle at the loads of the record.
+std::string friction_over_loads() {
+  std::string table =
+      "speed_rpm,axial_load_N,radial_load_N,temperature_C,friction_torque_Nmm\n";
+  for (const int T : {20, 60})
+    for (const int radial : {0, 400, 1000})
+      for (const int axial : {0, 300, 800})
+        for (const int n : {0, 3000, 9000})
+          table += fmt::format("{},{},{},{},{}\n", n, axial, radial, T,
+                               20 + 0.02 * n * 20 / T + 0.1 * axial + 0.00005 * radial * axial);
+  return table;
+}
+const std::string by_friction_over_loads =
+    "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\nname = "
+    "\"spindle\"\ninput = \"power_W\"\nfriction_table = \"loads.csv\"\n"
+    "axial_load_N = \"axial_load_N\"\nradial_load_N = \"cutting_N\"\n"
+    "temperature_C = \"oil_temperature_C\"\n"
+    "gain = { slope_um_W = 0.17, offset_um = 6 }\n"
+    "time_constant = { slope_min_W = -0.02, offset_min = 34 }\n"
+    "[[correction.channel]]\nname = \"axial\"\ninput = \"power_W\"\n"
+    "friction_table = \"loads.csv\"\naxial_load_N = \"axial_load_N\"\nradial_load_N = 250\n"
+    "temperature_C = 31\nsections = [{ gain_um_W = 0.1, time_constant_s = 900 }]\n";
+
+TEST_P(Control, ReadsAFrictionTableAtRecordedLoads) {
+  std::string record = "time_s,speed_rpm,axial_load_N,cutting_N,oil_temperature_C\n";
+  for (int k = 0; k < 500; ++k)
+    record += fmt::format("{},{},{:.1f},{:.1f},{:.2f}\n", 30 * k + k % 11,
+                          std::vector{0, 3000, -5500, 9500}[static_cast<std::size_t>(k / 40 % 4)],
+                          500 * std::sin(k / 23.0), 600 + 700 * std::sin(k / 31.0),
+                          40 + 25 * std::sin(k / 60.0));
+  const Case c(by_friction_over_loads, record, {{"loads.csv", friction_over_loads()}});
+  const auto expected = c.corrected();
+  const auto got = run(c, c.calls());
+  EXPECT_LT(distance(got, expected), tolerance());
+  double high = 0;
+  for (const auto& y : expected) high = std::max(high, y[0]);
+  EXPECT_GT(high, 20.0);
+  EXPECT_TRUE(std::any_of(got.begin(), got.end(), [](const Answer& a) {
+    return a.flags & beyond_table;
+  }));
+  const std::string table = control_csv(c.plan);
+  EXPECT_THAT(table, HasSubstr(",axial_load_input,axial_load_N,\n"));
+  EXPECT_THAT(table, HasSubstr(",torque at 3000 rpm 300 N axial 400 N radial 20 C,116,N mm\n"));
+  const ControlPlan again = read_control_table(table, "table.csv");
+  EXPECT_EQ(control_csv(again), table);
+  EXPECT_EQ(control_python(again), control_python(c.plan));
+  EXPECT_EQ(control_c(again, "correction"), control_c(c.plan, "correction"));
+}
+
 TEST_P(Control, HoldsADelayElementAtALoadThatItCannotTake) {
   const Case c(
       "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\nname = "

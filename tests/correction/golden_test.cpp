@@ -21,8 +21,11 @@ TEST(Golden, PowerIsTorqueTimesAngularSpeed) {
   table->axial_load = {500.0};
   table->temperature = {kelvin(40)};
   table->torque = {torque, torque};
-  const Input power{
-      .name = "power_W", .table = table, .axial_load = 500.0, .temperature = kelvin(40)};
+  const Input power{.name = "power_W",
+                    .table = table,
+                    .axial_load = {500.0},
+                    .radial_load = {0.0},
+                    .temperature = {kelvin(40)}};
   MadeRecord made(100, 10);
   made.with("speed_rpm", [&](double) { return speed; });
   const Series series(made.record);

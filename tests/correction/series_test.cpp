@@ -210,11 +210,67 @@ TEST(Series, TimeThatGoesBackIsRefused) {
 TEST(FrictionTable, IsStraightBetweenItsPointsAndHoldsItsEdges) {
   const FrictionTable table{
       .speed = {0, 100}, .axial_load = {500}, .temperature = {300, 320}, .torque = {1, 2, 3, 6}};
-  EXPECT_NEAR(table(50, 500, 300), 1.5, 1e-14);
-  EXPECT_NEAR(table(50, 500, 310), 3.0, 1e-14);
-  EXPECT_NEAR(table(200, 900, 350), 6.0, 1e-14);
-  EXPECT_TRUE(table.holds(50, 900, 310));
-  EXPECT_FALSE(table.holds(101, 500, 310));
+  EXPECT_NEAR(table({50, 500, 0, 300}), 1.5, 1e-14);
+  EXPECT_NEAR(table({50, 500, 0, 310}), 3.0, 1e-14);
+  EXPECT_NEAR(table({200, 900, 0, 350}), 6.0, 1e-14);
+  EXPECT_TRUE(table.holds({50, 900, 0, 310}));
+  EXPECT_FALSE(table.holds({101, 500, 0, 310}));
+}
+
+/// Torque (1 + n)(2 + F_a)(3 + F_r)(T - 290), which straight lines between points give exactly.
+FrictionTable product_table(std::vector<double> axial) {
+  FrictionTable table{.file = "t.csv",
+                      .speed = {0, 10, 25},
+                      .axial_load = std::move(axial),
+                      .radial_load = {0, 4},
+                      .temperature = {300, 310, 330}};
+  for (const double T : table.temperature)
+    for (const double radial : table.radial_load)
+      for (const double load : table.axial_load)
+        for (const double n : table.speed)
+          table.torque.push_back((1 + n) * (2 + load) * (3 + radial) * (T - 290));
+  return table;
+}
+
+TEST(FrictionTable, IsReadAtBothLoads) {
+  const FrictionTable table = product_table({1, 3, 9});
+  EXPECT_NEAR(table({20, 7, 1, 315}), 21.0 * 9 * 4 * 25, 1e-9);
+  EXPECT_EQ(table({20, -7, -1, 315}), table({20, 7, 1, 315}));  // by their amount
+  EXPECT_EQ(table({20, 12, 5, 315}), table({20, 9, 4, 315}));
+  EXPECT_TRUE(table.holds({20, -7, -1, 315}));
+  EXPECT_FALSE(table.holds({20, 7, 5, 315}));
+  EXPECT_FALSE(table.holds({20, 0.5, 1, 315}));
+  // A table that has loads of both signs tells them apart.
+  EXPECT_NEAR(product_table({-1, 3, 9})({20, -0.5, 1, 315}), 21.0 * 1.5 * 4 * 25, 1e-9);
+}
+
+TEST(Series, ThePowerFollowsRecordedLoads) {
+  record::Record record{.source = "made.csv"};
+  record.set(record::time, {0, 60, 120, 180});
+  record.set(record::speed, {20, -20, 0, 10});
+  record.set(record::axial_load, {7, -3, 50, 50});
+  record.set(record::radial_load, {1, 4, 0, 2});
+  const Channel& oil = *record::series_channel("oil_temperature_C");
+  record.set(oil, {315, 300, 300, 320});
+  const Input power{
+      .name = "power_W",
+      .table = std::make_shared<const FrictionTable>(product_table({1, 3, 9})),
+      .axial_load = {.column = &record::axial_load},
+      .radial_load = {.column = &record::radial_load},
+      .temperature = {.column = &oil}};
+  const Series series(record);
+  const double expected[] = {20 * 21.0 * 9 * 4 * 25, 20 * 21.0 * 5 * 7 * 10, 0,
+                             10 * 11.0 * 11 * 5 * 30};  // 50 N counts as 9 N
+  const auto values = series.input(power);
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR((*values)[k], expected[k], 1e-8) << k;
+  EXPECT_EQ(series.rows_beyond_table(power), 1U);
+
+  record::Record without{.source = "made.csv"};
+  without.set(record::time, {0, 60});
+  without.set(record::speed, {20, 20});
+  without.set(record::axial_load, {7, 7});
+  EXPECT_THAT([&] { (void)Series(without).input(power); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("needs a column radial_load_N")));
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ TEST(CorrectionFile, AnInputMayActInAWindow) {
               refused("input has one"));
 }
 
-TEST(CorrectionFile, AFrictionTableIsReadAtOneRadialLoad) {
+TEST(CorrectionFile, AFrictionTableIsReadAtARadialLoad) {
   const std::string table =
       "speed_rpm,axial_load_N,radial_load_N,friction_torque_Nmm\n0,100,0,10\n1000,100,0,20\n"
       "0,100,500,30\n1000,100,500,60\n0,100,2000,60\n1000,100,2000,120\n";
@@ -112,18 +112,48 @@ TEST(CorrectionFile, AFrictionTableIsReadAtOneRadialLoad) {
             "sections = [{ gain_um_W = 1, time_constant_s = 900 }]\n",
         "z.toml", {{.name = "t.csv", .path = "/t.csv", .text = text}});
     const correction::Input& in = file.models[0].channels[0].input;
-    return (*in.table)(1000 * rpm, 100, in.temperature) / N_mm;
+    return (*in.table)({1000 * rpm, 100, in.radial_load.value, in.temperature.value}) / N_mm;
   };
   EXPECT_NEAR(torque(table, "radial_load_N = 500\n"), 60, 1e-9);
   EXPECT_NEAR(torque(table, "radial_load_N = 1250\n"), 90, 1e-9);
   EXPECT_NEAR(torque(table, "radial_load_N = 0\n"), 20, 1e-9);
-  EXPECT_THAT([&] { (void)torque(table, ""); }, refused("radial_load_N says at which it is read"));
-  EXPECT_THAT(
-      [&] { (void)torque(table, "radial_load_N = 2001\n"); },
-      refused("has the radial loads 0, 500 and 2000 N: radial_load_N = 2001 N lies beyond"));
+  EXPECT_THAT([&] { (void)torque(table, ""); }, refused("radial_load_N is missing, at which the friction "
+                                                     "table is read (a number or a column)"));
+  EXPECT_THAT([&] { (void)torque(table, "radial_load_N = 2001\n"); },
+              refused("radial_load_N = 2001 N lies beyond t.csv, which has the radial loads 0, 500 "
+                      "and 2000 N"));
   const std::string without = "speed_rpm,friction_torque_Nmm\n0,10\n1000,20\n";
   EXPECT_NEAR(torque(without, ""), 20, 1e-9);
   EXPECT_THAT([&] { (void)torque(without, "radial_load_N = 5\n"); }, refused("lies beyond"));
+}
+
+TEST(CorrectionFile, AFrictionTableIsReadAtRecordedLoads) {
+  const auto input = [](const std::string& keys) {
+    return parse_correction(
+               head + "[[correction.channel]]\ninput = \"power_W\"\nfriction_table = \"t.csv\"\n" +
+                   keys + "sections = [{ gain_um_W = 1, time_constant_s = 900 }]\n",
+               "z.toml",
+               {{.name = "t.csv",
+                 .path = "/t.csv",
+                 .text = "speed_rpm,axial_load_N,radial_load_N,friction_torque_Nmm\n"
+                         "0,100,0,10\n1000,100,0,20\n0,400,0,30\n1000,400,0,60\n"
+                         "0,100,900,20\n1000,100,900,40\n0,400,900,60\n1000,400,900,120\n"}})
+        .models[0]
+        .channels[0]
+        .input;
+  };
+  const correction::Input both =
+      input("axial_load_N = \"axial_load_N\"\nradial_load_N = \"cutting_force_N\"\n");
+  EXPECT_EQ(both.axial_load.column->name, "axial_load_N");
+  EXPECT_EQ(both.radial_load.column->name, "cutting_force_N");
+  EXPECT_NEAR((*both.table)({500 * rpm, 250, 450, kelvin(40)}) / N_mm, 45.0, 1e-9);
+  EXPECT_NEAR(input("radial_load_N = 450\n").radial_load.value, 450, 1e-12);
+  const auto reads = [&](const std::string& keys) { return [=] { (void)input(keys); }; };
+  EXPECT_THAT(reads("axial_load_N = \"x_feed_m_min\"\nradial_load_N = 0\n"),
+              refused("axial_load_N: must be a number, or a column that ends in _N"));
+  EXPECT_THAT(reads("radial_load_N = 0\ntemperature_C = \"oil_temperature_C\"\n"),
+              refused("the friction table has one value of it, so that the column would change "
+                      "nothing"));
 }
 
 TEST(CorrectionFile, AWindowRises) {
