@@ -108,8 +108,7 @@ class Numbers {
         {"POINTS", points_.empty() ? "  0, 0\n" : points_},
         {"DRIVE_INPUTS", listed_or_zero(drive_inputs_)},
         {"DRIVES_COUNT", std::to_string(plan_.drives.size())},
-        {"DRIVES",
-         rows(drives_, "{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0, {0, 0, 0, 0}}")},
+        {"DRIVES", rows(drives_, "{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0, {0, 0, 0, 0}}")},
         {"TABLE_AXES", rows(table_axes_, "{0, 0, 0, 0}")},
         {"TOGETHER_COUNT", std::to_string(plan_.together.size())},
         {"TOGETHER_INPUTS", listed_or_zero(together_inputs_)},
@@ -183,9 +182,9 @@ class Numbers {
       for (const TableAxis& axis : axes_of(plan_, d)) {
         table_axes_ += fmt::format(
             "  {{{}, {}, {}, {}}},\n", axis.input, axis.by_amount ? 1 : 0,
-            add_points(axis.points, axes == 0 ? fmt::format("{}{}: rpm", harmless(t.file),
-                                                            fixed_load(plan_, d))
-                                              : plan_.inputs[axis.input].unit),
+            add_points(axis.points,
+                       axes == 0 ? fmt::format("{}{}: rpm", harmless(t.file), fixed_load(plan_, d))
+                                 : plan_.inputs[axis.input].unit),
             axis.points.size());
         ++axes;
       }
@@ -199,9 +198,8 @@ class Numbers {
         place(d.reference), real(std::isnan(d.decay_rpm) ? 1.0 : d.decay_rpm),
         real(std::isnan(d.lowest) ? -unbounded : d.lowest),
         real(std::isnan(d.highest) ? unbounded : d.highest), first_axis, axes, torques,
-        real(d.exponent), place(d.window),
-        d.window_of_drive ? 1 : 0, point(d.window_from), point(d.window_full_from),
-        point(d.window_full_to), point(d.window_to));
+        real(d.exponent), place(d.window), d.window_of_drive ? 1 : 0, point(d.window_from),
+        point(d.window_full_from), point(d.window_full_to), point(d.window_to));
     for (const std::size_t k : d.inputs) drive_inputs_ += fmt::format("{}, ", k);
     drive_input_count_ += d.inputs.size();
   }
@@ -256,10 +254,11 @@ class Numbers {
   std::string name_;
   std::string together_, together_inputs_, together_mean_, together_weights_;
   std::size_t together_input_count_ = 0, together_weight_count_ = 0;
-  std::string points_, table_axes_, drive_inputs_, drives_, sections_, elements_, feedthroughs_, kinematics_;
+  std::string points_, table_axes_, drive_inputs_, drives_, sections_, elements_, feedthroughs_,
+      kinematics_;
   std::string equations_, numerators_, denominators_;
-  std::size_t point_count_ = 0, axis_count_ = 0, drive_input_count_ = 0, section_count_ = 0, element_count_ = 0,
-              feedthrough_count_ = 0, kinematic_count_ = 0, equation_count_ = 0,
+  std::size_t point_count_ = 0, axis_count_ = 0, drive_input_count_ = 0, section_count_ = 0,
+              element_count_ = 0, feedthrough_count_ = 0, kinematic_count_ = 0, equation_count_ = 0,
               coefficient_count_ = 0;
 };
 

@@ -190,8 +190,7 @@ class Planner {
     for (const double T : temperatures)
       for (const double radial : made.radial_load_N)
         for (const double axial : made.axial_load_N)
-          for (const double n : t.speed)
-            made.torque_Nmm.push_back(t({n, axial, radial, T}) / N_mm);
+          for (const double n : t.speed) made.torque_Nmm.push_back(t({n, axial, radial, T}) / N_mm);
     if (!t.holds({t.speed.front(), made.axial_load_N.front(), made.radial_load_N.front(),
                   temperatures.front()}))
       note(fmt::format("channel {}: its load or temperature lies beyond {}; the edge holds",

@@ -68,7 +68,7 @@ struct ControlDrive {
   std::size_t reference = nowhere;    ///< of rise
   /// Inputs at which the table of a power is read.
   std::size_t axial_load = nowhere, radial_load = nowhere, temperature = nowhere;
-  double temperature_C = unset;  ///< where no input has it
+  double temperature_C = unset;            ///< where no input has it
   std::size_t table = nowhere;             ///< of power
   double exponent = 1.0;                   ///< of size
   double decay_rpm = unset;                ///< of motor

@@ -362,8 +362,7 @@ class TableReader {
     return others;
   }
 
-  void complete(const Row& first, ControlDrive& d, ControlTable& t,
-                const Torques& torques) {
+  void complete(const Row& first, ControlDrive& d, ControlTable& t, const Torques& torques) {
     using Kind = ControlDrive::Kind;
     if ((d.kind == Kind::rise || d.kind == Kind::size) && d.inputs.empty())
       fail_missing(first, "input");

@@ -60,7 +60,7 @@ struct Input {
   Interval seen{};  ///< range of that speed in the fit [SI]; the power is continued() beyond it
   std::shared_ptr<const FrictionTable> table{};  ///< power: its torque at the speed times the speed
   TableCoordinate axial_load{}, radial_load{}, temperature{};  ///< at which that table is read
-  Interval within{};  ///< to which the power is held [W]
+  Interval within{};                                           ///< to which the power is held [W]
   std::optional<Window> window{};
   std::shared_ptr<const OwnEffect>
       formula{};  ///< of columns, and of these values of its parameters

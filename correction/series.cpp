@@ -102,8 +102,7 @@ double Series::id_of(const Input& input) const {
 std::vector<FrictionTable::Point> Series::points_of_table(const Input& input) const {
   if (speed_rpm_.empty()) throw std::invalid_argument("the input power_W needs a column speed_rpm");
   std::vector<FrictionTable::Point> points(
-      rows(),
-      {0.0, input.axial_load.value, input.radial_load.value, input.temperature.value});
+      rows(), {0.0, input.axial_load.value, input.radial_load.value, input.temperature.value});
   for (std::size_t k = 0; k < rows(); ++k) points[k].speed = speed_rpm_[k] * rpm;
   const auto read = [&](const TableCoordinate& of, double FrictionTable::Point::*into) {
     if (!of.column) return;
@@ -162,9 +161,9 @@ std::size_t Series::rows_beyond_table(const Input& input) const {
   if (!input.is_power()) return 0;
   const std::vector<FrictionTable::Point> points = points_of_table(input);
   // At rest there is no power, whatever the torque.
-  return static_cast<std::size_t>(std::count_if(
-      points.begin(), points.end(),
-      [&](const auto& at) { return at.speed != 0.0 && !input.table->holds(at); }));
+  return static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [&](const auto& at) {
+    return at.speed != 0.0 && !input.table->holds(at);
+  }));
 }
 
 std::vector<double> Series::shares(const Window& window) const {

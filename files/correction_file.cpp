@@ -364,9 +364,9 @@ class CorrectionReader {
     if (node && node->is_string()) {
       const Channel* const c = input_column(s, of.name, *node->value<std::string>());
       if (c->unit != of.unit)
-        s.fail(of.name, fmt::format("{}: must be a number, or a column {}", of.name,
-                                    record::is_temperature(of) ? "NAME_temperature_C"
-                                                               : "that ends in _N"));
+        s.fail(of.name,
+               fmt::format("{}: must be a number, or a column {}", of.name,
+                           record::is_temperature(of) ? "NAME_temperature_C" : "that ends in _N"));
       if (axis.size() < 2)
         s.fail(of.name, fmt::format("{} = \"{}\": the friction table has one value of it, so that "
                                     "the column would change nothing",

@@ -578,3 +578,33 @@ def test_files_with_clocks_of_their_own_are_one_record():
     assert found.data["channels"][0]["sections"][0]["gain"]["value"] == pytest.approx(5.0, abs=0.02)
     with pytest.raises(TypeError, match="a raceway.Record is wanted"):
         temperatures.beside(frame)
+
+
+def test_heat_follows_recorded_loads(program, tmp_path):
+    """Torque 40 + 0.01 n + 0.2 F_a + 0.05 F_r in N mm; a lag of 2000 s and 0.2 um/W."""
+
+    def torque(speed, axial, radial):
+        return 40 + 0.01 * speed + 0.2 * abs(axial) + 0.05 * radial
+
+    points = [(n, a, r) for r in (0, 2000) for a in (0, 1000) for n in (0, 10000)]
+    rows = "".join(f"{n},{a},{r},{torque(n, a, r)}\n" for n, a, r in points)
+    (tmp_path / "friction.csv").write_text("speed_rpm,axial_load_N,radial_load_N,friction_torque_Nmm\n" + rows)
+    (tmp_path / "z.toml").write_text(
+        '[correction]\ndisplacement = "displacement_z_um"\n[[correction.channel]]\nname = "spindle"\ninput = "power_W"\n'
+        'friction_table = "friction.csv"\naxial_load_N = "axial_load_N"\nradial_load_N = "cutting_N"\n'
+        "sections = [{ gain_um_W = 0.2, time_constant_s = 2000 }]\n"
+    )
+    k = numpy.arange(300)
+    speed, axial, radial = numpy.choose(k // 60 % 3, [0.0, 4000.0, 8000.0]), 600 * numpy.sin(k / 20), 900 + 800 * numpy.cos(k / 33)
+    expected, at = numpy.zeros(300), 0.0
+    for n in range(1, 300):
+        power = torque(speed[n - 1], axial[n - 1], radial[n - 1]) * 1e-3 * speed[n - 1] * numpy.pi / 30
+        at += (1 - numpy.exp(-60 / 2000)) * (0.2 * power - at)
+        expected[n] = at
+    frame = pandas.DataFrame({"time_s": 60.0 * k, "speed_rpm": speed, "axial_load_N": axial, "cutting_N": radial, "displacement_z_um": expected})
+    correction, record = raceway.Correction.read(tmp_path / "z.toml"), raceway.Record.from_pandas(frame)
+    numpy.testing.assert_allclose(correction.correct(record).to_frame()["predicted_um"], expected, atol=1e-9)
+    out = correction.export("python", tmp_path / "z.py", record=record, accept_untrusted=True)
+    assert (
+        "largest difference" in subprocess.run([sys.executable, tmp_path / "z.py", "--check"], capture_output=True, text=True, check=True).stdout
+    ), out

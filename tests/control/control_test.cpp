@@ -199,8 +199,7 @@ TEST_P(Control, RecordedColumnsDriveLagsAndDelayElements) {
 
 /// Friction over speed, both loads and temperature heats the spindle at the loads of the record.
 std::string friction_over_loads() {
-  std::string table =
-      "speed_rpm,axial_load_N,radial_load_N,temperature_C,friction_torque_Nmm\n";
+  std::string table = "speed_rpm,axial_load_N,radial_load_N,temperature_C,friction_torque_Nmm\n";
   for (const int T : {20, 60})
     for (const int radial : {0, 400, 1000})
       for (const int axial : {0, 300, 800})
@@ -234,9 +233,8 @@ TEST_P(Control, ReadsAFrictionTableAtRecordedLoads) {
   double high = 0;
   for (const auto& y : expected) high = std::max(high, y[0]);
   EXPECT_GT(high, 20.0);
-  EXPECT_TRUE(std::any_of(got.begin(), got.end(), [](const Answer& a) {
-    return a.flags & beyond_table;
-  }));
+  EXPECT_TRUE(
+      std::any_of(got.begin(), got.end(), [](const Answer& a) { return a.flags & beyond_table; }));
   const std::string table = control_csv(c.plan);
   EXPECT_THAT(table, HasSubstr(",axial_load_input,axial_load_N,\n"));
   EXPECT_THAT(table, HasSubstr(",torque at 3000 rpm 300 N axial 400 N radial 20 C,116,N mm\n"));

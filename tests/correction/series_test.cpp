@@ -252,12 +252,11 @@ TEST(Series, ThePowerFollowsRecordedLoads) {
   record.set(record::radial_load, {1, 4, 0, 2});
   const Channel& oil = *record::series_channel("oil_temperature_C");
   record.set(oil, {315, 300, 300, 320});
-  const Input power{
-      .name = "power_W",
-      .table = std::make_shared<const FrictionTable>(product_table({1, 3, 9})),
-      .axial_load = {.column = &record::axial_load},
-      .radial_load = {.column = &record::radial_load},
-      .temperature = {.column = &oil}};
+  const Input power{.name = "power_W",
+                    .table = std::make_shared<const FrictionTable>(product_table({1, 3, 9})),
+                    .axial_load = {.column = &record::axial_load},
+                    .radial_load = {.column = &record::radial_load},
+                    .temperature = {.column = &oil}};
   const Series series(record);
   const double expected[] = {20 * 21.0 * 9 * 4 * 25, 20 * 21.0 * 5 * 7 * 10, 0,
                              10 * 11.0 * 11 * 5 * 30};  // 50 N counts as 9 N

@@ -138,8 +138,11 @@ TEST(StepResponse, OfADelayElementIsShownAtTheMedianAndTheLargestPowerThatItTake
                                                              .axial_load = {500},
                                                              .temperature = {300},
                                                              .torque = {1, 1}});
-  model.channels[0].input = {
-      .name = "power_W", .table = table, .axial_load = {500}, .radial_load = {0}, .temperature = {300}};
+  model.channels[0].input = {.name = "power_W",
+                             .table = table,
+                             .axial_load = {500},
+                             .radial_load = {0},
+                             .temperature = {300}};
   model.channels[0].sections.clear();
   // T = 6000 s - 50 s/W P: no more than 120 W.
   const DelayElement element{.gain = Characteristic::Line{0.5 * um, 10 * um},

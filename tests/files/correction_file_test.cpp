@@ -117,8 +117,9 @@ TEST(CorrectionFile, AFrictionTableIsReadAtARadialLoad) {
   EXPECT_NEAR(torque(table, "radial_load_N = 500\n"), 60, 1e-9);
   EXPECT_NEAR(torque(table, "radial_load_N = 1250\n"), 90, 1e-9);
   EXPECT_NEAR(torque(table, "radial_load_N = 0\n"), 20, 1e-9);
-  EXPECT_THAT([&] { (void)torque(table, ""); }, refused("radial_load_N is missing, at which the friction "
-                                                     "table is read (a number or a column)"));
+  EXPECT_THAT([&] { (void)torque(table, ""); },
+              refused("radial_load_N is missing, at which the friction "
+                      "table is read (a number or a column)"));
   EXPECT_THAT([&] { (void)torque(table, "radial_load_N = 2001\n"); },
               refused("radial_load_N = 2001 N lies beyond t.csv, which has the radial loads 0, 500 "
                       "and 2000 N"));
