@@ -67,6 +67,19 @@ void print(const loop::Check& c, const record::Record& data) {
                                     : "testable");
 }
 
+/// Of a record over time: between which rows the settings of its control hold.
+void print(record::SettingsHold hold) {
+  const bool until = hold == record::SettingsHold::until_row;
+  fmt::print(
+      "settings (speed, load, feed, coolant) hold from {}, and a reading is taken {} its row "
+      "({})\n",
+      until ? "the row before until their row" : "their row until the next",
+      hold == record::SettingsHold::from_row ? "just before" : "with",
+      hold == record::SettingsHold::sampled
+          ? "no settings_hold"
+          : fmt::format("settings_hold = \"{} row\"", until ? "until" : "from"));
+}
+
 struct CheckFlags {
   std::string model, data, output;
   session::LoopOptions loop{.defaults = session::Defaults::keep};
@@ -173,6 +186,8 @@ int run(const CheckFlags& flags) {
   } else {
     print(checked.check, checked.data);
     fmt::print("\n");
+    const record::SettingsHold hold = checked.data.settings_hold;
+    if (checked.over_time || hold != record::SettingsHold::sampled) print(hold);
     if (checked.over_time) {
       print(*checked.over_time);
       fmt::print("\n");

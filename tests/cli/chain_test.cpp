@@ -107,8 +107,7 @@ TEST_F(Chain, TheTableOfTheRigHeatsTheSpindle) {
   const auto table = [&](const std::string& loads) {
     must("table " + path("fitted.toml") + " --speed 0:10000:500 --axial-load " + loads +
          " --temperature 20:100:10 --band --force -o " + path("stribeck.csv"));
-    return must("spindle " + path("spindle.toml") +
-                " --speed 10000 --coolant off --steady --json");
+    return must("spindle " + path("spindle.toml") + " --speed 10000 --coolant off --steady --json");
   };
   must("calibrate-sensor " + chain + "weights.csv -o " + path("sensor.toml"));
   must("calibrate " + path("rig.toml") + " " + chain + "signals.csv -o " + path("fitted.toml"));
@@ -126,6 +125,20 @@ TEST_F(Chain, TheTableOfTheRigHeatsTheSpindle) {
        path("correction.toml"));
   EXPECT_LT(error(path("sum.toml")), 1.8);
   EXPECT_LT(error(path("correction.toml")), 1.3);
+}
+
+TEST_F(Chain, CheckSaysBetweenWhichRowsSettingsHold) {
+  const auto said = [&](const std::string& name, const std::string& columns) {
+    const std::string text = file_text(chain + "machine.toml") + columns;
+    return run("check " + scratch_.write(name, text) + " " + chain + "calibration.csv").out;
+  };
+  const std::string until = "hold from their row until the next, and a reading is taken ";
+  EXPECT_THAT(said("a.toml", ""), HasSubstr(until + "with its row (no settings_hold)"));
+  EXPECT_THAT(said("b.toml", "[columns]\nsettings_hold = \"from row\"\n"),
+              HasSubstr(until + "just before its row (settings_hold = \"from row\")"));
+  EXPECT_THAT(said("c.toml", "[columns]\nsettings_hold = \"until row\"\n"),
+              HasSubstr("hold from the row before until their row, and a reading is taken with its "
+                        "row (settings_hold = \"until row\")"));
 }
 
 TEST(PriorTable, WhatIsWrongIsSaid) {
