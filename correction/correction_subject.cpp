@@ -152,8 +152,10 @@ std::vector<int> in_parts_of_runs(const fit::Record& record, std::span<const std
   return part;
 }
 
-/// An input that moves within one part alone: without that part nothing is known of its channel. Of
-/// what a control records besides temperatures, speeds and feeds those count that the model uses.
+/// An input that moves within one part alone: without that part nothing is known of its channel. A
+/// temperature that drives above a reference moves where it leaves the reference: with the room all
+/// temperatures rise, in every run. Of what a control records besides temperatures, speeds and
+/// feeds those count that the model uses.
 struct WithinPart {
   const Channel* input = nullptr;
   int part = 0;
@@ -163,6 +165,13 @@ std::vector<WithinPart> inputs_within_a_part(const Model& model, const fit::Reco
                                              std::span<const int> part) {
   constexpr double nearly_all = 0.8;  // of the sum of squares of its rise
   const std::vector<const Channel*> used = inputs_of(model);
+  const Series series(record);
+  const auto above_reference = [&](const Channel& column) -> Series::Values {
+    for (const DrivenChannel& c : model.channels)
+      for (const Channel* const of : c.input.columns)
+        if (c.input.reference && *of == column) return series.input(c.input);
+    return nullptr;
+  };
   std::vector<WithinPart> list;
   for (const record::Column& c : record.columns) {
     if (!c.channel->is_input()) continue;
@@ -170,14 +179,15 @@ std::vector<WithinPart> inputs_within_a_part(const Model& model, const fit::Reco
         record::is_temperature(*c.channel) || record::acts_by_amount(*c.channel) ||
         std::any_of(used.begin(), used.end(), [&](const Channel* u) { return *u == *c.channel; });
     if (!counts) continue;
-    const bool from_first = record::course_of(*c.channel) == record::Course::straight;
+    const Series::Values above = above_reference(*c.channel);
+    const std::vector<double>& values = above ? *above : c.values;
+    const bool from_first = !above && record::course_of(*c.channel) == record::Course::straight;
     std::array<double, parts> squares{};
     double first = 0.0;
-    for (std::size_t k = 0; k < c.values.size(); ++k) {
-      if (k == 0 || record.run_of(k) != record.run_of(k - 1))
-        first = from_first ? c.values[k] : 0.0;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      if (k == 0 || record.run_of(k) != record.run_of(k - 1)) first = from_first ? values[k] : 0.0;
       if (part[k] >= 0)
-        squares[static_cast<std::size_t>(part[k])] += std::pow(c.values[k] - first, 2);
+        squares[static_cast<std::size_t>(part[k])] += std::pow(values[k] - first, 2);
     }
     const auto most = std::max_element(squares.begin(), squares.end());
     const double all = std::accumulate(squares.begin(), squares.end(), 0.0);

@@ -160,6 +160,24 @@ TEST(CorrectionSubject, APartNeverHoldsAllThatAnInputDoes) {
       EXPECT_EQ(b.block[static_cast<std::size_t>(800 * run + 100 * part + 50)], part);
 }
 
+TEST(CorrectionSubject, AnInputMovesWhereItLeavesItsReference) {
+  // The axis heats in the last run; with the room its temperature swings in all of them.
+  MadeRecord made = one_source_per_run(10);
+  const auto room = [](double t) { return 20 + 4 * std::sin(t / 9000); };
+  made.with("base_temperature_C", room).with("x_temperature_C", [&](double t) {
+    return room(t) + (t < 72000 ? 0.0 : 8 * std::sin((t - 72000) / 3000));
+  });
+  Model m = two_channels();
+  m.channels[0].input = {.name = "x_temperature_C",
+                         .columns = {record::series_channel("x_temperature_C")},
+                         .reference = record::series_channel("base_temperature_C")};
+  made.with("x_feed_m_min", [](double) { return 1.0; });  // no other reason for parts of runs
+  const fit::Blocking b = CorrectionSubject(m).blockings(made.record).at(0);
+  for (int run = 0; run < 10; ++run)
+    for (int part = 0; part < 8; ++part)
+      EXPECT_EQ(b.block[static_cast<std::size_t>(800 * run + 100 * part + 50)], part);
+}
+
 TEST(CorrectionSubject, APartThatHoldsAllThatAnInputDoesIsNotHeldOut) {
   MadeRecord made(8000, 10);
   made.with("x_feed_m_min", [](double t) { return t > 5100 && t < 5900 ? 5.0 : 0.0; })
