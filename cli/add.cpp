@@ -58,7 +58,7 @@ void print(const verdict::AddResult& r) {
 }
 
 int run(const AddFlags& flags) {
-  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  const auto if_exists = on_existing(flags.force);
   if (!flags.output.empty() && flags.loop.per_record.empty())
     text::require_writable(flags.output, if_exists);
   flags.report.check(flags.force);

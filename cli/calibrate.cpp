@@ -95,7 +95,7 @@ int run(const CalibrateFlags& flags) {
   if (flags.data.empty())
     return calibrate_conformity(
         {.model = flags.model, .output = flags.output, .json = flags.json, .force = flags.force});
-  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  const auto if_exists = on_existing(flags.force);
   if (!flags.output.empty() && flags.loop.per_record.empty())
     text::require_writable(flags.output, if_exists);
   const session::LoopQuestion asked =

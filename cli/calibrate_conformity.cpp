@@ -7,6 +7,7 @@
 
 #include "cli/commands.h"
 #include "cli/messages.h"
+#include "cli/shared_flags.h"
 #include "cli/text_table.h"
 #include "files/model_file.h"
 #include "results/conformity_results.h"
@@ -89,7 +90,7 @@ std::string names_of(const shaft::ConformityFit& fit) {
 }  // namespace
 
 int calibrate_conformity(const ConformityFlags& flags) {
-  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  const auto if_exists = on_existing(flags.force);
   if (!flags.output.empty()) text::require_writable(flags.output, if_exists);
   const Start start = start_of(flags.model);
   // The rigidities are printed for steel balls and the row as it stands, whatever the model

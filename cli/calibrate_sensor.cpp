@@ -99,7 +99,7 @@ int run(const SensorFlags& flags) {
                            {.key = "CSV"});
   refuse_two_on_stdout("calibrate-sensor", flags.json, flags.output);
   const bool to_file = !flags.output.empty() && flags.output != "-";
-  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  const auto if_exists = on_existing(flags.force);
   if (to_file) text::require_writable(flags.output, if_exists);
 
   const files::SensorReadings read =

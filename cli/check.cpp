@@ -1,84 +1,18 @@
-#include "loop/check.h"
-
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
+#include "cli/check_text.h"
 #include "cli/commands.h"
 #include "cli/csv_style.h"
-#include "cli/error_text.h"
 #include "cli/messages.h"
 #include "cli/shared_flags.h"
-#include "cli/text_table.h"
 #include "results/record_text.h"
 #include "results/results.h"
 #include "session/loop.h"
 #include "text/error.h"
-#include "text/number_text.h"
 #include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
-
-std::string noise_text(const loop::Check::MeasuredChannel& m) {
-  const auto text = [&](double rms) {
-    return fmt::format("{} {} rms", error_text(rms, *m.channel, 3), error_unit(*m.channel));
-  };
-  const std::string stated = std::isnan(m.noise.rms) ? "not known (no std column, no repeated rows)"
-                                                     : fmt::format("{} ({})", text(m.noise.rms),
-                                                                   fit::name(m.noise.source));
-  // Where it is the same there is nothing more to say.
-  if (std::isnan(m.found_noise) || std::abs(m.found_noise - m.noise.rms) < 1e-3 * m.found_noise)
-    return stated;
-  return fmt::format("{}; calibrate and diagnose find {}", stated, text(m.found_noise));
-}
-
-void print_measured(const loop::Check& c, const record::Record& data) {
-  const std::vector<loop::Check::MeasuredChannel>& measured = c.measured;
-  std::vector<std::string_view> words;
-  for (const loop::Check::MeasuredChannel& m : measured) words.push_back(m.channel->words);
-  fmt::print("{}: {} row{} of {}{}\n", data.source, c.rows, c.rows == 1 ? "" : "s",
-             fmt::join(words, ", "),
-             c.runs == 0   ? ""
-             : c.runs == 1 ? ", one run"
-                           : fmt::format(", {} runs", c.runs));
-  for (const loop::Check::MeasuredChannel& m : measured)
-    fmt::print("noise{}: {}\n", measured.size() > 1 ? fmt::format(" of {}", m.channel->words) : "",
-               noise_text(m));
-}
-
-void print(const loop::Check& c, const record::Record& data) {
-  print_measured(c, data);
-  TextTable columns({{"column", "", true}, {"from", ""}, {"to", ""}, {"levels", ""}});
-  for (const loop::Check::Column& column : c.columns)
-    columns.add(
-        {std::string(column.channel->name), number(column.channel->in_unit(column.lower), 5),
-         number(column.channel->in_unit(column.upper), 5), fmt::format("{}", column.levels)});
-  fmt::print("\n{}\n", columns.text(terminal_width()));
-  for (const fit::Parameter& p : c.free)
-    fmt::print("free parameter {}: {}\n", p.name,
-               p.identifiable ? "can be fitted" : "cannot be told from these data");
-  for (const loop::Check::Testable& t : c.catalogue)
-    fmt::print("effect {}: {}\n", t.id,
-               !t.ruled_out.empty() ? "not testable: " + t.ruled_out
-               : !t.missing.empty() ? "needs " + t.missing
-               : !t.levels.empty()  ? "testable, but hard to tell apart without " + t.levels
-                                    : "testable");
-}
-
-/// Of a record over time: between which rows the settings of its control hold.
-void print(record::SettingsHold hold) {
-  const bool until = hold == record::SettingsHold::until_row;
-  fmt::print(
-      "settings (speed, load, feed, coolant) hold from {}, and a reading is taken {} its row "
-      "({})\n",
-      until ? "the row before until their row" : "their row until the next",
-      hold == record::SettingsHold::from_row ? "just before" : "with",
-      hold == record::SettingsHold::sampled
-          ? "no settings_hold"
-          : fmt::format("settings_hold = \"{} row\"", until ? "until" : "from"));
-}
 
 struct CheckFlags {
   std::string model, data, output;
@@ -93,7 +27,7 @@ int suggest(const CheckFlags& flags) {
     throw text::InputError("raceway check: --suggest-columns needs DATA, whose columns it proposes",
                            {.key = "--suggest-columns"});
   const bool to_file = !flags.output.empty() && flags.output != "-";
-  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  const auto if_exists = on_existing(flags.force);
   if (to_file) text::require_writable(flags.output, if_exists);
   session::LoopOptions options = flags.loop;
   options.defaults = session::Defaults::count;
@@ -108,61 +42,6 @@ int suggest(const CheckFlags& flags) {
   return done;
 }
 
-/// What the model leaves to the program.
-void print_defaults(const std::string& source, const std::vector<files::UsedDefault>& defaults) {
-  fmt::print("{}: {} assumption{}\n", source, defaults.size(), defaults.size() == 1 ? "" : "s");
-  for (const std::string& line : files::short_lines(defaults)) fmt::print("  {}\n", line);
-}
-
-/// Scatter of the readings, as far as stops tell it.
-void print_noise(const correction::RecordCheck& c) {
-  constexpr std::size_t most_lines = 6;
-  const fit::Repeatability& r = c.repeatability;
-  const std::string unit(c.displacement->unit);
-  if (!r.known()) {
-    if (std::isfinite(c.noise_at_most))
-      fmt::print("noise of a reading: {} {} at most, by the calmest quarter of the readings\n",
-                 number(c.noise_at_most / um, 2), unit);
-    return;
-  }
-  fmt::print(
-      "repeated readings in {} stops: a reading scatters by ±{} {} (2 sigma, {} degrees of "
-      "freedom)\n",
-      r.stops.size(), number(2.0 * r.std / um, 2), unit, r.degrees_of_freedom);
-  TextTable table(
-      {{"stop at", "s"}, {"readings", ""}, {"mean", unit}, {"2 sigma of the mean", unit}});
-  for (std::size_t k = 0; k < std::min(most_lines, r.stops.size()); ++k) {
-    const fit::Stop& s = r.stops[k];
-    table.add({number(s.time, 5), fmt::format("{}", s.readings), number(s.mean / um, 4),
-               number(2.0 * r.std / std::sqrt(s.readings) / um, 2)});
-  }
-  fmt::print("{}", table.text(terminal_width()));
-  if (r.stops.size() > most_lines)
-    fmt::print("... and {} more stops; --json has them all\n", r.stops.size() - most_lines);
-}
-
-/// What a record over time can tell, in lines.
-void print(const correction::RecordCheck& c) {
-  fmt::print(
-      "rows every {:.4g} s over {:.4g} h, {} readings every {:.4g} s: time constants of {:.3g} s "
-      "to "
-      "{:.3g} s can be told\n",
-      c.sampling, c.duration / 3600.0, c.readings, c.reading_interval, c.shortest, c.longest);
-  print_noise(c);
-  for (const correction::RecordCheck::Quantum& q : c.quanta)
-    fmt::print("{}: last digit {:.3g} {}\n", q.column->name, q.step / q.column->factor,
-               text::difference_unit(*q.column));
-  for (const correction::RecordCheck::Printed& p : c.printed) {
-    std::vector<std::string> lags;
-    for (const double tau : p.check.time_constants)
-      lags.push_back(std::isfinite(tau) ? fmt::format("{:.4g} s", tau) : "no decay");
-    fmt::print(
-        "channel {}: poles of {}, DC gain {:.4g} {} per unit ({:.4g} to {:.4g} as printed)\n",
-        p.channel, fmt::join(lags, ", "), p.check.dc_gain / um, c.displacement->unit,
-        p.check.dc_gain_lower / um, p.check.dc_gain_upper / um);
-  }
-}
-
 int run_model(const CheckFlags& flags) {
   const session::LoopModel::About model = session::describe(messages(), flags.model, flags.loop);
   if (flags.json)
@@ -173,7 +52,7 @@ int run_model(const CheckFlags& flags) {
 }
 
 int run(const CheckFlags& flags) {
-  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  const auto if_exists = on_existing(flags.force);
   if (flags.output == "-")
     throw text::InputError("raceway check: --output -: stdout shows what was read; name a file",
                            {.key = "--output"});
@@ -184,12 +63,12 @@ int run(const CheckFlags& flags) {
   if (flags.json) {
     put_document(checked.json());
   } else {
-    print(checked.check, checked.data);
+    print_check(checked.check, checked.data);
     fmt::print("\n");
     const record::SettingsHold hold = checked.data.settings_hold;
-    if (checked.over_time || hold != record::SettingsHold::sampled) print(hold);
+    if (checked.over_time || hold != record::SettingsHold::sampled) print_settings_hold(hold);
     if (checked.over_time) {
-      print(*checked.over_time);
+      print_check(*checked.over_time);
       fmt::print("\n");
     }
     print_defaults(checked.model.source, checked.model.defaults);

@@ -74,7 +74,7 @@ void print(const std::vector<results::Corrected>& list, const record::Record& re
 
 int run(const CorrectFlags& flags) {
   refuse_two_on_stdout("correct", flags.json, flags.output);
-  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  const auto if_exists = on_existing(flags.force);
   flags.csv.require_writable(flags.output, if_exists);
   flags.report.check(flags.force);
   flags.learning.check(if_exists);

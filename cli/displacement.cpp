@@ -97,7 +97,7 @@ void print(const model::Model& model, const session::ShaftCurve& curve) {
 
 int run(const DisplacementFlags& flags) {
   refuse_two_on_stdout("displacement", flags.json, flags.output);
-  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  const auto if_exists = on_existing(flags.force);
   flags.csv.require_writable(flags.output, if_exists);
   flags.report.check(flags.force);
   const files::ModelFile file =

@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "cli/run_files.h"
+#include "cli/shared_flags.h"
 #include "correction/trust.h"
 #include "session/control_export.h"
 #include "text/error.h"
@@ -23,7 +24,7 @@ struct ExportFlags {
 
 int run(const ExportFlags& flags) {
   const bool to_file = !flags.output.empty() && flags.output != "-";
-  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  const auto if_exists = on_existing(flags.force);
   const bool with_hal = to_file && flags.format == "linuxcnc";
   const session::HalFiles hal = session::hal_files(flags.output);
   session::require_control_name(flags.format, flags.output);

@@ -52,7 +52,7 @@ int run(const FitLawFlags& flags) {
                            {.key = "CSV"});
   refuse_two_on_stdout("fit-law", flags.json, flags.output);
   const bool to_file = !flags.output.empty() && flags.output != "-";
-  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  const auto if_exists = on_existing(flags.force);
   if (to_file) text::require_writable(flags.output, if_exists);
 
   const session::LawFit found = session::fit_law(messages(), flags.curve, flags.reading, flags.at);

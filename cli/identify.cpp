@@ -55,7 +55,7 @@ std::vector<results::Validation> validated(std::vector<correction::Identificatio
 
 /// Shows what it is worth, and writes it as transfer functions where it is asked to.
 int run_arx(const IdentifyFlags& flags) {
-  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  const auto if_exists = on_existing(flags.force);
   if (flags.output == "-")
     throw text::InputError("raceway identify: --output -: stdout shows the numbers; name a file",
                            {.key = "--output"});
@@ -98,7 +98,7 @@ correction::Identification identified(const IdentifyFlags& flags, session::Serie
 
 int run(const IdentifyFlags& flags) {
   if (flags.choices.baseline == "arx") return run_arx(flags);
-  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  const auto if_exists = on_existing(flags.force);
   if (flags.output == "-")
     throw text::InputError("raceway identify: --output -: stdout shows the numbers; name a file",
                            {.key = "--output"});

@@ -5,6 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/messages.h"
+#include "cli/shared_flags.h"
 #include "session/correction_input.h"
 #include "text/output_file.h"
 
@@ -18,7 +19,7 @@ struct JoinFlags {
 };
 
 int run(const JoinFlags& flags) {
-  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  const auto if_exists = on_existing(flags.force);
   const bool on_stdout = flags.output == "-";
   if (!on_stdout) text::require_writable(flags.output, if_exists);
   const files::CorrectionFile sum =

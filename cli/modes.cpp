@@ -10,6 +10,7 @@
 #include "cli/messages.h"
 #include "cli/number_flag.h"
 #include "cli/report_flag.h"
+#include "cli/shared_flags.h"
 #include "cli/text_table.h"
 #include "session/open_input.h"
 #include "session/spindle_modes.h"
@@ -105,7 +106,7 @@ int run(const ModesFlags& f) {
   if (f.json && (f.output == "-" || f.shapes == "-"))
     throw text::InputError("raceway modes: --json and a file - both write to stdout; take one",
                            {.key = "--output"});
-  const auto if_exists = f.force ? text::IfExists::replace : text::IfExists::refuse;
+  const auto if_exists = on_existing(f.force);
   for (const std::string& path : {f.output, f.shapes}) f.csv.require_writable(path, if_exists);
   f.report.check(f.force);
   const files::ModelFile file = session::open_model(messages(), f.model, session::Accepts::shaft);

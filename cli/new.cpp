@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "cli/number_flag.h"
+#include "cli/shared_flags.h"
 #include "session/new_model.h"
 #include "text/error.h"
 #include "text/output_file.h"
@@ -54,8 +55,7 @@ int run(const NewFlags& flags) {
   if (flags.output.empty() || flags.output == "-") {
     fmt::print("{}", text);
   } else {
-    text::write_text(flags.output, text,
-                     flags.force ? text::IfExists::replace : text::IfExists::refuse);
+    text::write_text(flags.output, text, on_existing(flags.force));
     say(flags.output + " written");
   }
   return done;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "cli/shared_flags.h"
 #include "text/output_file.h"
 
 namespace raceway::cli {
@@ -16,16 +17,11 @@ struct ReportFlag {
   void declare(CLI::App& command);
   /// Refuses what could not be written, before the long calculation.
   void check(text::IfExists if_exists) const;
-  void check(bool replace) const { check(either(replace)); }
+  void check(bool replace) const { check(on_existing(replace)); }
   /// Writes the page, if one was asked for, and says so.
   void write(const std::function<std::string()>& page, text::IfExists if_exists) const;
   void write(const std::function<std::string()>& page, bool replace) const {
-    write(page, either(replace));
-  }
-
- private:
-  static text::IfExists either(bool replace) {
-    return replace ? text::IfExists::replace : text::IfExists::refuse;
+    write(page, on_existing(replace));
   }
 };
 

@@ -5,9 +5,15 @@
 
 #include "session/loop_model.h"
 #include "session/reading.h"
+#include "text/output_file.h"
 
 /// Flags that several commands have, each declared once.
 namespace raceway::cli {
+
+/// What --force says of a file that exists.
+[[nodiscard]] inline text::IfExists on_existing(bool force) {
+  return force ? text::IfExists::replace : text::IfExists::refuse;
+}
 
 /// Throws text::InputError where the JSON document and a file would both go to stdout.
 void refuse_two_on_stdout(const std::string& command, bool json, const std::string& output);

@@ -36,9 +36,7 @@ struct SpindleFlags {
   [[nodiscard]] bool tells_assumptions() const {
     return assumptions || (!json && output != "-") || !report.path.empty();
   }
-  [[nodiscard]] text::IfExists if_exists() const {
-    return force ? text::IfExists::replace : text::IfExists::refuse;
-  }
+  [[nodiscard]] text::IfExists if_exists() const { return on_existing(force); }
 };
 
 void check_flags(const SpindleFlags& f) {

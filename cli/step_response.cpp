@@ -90,7 +90,7 @@ session::StepQuestion step_question(const StepFlags& flags) {
 }
 
 void require_step_files(const StepFlags& flags, const session::StepQuestion& question) {
-  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  const auto if_exists = on_existing(flags.force);
   flags.csv.require_writable(flags.output, if_exists);
   flags.report.check(flags.force);
   flags.correction.require_writable(if_exists, session::load_channels(question));
@@ -107,8 +107,7 @@ int run(const StepFlags& flags) {
                                           ? imported_steps(flags, file ? &*file : nullptr)
                                           : session::simulated_steps(messages(), *file, question);
   if (!flags.output.empty())
-    flags.csv.put(flags.output, steps.csv(),
-                  flags.force ? text::IfExists::replace : text::IfExists::refuse,
+    flags.csv.put(flags.output, steps.csv(), on_existing(flags.force),
                   fmt::format(", {} step responses", steps.count()));
   if (!flags.json && flags.output.empty()) print_steps(steps);
   tell(steps.notes);

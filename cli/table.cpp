@@ -42,9 +42,7 @@ struct TableFlags {
   BandFlag band;
   session::Reading reading;
 
-  [[nodiscard]] text::IfExists if_exists() const {
-    return force ? text::IfExists::replace : text::IfExists::refuse;
-  }
+  [[nodiscard]] text::IfExists if_exists() const { return on_existing(force); }
 };
 
 void check_flags(const TableFlags& f) {

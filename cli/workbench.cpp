@@ -5,6 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/messages.h"
+#include "cli/shared_flags.h"
 #include "files/catalogue_file.h"
 #include "text/error.h"
 #include "text/input_file.h"
@@ -55,7 +56,7 @@ std::string loaded(const WorkbenchFlags& flags) {
 }
 
 int run(const WorkbenchFlags& flags) {
-  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  const auto if_exists = on_existing(flags.force);
   text::require_writable(flags.output, if_exists);
   const std::string source = files::data_file("workbench.html");
   if (source.empty())
