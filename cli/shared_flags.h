@@ -10,7 +10,7 @@
 /// Flags that several commands have, each declared once.
 namespace raceway::cli {
 
-/// What --force says of a file that exists.
+/// Behaviour for a file that exists, by --force.
 [[nodiscard]] inline text::IfExists on_existing(bool force) {
   return force ? text::IfExists::replace : text::IfExists::refuse;
 }

@@ -39,7 +39,7 @@ void find_falls(const text::CsvTable& table, const Recognised& found, DataColumn
     if (const ColumnSource* const source = found.find(*c))
       throw text::InputError(
           fmt::format(
-              "{}: column {} beside {}: a file has times between two speeds, speeds at a time, or "
+              "{}: columns {} and {}: a file has times between two speeds, speeds at a time, or "
               "readings at a speed",
               table.header_place().text(), source->name, speed_from.name),
           table.header_place(source->name));

@@ -78,7 +78,7 @@ const Key arrangement_keys[]{
     {"front_bearing", a_table, "those of [bearing]",
      "[arrangement.front_bearing] changes keys of [bearing] for the set at the tool; with two "
      "brackets, one table for each bearing"},
-    {"rear_bearing", a_table, "those of [bearing]", "the same of the set behind"},
+    {"rear_bearing", a_table, "those of [bearing]", "the same for the set behind"},
 };
 constexpr Key positions_keys[]{
     {"front_position_mm", a_list, unset,

@@ -74,21 +74,13 @@ function compare(report: CompareReport): (Node | undefined)[] {
   const floor = noise === null ? '' : `; noise ${number(noise, 3)} ${unit}${estimated ? ', estimated' : ''}`;
   const steps = report.steps.map((step, k) => [files[k + 1] as string, number(comparisons[k + 1]?.rmse), signed((comparisons[k + 1]?.rmse as number) - (comparisons[k]?.rmse as number)), changes(step)]);
   return [
-    header(
-      {
-        command: 'compare',
-        files,
-        sentence: several ? `${nearestWords(files, comparisons, unit)}${floor}.` : shown.statement,
-        ...(several ? { more: `${files[best]}: ${shown.statement}` } : {}),
-      },
-      [
-        ['RMS error', `${number(shown.rmse)} ${unit}`],
-        ['mean error', `${number(shown.bias, 3)} ${unit}`],
-        [noise === null ? 'noise' : `noise, ${source}`, noise === null ? 'not known' : `${number(noise, 3)} ${unit}`],
-        ['rows', String(shown.rows)],
-        ...lackOfFit(shown),
-      ],
-    ),
+    header({ command: 'compare', files, sentence: several ? `${nearestWords(files, comparisons, unit)}${floor}.` : shown.statement, ...(several ? { more: `${files[best]}: ${shown.statement}` } : {}) }, [
+      ['RMS error', `${number(shown.rmse)} ${unit}`],
+      ['mean error', `${number(shown.bias, 3)} ${unit}`],
+      [noise === null ? 'noise' : `noise, ${source}`, noise === null ? 'not known' : `${number(noise, 3)} ${unit}`],
+      ['rows', String(shown.rows)],
+      ...lackOfFit(shown),
+    ]),
     comparedOverSpeed ? section(`${capital(view.report.quantity.in_words)} over speed`, grid(comparedOverSpeed)) : undefined,
     section(
       several ? 'The ladder' : 'The error',

@@ -55,10 +55,7 @@ export function check(of: Case, model: string, rows: boolean): Question {
 
 /// Of a bearing, or of a spindle on three of it.
 export function newModel(designation: string, spindle = false, oil = ''): Question {
-  return {
-    arguments: ['new', ...(designation ? [designation] : []), ...(spindle ? ['--spindle'] : ['--law', 'palmgren']), ...(oil ? ['--oil', oil] : []), '-o', 'model.toml'],
-    files: {},
-  };
+  return { arguments: ['new', ...(designation ? [designation] : []), ...(spindle ? ['--spindle'] : ['--law', 'palmgren']), ...(oil ? ['--oil', oil] : []), '-o', 'model.toml'], files: {} };
 }
 
 export function diagnose(of: Case, model: string): Question {
