@@ -241,7 +241,10 @@ std::optional<Doubt> factor_of_readings(const model::ModelSubject& subject, cons
                     small || f.factor < 100.0
                         ? std::string(f.words)
                         : std::string("a wrong unit (") + (moment ? "N mm, N m" : "um, mm") + ")");
-    return Doubt{std::move(text), f.units};
+    std::vector<Doubt::Guess> units = f.units;
+    // Too large are readings that were in our unit and were read in a larger one.
+    if (!small && f.factor >= 100.0) units = {{&channel, moment ? "Nmm" : "um"}};
+    return Doubt{std::move(text), std::move(units)};
   }
   return std::nullopt;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -32,6 +33,14 @@ std::string name_of(const std::string& output) {
 
 control::ControlPlan plan_of(Messages& messages, const Source& model, const Source* record) {
   const files::CorrectionFile file = open_corrections(messages, model);
+  if (std::all_of(file.models.begin(), file.models.end(), [](const correction::Model& m) {
+        return m.channels.empty() && m.effects.empty();
+      }))
+    throw text::InputError(
+        fmt::format("{}: has neither a channel nor an effect, so that it corrects nothing: export "
+                    "the file that identify wrote",
+                    file.source),
+        {.file = file.source});
   control::ControlPlan plan = control::control_plan(file.models, file.control, file.source);
   if (record) {
     const record::Record data =

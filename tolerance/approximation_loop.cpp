@@ -67,6 +67,12 @@ struct Tried {
   [[nodiscard]] bool has_column() const {
     return std::any_of(on.begin(), on.end(), [](const auto* c) { return c->by_column; });
   }
+  /// It says that data are wrong, not that something is missing.
+  [[nodiscard]] bool is_wrong_data() const {
+    return shown
+               ? !shown->datum.empty()
+               : std::all_of(on.begin(), on.end(), [](const auto* c) { return !c->datum.empty(); });
+  }
   /// Kinds of the effects, sorted: second-time-constant of second-time-constant:ambient.
   [[nodiscard]] std::vector<std::string> kinds() const {
     std::vector<std::string> list;
@@ -417,15 +423,21 @@ class Inquiry {
       return t->worst() <= 1.0 || (t->worst() <= slack && slack * t->worst() <= base);
     };
     if (std::none_of(near.begin(), near.end(), is_within)) return false;
-    for (const Tried& t : singles_)
-      if (t.has_column() && comes_near * t.error() <= near.front()->error()) {
-        result_.messages.push_back(
-            record::note::plan(fmt::format("{} follows the displacement more closely ({}), without "
-                                           "a mechanism: is it the body that "
-                                           "moves?",
-                                           t.ids().front(), error(t))));
-        break;
-      }
+    const double least = near.front()->error();
+    const auto column = std::find_if(singles_.begin(), singles_.end(), [&](const Tried& t) {
+      return t.has_column() && comes_near * t.error() <= least;
+    });
+    if (column != singles_.end()) {
+      // Wrong data that happen to come within the tolerance are no rival of a column without a
+      // channel.
+      if (is_worth_its_column(*column, least) &&
+          std::all_of(near.begin(), near.end(), [](const Tried* t) { return t->is_wrong_data(); }))
+        return false;
+      result_.messages.push_back(record::note::plan(
+          fmt::format("{} follows the displacement more closely ({}), without a mechanism: is it "
+                      "the body that moves?",
+                      column->ids().front(), error(*column))));
+    }
     found_ = std::move(near);
     result_.verdict = found_.size() == 1 ? verdict::Verdict::effect : verdict::Verdict::ambiguous;
     return true;

@@ -149,6 +149,15 @@ TEST(Everyday, DegreesFahrenheitAreAskedAboutBeforeTheVerdict) {
       "Say so in [columns]: temperature_C = { column = \"temperature_C\", unit = \"F\" }");
 }
 
+TEST(Everyday, ReadingsInOurUnitUnderAnotherHeaderAreOfferedOurs) {
+  const ScratchFolder scratch;
+  const std::string data = scratch.file("d.csv");
+  ASSERT_EQ(run_shell("sed '1s/_Nmm/_Nm/' " + everyday + "logger-drag/train.csv >" + data).status,
+            0);
+  expect_refused(run("check " + everyday + "logger-drag/model.toml " + data),
+                 "friction_torque_Nmm = { column = \"friction_torque_Nm\", unit = \"Nmm\" }");
+}
+
 TEST(Everyday, TwoOilsOfOneModelAreToldAndHideNoEffect) {
   const std::string both = everyday + "two-oils/model.toml " + everyday + "two-oils/vg32.csv " +
                            everyday + "two-oils/vg68.csv";

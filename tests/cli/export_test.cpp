@@ -53,6 +53,16 @@ TEST(Export, RunsAsCorrectDoes) {
     EXPECT_NEAR(exported[k][1], corrected[k][1], 1e-8 + 1e-8 * std::abs(corrected[k][1])) << k;
 }
 
+TEST(Export, OfAModelThatPredictsNothingIsRefused) {
+  const ScratchFolder scratch;
+  const std::string model = scratch.write(
+      "bare.toml", "[[correction]]\nname = \"z\"\ndisplacement = \"displacement_z_um\"\n");
+  const Result refused = run("export " + model + " --format c -o " + scratch.file("z.h"));
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, HasSubstr("corrects nothing: export the file that identify wrote"));
+  EXPECT_FALSE(std::filesystem::exists(scratch.file("z.h")));
+}
+
 TEST(Export, WritesToStdoutAndNeverOverAFile) {
   const ScratchFolder scratch;
   const std::string model = scratch.write("z.toml", z_model);

@@ -107,12 +107,24 @@ TEST(PlanOfSources, NothingIsMissingInAModelOfTheRightClass) {
 }
 
 TEST(PlanOfSources, ASourceWithoutItsChannelIsNamed) {
-  Plan plan(2);
-  std::erase_if(plan.model.channels, [](const DrivenChannel& c) { return c.name == "c"; });
-  const verdict::Diagnosis d = loop::diagnose(CorrectionSubject(plan.model), plan.record);
-  EXPECT_EQ(d.verdict, verdict::Verdict::effect) << d.sentence;
-  ASSERT_FALSE(d.sets.empty());
-  EXPECT_THAT(d.sets.front(), ElementsAre("input:c_temperature_C"));
+  int named = 0;
+  for (const unsigned seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+    Plan plan(seed);
+    std::erase_if(plan.model.channels, [](const DrivenChannel& c) { return c.name == "c"; });
+    const verdict::Diagnosis d = loop::diagnose(CorrectionSubject(plan.model), plan.record);
+    const std::vector<std::string>& small = d.significant_but_immaterial;
+    if (d.within_tolerance) {
+      EXPECT_THAT(small, testing::Contains("input:c_temperature_C")) << seed;
+      continue;
+    }
+    ++named;
+    // Exchanged columns may come as near.
+    EXPECT_THAT(d.verdict, testing::AnyOf(verdict::Verdict::effect, verdict::Verdict::ambiguous))
+        << seed << ": " << d.sentence;
+    ASSERT_FALSE(d.sets.empty()) << seed << ": " << d.sentence;
+    EXPECT_THAT(d.sets.front(), ElementsAre("input:c_temperature_C")) << seed;
+  }
+  EXPECT_GE(named, 3);
 }
 
 }  // namespace

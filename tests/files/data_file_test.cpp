@@ -421,7 +421,7 @@ TEST(DataFile, WhatIsWrongWithTimesBetweenTwoSpeedsIsNamed) {
             "d.csv:1: columns speed_rpm and speed_from_rpm: a file has times between two speeds, "
             "speeds at a time, or readings at a speed");
   EXPECT_THAT(error(header + ",friction_torque_Nmm", "900,800,5,850"),
-              StartsWith("d.csv:1: column friction_torque_Nmm beside speed_from_rpm"));
+              StartsWith("d.csv:1: columns friction_torque_Nmm and speed_from_rpm"));
   EXPECT_THAT(error("speed_from_rpm,time_s", "900,5"),
               StartsWith("d.csv:1: column speed_to_rpm is missing"));
   EXPECT_THAT(error("speed_from_rpm,speed_to_rpm", "900,800"),

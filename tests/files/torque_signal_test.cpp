@@ -233,7 +233,7 @@ TEST(TorqueSignal, BadCellsAreNamed) {
               HasSubstr("column signal_V is unknown; did you mean torque_signal_V?"));
   EXPECT_THAT(
       record_problem(file, "speed_from_rpm,speed_to_rpm,time_s,torque_signal_V\n10,5,1,0.6\n"),
-      HasSubstr("column torque_signal_V beside speed_from_rpm"));
+      HasSubstr("columns torque_signal_V and speed_from_rpm"));
 }
 
 TEST(TorqueSignal, RowsWithoutOneAreDroppedWhereThatIsAskedFor) {

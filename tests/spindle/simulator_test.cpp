@@ -135,12 +135,14 @@ TEST(Simulator, ASteadySearchThatIsStoppedLeavesTheStepsOfARunAsFineAsTheyWere) 
   const Clock::duration whole = Clock::now() - start;
 
   int stopped = 0;
-  for (int tenth = 1; tenth < 10; tenth += 2) {
-    std::atomic<bool> cancelled = false;
+  // Stopped before it begins, and at shares of a time that may be longer than that of the next
+  // search.
+  for (const int percent : {0, 1, 5, 10, 30, 50, 90}) {
+    std::atomic<bool> cancelled = percent == 0;
     Simulator simulator(base_spindle());
     simulator.stop_on(&cancelled);
     std::thread stops([&] {
-      std::this_thread::sleep_for(whole * tenth / 10);
+      std::this_thread::sleep_for(whole * percent / 100);
       cancelled = true;
     });
     try {
