@@ -21,7 +21,7 @@ namespace raceway::c {
 /// Reads a model as `solve` and `table` do. Throws text::InputError. The caller owns it.
 [[nodiscard]] raceway_model* open_handle(const session::Source& source);
 
-/// A number of raceway.h.
+/// Code of raceway.h (RACEWAY_...) for a status of the solver.
 [[nodiscard]] int status_number(bearing::SolveStatus status);
 
 /// Names of these columns; empty, which stands for all, of none. Throws text::InputError for one

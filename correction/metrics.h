@@ -21,7 +21,7 @@ struct Metrics {
   double reduction_of_max_percent = unset;
 };
 
-/// Rows of which either is NaN do not count.
+/// Rows in which either is NaN are left out.
 [[nodiscard]] Metrics metrics(std::span<const double> measured, std::span<const double> simulated);
 
 }  // namespace raceway::correction

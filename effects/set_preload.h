@@ -18,7 +18,7 @@ namespace raceway::effects {
 ///   F_a -> (F1^(4/3) + F2^(4/3))^(3/4)
 ///
 /// Source:   two springs that press against each other [Harris2006, vol. 1, ch. 9], derived: s is
-///           1/2 where both bearings are as stiff as each other, 1 where a soft spring preloads the
+///           1/2 for equally stiff bearings, 1 where a soft spring preloads the
 ///           second one. The 4/3 belongs to Palmgren's load moment with y = 1/3.
 /// Domain:   P >= 0, 1/2 <= s <= 1. From F_a = P/(1 - s) on the second bearing is free of load. A
 ///           rigid pair, whose displacement goes with F^(2/3), is met by s of about 0.6.

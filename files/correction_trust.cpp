@@ -27,7 +27,7 @@ constexpr Key correction_together_keys[]{
 };
 constexpr Key correction_residual_keys[]{
     {"rms_um", between(0, 1e9, "um"), is_required, "of what was left on parts that no fit saw"},
-    {"correlation_time_s", between(0, 1e12, "s"), unset, "in which what was left forgets itself"},
+    {"correlation_time_s", between(0, 1e12, "s"), unset, "correlation time of the residual"},
 };
 
 constexpr Key correction_trust_keys[]{

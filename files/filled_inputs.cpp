@@ -96,7 +96,7 @@ FilledInput fill_input(const record::Channel& channel, record::Record& data) {
     if (empty(values[row])) result.empty.push_back(row);
   result.note = fmt::format("{} of {} rows have no {}: {}", missing, values.size(), channel.name,
                             held ? "the last value holds until the next one"
-                                 : fmt::format("a straight line goes from one reading to the next, "
+                                 : fmt::format("values are interpolated linearly between readings, "
                                                "over gaps of up to {:.4g} s",
                                                longest));
   return result;

@@ -18,8 +18,9 @@ namespace {
 
 constexpr Key calibration_keys[]{
     {"free", a_list, "the usual parameters of the law",
-     "parameters to be fitted: of the law, preload_N, inner_conformity, outer_conformity, "
-     "conformity, contact_angle_deg, \"EFFECT.NUMBER\"; of a correction parameters or groups"},
+     "parameters to be fitted: those of the law, preload_N, inner_conformity, outer_conformity, "
+     "conformity, contact_angle_deg, \"EFFECT.NUMBER\"; in a correction its parameters or groups "
+     "of them"},
     {"covariance", a_table, unset, "the table [calibration.covariance]"},
 };
 constexpr Key loop_keys[]{

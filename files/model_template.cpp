@@ -68,7 +68,7 @@ std::string friction_lines(friction::FrictionLaw law) {
       add("K_rs", initial("K_rs"),
           "oil that flows back too slowly: 3e-8 bath or jet, 6e-8 grease or oil-air; 0 is off");
       add("oil_fraction", initial("oil_fraction"),
-          "of the free space that is oil, which drags on the balls; 0 is no drag");
+          "share of the free space that is filled with oil; 0: no drag");
       break;
     case friction::FrictionLaw::table:
       break;  // measurements make such a model

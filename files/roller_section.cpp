@@ -40,7 +40,7 @@ constexpr Key keys_of_rollers[]{
     {"bore_mm", between(0, 5000, "mm"), unset,
      "of the inner ring, below its raceway; needed by the law skf"},
     {"outer_diameter_mm", between(1, 10000, "mm"), unset,
-     "of the outer ring, above its raceway, at most twice that; needed by the law skf"},
+     "outer diameter of the ring, from 1 to 2 times its raceway; needed by the law skf"},
     {"width_mm", between(0.5, 5000, "mm"), unset, "width of the rings, at least the roller length"},
     {"radial_clearance_um", between(-100, 1000, "um"), 0.0,
      "diametral; negative for a preload. On a rig the clearance in operation"},

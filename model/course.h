@@ -8,8 +8,9 @@ namespace raceway::model {
 
 /// Place of a row in the course of the measurement; NaN of a record without the time of every row.
 struct Course {
-  double since_start = unset;  ///< time since the day or the passage through the loads began [s]
-  double direction = unset;    ///< 1 where the speed was reached from below, -1 from above
+  double since_start =
+      unset;                 ///< time since the start of the day or of the sweep over the loads [s]
+  double direction = unset;  ///< 1 where the speed was reached from below, -1 from above
 };
 
 /// Course of every row, in the order of the record.

@@ -54,13 +54,14 @@ class ParameterPlace {
   /// Throws std::invalid_argument for an address that the model does not have.
   ParameterPlace(const Model& model, const record::Parameter& parameter);
 
-  /// In the unit of the files. The model has the effects of the one it was made for.
+  /// Value in the unit of the file. `model` must have the effects of the model that it was made
+  /// for.
   [[nodiscard]] double get(const Model& model) const;
   /// Throws std::invalid_argument where bearing or arrangement cannot take the value.
   void set(Model& model, double value) const;
   /// Index of the effect that it belongs to, -1 for all else.
   [[nodiscard]] int effect() const { return effect_; }
-  /// The thermometer of a spindle of which it is the position; nothing for all else.
+  /// Index of the thermometer of a spindle whose position it is; empty for every other parameter.
   [[nodiscard]] std::optional<std::size_t> sensor() const {
     return kind_ == Kind::sensor ? std::optional(index_) : std::nullopt;
   }

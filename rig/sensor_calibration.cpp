@@ -292,11 +292,13 @@ class Calibrator {
     const double t2 = h.mean * h.mean * h.torques;
     h.p_value = p_of_F(t2, 1, square, h.torques - 1, floor_);  // the square of Student's t
     if (h.p_value < sensor_significance)
-      result_.warnings.push_back(record::note::misfit(fmt::format(
-          "hysteresis: readings with the torque falling are {:+.3g} V off those with it rising, at "
-          "most {:+.3g} V, {:.2g} % of the range, at {:.4g} N m ({}); the curve runs between them, "
-          "and half of it counts as scatter",
-          h.mean, h.largest, percent(h.largest), h.largest_at, chance(h.p_value))));
+      result_.warnings.push_back(record::note::misfit(
+          fmt::format("hysteresis: at falling torque the signal differs from that at rising torque "
+                      "by {:+.3g} V on "
+                      "average and by {:+.3g} V ({:.2g} % of the range) at {:.4g} N m ({}); the "
+                      "curve runs midway, "
+                      "and half of the difference counts as scatter",
+                      h.mean, h.largest, percent(h.largest), h.largest_at, chance(h.p_value))));
   }
 
   /// N R² of the squared residuals over the torque [Koenker1981].

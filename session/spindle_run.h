@@ -29,7 +29,7 @@ struct RunQuestion {
 struct SpindleRun {
   files::ModelFile file;
   std::string programme{};  ///< its name
-  /// The programme; of a run that ended early with a row there, see spindle::add_end().
+  /// Rows of the programme. A run that ended early has a row more, at its end: spindle::add_end().
   std::vector<spindle::ProfileRow> profile{};
   std::optional<spindle::State> start{};
   spindle::Run run{};

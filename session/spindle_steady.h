@@ -11,7 +11,7 @@
 /// Steady states of a spindle, as they are asked for.
 namespace raceway::session {
 
-/// Throws text::InputError for a model that is no spindle.
+/// Throws text::InputError if the model does not describe a spindle.
 void require_spindle(const files::ModelFile& file);
 
 /// Throws text::InputError, with the name of the file, for one that cannot be mounted or meshed.

@@ -262,7 +262,7 @@ results::Superposition superposition_of_steps(Messages& messages, const SpindleS
                                               const Source& programme,
                                               const std::atomic<bool>* cancelled) {
   const model::Model& model = *steps.model();
-  if (!model.spindle) throw std::invalid_argument("the model is no spindle");
+  if (!model.spindle) throw std::invalid_argument("the model does not describe a spindle");
   const record::Record record =
       files::read_spindle_record(programme, *model.spindle, {.columns = steps.file->columns});
   messages.say(record.notes);

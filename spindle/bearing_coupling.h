@@ -44,7 +44,7 @@ class BearingCoupling {
   [[nodiscard]] const Matrix& given() const { return given_; }
 
   [[nodiscard]] const WarmSets& sets() const { return sets_; }
-  /// Sets what the bearings run under from now on; false where the cold sets have no balance.
+  /// Sets speed and loads of the bearings. Returns false if the cold sets have no equilibrium.
   [[nodiscard]] bool set_inputs(const Inputs& inputs);
   /// Distributes the loads across the shaft to the bearings as they are at s; false where they have
   /// no balance.

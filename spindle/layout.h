@@ -62,7 +62,8 @@ struct Layout {
   [[nodiscard]] Shares source(Body body, double from, double to, double radius = unset) const;
 };
 
-/// Throws std::invalid_argument for parts that cannot be mounted: name, value with unit, range.
+/// Throws std::invalid_argument if parts cannot be mounted; the message has name, value with unit
+/// and allowed range.
 [[nodiscard]] Layout make_layout(const model::Model& model, model::Cells cells);
 
 /// Shaft and housing as a spindle's own parts, nothing cut into cells yet.

@@ -25,8 +25,8 @@ struct StepFit {
   double rms_of_two = unset;  ///< [m]
   /// One leaves more than a hundredth of its gain, and two less than half of that.
   bool two_needed = false;
-  /// The record lasts for two time constants at least; else gain and time constant of one lag are
-  /// extrapolated.
+  /// True if the record covers two time constants of the one lag. Otherwise gain and time constant
+  /// are extrapolated.
   bool settled = false;
 };
 

@@ -10,7 +10,7 @@
 #include "fit/separable.h"
 #include "fit/subject.h"
 
-/// Fits of subjects that only approximate (Subject::approximates()).
+/// Fits of subjects whose model only approximates the record (Subject::approximates()).
 namespace raceway::tolerance {
 
 /// A record as such subjects are fitted to it.

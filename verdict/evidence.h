@@ -19,7 +19,7 @@ struct Evidence {
   std::vector<std::string> idle{};  ///< free parameters that change no reading: not in the base
   Eigen::VectorXd size{};           ///< typical size of each reading, by the base model
   std::vector<fit::NoiseModel> noise{};   ///< of each measured channel
-  fit::Whitening whitening{};             ///< of all of them
+  fit::Whitening whitening{};             ///< of the noise, all channels together
   std::vector<fit::Whitening> allowed{};  ///< other shapes of the noise, of one channel at a time
   double degrees_of_freedom = unset;      ///< of all of them
   fit::Response response{};               ///< of the base model

@@ -4,8 +4,9 @@
 
 namespace raceway::friction::contact {
 
-/// True if a contact of half axis a slides by spin besides differential slip. Under race control
-/// rounding leaves a spin at one race: below a billionth of the other slip, ω_roll/(2 R) a.
+/// True if a contact of half axis a has spin in addition to differential slip. The spin at the
+/// controlling race is zero but for rounding: below 1e-9 of the differential slip ω_roll/(2 R) a it
+/// counts as zero.
 [[nodiscard]] inline bool spins_beside(double spin, double differential, double semi_major_axis) {
   return std::abs(spin) > 1e-9 * std::abs(differential) * semi_major_axis;
 }

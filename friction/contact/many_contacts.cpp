@@ -343,7 +343,7 @@ void friction_of_many(const FrictionOfMany& asked, std::span<const bearing::Oper
   const std::array<NamedColumn, 12> named = named_columns(columns);
   for (const NamedColumn& c : named)
     if (!c.numbers.empty() && c.numbers.size() != points.size())
-      throw std::invalid_argument("friction_of_many: one number a point is needed in a column");
+      throw std::invalid_argument("friction_of_many: every column needs one number for each point");
   const std::size_t chunks = (points.size() + points_of_chunk - 1) / points_of_chunk;
   tbb::parallel_for(
       std::size_t{0}, chunks,

@@ -152,7 +152,7 @@ def groups_by(frame: pd.DataFrame, by: list[str]) -> list[tuple[tuple[Any, ...],
 
 
 def value_text(columns: list[str], values: tuple[Any, ...]) -> str:
-    """Values of a curve as its legend has them: "300", or "300, 40" of two columns."""
+    """Return the label of a curve in the legend: "300", or "300, 40" for two columns."""
     return ", ".join(f"{v:g}" if isinstance(v, (int, float, np.number)) else str(v) for _, v in zip(columns, values))
 
 

@@ -11,7 +11,7 @@ from ._results import _write
 
 
 class FromFile:
-    """A model with what its file and the files that it names held when it was read."""
+    """A model with the contents of its file, and of the files that it names, as they were when it was read."""
 
     _engine: Any
     _called = "model"  # a text without a name

@@ -24,7 +24,7 @@ _FAINT = "opacity:.7"
 
 
 def text(value: object) -> str:
-    """Anything as text of a page."""
+    """Return a value as escaped text of a page."""
     return escape("-" if value is None else str(value), quote=True)
 
 

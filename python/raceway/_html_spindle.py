@@ -42,7 +42,7 @@ def _hottest_ring(row: Row) -> float | None:
 
 
 def _temperatures(row: Row) -> str:
-    """Rings and forces of the bearings, then all else that has a temperature."""
+    """Return tables of ring temperatures and forces, then of all other temperatures."""
     places = _bearings(row)
     out = ""
     if places:

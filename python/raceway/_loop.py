@@ -210,7 +210,7 @@ class LoopModel(FromFile):
         from_s: float | None = None,
         until_s: float | None = None,
     ) -> Addition:
-        """Switch effects on, calibrated, and judge them on rows that the fit did not see.
+        """Switch effects on, calibrate the model, and judge them on rows that the fit did not see.
 
         The other parameters are as in `compare`.
 

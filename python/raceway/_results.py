@@ -337,7 +337,7 @@ class Calibration(_Fitted):
     Attributes
     ----------
     models : dict of str to Model
-        By record where each has values of its own; else one, under the empty name.
+        One model for each record, by its name, if each has values of its own; otherwise one, under ``""``.
     """
 
     @property

@@ -189,7 +189,7 @@ TEST(SensorCalibration, HysteresisIsFoundAtItsSizeAndPlace) {
   EXPECT_NEAR(c.hysteresis.largest, 0.02, 3e-3);  // three standard errors
   EXPECT_NEAR(c.hysteresis.largest_at, 5.0, 1.5);
   EXPECT_THAT(texts(c.warnings),
-              Contains(HasSubstr("hysteresis: readings with the torque falling")));
+              Contains(HasSubstr("hysteresis: at falling torque the signal differs")));
 }
 
 TEST(SensorCalibration, SaysWhatItCouldNotLookFor) {
