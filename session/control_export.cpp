@@ -33,14 +33,6 @@ std::string name_of(const std::string& output) {
 
 control::ControlPlan plan_of(Messages& messages, const Source& model, const Source* record) {
   const files::CorrectionFile file = open_corrections(messages, model);
-  if (std::all_of(file.models.begin(), file.models.end(), [](const correction::Model& m) {
-        return m.channels.empty() && m.effects.empty();
-      }))
-    throw text::InputError(
-        fmt::format("{}: has neither a channel nor an effect, so that it corrects nothing: export "
-                    "the file that identify wrote",
-                    file.source),
-        {.file = file.source});
   control::ControlPlan plan = control::control_plan(file.models, file.control, file.source);
   if (record) {
     const record::Record data =
@@ -95,6 +87,16 @@ void require_trust(const control::ControlPlan& plan) {
       throw text::InputError(fmt::format("{}: {}: {}. --accept-untrusted exports it all the same",
                                          plan.source, axis.column, control::trust_line(axis)),
                              {.file = plan.source, .key = "--accept-untrusted"});
+  const auto predicts_nothing = [](const control::ControlAxis& axis) {
+    return axis.sections.empty() && axis.elements.empty() && axis.feedthroughs.empty() &&
+           axis.equations.empty() && axis.kinematics.empty();
+  };
+  if (std::all_of(plan.axes.begin(), plan.axes.end(), predicts_nothing))
+    throw text::InputError(
+        fmt::format("{}: has neither a channel nor an effect, so that it corrects nothing: export "
+                    "the file that identify wrote. --accept-untrusted exports it all the same",
+                    plan.source),
+        {.file = plan.source, .key = "--accept-untrusted"});
 }
 
 ControlExport export_plan(control::ControlPlan plan, const std::string& format,

@@ -36,7 +36,8 @@ struct HalFiles {
 [[nodiscard]] control::ControlPlan open_plan(Messages& messages, const Source& model,
                                              const Source* record = nullptr);
 
-/// Refuses a plan with a displacement that is not to be used. Throws text::InputError, which says
+/// Refuses a plan with a displacement that is not to be used, or that predicts nothing. Throws
+/// text::InputError, which says
 /// why and how to export it all the same (--accept-untrusted).
 void require_trust(const control::ControlPlan& plan);
 
