@@ -318,6 +318,17 @@ def test_several_displacements(spindle):
     assert {"predicted_displacement_ch1_um", "residual_displacement_ch2_um"} <= set(both.correct(spindle).to_frame())
 
 
+def test_angles_and_positions_of_several_probes():
+    folder = "data/corrections/nest"
+    found = raceway.Correction.read(f"{folder}/correction.toml").identify(raceway.Record.read(f"{folder}/train.csv")).correction
+    assert found.displacements[-1] == "displacement_b_urad"
+    course = found.correct(raceway.Record.read(f"{folder}/test.csv")).course()
+    # Probes of 0.1 um, 0.2 m apart: 0.7 urad.
+    for axis, noise in {"x_um": 0.116, "y_um": 0.116, "z_um": 0.1, "a_urad": 0.707, "b_urad": 0.707}.items():
+        left = course[f"residual_displacement_{axis}"]
+        assert numpy.sqrt(numpy.nanmean(numpy.square(left))) < 1.1 * noise, axis
+
+
 def test_a_friction_table_is_found_beside_its_file(document):
     correction, record = read(POWER, "test")
     assert correction.correct(record).data == document("correct", correction.source, record.name)
