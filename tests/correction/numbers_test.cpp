@@ -163,9 +163,9 @@ TEST(CorrectionSubject, APartNeverHoldsAllThatAnInputDoes) {
 TEST(CorrectionSubject, AnInputMovesWhereItLeavesItsReference) {
   // The axis heats in the last run; with the room its temperature swings in all of them.
   MadeRecord made = one_source_per_run(10);
-  const auto room = [](double t) { return 20 + 4 * std::sin(t / 9000); };
-  made.with("base_temperature_C", room).with("x_temperature_C", [&](double t) {
-    return room(t) + (t < 72000 ? 0.0 : 8 * std::sin((t - 72000) / 3000));
+  const auto base = [](double t) { return 20 + 4 * std::sin(t / 9000); };
+  made.with("base_temperature_C", base).with("x_temperature_C", [&](double t) {
+    return base(t) + (t < 72000 ? 0.0 : 8 * std::sin((t - 72000) / 3000));
   });
   Model m = two_channels();
   m.channels[0].input = {.name = "x_temperature_C",
