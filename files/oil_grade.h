@@ -3,6 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "record/units.h"
+
 namespace raceway::files {
 
 /// Kinematic viscosities of a mineral oil.

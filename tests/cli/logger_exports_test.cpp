@@ -267,8 +267,8 @@ TEST(LoggerExports, SensorsOfOtherRatesAreAligned) {
   });
   expect_truth(joined.file, "", true);
   EXPECT_THAT(run("check " + record_model + " " + joined.file).err,
-              HasSubstr("812 of 841 rows have no room_temperature_C: a straight line goes from one "
-                        "reading to the next, over gaps of up to 1.8e+04 s"));
+              HasSubstr("812 of 841 rows have no room_temperature_C: values are interpolated "
+                        "linearly between readings, over gaps of up to 1.8e+04 s"));
 }
 
 TEST(LoggerExports, ReadingsThatCannotBeTrueAreNamedAndDoNotTakePart) {
