@@ -43,7 +43,8 @@ std::vector<Column> empty_columns(const std::vector<Record>& records) {
 }  // namespace
 
 Record joined(std::vector<Record> records) {
-  if (records.size() < 2) throw std::invalid_argument("at least two records are needed to join them");
+  if (records.size() < 2)
+    throw std::invalid_argument("at least two records are needed to join them");
   for (const Record& r : records)
     if (r.up_to_a_factor)
       throw std::invalid_argument(
