@@ -22,7 +22,7 @@ std::string noise_text(const loop::Check::MeasuredChannel& m) {
   const std::string stated = std::isnan(m.noise.rms) ? "not known (no std column, no repeated rows)"
                                                      : fmt::format("{} ({})", text(m.noise.rms),
                                                                    fit::name(m.noise.source));
-  // Where it is the same there is nothing more to say.
+  // Both find the same noise: one number is enough.
   if (std::isnan(m.found_noise) || std::abs(m.found_noise - m.noise.rms) < 1e-3 * m.found_noise)
     return stated;
   return fmt::format("{}; calibrate and diagnose find {}", stated, text(m.found_noise));

@@ -126,7 +126,7 @@ class Planner {
     in.smoothing_s = settings_.smoothing_s.of(in.column);
   }
 
-  /// Where it goes to: displacement_z_um is of the axis z, displacement_b_urad of b.
+  /// Names the output and its axis: z of displacement_z_um, b of displacement_b_urad.
   void hand_out(ControlAxis& axis, const Channel& displacement) const {
     constexpr std::string_view before = "displacement_";
     const std::string name(displacement.variable.substr(before.size()));

@@ -40,7 +40,7 @@ struct Window {
   [[nodiscard]] std::string range_text() const;
 };
 
-/// Where a friction table is read on one of its axes: at a number, or at the value of a column.
+/// Point on one axis of a friction table at which it is read: a number, or the value of a column.
 struct TableCoordinate {
   double value = unset;  ///< SI
   const Channel* column = nullptr;

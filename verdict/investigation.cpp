@@ -559,12 +559,12 @@ void Investigation::try_other_bases() {
     const auto at = list.begin() + static_cast<std::ptrdiff_t>(k);
     std::rotate(list.begin(), at, at + 1);
   };
-  bool leads = false;
-  for (std::size_t k = 0; k < bases.size() && !leads; ++k) {
-    leads = does_as_well(bases[k], result_.other_bases[k]);
-    if (!leads) continue;
-    to_front(bases, k);
-    to_front(result_.other_bases, k);
+  std::size_t first = 0;
+  while (first < bases.size() && !does_as_well(bases[first], result_.other_bases[first])) ++first;
+  const bool leads = first < bases.size();
+  if (leads) {
+    to_front(bases, first);
+    to_front(result_.other_bases, first);
   }
   const std::vector<Explanation>& singles = search_->singles();
   const double rival =

@@ -10,8 +10,8 @@
 /// Several transducers that together read position and angle of a tool.
 namespace raceway::files {
 
-/// Of the combinations of a map those that make one of the `wanted` displacements; all where
-/// nothing is wanted.
+/// Returns the combinations of a map that make one of the `wanted` displacements; all of them if
+/// `wanted` is empty.
 [[nodiscard]] std::vector<const Combination*> combinations_for(
     const ColumnMap& map, const std::vector<const record::Channel*>& wanted);
 

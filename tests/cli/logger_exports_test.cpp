@@ -428,7 +428,7 @@ TEST(LoggerExports, FilesWithClocksOfTheirOwnAreOneRecord) {
       "stands in another of these files, too");
 }
 
-/// The control was sampled and its logger stopped: nobody knows what it set behind that.
+/// A logger that samples has stopped: what the control set after its last row is not known.
 TEST(LoggerExports, AFileBesideThatSamplesEndsWithItsLastRow) {
   const Exported rest([](std::size_t, Cells& cells) { cells.erase(cells.begin() + 1); });
   std::string speeds;
