@@ -14,28 +14,31 @@
 
 namespace raceway::session {
 
-/// The band of the predictions of a model from its fitted parameters. `asked_by`: the flag or
-/// argument that requests it, `remedy`: the commands that make a model with one. Throws
-/// text::InputError for a model without a covariance of its values.
+/// Returns the uncertainty band of a model's predictions from its fitted parameters. `asked_by` is
+/// the flag or argument that requests the band. `remedy` names the commands that make a model with
+/// a band; both appear in the error message. Throws text::InputError if the model file contains no
+/// covariance of its parameters.
 [[nodiscard]] model::Band band_of(const files::ModelFile& file, std::string_view asked_by,
                                   std::string_view remedy);
 
-/// Description of a band in a sentence.
+/// Describes a band in one sentence.
 [[nodiscard]] std::string band_statement(const model::Band& band);
 
-/// Columns that a band adds to table_columns(), behind all others.
+/// Names of the columns that a band adds behind all columns of table_columns().
 [[nodiscard]] std::vector<std::string> band_columns(const model::Model& model);
 
-/// Fills in the last columns of points [SI]. May be called by several threads at once.
+/// Fills the band columns of the given points [SI]. Several threads may call it at once.
 void fill_band(const model::Model& model, const model::Band& band,
                std::span<const bearing::OperatingPoint> points,
                std::span<friction::TablePoint> out);
 
-/// Half widths for one bearing at one point: friction torque, loss, heat of both rings.
+/// Returns the half widths of the band for one bearing at one point: friction torque, loss, and
+/// heat of both rings.
 [[nodiscard]] results::BandOfResult point_band(const model::Band& band,
                                                const bearing::OperatingPoint& point);
 
-/// Half widths for the readings that fit::predict() gives of a record, in their order [SI].
+/// Returns the half widths of the band for the readings of a record [SI], in the order of
+/// fit::predict().
 [[nodiscard]] std::vector<double> record_band(const model::Band& band,
                                               const record::Record& record);
 

@@ -10,39 +10,43 @@
 
 namespace raceway::session {
 
-/// A spindle as a beam on its bearings, for deflection and modes.
+/// A spindle as a beam on its bearings, for the analysis of deflection and modes.
 struct BeamOfModel {
-  std::vector<double> places;         ///< of the bearings of the sets [m]
+  std::vector<double> places;         ///< positions of the bearings of the sets [m]
   std::vector<double> roller_places;  ///< [m]
   std::vector<std::string> roller_names;
   spindle::Beam beam;
   spindle::SetsOfSpindle sets;
 };
 
-/// Nodes at the bearings and at `load_place` [m]. Throws text::InputError for a model that has no
-/// [shaft] with segments, and with the file's name before what is wrong with it.
+/// Returns the beam of a model with nodes at the bearings and at `load_place` [m]. Throws
+/// text::InputError if the model has no [shaft] with segments. Every error message begins with the
+/// name of the file.
 [[nodiscard]] BeamOfModel beam_of(const files::ModelFile& file, double load_place);
 
-/// The shaft on all its bearings under belt and nose loads of the inputs and, where there is one,
-/// a further load at a node of the beam.
+/// Bends the shaft on all its bearings under the belt and nose loads of the inputs. A further load
+/// may act at one node of the beam.
 [[nodiscard]] spindle::LoadedShaft bend(const model::Model& model, const BeamOfModel& b,
                                         const spindle::SetsAtSpeed& sets,
                                         const spindle::Inputs& inputs,
                                         const spindle::ShaftLoad* further = nullptr);
 
-/// Tangent stiffness of all bearings: the sets as SetsAtSpeed has them, and the rollers of the bent
-/// shaft.
+/// Returns the tangent stiffness of all bearings: the sets from SetsAtSpeed, and the roller
+/// bearings at the bent shaft.
 [[nodiscard]] std::vector<spindle::Spring> springs_of(
     const BeamOfModel& b, const spindle::SetsAtSpeed& sets,
     const std::optional<spindle::LoadedShaft>& bent);
 
-/// True if anything but a further load bends the shaft, or rollers hold it.
+/// Returns true if roller bearings support the shaft, or if a load other than the further load
+/// bends it.
 [[nodiscard]] bool bends(const model::Spindle& spindle);
 
-/// Why a coolant that is switched off changes nothing, a note; empty where it does.
+/// Explains why switching off the coolant changes nothing. The text is empty if it does change the
+/// result.
 [[nodiscard]] std::string unused_coolant_off(const model::Model& model, bool coolant_on, bool warm);
 
-/// Conditions of the sets: the external load of the model and, warm, its ambient.
+/// Returns the conditions of the sets: the external load of the model and, for a warm spindle, its
+/// ambient temperature.
 [[nodiscard]] spindle::Inputs inputs_at(const model::Model& model, double speed, bool coolant_on);
 
 }  // namespace raceway::session

@@ -6,8 +6,9 @@
 
 namespace raceway::session {
 
-/// A bearing on its rig, the sets on a shaft or a spindle, for the loop. Throws text::InputError as
-/// open_loop_model(), and for a channel that it does not predict.
+/// Opens a bearing on its rig, sets on a shaft, or a spindle for the loop of measurements and
+/// model. Throws text::InputError like open_loop_model(), and if the model does not predict a
+/// measured channel.
 [[nodiscard]] std::unique_ptr<LoopModel> open_bearing(Messages& messages, const Source& file,
                                                       const LoopOptions& options,
                                                       std::size_t place);

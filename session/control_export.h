@@ -10,39 +10,37 @@
 
 namespace raceway::session {
 
-/// Corrections as a program or a table that runs without this one.
+/// Corrections exported as a program or a table that runs without raceway.
 struct ControlExport {
-  control::ControlPlan plan{};  ///< with notes
+  control::ControlPlan plan{};  ///< plan of the export with its notes
   std::string text{};
-  /// For linuxcnc: the lines that load the component and connect the axes, and the lines that end
-  /// it.
+  /// For linuxcnc: HAL lines that load the component and connect the axes, and lines that stop it.
   std::string hal{}, hal_shutdown{};
 };
 
-/// Checks the name of the output. Throws text::InputError: the name of a LinuxCNC component is the
-/// name of its file.
+/// Checks the name of the output file. Throws text::InputError for linuxcnc if the file name is not
+/// a valid component name.
 void require_control_name(const std::string& format, const std::string& output);
 
-/// HAL files of the component.
+/// HAL files that belong to the component.
 struct HalFiles {
   std::string start{}, shutdown{};
 };
 [[nodiscard]] HalFiles hal_files(const std::string& output);
 
-/// Plan of a model file for a control, with a check record: `record`, or without it a synthetic
-/// one. A table that export wrote is read back, with the record in it.
+/// Opens a model file for a control and adds a check record: `record`, or a synthetic record if
+/// none is given. An exported table is read together with the record that it contains.
 ///
-/// Throws text::InputError as the readers do, and for a record with a table.
+/// Throws text::InputError like the readers, and for a table that is given together with a record.
 [[nodiscard]] control::ControlPlan open_plan(Messages& messages, const Source& model,
                                              const Source* record = nullptr);
 
-/// Refuses a plan with a displacement that is not to be used, or that predicts nothing. Throws
-/// text::InputError, which says
-/// why and how to export it all the same (--accept-untrusted).
+/// Rejects a plan if a displacement must not be used or if the plan predicts nothing. Throws
+/// text::InputError with the reason and the flag that exports it anyway (--accept-untrusted).
 void require_trust(const control::ControlPlan& plan);
 
-/// `format`: python, c, csv or linuxcnc. `output`: the file that it will stand in, by which C and
-/// HAL call it; empty or "-" without.
+/// `format` is python, c, csv or linuxcnc. `output` is the file name, which C and HAL use as the
+/// name of the component; it is empty or "-" if there is no file.
 [[nodiscard]] ControlExport export_plan(control::ControlPlan plan, const std::string& format,
                                         const std::string& output);
 

@@ -6,8 +6,8 @@
 
 namespace raceway::session {
 
-/// The correction of one displacement, for the loop. Throws text::InputError as open_loop_model(),
-/// and for a displacement that the file does not model.
+/// Opens the correction of one displacement for the loop of measurements and model. Throws
+/// text::InputError like open_loop_model(), and if the file does not model the displacement.
 [[nodiscard]] std::unique_ptr<LoopModel> open_correction(Messages& messages, const Source& file,
                                                          const LoopOptions& options);
 

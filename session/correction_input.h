@@ -15,46 +15,47 @@
 
 namespace raceway::session {
 
-/// Reads a file of corrections, counts the defaults that were used, and gives notes on it. Throws
-/// text::InputError as its reader, and with a short message for a model that has no correction.
+/// Reads a file of corrections and adds notes on it, one of them on the number of default values
+/// used. Throws text::InputError like the reader. A model without a correction gives a short
+/// message.
 [[nodiscard]] files::CorrectionFile open_corrections(Messages& messages, const Source& file,
                                                      Defaults defaults = Defaults::count);
 
-/// The sum of corrections of one displacement as a file at `path`: see files::join_corrections().
-/// Notes list the parts that it leaves out.
+/// Joins several corrections of one displacement to their sum, as a file at `path`: see
+/// files::join_corrections(). Notes list the parts that the sum leaves out.
 [[nodiscard]] files::CorrectionFile join(Messages& messages, const std::vector<Source>& parts,
                                          const std::string& path);
 
-/// Reads a record over time for all of these models and adds notes on it. Only readings of that
-/// period count. Readings that leave and return take no part, unless they come `one_by_one`: the
-/// return of a reading is then unknown.
+/// Reads a time record for all of these models and adds notes on it. Only readings within the
+/// period are used. Isolated readings that jump and return are left out, unless the readings arrive
+/// `one_by_one`: the program then cannot know the next reading.
 [[nodiscard]] record::Record open_series(Messages& messages, const Source& data,
                                          const std::vector<correction::Model>& models,
                                          const files::ReadOptions& options,
                                          const Period& period = {}, bool one_by_one = false);
 
-/// All models of a file with one record.
+/// All models of a file together with one record.
 struct SeriesQuestion {
   files::CorrectionFile file{};
   record::Record data{};
 };
-/// Throws text::InputError as open_corrections() and open_series().
+/// Throws text::InputError like open_corrections() and open_series().
 [[nodiscard]] SeriesQuestion ask_series(Messages& messages, const Source& model, const Source& data,
                                         const Reading& reading,
                                         Defaults defaults = Defaults::count);
 
-/// Throws text::InputError for a record without a column of the displacement.
+/// Throws text::InputError if the record has no column of the displacement.
 void require_readings(const correction::Model& model, const record::Record& record);
 
-/// Checks a record before a model is fitted to it. Warns of sensors of the model that stick, leap
-/// or never vary, also in the notes of the record, for readers of the JSON results. Throws
-/// text::InputError where a power leaves the range of a delay element.
+/// Checks a record before a model is fitted to it. Warns of sensors of the model that stick, jump
+/// or never vary. The warnings are also in the notes of the record, and so in the JSON results.
+/// Throws text::InputError if a power leaves the range of a delay element.
 void prepare_fit(Messages& messages, const correction::Model& model, const std::string& source,
                  record::Record& record);
 
-/// Notes on extrapolation of a model by a record: inputs beyond their range, combinations of inputs
-/// outside the joint range, power beyond the friction table, each with its start and number of
-/// rows.
+/// Returns notes on extrapolation when a model runs on a record: inputs outside their range,
+/// combinations of inputs outside the joint range, and power beyond the friction table. Each note
+/// gives the start and the number of rows.
 [[nodiscard]] std::vector<std::string> range_notes(const correction::Model& model,
                                                    const correction::Series& series,
                                                    const correction::Beyond& beyond);

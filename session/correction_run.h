@@ -10,46 +10,47 @@
 
 namespace raceway::session {
 
-/// Results of the corrections of a file on a record.
+/// Results of all corrections of a file on one record.
 struct CorrectionRun {
   SeriesQuestion asked{};
-  std::vector<results::Corrected> corrected{};  ///< of each displacement
+  std::vector<results::Corrected> corrected{};  ///< results of each displacement
   std::vector<record::Note> warnings{};
 
   [[nodiscard]] std::string json() const;
-  /// The rows as CSV.
+  /// Returns the rows as CSV.
   [[nodiscard]] std::string csv() const;
-  /// The report, as one page.
+  /// Returns the report as one HTML page.
   [[nodiscard]] std::string page() const;
 };
 
-/// Throws text::InputError for a record that does not allow it.
+/// Runs the corrections on the record. Throws text::InputError if the record does not allow it.
 [[nodiscard]] CorrectionRun correct(SeriesQuestion asked);
 
-/// Settings for learning from the readings of a record, as durations with their unit ("4h"); empty:
-/// default of LearningOptions.
+/// Settings for learning from the readings of a record. Durations are texts with a unit ("4h"); an
+/// empty text means the default of LearningOptions.
 struct LearningChoices {
   std::string every{}, forget{};
 
-  /// Checks the durations before anything is read. Throws text::InputError for a duration that is
-  /// none.
+  /// Checks the durations before any file is read. Throws text::InputError if a text is not a
+  /// duration.
   void check() const;
 };
 
-/// Results of learning for the corrections of a file.
+/// Results of learning for all corrections of a file.
 struct LearningRun {
   SeriesQuestion asked{};
-  std::vector<results::Learnt> learnt{};  ///< of each displacement
+  std::vector<results::Learnt> learnt{};  ///< results of each displacement
   std::vector<record::Note> warnings{}, notes{};
 
   [[nodiscard]] std::string json() const;
-  /// The rows as CSV.
+  /// Returns the rows as CSV.
   [[nodiscard]] std::string csv() const;
-  /// The file of the models with zero and gains as they stand at the end.
+  /// Returns the model file with zero and gains as learned at the end of the record.
   [[nodiscard]] std::string text() const;
 };
 
-/// Throws text::InputError for a record that does not allow it.
+/// Runs the corrections and learns from the readings. Throws text::InputError if the record does
+/// not allow it.
 [[nodiscard]] LearningRun learn(SeriesQuestion asked, const LearningChoices& choices);
 
 }  // namespace raceway::session

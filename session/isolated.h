@@ -7,8 +7,8 @@
 
 namespace raceway::session {
 
-/// Takes out readings of these channels that leave and return (fit/isolated_readings.h) from a
-/// record over time; says their lines, and puts that into the notes of the record.
+/// Removes isolated readings, which jump and return (fit/isolated_readings.h), from these channels
+/// of a time record. Messages and the notes of the record give their lines.
 void leave_out_isolated(Messages& messages, record::Record& data,
                         const std::vector<const record::Channel*>& channels);
 

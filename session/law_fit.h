@@ -11,20 +11,21 @@
 
 namespace raceway::session {
 
-/// The law of kinematic displacement, fitted to a curve.
+/// Law of kinematic displacement, fitted to a measured curve.
 struct LawFit {
   files::DisplacementCurve curve{};
   shaft::KinematicLawFit fit{};
   std::optional<results::LawAtSpeed> at{};
 
-  /// Quality of the fit in a sentence; `table` is the place of the table that replaces it.
+  /// Describes the quality of the fit in one sentence. `table` is the place of the table that
+  /// replaces a poor fit.
   [[nodiscard]] std::string statement(const std::string& table) const;
   [[nodiscard]] std::string json(const std::string& table) const;
 };
 
-/// Reads a curve of displacements over speeds and fits the law to it; `at_rpm`: a speed at which it
-/// is asked for, NaN without. Throws text::InputError: a curve of too few speeds, a speed where the
-/// law is not valid.
+/// Reads a curve of displacement over speed and fits the law to it. `at_rpm` is a speed at which
+/// the law is also evaluated; NaN means none. Throws text::InputError for a curve with too few
+/// speeds and for a speed at which the law is not valid.
 [[nodiscard]] LawFit fit_law(Messages& messages, const Source& curve, const Reading& reading,
                              double at_rpm);
 

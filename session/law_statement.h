@@ -6,8 +6,8 @@
 
 namespace raceway::session {
 
-/// Quality of a fitted law in a sentence or two; `table` is the place of the monotone table that
-/// replaces a law which does not follow its curve.
+/// Describes the quality of a fitted law in one or two sentences. `table` is the place of the
+/// monotone table that replaces a law with a poor fit.
 [[nodiscard]] std::string law_statement(const shaft::KinematicLawFit& fit,
                                         const std::string& table);
 

@@ -14,26 +14,27 @@
 #include "verdict/calibrate.h"
 #include "verdict/diagnose.h"
 
-/// The loop for the command, Python and programs, whatever a model file describes: the error of a
-/// model against measurements, the missing effect, the gain by adding it.
+/// Runs the loop for the command, Python and C++ programs: compares a model with measurements,
+/// finds the missing effect, and gives the gain from adding it. The functions accept every kind of
+/// model file.
 namespace raceway::session {
 
 /// A model with its measurements, ready for a fit.
 struct LoopQuestion {
   std::shared_ptr<const LoopModel> model;
   record::Record data{};
-  std::shared_ptr<const fit::Subject> subject{};  ///< as prepared for the fit
+  std::shared_ptr<const fit::Subject> subject{};  ///< model with its record, prepared for the fit
 
   [[nodiscard]] const std::string& source() const { return model->about().source; }
 };
 
-/// Opens both and gives notes on them. Throws text::InputError as open_loop_model(),
-/// LoopModel::read() and LoopModel::for_fit().
+/// Opens the model and the measurements and adds notes on them. Throws text::InputError like
+/// open_loop_model(), LoopModel::read() and LoopModel::for_fit().
 [[nodiscard]] LoopQuestion ask(Messages& messages, const Source& model,
                                const std::vector<Source>& data, const LoopOptions& options);
 
-/// Throws as the functions of fit, and text::InputError for a question that the data do not allow.
-/// `effects`: as people name them.
+/// Fits the model to the record. Throws like the functions of fit, and text::InputError if the data
+/// do not allow the question. `effects` contains the names that the user typed.
 [[nodiscard]] verdict::Calibration calibrate(const LoopQuestion& asked,
                                              const verdict::CalibrateOptions& options = {});
 [[nodiscard]] verdict::Diagnosis diagnose(const LoopQuestion& asked,
@@ -41,49 +42,50 @@ struct LoopQuestion {
 [[nodiscard]] verdict::AddResult add(const LoopQuestion& asked, const Names& effects);
 [[nodiscard]] std::vector<double> predict(const LoopQuestion& asked);
 
-/// The results as JSON, and as one page.
+/// Returns the results as JSON or as one HTML page.
 [[nodiscard]] std::string json(const LoopQuestion& asked, const verdict::Calibration& found);
 [[nodiscard]] std::string json(const LoopQuestion& asked, const verdict::Diagnosis& found);
 [[nodiscard]] std::string json(const LoopQuestion& asked, const verdict::AddResult& found);
 [[nodiscard]] std::string page(const LoopQuestion& asked, const verdict::Diagnosis& found);
 [[nodiscard]] std::string page(const LoopQuestion& asked, const verdict::AddResult& found);
 
-/// The texts of the models that a fit found.
+/// Returns the model files of a fit.
 [[nodiscard]] FittedTexts fitted_texts(const LoopQuestion& asked,
                                        const verdict::Calibration& found);
 
 /// Models compared with one record, in the order given.
 struct ComparedModels {
   record::Record data{};
-  Names names{};  ///< of the models, by their files
+  Names names{};  ///< file name of each model
   std::vector<ComparedModel> models{};
 
-  /// Comparisons of each model, by measured channel.
+  /// Returns the comparisons of each model, by measured channel.
   [[nodiscard]] std::vector<std::vector<verdict::Comparison>> errors() const;
   [[nodiscard]] std::string json() const;
-  /// The report, as one page.
+  /// Returns the report as one HTML page.
   [[nodiscard]] std::string page() const;
 };
 
-/// Compares them with the same rows, which are read by the columns and the sensor of the first.
-/// What `how` names, and what each record has for itself, is fitted before. Throws
-/// text::InputError, also for models of different kinds.
+/// Compares several models with the same rows. The column map and the sensor of the first model are
+/// used to read the data. The parameters named in `how`, and the parameters that each record has
+/// for itself, are fitted first. Throws text::InputError, for example if the models are of
+/// different kinds.
 [[nodiscard]] ComparedModels compare(Messages& messages, const std::vector<Source>& models,
                                      const std::vector<Source>& data, const CompareOptions& how,
                                      const LoopOptions& options);
 
-/// Suggests a table [columns] (TOML) that assigns the columns of a data file to channels; for a
-/// file with several corrections, for all of them.
+/// Suggests a table [columns] (TOML) that assigns the columns of a data file to channels. For a
+/// file with several corrections, the table covers all of them.
 [[nodiscard]] std::string suggested_columns(Messages& messages, const Source& model,
                                             const Source& data, LoopOptions options);
 
-/// Checks of a model and a record.
+/// Results of checking a model and a record.
 struct CheckedModel {
   LoopModel::About model{};
   record::Record data{};
   loop::Check check{};
   std::optional<correction::RecordCheck> over_time{};
-  std::vector<record::Note> notes{};  ///< of the model and of the record
+  std::vector<record::Note> notes{};  ///< notes on the model and the record
 
   [[nodiscard]] std::string json() const;
 };

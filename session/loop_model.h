@@ -31,38 +31,38 @@ class LoopModel;
 using LoopModels = std::vector<std::unique_ptr<LoopModel>>;
 using Names = std::vector<std::string>;
 
-/// Part of a file.
+/// Part of a model file.
 enum class Part { any, bearing, correction };
 
-/// Options of a question in addition to models and data.
+/// Options of a question in addition to model and data.
 struct LoopOptions {
   Reading reading{};
-  Names per_record{};  ///< parameters that each of several records has for itself
-  bool rows = false;   ///< rows of a logger stay apart, where dwells would be averaged
+  Names per_record{};  ///< parameters that are fitted separately for each record
+  bool rows = false;   ///< true keeps each row of a logger; false averages the rows of a dwell
   Tolerance tolerance{};
-  /// For a file with several parts: a column that the wanted part predicts.
+  /// A column that identifies the wanted part of a file with several parts.
   std::string channel{};
   Part part = Part::any;
   Defaults defaults = Defaults::count;
-  /// Changes the model of that place among several beyond its file; may be empty.
+  /// Changes the model at this place of the file after reading; may be empty.
   std::function<void(files::ModelFile&, std::size_t)> amend{};
 };
 
 /// Options for comparing models with a record.
 struct CompareOptions {
-  Names refit{};  ///< parameters that are fitted to it before
-  /// The constant that is subtracted from each run of a correction: "mean", "first" or "none".
+  Names refit{};  ///< parameters that are fitted to the record first
+  /// Constant that is subtracted from each run of a correction: "mean", "first" or "none".
   std::string zero = "mean";
 };
 
-/// Texts of the models that a fit found: one, or one for each record where records have values of
-/// their own.
+/// Model files of a fit: one file, or one for each record if the records have parameters of their
+/// own.
 struct FittedTexts {
-  Names records{};  ///< empty where one model holds for all
+  Names records{};  ///< names of the records; empty if one model covers all of them
   std::vector<std::string> texts{};
-  /// Numbers of the covariance that stand as corrected data, for which no covariance is written.
+  /// Names of corrected data for which the file contains no covariance.
   Names corrected_data{};
-  /// Effects of every text that no file can express, with their numbers.
+  /// Effects in the model that a file cannot express, with their parameters.
   struct OwnEffect {
     std::string id;
     std::vector<double> values;
@@ -73,23 +73,24 @@ struct FittedTexts {
 /// A model compared with a record.
 struct ComparedModel {
   std::shared_ptr<const fit::Subject> subject{};
-  std::vector<verdict::Comparison> errors{};   ///< by measured channel
-  std::optional<correction::Beyond> beyond{};  ///< of a correction: what its numbers never saw
+  std::vector<verdict::Comparison> errors{};  ///< comparison of each measured channel
+  /// for a correction: the inputs outside its training data
+  std::optional<correction::Beyond> beyond{};
   report::DrawnModel drawn{};
-  std::optional<report::ModelOfPage> facts{};  ///< of all else
+  std::optional<report::ModelOfPage> facts{};  ///< for all other models: their facts for the page
 };
 
-/// Contents of a file, opened for the loop: a bearing on its rig, the sets on a shaft, a spindle,
-/// or the correction of one displacement.
+/// A model file opened for the loop: a bearing on its rig, sets on a shaft, a spindle, or the
+/// correction of one displacement.
 class LoopModel {
  public:
-  /// Description of the file.
+  /// Description of the model file.
   struct About {
     std::string source;  ///< file name, for messages
     std::string name;
-    std::vector<files::UsedDefault> defaults{};  ///< that were used
+    std::vector<files::UsedDefault> defaults{};  ///< default values that were used
     std::vector<record::Note> notes{};
-    std::vector<files::NamedFile> files{};  ///< that it names
+    std::vector<files::NamedFile> files{};  ///< files that the model file names
   };
 
   explicit LoopModel(About about) : about_(std::move(about)) {}
@@ -98,41 +99,42 @@ class LoopModel {
   [[nodiscard]] const About& about() const { return about_; }
   [[nodiscard]] virtual std::shared_ptr<const fit::Subject> as_written() const = 0;
 
-  /// Reads measurements of it and of the models that it is compared with, and gives notes on them.
-  /// Several files are joined to one record. Throws text::InputError.
+  /// Reads measurements for this model and the models compared with it, and adds notes on the data.
+  /// Several files are joined to one record. Throws text::InputError for data that cannot be read.
   [[nodiscard]] virtual record::Record read(Messages& messages, const std::vector<Source>& data,
                                             const Reading& reading,
                                             const LoopModels& compared_with = {}) const = 0;
-  /// The subject as a fit takes it. Doubts about its inputs are messages and stand in the notes of
-  /// the record. Throws text::InputError for a fit that the record does not allow, and for
-  /// `per_record`.
+  /// Prepares the model and the record for a fit. Doubts about inputs appear as messages and in the
+  /// notes of the record. Throws text::InputError if the record does not allow the fit, or if
+  /// `per_record` is not valid.
   [[nodiscard]] virtual std::shared_ptr<const fit::Subject> for_fit(
       Messages& messages, record::Record& data, const Names& per_record) const = 0;
-  /// The effects that a person means by these names. Throws std::invalid_argument where one name
-  /// means several.
+  /// Returns the ids of the effects that the user named. Throws std::invalid_argument if a name is
+  /// ambiguous.
   [[nodiscard]] virtual Names meant(const Names& effects, const record::Record& data) const = 0;
 
-  /// Adds notes for a comparison with the first of several models. Throws text::InputError where
-  /// they cannot be compared.
+  /// Adds notes for a comparison with another model, `first`. Throws text::InputError if the two
+  /// models cannot be compared.
   virtual void stand_beside(Messages& messages, const LoopModel& first) const = 0;
-  /// Compares it with a record, after a fit of the parameters that `how` and `per_record` name.
-  /// Throws std::invalid_argument for a comparison that the record does not allow.
+  /// Compares the model with a record, after a fit of the parameters named in `how` and
+  /// `per_record`. Throws std::invalid_argument if the record does not allow the comparison.
   [[nodiscard]] virtual ComparedModel compared(Messages& messages, const record::Record& data,
                                                const CompareOptions& how,
                                                const Names& per_record) const = 0;
-  /// Checks of a record over time for it; none where its rows are no time series.
+  /// Checks a record as a time series for this model. The result is empty if the rows are not a
+  /// time series.
   [[nodiscard]] virtual std::optional<correction::RecordCheck> over_time(
       const record::Record& data) const = 0;
 
   /// Suggests a table [columns] that assigns the columns of a data file to channels.
   [[nodiscard]] virtual std::string suggested_columns(const Source& data) const = 0;
 
-  /// The report, as one page.
+  /// Returns the report as one HTML page.
   [[nodiscard]] virtual std::string page(const record::Record& data,
                                          const verdict::Diagnosis& found) const = 0;
   [[nodiscard]] virtual std::string page(const record::Record& data,
                                          const verdict::AddResult& found) const = 0;
-  /// The text of its file with the fitted values.
+  /// Returns the text of the model file with the fitted values.
   [[nodiscard]] virtual FittedTexts fitted_texts(const record::Record& data,
                                                  const verdict::Calibration& found) const = 0;
 
@@ -140,26 +142,27 @@ class LoopModel {
   About about_;
 };
 
-/// Description of a file with all its parts. Throws text::InputError as the readers.
+/// Describes a file with all its parts. Throws text::InputError like the readers.
 [[nodiscard]] LoopModel::About describe(Messages& messages, const Source& file,
                                         const LoopOptions& options);
 
-/// Names of the records that have values of their own; empty where one model holds for all.
+/// Names of the records with parameters of their own; empty if one model covers all records.
 [[nodiscard]] Names records_apart(const fit::Subject& subject);
 
-/// The subject fitted to a record, for a comparison after it. `names`: the parameters to fit.
-/// Throws std::invalid_argument for a fit that does not converge.
+/// Fits a model to a record before a comparison. `names` lists the parameters to fit. Throws
+/// std::invalid_argument if the fit does not converge.
 [[nodiscard]] verdict::Calibration refitted(Messages& messages, const fit::Subject& subject,
                                             const record::Record& data, const Names& names);
 
-/// Opens the requested part of a file, the `place`-th of several, and gives notes on it. Throws
-/// text::InputError as the readers and Tolerance, and for a file with several parts of which none
+/// Opens the requested part of a file, the `place`-th if there are several, and adds notes on it.
+/// Throws text::InputError like the readers and Tolerance, and if a file has several parts and none
 /// is chosen.
 [[nodiscard]] std::unique_ptr<LoopModel> open_loop_model(Messages& messages, const Source& file,
                                                          const LoopOptions& options,
                                                          std::size_t place = 0);
 
-/// Opens a file for a question that all its corrections answer alike: of several the first.
+/// Opens a file for a question with the same answer for all its corrections. It uses the first
+/// correction.
 [[nodiscard]] std::unique_ptr<LoopModel> open_any_correction(Messages& messages, const Source& file,
                                                              LoopOptions options);
 

@@ -7,12 +7,12 @@
 
 namespace raceway::session {
 
-/// Receives the notes on an answer: stderr of the command, the warnings of Python.
+/// Receives the notes on an answer: the command prints them on stderr, Python issues warnings.
 class Messages {
  public:
   virtual ~Messages() = default;
   virtual void hear(const record::Note& note) = 0;
-  /// A file that a model names and that is read, too.
+  /// Reports a file that a model file names and that is read as well.
   virtual void reads(const std::string&) {}
 
   void say(const record::Note& note) { hear(note); }

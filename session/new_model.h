@@ -9,25 +9,27 @@
 
 namespace raceway::session {
 
-/// A bearing to write a model of.
+/// Description of the bearing for a new model file.
 struct NewModel {
-  std::string bearing{};  ///< its designation
+  std::string bearing{};  ///< designation in the catalogue
   files::BearingOutline
-      outline{};  ///< of one that is in no catalogue; the material of the elements of any
-  double contact_angle = unset;  ///< of the same [deg]
-  /// "palmgren", "skf" or "contact"; empty: contact for balls on a rig, else palmgren.
+      /// outline of a bearing outside the catalogue; the element material applies to every bearing
+      outline{};
+  double contact_angle = unset;  ///< contact angle of a bearing outside the catalogue [deg]
+  /// Friction law: "palmgren", "skf" or "contact". Empty means contact for balls on a rig and
+  /// palmgren otherwise.
   std::string law{};
-  bool spindle = false;  ///< three of it in a spindle, in place of one on a rig
+  bool spindle = false;  ///< true: three of these bearings in a spindle; false: one on a rig
   std::string oil{};     ///< ISO VG grade (files/oil_grade.h); empty: a thin spindle oil
 };
 
-/// A commented model file with the defaults of its law. Throws text::InputError for a bearing that
-/// is not known and not described.
+/// Returns a commented model file with the default values of its law. Throws text::InputError if
+/// the bearing is neither in the catalogue nor described.
 [[nodiscard]] std::string new_model_text(Messages& messages, const NewModel& wanted);
 
-/// A commented model of a correction for the displacements of a record over time, with a channel
-/// for each of its temperatures (files/new_correction.h). What looks wrong in the record is warned
-/// of. Throws text::InputError as its reader, and for a record without a displacement.
+/// Returns a commented correction model for the displacements of a time record, with a channel for
+/// each temperature (files/new_correction.h). Suspicious readings in the record give warnings.
+/// Throws text::InputError like the reader, and for a record without a displacement.
 [[nodiscard]] std::string new_correction_text(Messages& messages, const Source& data,
                                               const Reading& reading);
 

@@ -13,48 +13,48 @@
 
 namespace raceway::session {
 
-/// Models that a command accepts.
+/// Kinds of model that a command accepts.
 enum class Accepts { rig, rig_or_shaft, shaft };
 
-/// Choice whether opening a model counts its defaults in a note. A command that lists them does not
-/// count them, nor does a second opening of the same model.
+/// Selects whether a note gives the number of default values in a model. Use `keep` for a command
+/// that lists the defaults, and for a second opening of the same model.
 enum class Defaults { count, keep };
 
-/// Says notes on a file, whose name begins each text.
+/// Sends notes on a file as messages. Each text begins with the name of the file.
 void say_of(Messages& messages, const std::string& source, std::vector<record::Note> notes);
 
-/// Reads a model, counts the defaults that were used, and gives notes on it. Throws
-/// text::InputError for a model that is not accepted.
+/// Reads a model and adds notes on it, one of them on the number of default values used. Throws
+/// text::InputError if the command does not accept this kind of model.
 [[nodiscard]] files::ModelFile open_model(Messages& messages, const Source& model,
                                           Accepts accepts = Accepts::rig,
                                           Defaults defaults = Defaults::count);
 
-/// Facts on a model for a page, with the numbers that it was used with.
+/// Returns facts about a model for a report page, with the numbers that were used.
 [[nodiscard]] report::ModelOfPage of_page(const files::ModelFile& file, const model::Model& used);
 
-/// Warns where the file says something of its bearing or solver that changes no digit of the
-/// friction torque: the law takes no account of it.
+/// Warns if the file gives data of bearing or solver that the friction law does not use, so that
+/// they change no digit of the friction torque.
 void warn_of_ignored_data(Messages& messages, const files::ModelFile& file);
 
-/// Reads measurements for a model, a coast-down turned into torque. Notes and doubts are messages
-/// and stand in the notes of the record.
+/// Reads measurements for a model. A coast-down is converted to torque. Notes and doubts appear as
+/// messages and in the notes of the record.
 [[nodiscard]] record::Record open_data(Messages& messages, const Source& data,
                                        const model::ModelSubject& subject,
                                        const files::ReadOptions& options);
 
-/// Reads one file or several, which are joined to one record, otherwise as open_data(). Each must
-/// fit the subject of the model; `model` is its file, for messages.
+/// Reads one or several files and joins them to one record, otherwise like open_data(). Each file
+/// must fit the subject of the model. `model` is the file name in messages.
 [[nodiscard]] record::Record open_records(Messages& messages, const std::vector<Source>& data,
                                           const std::string& model,
                                           const model::ModelSubject& subject,
                                           const files::ReadOptions& options);
 
-/// Puts the name of the model before what `fit` says of the data, and makes it an text::InputError.
+/// Rethrows an error of `fit` about the data as text::InputError, with the name of the model in
+/// front.
 [[noreturn]] void refuse_data(const std::string& model, const record::Record& data,
                               const std::invalid_argument& error);
 
-/// Adds to the messages of a result that its torques have an unknown factor, where the record says
-/// so.
+/// Adds a message to a result if the torques of the record have an unknown scale factor.
 void tell_of_scale(const record::Record& data, std::vector<record::Note>& messages);
 
 }  // namespace raceway::session

@@ -7,14 +7,14 @@
 
 namespace raceway::session {
 
-/// `--from 20h` and `--until 24h`: the readings of a record over time that count. All rows drive
-/// the model, whichever count.
+/// Period of a time record whose readings are used: `--from 20h` and `--until 24h`. Rows outside
+/// the period still drive the model.
 struct Period {
   std::string from, until;
 
   [[nodiscard]] bool is_given() const { return !from.empty() || !until.empty(); }
-  /// Takes readings of these displacements out that are outside, and notes how many are left.
-  /// Throws text::InputError: no time, none left.
+  /// Removes readings of these displacements outside the period, and adds a note on the number that
+  /// remains. Throws text::InputError if the record has no time or if no reading remains.
   void apply(record::Record& record, const std::vector<const record::Channel*>& measured) const;
 };
 

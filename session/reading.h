@@ -9,24 +9,24 @@
 
 namespace raceway::session {
 
-/// `--columns map.toml` and `--drop-nan` of a command that reads measurements.
+/// Options of a command that reads measurements: `--columns map.toml` and `--drop-nan`.
 struct Reading {
   std::string columns{};
-  std::string columns_text{};  ///< the map itself, in place of its file
+  std::string columns_text{};  ///< text of the column map, used instead of its file
   bool drop_nan = false;
-  std::vector<std::string> beside{};  ///< further files of the same record over time
-  Period period{};                    ///< declared where records over time are read
-  bool one_by_one =
-      false;  ///< readings come one after the other: none is judged by those behind it
+  std::vector<std::string> beside{};  ///< further files of the same time record
+  Period period{};                    ///< period of readings; only where time records are read
+  bool one_by_one = false;  ///< true: readings arrive one by one and later ones are unknown
 
-  /// Files of a question, with the files of --beside. Throws text::InputError where these are
-  /// several records.
+  /// Returns the files of a question together with the files of --beside. Throws text::InputError
+  /// if the question names several records.
   [[nodiscard]] std::vector<Source> sources(std::vector<Source> data) const;
-  /// Options for reading measurements: by the map of the flag, else by [columns] of the model.
-  /// Throws text::InputError for a period: rows of a friction rig are no course in time.
+  /// Returns the options for reading measurements: by the map of the flag, otherwise by [columns]
+  /// of the model. Throws text::InputError if a period is given, because the rows of a friction rig
+  /// are not a time series.
   [[nodiscard]] files::ReadOptions options(const files::ModelFile& model) const;
   [[nodiscard]] files::ReadOptions options(const files::ColumnMap& of_model) const;
-  /// As above, without a model.
+  /// Returns the options for reading without a model.
   [[nodiscard]] files::ReadOptions options() const;
 };
 

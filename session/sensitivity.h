@@ -12,56 +12,60 @@
 #include "session/wording.h"
 #include "spindle/spindle.h"
 
-/// Sensitivity of predictions to the data of a model.
+/// Computes the sensitivity of predictions to the data of a model.
 namespace raceway::session {
 
 struct SensitivityQuestion {
-  /// Words as "torque" or names of columns; empty: the torque of a bearing, the displacement of a
-  /// shaft or a spindle.
+  /// Predictions as words ("torque") or column names. Empty means the torque of a bearing and the
+  /// displacement of a shaft or spindle.
   std::vector<std::string> predictions{};
-  /// States: all combinations. Speeds are required; empty others come from the model.
+  /// States: Operating points: all combinations of these values. Speeds are required; other empty
+  ///         lists take the value of the model.
   std::vector<double> speeds_rpm{}, axial_loads_N{}, radial_loads_N{}, temperatures_C{};
-  bool steady = false;  ///< of a whole spindle, where its speed leads
+  bool steady = false;  ///< steady state of the whole spindle at its speed
   bool coolant_on = true;
-  /// Loads, room and coolant of a steady state, whose speed does not count; nothing: the model.
+  /// Loads, ambient and coolant of a steady state. Their speed is not used. Without a value, the
+  /// model gives them.
   std::optional<spindle::Inputs> inputs{};
   std::vector<files::SpreadText> spreads{};
-  /// Names of the data that are varied, or of tables with all that is in them; empty: all.
+  /// Names of the data to vary; the name of a table includes all its data. Empty means all data.
   std::vector<std::string> data{};
-  std::size_t samples = 0;  ///< of global indices; 0: none
+  std::size_t samples = 0;  ///< number of samples for the global indices; 0: no indices
   std::uint64_t seed = 1;
   Wording wording = Wording::flags;
-  /// Changes the model as read to the question, beyond its file.
+  /// Changes the model after reading, for questions that its file cannot express.
   std::function<void(files::ModelFile&)> amend{};
   const std::atomic<bool>* cancelled = nullptr;
-  std::function<void(double)> progress{};  ///< called with the share that is done
+  std::function<void(double)> progress{};  ///< receives the finished share
 };
 
-/// Predictions of a model that can be requested: words, and the columns that they stand for.
+/// Returns the predictions that can be requested from a model: each word with its column.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> sensitivity_words(
     const model::Model& model, bool steady);
 
-/// Derivatives of every prediction by every datum, and on request the indices of Sobol'.
+/// Returns the derivative of every prediction with respect to every datum and, on request, the
+/// Sobol' indices.
 ///
-/// A derivative is the central difference at two steps, h and h/2, extrapolated:
-/// (4 D(h/2) - D(h))/3; to one side where the model takes no value on the other. h is a tenth of
-/// 1 % of the datum, 0.1 K of a temperature, ten times that for a spindle, whose steady state is
-/// found by iterations; 1 of a count, without a second step.
+/// The derivative is the central difference at two steps, h and h/2, extrapolated: (4 D(h/2) -
+/// D(h))/3. It is one-sided if the model accepts no value on the other side. The step h is 0.1 % of
+/// the datum, or 0.1 K for a temperature. It is ten times larger for a spindle, whose steady state
+/// is found by iteration. A count has a step of 1 without a second step.
 ///
-/// Spreads: what the question gives; else sqrt(3) times the standard error that the model carries
-/// of a fitted number, which is half the width of the even distribution of that standard deviation;
-/// else 1 % of the value, 1 K of a temperature, 1 of a count. Global samples are even from value -
-/// spread to value + spread, independent of each other.
+/// Spreads: Spreads come from the question. Otherwise, the spread of a fitted number is sqrt(3)
+/// times its standard error, which is half the width of a uniform distribution with that standard
+/// deviation. All other data use 1 % of the value, 1 K for a temperature and 1 for a count. Global
+/// samples are uniform between value - spread and value + spread and independent of each other.
 ///
-/// Points are solved on all cores; neither their number nor their order changes a digit. Throws
-/// text::InputError for a wrong question, fit::Cancelled where `cancelled` is set meanwhile.
+/// Points are solved on all cores. Neither their number nor their order changes a digit. Throws
+/// text::InputError for an invalid question. Throws fit::Cancelled if `cancelled` is set during the
+/// calculation.
 [[nodiscard]] results::Sensitivity sensitivity(Messages& messages, const files::ModelFile& file,
                                                const SensitivityQuestion& question);
 
-/// "speed_rpm 6000, axial_load_N 300" of a state.
+/// Describes a state: "speed_rpm 6000, axial_load_N 300".
 [[nodiscard]] std::string words_of_state(const results::Sensitivity& s, std::size_t state);
 
-/// Predictions without a value, one line each.
+/// Returns one line for each prediction without a value.
 [[nodiscard]] std::vector<std::string> sensitivity_warnings(const results::Sensitivity& s);
 
 }  // namespace raceway::session

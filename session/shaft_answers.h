@@ -10,17 +10,18 @@
 
 namespace raceway::session {
 
-/// Warnings on bearings of a shaft that lose their inner contacts or fall below their minimum load,
-/// each with the range of speeds, found between the points, which rise in speed.
+/// Returns warnings on bearings of a shaft that lose their inner contacts or fall below their
+/// minimum load. Each warning gives the range of speeds, interpolated between the points. The
+/// points must rise in speed.
 [[nodiscard]] std::vector<std::string> shaft_warnings(
     const model::Model& model, std::span<const shaft::ShaftPoint> points,
     std::span<const shaft::ShaftPrediction> predictions);
 
-/// Reason why a point has not converged, in words.
+/// Explains why a point has not converged.
 [[nodiscard]] std::string shaft_problem(const model::Model& model,
                                         const shaft::ShaftPrediction& prediction);
 
-/// The band of position, torque and loss at every point.
+/// Returns the uncertainty band of position, torque and loss at every point.
 [[nodiscard]] results::BandOfResult shaft_band(const model::Band& band,
                                                std::span<const shaft::ShaftPoint> points);
 

@@ -13,7 +13,8 @@
 
 namespace raceway::session {
 
-/// The position of a shaft at several speeds. It refers to the file of its model.
+/// Position of a shaft at several speeds. The object refers to its model file, which must live
+/// longer.
 class ShaftCurve {
  public:
   ShaftCurve(const files::ModelFile& file, std::vector<shaft::ShaftPoint> points,
@@ -23,17 +24,18 @@ class ShaftCurve {
   [[nodiscard]] const std::vector<shaft::ShaftPrediction>& predictions() const {
     return predictions_;
   }
-  /// Half widths of the band; null where none was asked for.
+  /// Returns the half widths of the uncertainty band; null if no band was requested.
   [[nodiscard]] const results::BandOfResult* band() const { return band_ ? &*band_ : nullptr; }
   /// Returns true if every speed has a position and a torque.
   [[nodiscard]] bool converged() const;
-  /// Limits that are passed at the worst speed, unloaded bearings, and speeds without a value.
+  /// Warns of limits that are exceeded at the worst speed, of unloaded bearings, and of speeds
+  /// without a value.
   [[nodiscard]] std::vector<record::Note> warnings() const;
 
   [[nodiscard]] std::string json() const;
-  /// The rows as CSV.
+  /// Returns the rows as CSV.
   [[nodiscard]] std::string csv() const;
-  /// The report, as one page, with the kinematic law of the curve.
+  /// Returns the report as one HTML page, with the fitted kinematic law.
   [[nodiscard]] std::string page() const;
 
  private:

@@ -11,33 +11,34 @@
 
 namespace raceway::session {
 
-/// One bearing at one operating point, with all that is known of it there.
+/// Results for one bearing at one operating point.
 struct PointAnswer {
   bearing::SolveStatus status = bearing::SolveStatus::not_run;
-  /// All unset where the point has no balance, as the rest.
+  /// Friction results. Like all results, they are unset if the point has no balance.
   model::FrictionPrediction friction{};
-  /// Its report says how the search ended. Cylindrical rollers in balance are in `friction`.
+  /// Ball equilibrium with a report on how the solve ended. The equilibrium of cylindrical rollers
+  /// is in `friction`.
   bearing::BearingEquilibrium equilibrium{};
   friction::HeatSplit heat{};
-  std::string why{};  ///< not converged, in words
+  std::string why{};  ///< reason if the solve did not converge
 
   [[nodiscard]] bool converged() const { return status == bearing::SolveStatus::converged; }
 };
 
-/// Statement on a point without balance, for the end of its numbers: that none exists if that is
-/// certain, otherwise that none was found.
+/// Explains a point without balance: either no equilibrium exists for certain, or the solver found
+/// none.
 [[nodiscard]] std::string words_of_absence(const bearing::SolveReport& report,
                                            const bearing::OperatingPoint& point);
 
 [[nodiscard]] PointAnswer solve_point(const model::Model& model,
                                       const bearing::OperatingPoint& point);
 
-/// Limits that an answer passes; none without balance.
+/// Returns the limits that an answer exceeds; none without balance.
 [[nodiscard]] model::Findings judge(const model::Model& model, const bearing::OperatingPoint& point,
                                     const PointAnswer& answer);
 
-/// Notes on a converged answer: its findings, balls that may skid. Warnings: limits of running
-/// bearings, a shoulder that cuts an ellipse.
+/// Returns notes on a converged answer: its findings and balls that may skid. Limits of running
+/// bearings are warnings, and so is a contact ellipse that the shoulder cuts.
 [[nodiscard]] std::vector<record::Note> notes_on_point(const model::Model& model,
                                                        const bearing::OperatingPoint& point,
                                                        const PointAnswer& answer);

@@ -13,8 +13,8 @@
 
 namespace raceway::session {
 
-/// Numbers of a caller, read where they stand: by dimension the bytes from one to the next, 0 where
-/// one number holds for all. Without data the model says.
+/// Array of the caller, read in place. Each dimension gives the bytes from one number to the next;
+/// 0 means that one number is used for all. Without data, the model gives the value.
 struct NumberArray {
   const char* data = nullptr;
   std::vector<std::ptrdiff_t> strides{};
@@ -22,7 +22,7 @@ struct NumberArray {
   [[nodiscard]] bool given() const { return data != nullptr; }
 };
 
-/// Operating points side by side, as arrays of one shape in the units of files.
+/// Operating points as arrays of one shape, in the units of files.
 struct StateArrays {
   std::vector<std::size_t> shape;  ///< empty: one state
   NumberArray speed_rpm{}, axial_load_N{}, radial_load_N{}, temperature_C{}, moment_y_Nmm{},
@@ -34,48 +34,50 @@ struct StateArrays {
 /// Results of states, in the order of their arrays with the last dimension fastest.
 struct SolvedStates {
   std::vector<std::string> columns;  ///< names with their units; friction_torque_Nmm is the first
-  std::vector<double> values;        ///< one column behind the other; NaN where there is no value
+  std::vector<double> values;        ///< values column by column; NaN where a value is missing
   std::vector<bearing::SolveStatus> status;
 };
 
-/// Columns that solve_states() gives for a model.
+/// Returns the columns of solve_states() for a model.
 [[nodiscard]] std::vector<std::string> state_columns(const model::Model& model);
 
-/// Solves a bearing, or the sets on a shaft (axial loads are then external ones), at many states,
-/// on all cores. Neither the number of threads nor the other states change a digit.
+/// Solves a bearing or the sets on a shaft at many states on all cores. On a shaft, axial loads are
+/// external loads. Neither the number of threads nor the other states change a digit.
 ///
-/// `columns`: names of the requested columns; all where empty. With a `band` of the model its
-/// columns (band_columns()) follow. Loads and temperatures that are not given come from the model.
-/// Throws text::InputError: no speed, no load, a number out of its range (with its place in the
-/// array), an unknown column, radial loads or moments on a shaft; Cancelled where `cancelled` is
-/// set meanwhile. Memory: what is returned, and a block per thread.
+/// `columns` lists the requested columns; empty means all. With a `band` of the model, its columns
+/// (band_columns()) follow. The model gives loads and temperatures that are not passed. Throws
+/// text::InputError for a missing speed or load, for a number out of its range (with its place in
+/// the array), for an unknown column, and for radial loads or moments on a shaft. Throws Cancelled
+/// if `cancelled` is set during the calculation. Memory: the returned arrays and one block per
+/// thread.
 [[nodiscard]] SolvedStates solve_states(Messages& messages, const files::ModelFile& file,
                                         const StateArrays& states,
                                         const std::vector<std::string>& columns = {},
                                         const std::atomic<bool>* cancelled = nullptr,
                                         const model::Band* band = nullptr);
 
-/// All columns of one state by itself, with the 15 digits that `raceway solve` shows, with notes on
-/// it. Many states are solved side by side; docs/speed.md gives the difference.
-/// Throws as solve_states(), and for more than one state.
+/// Solves a single state and returns all columns with notes, with the 15 digits that `raceway
+/// solve` shows. Many states use a faster solver for several points at once; docs/speed.md gives
+/// the difference. Throws like solve_states(), and for more than one state.
 [[nodiscard]] SolvedStates solve_state(Messages& messages, const files::ModelFile& file,
                                        const StateArrays& states,
                                        const model::Band* band = nullptr);
 
-/// The operating point of arrays of one number each; throws as solve_states(), and for more.
+/// Returns the operating point of arrays with one number each. Throws like solve_states(), and for
+/// more than one number.
 [[nodiscard]] bearing::OperatingPoint single_state(Messages& messages, const files::ModelFile& file,
                                                    const StateArrays& states);
 
-/// Readings of a rig at states: the friction torque of all its bearings, as its sensor shows it.
+/// Predicted readings of a rig: the friction torque of all its bearings as the sensor shows it.
 struct PredictedStates {
-  std::vector<double> reading_Nmm;           ///< NaN where there is none
-  std::vector<bearing::SolveStatus> status;  ///< `not_finite` where only the reading is no number
+  std::vector<double> reading_Nmm;           ///< NaN where the state has no reading
+  std::vector<bearing::SolveStatus> status;  ///< `not_finite` if only the reading is not a number
 };
 
-/// Solves the readings of a rig at many states; no further column, so that balls are solved for
-/// only where the model needs them. Otherwise as solve_states(). Throws text::InputError also for a
-/// shaft, and for an effect that needs an input which states lack, a time or a temperature of a
-/// ring.
+/// Predicts the readings of a rig at many states. It computes no other columns and solves for the
+/// balls only if the model needs them. Arguments and results are otherwise as in solve_states().
+/// Throws text::InputError also for a shaft, and for an effect that needs a time or a ring
+/// temperature, which states do not contain.
 [[nodiscard]] PredictedStates predict_states(Messages& messages, const files::ModelFile& file,
                                              const StateArrays& states);
 

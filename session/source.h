@@ -9,7 +9,7 @@ namespace raceway::session {
 
 using files::Source;
 
-/// Files, by their paths.
+/// Returns files by their paths.
 [[nodiscard]] inline std::vector<Source> files(const std::vector<std::string>& paths) {
   return {paths.begin(), paths.end()};
 }

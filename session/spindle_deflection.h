@@ -17,22 +17,24 @@ inline constexpr text::NumberRange at_range{0.0, 1e5, "mm"};
 inline constexpr text::NumberRange moment_load_range{-1e5, 1e5, "N m"};
 
 struct DeflectionQuestion {
-  double force = 0.0;        ///< [N]; axial: positive towards the tool
-  bool axial = false;        ///< the force; else it is radial
-  double axial_force = 0.0;  ///< in addition to a radial one, positive towards the tool [N]
-  double moment = 0.0;  ///< at its place, positive as the force further in front, at the tool [N m]
-  double at = 0.0;      ///< behind the nose face [m]
-  double speed = 0.0;   ///< [rad/s]
-  bool warm = false;    ///< with the preload of the steady, warm spindle
-  bool coolant_on = true;                        ///< of the warm spindle
-  Wording wording = Wording::arguments;          ///< of errors
-  const std::atomic<bool>* cancelled = nullptr;  ///< as Simulator::stop_on()
+  double force = 0.0;  ///< [N]; an axial force is positive towards the tool
+  bool axial = false;  ///< true: the force is axial; false: it is radial
+  /// axial force in addition to a radial force, positive towards the tool [N]
+  double axial_force = 0.0;
+  /// moment at the force; positive like a force further forward, at the tool [N m]
+  double moment = 0.0;
+  double at = 0.0;         ///< distance of the force behind the nose face [m]
+  double speed = 0.0;      ///< [rad/s]
+  bool warm = false;       ///< true: uses the preload of the warm spindle at steady state
+  bool coolant_on = true;  ///< coolant of the warm spindle
+  Wording wording = Wording::arguments;          ///< naming of arguments in error messages
+  const std::atomic<bool>* cancelled = nullptr;  ///< cancels like Simulator::stop_on()
 };
 
-/// Throws text::InputError where nothing pushes, or loads do not go together.
+/// Throws text::InputError if all loads are zero or if the loads contradict each other.
 void check(const DeflectionQuestion& question);
 
-/// A shaft under a force.
+/// Deflection of a shaft under a force.
 struct SpindleDeflection {
   files::ModelFile file;
   BeamOfModel beam;
@@ -42,15 +44,15 @@ struct SpindleDeflection {
 
   [[nodiscard]] bool converged() const { return result.converged(); }
   [[nodiscard]] std::vector<std::string> notes() const;
-  /// Reason why there is none, or limits that it passes.
+  /// Returns the reason if there is no result, or the limits that it exceeds.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string json() const;
   [[nodiscard]] std::string csv() const;
   [[nodiscard]] std::string page() const;
 };
 
-/// Throws text::InputError as check(), for a model whose shaft has no segments, and for a shaft
-/// that would bend beyond what a beam is.
+/// Computes the deflection. Throws text::InputError like check(), for a model without shaft
+/// segments, and for a shaft that bends too far for beam theory.
 [[nodiscard]] SpindleDeflection spindle_deflection(const files::ModelFile& file,
                                                    const DeflectionQuestion& question);
 

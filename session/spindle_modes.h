@@ -14,15 +14,15 @@ namespace raceway::session {
 
 struct ModesQuestion {
   std::vector<double> speeds{};  ///< [rad/s]
-  bool warm = false;             ///< with the bearings of the steady, warm spindle
-  bool coolant_on = true;        ///< of the warm spindle
+  bool warm = false;             ///< true: uses the bearings of the warm spindle at steady state
+  bool coolant_on = true;        ///< coolant of the warm spindle
   int count = 6;
-  double damping_ratio = unset;                   ///< of every mode, as stated [1]
-  std::optional<spindle::Unbalance> unbalance{};  ///< of which the path of the nose is wanted
-  const std::atomic<bool>* cancelled = nullptr;   ///< as Simulator::stop_on()
+  double damping_ratio = unset;                   ///< damping ratio assigned to every mode [1]
+  std::optional<spindle::Unbalance> unbalance{};  ///< unbalance for the path of the nose
+  const std::atomic<bool>* cancelled = nullptr;   ///< cancels like Simulator::stop_on()
 };
 
-/// Modes of a shaft on its bearings against speed.
+/// Modes of a shaft on its bearings as functions of speed.
 struct SpindleModes {
   files::ModelFile file;
   BeamOfModel beam;
@@ -33,7 +33,7 @@ struct SpindleModes {
 
   [[nodiscard]] bool converged() const;
   [[nodiscard]] std::vector<std::string> notes() const;
-  /// The speeds that have no modes, and why, and limits that speeds pass.
+  /// Names the speeds without modes with the reason, and the limits that speeds exceed.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string json() const;
   [[nodiscard]] std::string csv() const;
@@ -41,7 +41,8 @@ struct SpindleModes {
   [[nodiscard]] std::string page() const;
 };
 
-/// Throws text::InputError for a model whose shaft has no segments, and too many speeds.
+/// Computes the modes. Throws text::InputError for a model without shaft segments and for too many
+/// speeds.
 [[nodiscard]] SpindleModes spindle_modes(const files::ModelFile& file,
                                          const ModesQuestion& question);
 

@@ -14,38 +14,41 @@
 
 namespace raceway::session {
 
-/// A spindle through a speed programme.
+/// Question for the simulation of a spindle over a speed programme.
 struct RunQuestion {
-  Source programme;  ///< CSV with time_s, speed_rpm and what else is known
+  Source programme;  ///< CSV with time_s, speed_rpm and further known columns
   Reading reading{};
-  std::optional<Source> start{};       ///< temperatures to begin with; none: all as the room
-  double ambient_temperature = unset;  ///< in every row [K]; NaN: its column, else the model
-  bool coolant_on = true;              ///< false: off in every row
-  bool mesh = true;                    ///< whether the estimate of the cells is wanted
-  bool assumptions = false;            ///< whether those that matter most are wanted
-  const std::atomic<bool>* cancelled = nullptr;  ///< as Simulator::stop_on()
+  /// initial temperatures; without them, all parts start at ambient temperature
+  std::optional<Source> start{};
+  /// ambient of every row [K]; NaN: the column of the row, otherwise the model
+  double ambient_temperature = unset;
+  bool coolant_on = true;    ///< false switches the coolant off in every row
+  bool mesh = true;          ///< true adds an estimate of the mesh error
+  bool assumptions = false;  ///< true adds the default values with the largest influence
+  const std::atomic<bool>* cancelled = nullptr;  ///< cancels like Simulator::stop_on()
 };
 
 struct SpindleRun {
   files::ModelFile file;
-  std::string programme{};  ///< its name
-  /// Rows of the programme. A run that ended early has a row more, at its end: spindle::add_end().
+  std::string programme{};  ///< name of the programme
+  /// Rows of the programme. A run that ended early has one more row at its end: spindle::add_end().
   std::vector<spindle::ProfileRow> profile{};
   std::optional<spindle::State> start{};
   spindle::Run run{};
   results::MeshEstimate mesh{};
-  results::Assumptions assumptions{};       ///< at the steady state of the highest speed
-  std::vector<spindle::FieldCell> field{};  ///< at the end
+  /// most influential defaults, at the steady state of the highest speed
+  results::Assumptions assumptions{};
+  std::vector<spindle::FieldCell> field{};  ///< temperature field at the end
   model::Findings findings{};
 
   [[nodiscard]] bool converged() const { return run.report.converged(); }
-  /// Rows of the programme, without an early end that stands behind them.
+  /// Returns the number of rows of the programme, without the row of an early end.
   [[nodiscard]] std::size_t rows_asked() const { return profile.size() - (run.has_end ? 1 : 0); }
   [[nodiscard]] std::size_t rows_reached() const {
     return run.moments.size() - (run.has_end ? 1 : 0);
   }
   [[nodiscard]] std::vector<std::string> notes() const { return model::notes_of(findings); }
-  /// Place and reason of an early end, and limits that it passes.
+  /// Gives the place and reason of an early end, and the limits that the run exceeds.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string json(bool with_assumptions = true) const;
   [[nodiscard]] std::string csv() const;
@@ -54,8 +57,9 @@ struct SpindleRun {
   [[nodiscard]] std::string field_csv() const;
 };
 
-/// Throws text::InputError for a model that is no spindle, a programme without time or speed, one
-/// of several runs or one that begins before 0 s, and a state of another spindle.
+/// Simulates a spindle. Throws text::InputError if the model is not a spindle, if the programme
+/// lacks time or speed, contains several runs or begins before 0 s, and if the initial state
+/// belongs to another spindle.
 [[nodiscard]] SpindleRun simulate_spindle(Messages& messages, const files::ModelFile& file,
                                           const RunQuestion& question);
 

@@ -8,50 +8,55 @@
 #include "record/note.h"
 #include "results/spindle_results.h"
 
-/// Steady states of a spindle, as they are asked for.
+/// Computes steady states of a spindle.
 namespace raceway::session {
 
 /// Throws text::InputError if the model does not describe a spindle.
 void require_spindle(const files::ModelFile& file);
 
-/// Throws text::InputError, with the name of the file, for one that cannot be mounted or meshed.
+/// Builds the simulator. Throws text::InputError with the file name if the spindle cannot be
+/// mounted or meshed.
 [[nodiscard]] spindle::Simulator simulator_of(const files::ModelFile& file);
 
-/// The steady state under these inputs with the cells of the model, compared with the next finer
-/// ones (of the finest, the next coarser). Not known of a network, and where either has none.
+/// Estimates the mesh error: compares the steady state with the cells of the model and with the
+/// next finer cells. The finest mesh is compared with the next coarser one. The estimate is empty
+/// for a network and if either state does not exist.
 [[nodiscard]] results::MeshEstimate mesh_estimate(const model::Model& model,
                                                   const spindle::Inputs& inputs,
                                                   const std::atomic<bool>* cancelled = nullptr);
-/// In words, a line.
+/// Describes the mesh error in one line.
 [[nodiscard]] std::string words(const results::MeshEstimate& mesh);
 
 struct SteadyQuestion {
   std::vector<double> speeds{};        ///< [rad/s]
-  double ambient_temperature = unset;  ///< [K]; NaN: of the model
+  double ambient_temperature = unset;  ///< [K]; NaN: value of the model
   bool coolant_on = true;
-  double axial_load = unset;   ///< at the nose, towards the tool [N]; NaN: of the model
-  double radial_load = 0.0;    ///< at the nose, in the direction of y [N]
-  double moment = 0.0;         ///< there, in the sense of a force further in front [N m]
-  double belt_force = unset;   ///< [N]; NaN: of the model
-  double motor_power = unset;  ///< that the motor takes [W], for formulas of heat
-  bool assumptions = false;    ///< whether those that matter most are wanted
-  const std::atomic<bool>* cancelled = nullptr;  ///< as Simulator::stop_on()
+  /// load at the nose, positive towards the tool [N]; NaN: value of the model
+  double axial_load = unset;
+  double radial_load = 0.0;    ///< load at the nose in the direction of y [N]
+  double moment = 0.0;         ///< moment at the nose, positive like a force further forward [N m]
+  double belt_force = unset;   ///< [N]; NaN: value of the model
+  double motor_power = unset;  ///< electrical input of the motor [W], for heat formulas
+  bool assumptions = false;    ///< true adds the default values with the largest influence
+  const std::atomic<bool>* cancelled = nullptr;  ///< cancels like Simulator::stop_on()
 };
 
 /// Steady states, one for each speed.
 struct SteadySpindle {
   files::ModelFile file;
   std::vector<results::SteadyState> states{};
-  std::vector<std::string> roller_notes{};  ///< what to know of roller bearings
+  std::vector<std::string> roller_notes{};  ///< notes on roller bearings
   results::MeshEstimate mesh{};
-  results::Assumptions assumptions{};  ///< at the last speed that has a state
+  /// most influential defaults, at the last speed with a steady state
+  results::Assumptions assumptions{};
   model::Findings findings{};
-  spindle::State end{};                     ///< of the last speed; nothing where it has none
-  std::vector<spindle::FieldCell> field{};  ///< the same, cell by cell
+  spindle::State end{};  ///< state of the last speed; empty if that speed has none
+  std::vector<spindle::FieldCell> field{};  ///< temperature field of the last speed, cell by cell
 
   [[nodiscard]] bool converged() const;
   [[nodiscard]] std::vector<std::string> notes() const;
-  /// The speeds that have no steady state, and why, and limits that the others pass.
+  /// Names the speeds without a steady state with the reason, and the limits that the others
+  /// exceed.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string json(bool with_assumptions = true) const;
   [[nodiscard]] std::string csv() const;
@@ -60,7 +65,7 @@ struct SteadySpindle {
   [[nodiscard]] std::string field_csv() const;
 };
 
-/// Throws text::InputError for a model that is no spindle.
+/// Computes the steady states. Throws text::InputError if the model is not a spindle.
 [[nodiscard]] SteadySpindle steady_spindle(const files::ModelFile& file,
                                            const SteadyQuestion& question);
 

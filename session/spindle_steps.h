@@ -24,70 +24,71 @@ inline constexpr text::NumberRange step_hours_range{0.1, 1000.0, "h"};
 
 struct StepQuestion {
   std::vector<double> speeds{};  ///< [rad/s], rising
-  /// Loads at the nose that step [N], rising, each at every speed of `load_speeds`, or at all
-  /// speeds where that is empty.
+  /// Load steps at the nose [N], rising. Each load is applied at every speed of `load_speeds`; if
+  /// that list is empty, at all speeds.
   std::vector<double> axial_loads{}, radial_loads{};
   std::vector<double> load_speeds{};  ///< [rad/s], rising
-  double duration = 4 * 3600.0;       ///< of each step [s]
+  double duration = 4 * 3600.0;       ///< duration of each step [s]
   bool coolant_on = true;
-  Wording wording = Wording::arguments;          ///< of errors and notes
-  const std::atomic<bool>* cancelled = nullptr;  ///< as Simulator::stop_on()
+  Wording wording = Wording::arguments;          ///< naming of arguments in errors and notes
+  const std::atomic<bool>* cancelled = nullptr;  ///< cancels like Simulator::stop_on()
 };
 
-/// Step responses of a spindle, simulated or read, with the laws K(P) and T(P) of all of them.
+/// Step responses of a spindle, simulated or read, with the common laws K(P) and T(P).
 struct SpindleSteps {
-  std::optional<files::ModelFile> file{};  ///< none where they were read without a model
-  std::string source{};                    ///< what they are of
+  std::optional<files::ModelFile> file{};  ///< empty if the responses were read without a model
+  std::string source{};                    ///< description of the origin
   spindle::StepResponses responses{};
   spindle::PowerLaws laws{};
   std::vector<record::Note> notes{};
-  double temperature_C = unset;  ///< of the lubricant, for the power of those that were read
+  double temperature_C = unset;  ///< lubricant temperature for the power of imported steps [C]
   bool coolant_on = true;
   bool simulated = false;
 
   [[nodiscard]] const model::Model* model() const { return file ? &file->model : nullptr; }
   [[nodiscard]] bool converged() const;
-  /// Number of step responses, of speeds and of loads.
+  /// Returns the number of step responses of speeds and loads.
   [[nodiscard]] std::size_t count() const;
-  /// The steps that have no response, and why.
+  /// Names the steps without a response with the reason.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string csv() const;
-  /// `error` of a correction over a programme, null where none was asked for.
+  /// `error` is the error of a correction over a programme; null if it was not requested.
   [[nodiscard]] std::string json(const results::Superposition* error = nullptr) const;
   [[nodiscard]] std::string page(const results::Superposition* error = nullptr,
                                  const std::string& programme = {}) const;
 };
 
-/// Throws text::InputError without a speed above 0 or with too many, and for speeds of loads
-/// without a load; std::invalid_argument for a model that is no spindle.
+/// Simulates the steps. Throws text::InputError without a speed above 0, for too many speeds, and
+/// for speeds of loads without a load. Throws std::invalid_argument if the model is not a spindle.
 [[nodiscard]] SpindleSteps simulated_steps(Messages& messages, const files::ModelFile& file,
                                            const StepQuestion& question);
 
-/// Step responses from load cases that were read; `file` may be null. Cases with a speed alone have
-/// the power of the model there, at a temperature of its lubricant [C]; NaN: the temperature of its
-/// rig.
+/// Returns step responses from imported load cases; `file` may be null. For a case with only a
+/// speed, the model gives the power at the lubricant temperature [C]; NaN means the temperature of
+/// its rig.
 [[nodiscard]] SpindleSteps imported_steps(const std::vector<files::LoadCase>& cases,
                                           const std::string& source, const files::ModelFile* file,
                                           double temperature_C);
 
-/// Options of a correction made of step responses.
+/// Options for a correction made from step responses.
 struct StepCorrectionQuestion {
-  std::string law = "curve";                     ///< of K and T: "curve", "power" or "line"
-  std::string lags = "auto";                     ///< delay elements: "one", "two" or "auto"
-  Wording wording = Wording::arguments;          ///< of notes
-  const std::atomic<bool>* cancelled = nullptr;  ///< as Simulator::stop_on()
+  std::string law = "curve";             ///< form of K and T: "curve", "power" or "line"
+  std::string lags = "auto";             ///< number of delay elements: "one", "two" or "auto"
+  Wording wording = Wording::arguments;  ///< naming of arguments in notes
+  const std::atomic<bool>* cancelled = nullptr;  ///< cancels like Simulator::stop_on()
 };
 
-/// The correction that these step responses make. Throws std::invalid_argument where they make
-/// none.
+/// Returns the correction that the step responses determine. Throws std::invalid_argument if they
+/// do not determine one.
 [[nodiscard]] correction::Model correction_of_steps(Messages& messages, const SpindleSteps& steps,
                                                     const StepCorrectionQuestion& question);
 
-/// Names of the channels that the loads of a question give a correction.
+/// Returns the names of the correction channels for the loads of a question.
 [[nodiscard]] std::vector<std::string> load_channels(const StepQuestion& question);
 
-/// Compares a correction of them with the full simulation, over a programme of speeds and loads,
-/// read as a spindle record. Throws std::invalid_argument as results::superposition().
+/// Compares a correction from step responses with the full simulation over a programme of speeds
+/// and loads. The programme is read as a spindle record. Throws std::invalid_argument like
+/// results::superposition().
 [[nodiscard]] results::Superposition superposition_of_steps(
     Messages& messages, const SpindleSteps& steps, const correction::Model& correction,
     const Source& programme, const std::atomic<bool>* cancelled = nullptr);

@@ -11,14 +11,14 @@
 
 namespace raceway::session {
 
-/// "6000 rpm", "-500 N axial at 6000 rpm", or the name of a load case.
+/// Returns "6000 rpm", "-500 N axial at 6000 rpm", or the name of a load case.
 [[nodiscard]] std::string name_of(const spindle::StepResponse& step);
 
-/// Friction loss of all bearings of a shaft at a speed and a temperature [C]; NaN: the temperature
-/// of the rig [W]. Throws std::invalid_argument where it does not balance.
+/// Returns the friction loss of all bearings of a shaft [W] at a speed and a temperature [C]. NaN
+/// means the temperature of the rig. Throws std::invalid_argument if the point has no balance.
 [[nodiscard]] double friction_power(const model::Model& model, double speed, double temperature);
 
-/// Displacement by the bearing sets alone at a speed [m].
+/// Returns the displacement by the bearing sets alone at a speed [m].
 [[nodiscard]] double kinematic_at(const model::Model& model, double speed);
 
 /// Parts of a correction that step responses do not determine: power over speed, and instant
@@ -29,9 +29,9 @@ struct StepParts {
   std::vector<std::string> notes = {};
 };
 
-/// Powers come from the steps if these have speeds, else from the friction of the model up to the
-/// largest of them. The kinematic law comes from the model, else from the instant parts of the
-/// steps. `model` may be null.
+/// Powers come from the steps if these give speeds. Otherwise they come from the friction of the
+/// model, up to the largest power of the steps. The kinematic law comes from the model, otherwise
+/// from the instant parts of the steps. `model` may be null.
 [[nodiscard]] StepParts step_parts(const spindle::StepResponses& responses,
                                    const model::Model* model, double temperature);
 

@@ -8,9 +8,9 @@
 #include "model/model.h"
 #include "shaft/shaft_prediction.h"
 
-/// Columns of a table in addition to the torque: for a bearing its moments, angles and pressures,
-/// for a shaft the same for every bearing. The position comes last. For single states a bearing has
-/// stiffness and ball loads, too.
+/// Columns of a table in addition to the torque. A bearing has moments, angles and pressures; a
+/// shaft has these columns for every bearing. The last column is the position. Single states of a
+/// bearing also have stiffness and ball loads.
 namespace raceway::session {
 
 enum class Columns { of_tables, of_states };
@@ -18,11 +18,11 @@ enum class Columns { of_tables, of_states };
 [[nodiscard]] std::vector<std::string> table_columns(const model::Model& model,
                                                      Columns which = Columns::of_tables);
 
-/// Fills the columns, the torque and the status of some points; safe from several threads.
+/// Fills the columns, the torque and the status of several points; safe from several threads.
 void fill_table_line(const model::Model& model, std::span<const bearing::OperatingPoint> points,
                      std::span<friction::TablePoint> out, Columns which = Columns::of_tables);
 
-/// Fills the columns of a single state whose prediction is there.
+/// Fills the columns of a single state from its prediction.
 void fill_state(const model::Model& model, const bearing::OperatingPoint& point,
                 const model::FrictionPrediction& prediction, friction::TablePoint& out);
 void fill_shaft_state(const model::Model& model, const shaft::ShaftPrediction& prediction,

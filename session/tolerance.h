@@ -11,19 +11,20 @@
 
 namespace raceway::session {
 
-/// `--tolerance 2um,0.5K` of a command: errors that do not matter to the user of the model.
+/// Tolerances of the option `--tolerance 2um,0.5K`: errors that are small enough for the user of
+/// the model.
 struct Tolerance {
   std::string text;
 
-  /// Gives them to the model, for this run. The unit says which measured channels are meant.
-  /// Throws text::InputError: no number with a unit, a unit in which nothing is measured, a channel
-  /// that has a tolerance already.
+  /// Sets the tolerances in the model for this run. The unit selects the measured channels. Throws
+  /// text::InputError for a number without a unit, for a unit without a measured channel, and for a
+  /// channel that already has a tolerance.
   void set(files::ModelFile& file) const;
   void set(correction::Model& model, const std::string& source) const;
 
  private:
   using Set = std::function<void(const record::Channel&, double)>;
-  /// `table`: where the file has its own.
+  /// `table` is the place where the file gives its own tolerance.
   void set(const std::vector<fit::Measured>& measured, const std::string& source,
            std::string_view table, const Set& take) const;
 };

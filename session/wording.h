@@ -4,10 +4,10 @@
 
 namespace raceway::session {
 
-/// Naming of arguments in messages: by the flags of the command or the arguments of a function.
+/// Naming of arguments in messages: by the flags of the command or by the arguments of a function.
 enum class Wording { flags, arguments };
 
-/// "--moment" or "moment_Nm".
+/// Returns "--moment" or "moment_Nm".
 [[nodiscard]] inline std::string named(Wording wording, const char* flag, const char* argument) {
   return wording == Wording::flags ? flag : argument;
 }
