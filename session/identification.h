@@ -18,7 +18,7 @@ namespace raceway::session {
 
 /// Command-line options of `raceway identify` in addition to model and record.
 struct IdentifyChoices {
-  std::string order = "1:3";  ///< sections of each channel: "2" or "1:3"
+  std::string order = "1:3";  ///< number of sections of each channel, "2", or a range, "1:3"
   /// columns allowed as inputs; "all": every column that varies
   std::vector<std::string> inputs{};
   /// time constants of a bank [s]; "auto" chooses them; empty: sections

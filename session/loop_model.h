@@ -77,7 +77,8 @@ struct ComparedModel {
   /// for a correction: the inputs outside its training data
   std::optional<correction::Beyond> beyond{};
   report::DrawnModel drawn{};
-  std::optional<report::ModelOfPage> facts{};  ///< for all other models: their facts for the page
+  /// facts for the report page of all models that are not corrections
+  std::optional<report::ModelOfPage> facts{};
 };
 
 /// A model file opened for the loop: a bearing on its rig, sets on a shaft, a spindle, or the

@@ -24,8 +24,8 @@ struct SensitivityQuestion {
   std::vector<double> speeds_rpm{}, axial_loads_N{}, radial_loads_N{}, temperatures_C{};
   bool steady = false;  ///< steady state of the whole spindle at its speed
   bool coolant_on = true;
-  /// Loads, ambient and coolant of a steady state. Their speed is not used. Without a value, the
-  /// model gives them.
+  /// Loads, ambient and coolant of a steady state. Their speed is not used. If `inputs` is empty,
+  /// the model gives the loads, ambient and coolant.
   std::optional<spindle::Inputs> inputs{};
   std::vector<files::SpreadText> spreads{};
   /// Names of the data to vary; the name of a table includes all its data. Empty means all data.

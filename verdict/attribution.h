@@ -11,93 +11,97 @@
 
 namespace raceway::verdict {
 
-/// The model with one to three candidates, refitted with all base parameters free.
+/// The base model extended by one to three candidates, with all base parameters refitted.
 struct Explanation {
   std::vector<std::size_t> members{};  ///< indices into Problem::candidates, rising
-  fit::Response response{};            ///< empty where the law is bent
+  fit::Response response{};            ///< response of the extended model; empty for a bent law
   fit::ResponseFit fit{};
-  std::vector<record::Parameter> parameters{};  ///< base, then the parameters of the members
-  double gain = unset;  ///< fall of -2 ln L against the base, less ln N for each shape that is free
-  bool ran_away = false;  ///< not converged, as its size left all bounds of belief
-  /// Starts of the whole fit where this one is coarse; empty where it is whole.
+  /// base parameters, then the parameters of the candidates
+  std::vector<record::Parameter> parameters{};
+  double gain = unset;  ///< fall of -2 ln L against the base model, minus ln N for each free shape
+  bool ran_away = false;  ///< true if the fit diverged and the size left its plausible bounds
+  /// Start values of the full fit if this fit is coarse; empty after a full fit.
   std::vector<Eigen::VectorXd> starts{};
-  Gate recheck{};  ///< of the residuals, against the rest of the catalogue
+  Gate recheck{};  ///< gate on the residuals, with the remaining catalogue
   bool rechecked = false;
-  double least_loss = unset;  ///< rise of -2 ln L when the least of several members is dropped
-  bool elastic = false;       ///< with exponents that bend the law
-  /// Exponents of every factor of the subject, by its name; 0 where it does not vary.
+  double least_loss = unset;  ///< rise of -2 ln L without the weakest of several candidates
+  bool elastic = false;       ///< true if exponents bend the law
+  /// Exponent of every factor of the subject, by name; 0 if the factor does not vary.
   std::vector<record::NamedValue> exponents{};
-  std::size_t free_exponents = 0;  ///< number of those that were free
-  /// True if an exponent ended at the limit to which the law may be bent.
+  std::size_t free_exponents = 0;  ///< number of free exponents
+  /// Returns true if an exponent reached its bound.
   [[nodiscard]] bool bent_to_a_bound() const;
 };
 
-/// All that is needed to hold an extended model against the data, and the fits made so far.
+/// Extends the base model by candidates, refits it and keeps the fits made so far.
 class Attribution {
  public:
   explicit Attribution(const Evidence& evidence);
 
   [[nodiscard]] const Gate& gate() const { return gate_; }
-  /// Column of the gate's scores at which a candidate's begin, and how many it has.
+  /// Returns the first column and the number of columns of a candidate among the scores of the
+  /// gate.
   [[nodiscard]] std::pair<Eigen::Index, Eigen::Index> score_range(std::size_t candidate) const;
-  /// Length of each score off the base, the least under all shapes of the noise that the readings
-  /// allow [1].
+  /// Returns the length of each score after projection of the base parameters [1]: the smallest
+  /// value over all noise shapes that the readings allow.
   [[nodiscard]] Eigen::VectorXd least_lengths() const;
-  /// Length that a score must have to alarm the gate in 99 of 100 cases.
+  /// Returns the length at which a score raises the alarm of the gate in 99 of 100 cases.
   [[nodiscard]] double length_found() const;
-  /// Largest visibility of its scores.
+  /// Returns the largest visibility of the candidate's scores.
   [[nodiscard]] double visibility(std::size_t candidate) const;
 
-  /// Refits one candidate or more from two or more starts.
+  /// Refits one or several candidates from at least two starts.
   [[nodiscard]] Explanation refit(const std::vector<std::size_t>& members,
                                   const std::vector<Eigen::VectorXd>& extra_starts = {}) const;
-  /// Every testable, visible candidate alone; best first.
+  /// Returns every testable and visible candidate on its own; best first.
   [[nodiscard]] std::vector<Explanation> singles() const;
-  /// Pairs that may beat the best single, refitted; best first. All are weighed linearised, those
-  /// within reach of the best are refitted, most of them coarsely: see refine().
+  /// Returns refitted pairs that may beat the best single candidate; best first. All pairs are
+  /// rated by their linearised gain. Pairs close to the best one are refitted, most of them
+  /// coarsely: see refine().
   [[nodiscard]] std::vector<Explanation> pairs(const std::vector<Explanation>& singles,
                                                const std::function<bool()>& cancelled) const;
-  /// Triples that may beat the best pair, from the best pairs and one candidate more, refitted as
-  /// pairs are; best first.
+  /// Returns triples that may beat the best pair; best first. They combine the best pairs with one
+  /// more candidate and are refitted like pairs.
   [[nodiscard]] std::vector<Explanation> triples(const std::vector<Explanation>& pairs,
                                                  const std::vector<Explanation>& singles,
                                                  const std::function<bool()>& cancelled) const;
-  /// Makes the coarse fits whole that may come within `reach` of the gain of the best, and the fits
-  /// of pairs that triples() goes on from; best first.
+  /// Repeats coarse fits as full fits if their gain may come within `reach` of the best gain. It
+  /// also repeats the pairs that triples() starts from. The list is then sorted, best first.
   void refine(std::vector<Explanation>& list, double reach) const;
-  /// The law of one candidate bent by powers of the subject's factors within +-0.2.
+  /// Bends the law of one candidate by powers of the subject's factors, with exponents within
+  /// +-0.2.
   [[nodiscard]] Explanation elastic(const Explanation& single) const;
-  /// The gate again on an extended model.
+  /// Applies the gate to an extended model.
   void recheck(Explanation& explanation) const;
 
  private:
-  /// Directions in which candidates change the readings, as pairs are weighed.
+  /// Directions in which candidates change the readings, used to rate pairs.
   struct Directions {
     std::vector<std::size_t> owner{};
     std::vector<bool> one_sided{};
-    Eigen::MatrixXd columns{};  // whitened, off the base
+    Eigen::MatrixXd columns{};  // whitened, base parameters projected off
   };
   [[nodiscard]] Directions directions(const std::vector<Explanation>& singles) const;
   using Members = std::pair<std::size_t, std::size_t>;
-  /// Linearised gains of pairs, negative, the best first.
+  /// Returns the negative linearised gains of pairs, best first.
   [[nodiscard]] std::vector<std::pair<double, Members>> weigh_pairs(
       const std::vector<Explanation>& singles) const;
-  /// One more candidate, the sizes of all started whole and halved; a coarse fit unless that is
-  /// worse than either of them.
+  /// Adds one candidate and starts from the full and from half the sizes of all candidates. The fit
+  /// is coarse, unless a coarse fit is worse than both given ones.
   [[nodiscard]] Explanation refit_together(const Explanation& first,
                                            const Explanation& single) const;
-  /// True for a datum that may be wrong.
+  /// Returns true for a candidate that corrects a datum.
   [[nodiscard]] bool is_datum(std::size_t member) const;
   [[nodiscard]] bool has_datum(const Explanation& e) const;
-  /// Values of the parameters of a member.
+  /// Returns the parameter values of one candidate.
   [[nodiscard]] Eigen::VectorXd values_of(const Explanation& e, std::size_t member) const;
-  /// Gain of a fit, or why there is none.
+  /// Computes the gain of a fit, or the reason why it has none.
   void judge(Explanation& e) const;
   [[nodiscard]] std::vector<Eigen::VectorXd> starts(std::span<const fit::Screened* const> on,
                                                     const fit::Response& response) const;
   [[nodiscard]] std::vector<const fit::Screened*> screened(
       const std::vector<std::size_t>& members) const;
-  /// The gate on a fit, without the scores of these candidates.
+  /// Applies the gate to a fit, without the scores of the listed candidates.
   [[nodiscard]] Gate gate_on(const fit::ResponseFit& fit,
                              const std::vector<std::size_t>& without) const;
 

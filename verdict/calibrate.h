@@ -23,63 +23,67 @@ struct ChannelError {
 };
 
 struct Calibration {
-  std::shared_ptr<const fit::Subject> subject{};  ///< with the fitted values
+  std::shared_ptr<const fit::Subject> subject{};  ///< model with the fitted values
   std::vector<record::Parameter> parameters{};    ///< free parameters
-  Eigen::MatrixXd correlation{};  ///< of the estimates, NaN where there is no standard error
+  Eigen::MatrixXd correlation{};  ///< correlation of the estimates; NaN without a standard error
   int rows = 0;                   ///< used
-  std::vector<std::size_t> rows_not_predicted{};  ///< rows of the record, not used
-  int degrees_of_freedom = 0;                     ///< readings minus parameters that moved
-  /// χ²/degrees of freedom against the noise of the data; NaN where that is not known [1]
+  std::vector<std::size_t> rows_not_predicted{};  ///< rows of the record that were not used
+  int degrees_of_freedom = 0;  ///< number of readings minus number of parameters that moved
+  /// χ²/degrees of freedom for the noise of the data [1]; NaN if the noise is unknown.
   double reduced_chi_square = unset;
   fit::Likelihood likelihood{};
-  /// Factor by which standard errors and intervals are widened; NaN where there are none [1].
+  /// Factor that widens standard errors and intervals [1]; NaN if there are none.
   double error_factor = unset;
-  std::vector<fit::ProfileInterval> profile{};  ///< by parameter, where it was asked for
+  /// profile interval of each parameter, if requested
+  std::vector<fit::ProfileInterval> profile{};
   std::vector<ChannelError> channels{};
   int iterations = 0;
   fit::FitStatus status = fit::FitStatus::not_run;
-  std::vector<record::Note> messages{};  ///< for the user
-  /// Held-out error [SI] and correlation time of the residuals [s], for a subject that only
-  /// approximates; NaN where not known.
+  std::vector<record::Note> messages{};  ///< messages for the user
+  /// Held-out error [SI] and correlation time of the residuals [s] of a model that only
+  /// approximates. NaN if unknown.
   double rms_held_out = unset, correlation_time = unset;
 
   [[nodiscard]] bool converged() const { return status == fit::FitStatus::converged; }
 };
 
 struct CalibrateOptions {
-  bool profile = false;  ///< also the intervals of the parameters, Calibration::profile
+  /// true adds the profile intervals of the parameters, Calibration::profile
+  bool profile = false;
 };
 
-/// Re-fits the free parameters of a subject to a record, within their bounds.
+/// Fits the free parameters of a subject to a record, within their bounds.
 ///
 ///   minimise |W (y - f(x))|²
 ///
-/// with the noise by which diagnose() and add() weigh the readings as well, so that all three give
-/// one parameter one value. Where the data cannot tell their noise (few rows, no scatter), declared
-/// standard deviations weigh them, with a common scatter added where the misfit exceeds them
-/// [PauleMandel1982]; without any all readings weigh alike. Rows that cannot be predicted are left
-/// out and listed.
+/// The weights W come from the noise that diagnose() and add() use too, so all three give the same
+/// value of a parameter. If the data do not determine their noise (few rows, no scatter), the
+/// declared standard deviations are the weights. A common scatter is added if the misfit exceeds
+/// them [PauleMandel1982]. Without declared deviations, all readings have equal weight. Rows that
+/// cannot be predicted are left out and listed.
 ///
-/// Standard errors follow from the linearised problem, sqrt(diag (JᵀWᵀWJ)^-1), widened by
-/// sqrt(χ²/degrees of freedom) where the misfit exceeds the noise beyond chance (1 %). They do not
-/// cover what a missing effect does to the values. Intervals by profile likelihood are of the same
-/// noise and as wide: where -2 ln L rises by 3.84 times the square of that factor.
+/// Standard errors follow from the linearised problem, sqrt(diag (JᵀWᵀWJ)^-1). They are widened by
+/// sqrt(χ²/degrees of freedom) if the misfit exceeds the noise significantly (1 %). They do not
+/// include the bias from a missing effect. Profile-likelihood intervals use the same noise and the
+/// same factor: they end where -2 ln L rises by 3.84 times its square.
 ///
-/// A parameter that the data cannot tell from those before it in the list is held at its start; all
-/// of the group are marked not identifiable. So is, and held at its start too, one that the fit
-/// carries to where its standard error exceeds the range of its bounds: what such a value would be
-/// says nothing. Throws std::invalid_argument: a record of something else, unknown parameter, fewer
-/// readings than parameters. Not of a subject that only approximates: see loop/loop.h.
+/// If the data cannot separate a parameter from earlier parameters in the list, it is held at its
+/// start value, and all parameters of the group are marked not identifiable. A parameter is also
+/// held at its start value if its fitted standard error exceeds the range of its bounds, because
+/// such a value has no meaning. Throws std::invalid_argument for a record of another kind of
+/// subject, for an unknown parameter, and for fewer readings than parameters. Models that only
+/// approximate need loop/loop.h instead.
 [[nodiscard]] Calibration calibrate_by_noise(const fit::Subject& subject,
                                              const record::Record& record,
                                              const CalibrateOptions& options = {});
 
-/// Covariance of the parameters with a standard error; names and values as in the calibration.
-/// Empty if none has one.
+/// Returns the covariance of the parameters with a standard error. Names and values are those of
+/// the calibration. The result is empty if no parameter has a standard error.
 [[nodiscard]] std::optional<fit::Covariance> covariance_of(const Calibration& calibration);
 
-/// Calibration from a fit of the free parameters `response.parameters` made elsewhere: values,
-/// errors, correlation. `before`: readings without the fit; `whitening`: noise of the data.
+/// Builds a calibration from an existing fit of the free parameters `response.parameters`: values,
+/// errors and correlation. `before` contains the readings predicted without the fit; `whitening` is
+/// the noise of the data.
 [[nodiscard]] Calibration calibration_of(std::shared_ptr<const fit::Subject> fitted,
                                          const fit::Response& response, const fit::ResponseFit& fit,
                                          const fit::Observations& observed,

@@ -11,11 +11,13 @@
 
 namespace raceway::verdict {
 
-/// Error within one range of one input, or of one run; a level of it where the data have few.
+/// Error within one range of one input, or in one run. If the data have few levels of the input,
+/// each range is one level.
 struct ErrorRange {
   const record::Channel* channel = nullptr;
-  double from = unset, to = unset;  ///< smallest and largest value within [SI]; index of a run
-  std::string run{};  ///< run_id, or name of a record or of a group; empty for all else
+  /// smallest and largest value in the range [SI]; index of the run
+  double from = unset, to = unset;
+  std::string run{};  ///< run_id, or name of a record or group; empty for ranges of an input
   int rows = 0;
   double rmse = unset;  ///< SI
   double bias = unset;  ///< mean of prediction minus reading [SI]
@@ -23,43 +25,45 @@ struct ErrorRange {
   [[nodiscard]] bool is_run() const { return channel->role == record::Role::run; }
 };
 
-/// One row, prediction against reading [SI].
+/// Prediction and reading of one row [SI].
 struct RowError {
   std::size_t row = 0;  ///< index into the record
-  int line = 0;         ///< for people: Record::line()
+  int line = 0;         ///< line number for messages: Record::line()
   double predicted = unset;
   double measured = unset;
   double residual = unset;  ///< prediction minus reading
-  double std = unset;       ///< of the reading, NaN where that is not known
+  double std = unset;       ///< standard deviation of the reading; NaN if unknown
   double sigmas = unset;    ///< residual over standard deviation [1]
 };
 
-/// Test whether the misfit is larger than the noise.
+/// Tests whether the misfit is larger than the noise.
 ///   declared or regression   statistic = χ²/degrees of freedom, χ² distribution
 ///   repeats                  statistic = F, lack of fit over pure error, F distribution
 ///   none                     NaN
 struct LackOfFit {
   double statistic = unset;
   double p_value = unset;
-  int degrees_of_freedom = 0;        ///< rows (or groups of repeats) minus fitted parameters
-  int noise_degrees_of_freedom = 0;  ///< of the pure error, 0 where the noise is declared
+  int degrees_of_freedom = 0;  ///< number of rows (or groups of repeats) minus fitted parameters
+  /// degrees of freedom of the pure error; 0 if the noise is declared
+  int noise_degrees_of_freedom = 0;
 };
 
-/// Correlation of the errors of neighbours in the swept setting; needs no noise. Rows are sorted by
-/// run and all other settings, then by the swept one (by time where there is none); correlation =
-/// mean product of neighbours over mean square, for pure noise about normal with a variance of
-/// 1/pairs. p is one-sided. It also rises where the noise itself drifts along the run.
+/// Correlation between errors of neighbouring rows along the swept input; it needs no estimate of
+/// the noise. Rows are sorted by run and all other settings, then by the swept setting (or by time
+/// if there is none). The correlation is the mean product of neighbouring errors over their mean
+/// square. For pure noise it is about normal with variance 1/pairs. The p-value is one-sided. Noise
+/// that drifts along a run also increases the correlation.
 struct Pattern {
   const record::Channel* along = nullptr;
-  double correlation = unset;  ///< in [-1, 1], NaN below 8 pairs
+  double correlation = unset;  ///< in [-1, 1]; NaN with fewer than 8 pairs
   double p_value = unset;
   int pairs = 0;
 };
 
 enum class Judgement {
-  structure,  ///< p < 0.01 in the lack-of-fit test, or in the pattern where the noise is unknown
+  structure,  ///< p < 0.01 in the lack-of-fit test, or in the pattern if the noise is unknown
   noise,      ///< the misfit is no larger than the noise
-  unknown     ///< the noise is not known, and no pattern shows
+  unknown     ///< the noise is unknown and the errors show no pattern
 };
 
 /// Comparison of a model with the readings of one channel. Residuals are prediction minus reading.
@@ -67,57 +71,58 @@ struct Comparison {
   const record::Channel* channel = nullptr;
   int rows = 0;                                                     ///< compared
   double rmse = unset, mae = unset, max_abs = unset, bias = unset;  ///< SI
-  /// 100 (1 - |y - ŷ| / |y - mean y|) in Euclidean norms: 100 is perfect, 0 no better than the
-  /// mean, negative is worse. NaN if all readings are equal.
+  /// 100 (1 - |y - ŷ| / |y - mean y|) in Euclidean norms: 100 is perfect, 0 is as good as the mean,
+  /// and a negative value is worse than the mean. NaN if all readings are equal.
   double fit_percent = unset;
   fit::Noise noise{};
-  /// Noise that a diagnosis would assume where it is not known [SI]; see estimate_unknown_noise().
-  /// NaN if not requested or not determined by the data.
+  /// Noise that a diagnosis would assume if the noise is unknown [SI]; see
+  /// estimate_unknown_noise(). It is NaN if it was not requested or if the data do not determine
+  /// it.
   double estimated_noise = unset;
   LackOfFit lack_of_fit{};
   Pattern pattern{};
-  /// Correlation time of the residuals [s]; only for a subject that approximates over time, else
-  /// NaN.
+  /// Correlation time of the residuals [s]; NaN except for a model that approximates over time.
   double correlation_time = unset;
   std::string_view begins{};  ///< Measured::begins
   Judgement judgement = Judgement::unknown;
   double tolerance = unset;           ///< acceptable error [SI]; NaN if not given
-  std::vector<ErrorRange> where{};    ///< worst first; only of what varies
-  std::vector<ErrorRange> records{};  ///< of each of several joined records, in their order
+  std::vector<ErrorRange> where{};    ///< errors by range of each varying input, worst first
+  std::vector<ErrorRange> records{};  ///< error of each joined record, in their order
   std::vector<RowError> worst{};      ///< the five worst rows, worst first
   std::vector<RowError> errors{};     ///< all compared rows, in the order of the data
-  std::vector<std::size_t> rows_not_predicted{};  ///< but read
-  std::string statement{};  ///< in one sentence: how wrong, structure or noise, and where
+  std::vector<std::size_t> rows_not_predicted{};  ///< rows with a reading but without a prediction
+  std::string statement{};  ///< one sentence: size of the error, structure or noise, and place
 };
 
-/// Noise of a measured channel: as declared by the model or estimated from neighbours in time if
-/// the model only approximates, otherwise estimate_noise().
+/// Returns the noise of a measured channel: as the model declares it. For a model that only
+/// approximates it is estimated from neighbours in time, otherwise by estimate_noise().
 [[nodiscard]] fit::Noise noise_of(const record::Record& record, const fit::Measured& measured);
 
-/// Compares a model with every measured channel that the record has. `fitted_parameters` of the
-/// model were fitted to these very data; they cost degrees of freedom in the test (0 where in
-/// doubt, which makes the test milder). Throws std::invalid_argument if nothing can be compared: a
-/// record of something else, no row, none predicted.
+/// Compares a model with every measured channel of the record. `fitted_parameters` is the number of
+/// model parameters fitted to these data, which reduce the degrees of freedom of the test. Use 0 in
+/// doubt, which makes the test milder. Throws std::invalid_argument if the model and the record
+/// cannot be compared: a record of another kind of subject, no rows, or no predicted row.
 [[nodiscard]] std::vector<Comparison> compare(const fit::Subject& subject,
                                               const record::Record& record,
                                               int fitted_parameters = 0);
 
-/// Compares one channel with predictions made elsewhere: `predicted` by row of the record, NaN
-/// where there is none.
+/// Compares one channel with given predictions: `predicted` by row of the record, NaN for a missing
+/// prediction.
 [[nodiscard]] Comparison compare(std::span<const double> predicted, const record::Record& record,
                                  const fit::Measured& measured, int fitted_parameters = 0);
 
-/// Adds groups of rows to `where`: `group` names the group of each row, empty for none; `kind` is a
-/// channel of the role of a run that says what they are.
+/// Adds the errors of groups of rows to `where`. `group` names the group of each row; an empty name
+/// means no group. `kind` is a run channel that describes the groups.
 void add_groups(Comparison& comparison, const record::Channel& kind,
                 const std::vector<std::string>& group);
 
-/// Fills in Comparison::estimated_noise and the standard deviations of rows where the noise is not
-/// known: from a saturated regression, as a diagnosis does. The judgement stays.
+/// Fills Comparison::estimated_noise and the standard deviations of rows whose noise is unknown.
+/// The values come from a saturated regression, as in a diagnosis. The verdict on structure or
+/// noise does not change.
 void estimate_unknown_noise(const fit::Subject& subject, const record::Record& record,
                             std::vector<Comparison>& comparisons);
 
-/// "p = 0.02"
+/// Returns the text of a p-value: "p = 0.02".
 [[nodiscard]] std::string p_value_text(double p);
 
 }  // namespace raceway::verdict

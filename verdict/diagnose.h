@@ -12,41 +12,45 @@
 namespace raceway::verdict {
 
 struct DiagnoseOptions {
-  /// Effects that may be missing, by id; empty: all candidates of the subject.
+  /// Ids of the effects that may be missing; empty means all candidates of the subject.
   std::vector<std::string> candidates{};
-  int tried_before = 0;  ///< other candidates once tried on these data, for the multiplicity
+  /// number of candidates tried earlier on these data, for the multiple-testing correction
+  int tried_before = 0;
   int most_rows = most_rows_of_a_fit;
   bool pairs = true;
-  /// Tries the subject's other base models too if no candidate explains the misfit.
+  /// Also tries the subject's other base models if no candidate explains the misfit.
   bool other_bases = true;
   fit::NoiseOptions noise{};
   std::function<void(double share, std::string_view step)> progress{};
-  const std::atomic<bool>* cancelled = nullptr;  ///< diagnose() throws Cancelled once it is set
+  /// diagnose() throws Cancelled after this becomes true
+  const std::atomic<bool>* cancelled = nullptr;
 };
 
-/// Says whether an effect is missing in the subject, which, or what to measure to find out.
+/// Diagnoses whether the model misses an effect, which effect it is, or which measurement would
+/// decide.
 ///
 ///   noise from a saturated regression -> gate (smooth misfit, largest score) -> each candidate
 ///   alone, then pairs and triples, refitted with all base parameters -> gate again on the
 ///   residuals
 ///   -> blocked hold-out, plausible size -> next measurements
 ///
-/// Level of the gate: 1 %. An effect is admitted where -2 ln L falls by more than ln N + 2 ln m,
-/// and is named with all others within 6 of the best.
+/// The gate has a level of 1 %. An effect is admitted if -2 ln L falls by more than ln N + 2 ln m.
+/// It is named together with all effects within 6 of the best one.
 ///
-/// If no candidate explains the misfit, or one only acts like it, the other base models
+/// If no candidate explains the misfit, or if one only acts like it, the other base models
 /// (Subject::other_bases()) are calibrated to the readings and compared like candidates. The
-/// verdict is still about the model as given.
+/// verdict always refers to the given model.
 ///
-/// Fewer than 15 rows do not tell their noise: from 8 on it is the declared one, and only
-/// candidates of one number are tried, alone.
+/// Fewer than 15 rows do not determine their noise. With 8 to 14 rows, the declared noise is used,
+/// and only candidates with one parameter are tried, one at a time.
 ///
 /// If a channel has a tolerance (Measured::tolerance), the question is whether a missing effect
-/// matters on held-out blocks within the measured range: nothing is missing if the refitted model
-/// stays within the tolerance there; an effect explains the data if it brings the error within, as
-/// do all that come as near by a fifth; two effects do if no single one does and they gain a fifth.
-/// Throws std::invalid_argument where the data cannot carry a verdict, and Cancelled. Not for a
-/// subject that only approximates: see loop/loop.h.
+/// matters on held-out blocks within the measured range. Nothing is missing if the refitted model
+/// stays within the tolerance there. An effect explains the data if it brings the error within the
+/// tolerance; effects whose error is at most a fifth larger are named too. Two effects explain the
+/// data if no single one does and the pair reduces the error by a further fifth. Throws
+/// std::invalid_argument if the data do not support a verdict, and Cancelled. Models that only
+/// approximate need loop/loop.h instead.
 [[nodiscard]] Diagnosis diagnose_by_noise(const fit::Subject& subject, const record::Record& record,
                                           const DiagnoseOptions& options = {});
 

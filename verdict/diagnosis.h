@@ -18,53 +18,57 @@
 namespace raceway::verdict {
 
 enum class Verdict {
-  nothing_missing,  ///< nothing that these data can show, or that matters
-  effect,           ///< consistent with one effect
-  ambiguous,        ///< one of several that the data cannot tell apart
-  several_effects,  ///< two at once
-  effect_like,      ///< acts like one, but by another law or of an implausible size
-  not_in_catalogue  ///< something is missing, and no candidate explains it
+  nothing_missing,  ///< the data show no missing effect, or none that matters
+  effect,           ///< the misfit is consistent with one effect
+  ambiguous,        ///< the misfit fits several effects that the data cannot separate
+  several_effects,  ///< several effects are missing at once
+  effect_like,      ///< the misfit acts like an effect, but with another law or an implausible size
+  not_in_catalogue  ///< an effect is missing, and no candidate explains it
 };
 
-/// The verdict in the words of the JSON results, e.g. "nothing-missing".
+/// Returns the verdict in the words of the JSON results, for example "nothing-missing".
 [[nodiscard]] std::string_view name(Verdict verdict);
 
-/// Diagnosis of one measured channel, readings in the order of `baseline.errors`.
+/// Diagnosis of one measured channel. Readings are in the order of `baseline.errors`.
 struct ChannelDiagnosis {
-  Comparison baseline{};  ///< after refitting the free parameters
+  Comparison baseline{};  ///< comparison after refitting the free parameters
   fit::NoiseModel noise{};
-  double rmse_before = unset, rmse_after = unset;  ///< in sample [SI]
-  double tolerance = unset;                        ///< SI; NaN if not given
-  /// Held-out errors without and with the verdict [SI]; with a tolerance, within the measured
-  /// range.
+  double rmse_before = unset, rmse_after = unset;  ///< errors in sample [SI]
+  double tolerance = unset;                        ///< tolerance in SI units; NaN if not given
+  /// Held-out errors without and with the effects of the verdict [SI]. If a tolerance is given,
+  /// they cover the measured range only.
   double rmse_held_out_before = unset, rmse_held_out_after = unset;
 
   [[nodiscard]] const record::Channel& channel() const { return *baseline.channel; }
 };
 
-/// Fit of one effect to the data, all base parameters refitted with it.
+/// Fit of one effect to the data, together with all base parameters.
 struct RankedEffect {
   std::string id;
-  std::string datum{};       ///< Candidate::datum: what is wrong, rather than missing
-  std::string correction{};  ///< corrected value of that datum, in words
-  /// Candidate::acts_on; the id then ends in ":" and its name, unless there is only one.
+  std::string datum{};  ///< Candidate::datum: the wrong datum, if the candidate is not an effect
+  std::string correction{};  ///< text with the corrected value of that datum
+  /// Candidate::acts_on. The id ends in ":" and this name, unless there is only one choice.
   std::vector<std::pair<std::string, std::string>> acts_on{};
   bool by_column = false;  ///< Candidate::by_column
   bool in_verdict = false;
-  /// Fall of -2 ln L against the model without it, less ln N for each free shape; of the whole set
-  /// where the verdict is `several_effects` and this effect is in it.
+  /// Fall of -2 ln L when the effect is added, minus ln N for each free shape. If the verdict is
+  /// `several_effects` and includes this effect, the gain is that of the whole set.
   double gain = unset;
-  fit::Likelihood likelihood{};                 ///< of what the gain is of
-  std::vector<double> rmse{};                   ///< of each channel [SI]
+  fit::Likelihood likelihood{};                 ///< likelihood of the model that `gain` refers to
+  std::vector<double> rmse{};                   ///< error of each channel in sample [SI]
   std::vector<double> rmse_held_out{};          ///< held-out error of each channel [SI]
-  std::vector<record::Parameter> parameters{};  ///< named without the id
-  std::size_t size = 0;                         ///< index of the one that gives it its size
-  /// Base parameters without it (start) and with it (value): what they had been hiding of it.
+  std::vector<record::Parameter> parameters{};  ///< parameters of the effect, named without its id
+  std::size_t size = 0;  ///< index of the parameter that gives the effect its size
+  /// Base parameters without the effect (start) and with it (value). The difference is the part of
+  /// the effect that they had absorbed.
   std::vector<record::Parameter> base{};
-  std::vector<std::string> indistinguishable_from{};  ///< ids; names of base parameters
-  double remaining_p_value = unset;  ///< of the gate with this effect on; NaN where not asked
+  /// ids of effects or names of base parameters
+  std::vector<std::string> indistinguishable_from{};
+  /// p of the gate with this effect switched on; NaN if not tested
+  double remaining_p_value = unset;
 
-  /// The id of its kind, wherever it acts; with its column where that is all that is known of it.
+  /// Returns the id of the kind of effect, without the part on which it acts. If only a column is
+  /// known, the id includes the column.
   [[nodiscard]] std::string plain_id() const {
     return acts_on.empty() || by_column ? id : id.substr(0, id.find(':'));
   }
@@ -72,29 +76,31 @@ struct RankedEffect {
 
 /// Fit of a set of effects to the data.
 struct SetFit {
-  double gain = unset;  ///< RankedEffect::gain, of the whole set
+  double gain = unset;  ///< RankedEffect::gain of the whole set
   fit::Likelihood likelihood{};
-  std::vector<double> rmse{};  ///< of each channel [SI]
+  std::vector<double> rmse{};  ///< error of each channel in sample [SI]
 };
 
-/// Correlation of estimates; NaN at a bound.
+/// Correlation between estimates; NaN for a parameter at its bound.
 struct Correlation {
   std::vector<std::string> names{};
   Eigen::MatrixXd matrix{};
 };
 
-/// Contribution of one effect to the readings [SI], in the order of the channels and of their
-/// `baseline.errors`.
+/// Contribution of one effect to the readings [SI]. Readings are in the order of the channels and
+/// of their `baseline.errors`.
 struct EffectShare {
   std::string id;
   std::vector<double> readings{};
 };
 
-/// Readings that a set of effects predicts, and their parts, ordered as above.
+/// Readings that a set of effects predicts, and their contributions, in the order of EffectShare.
 struct ExplainedReadings {
-  std::vector<double> total{};         ///< effects on, base parameters refitted with them [SI]
-  std::vector<double> base{};          ///< with the effects off again [SI]
-  std::vector<EffectShare> effects{};  ///< the total less that without this one effect
+  /// prediction with the effects on and the base parameters refitted [SI]
+  std::vector<double> total{};
+  std::vector<double> base{};  ///< prediction of the same model with the effects off [SI]
+  /// for each effect, the total minus the prediction without it
+  std::vector<EffectShare> effects{};
 };
 
 /// Smallest size at which an effect would have been found in 99 of 100 cases.
@@ -102,97 +108,105 @@ struct DetectableSize {
   std::string id;
   std::string parameter;
   std::string unit;
-  double size = unset;              ///< of that parameter
-  double share_of_reading = unset;  ///< rms of the effect at that size over rms of the readings [1]
-  std::string most_alike{};         ///< the effect it is hardest told from, empty if none
-  double told_apart_from = unset;   ///< size from which the two are separated
+  double size = unset;              ///< smallest size of that parameter
+  double share_of_reading = unset;  ///< rms of the effect at this size over rms of the readings [1]
+  std::string most_alike{};  ///< effect that is hardest to separate from this one; empty if none
+  double told_apart_from = unset;  ///< size above which the two can be separated
 };
 
 struct NotTestable {
   std::string id;
-  std::string reason;  ///< missing data, parameters that act alike, or a reason that rules it out
+  /// missing data, parameters with the same action, or a reason that excludes it
+  std::string reason;
 };
 
-/// Residuals over time that no effect of the catalogue explains.
+/// Pattern of the residuals over time that no effect of the catalogue explains.
 struct Course {
-  std::vector<std::pair<double, double>> when{};  ///< from and to, where it is largest [s]
-  double period = unset;         ///< after which it comes back [s]; NaN where it does not
-  double time_constant = unset;  ///< correlation time [s]
+  /// start and end of the times with the largest residuals [s]
+  std::vector<std::pair<double, double>> when{};
+  double period = unset;         ///< period of the pattern [s]; NaN if it does not repeat
+  double time_constant = unset;  ///< correlation time of the residuals [s]
 };
 
-/// Measurement that would separate effects that the data cannot.
+/// Measurement that would separate effects that the present data cannot separate.
 struct SuggestedMeasurement {
   std::vector<fit::Setting> point;
-  std::string words;  ///< of the point
+  std::string words;  ///< description of the point
   int repeats = 2;
-  std::string separates{};             ///< ids, e.g. "this-effect / that-effect"
-  double difference_in_sigma = unset;  ///< of that pair at this point, before any refit [1]
+  std::string separates{};  ///< ids, e.g. "this-effect / that-effect"
+  /// difference between the two effects at this point, before any refit [1]
+  double difference_in_sigma = unset;
 };
 
-/// Another base model in the place of the given one, calibrated to the same readings.
+/// Another base model, calibrated to the same readings in place of the given base model.
 struct OtherBaseTried {
   std::string id;     ///< OtherBase::id
   std::string words;  ///< OtherBase::words
-  /// Fall of -2 ln L against the given model without effects, less ln N for each further number
-  /// that is free.
+  /// Fall of -2 ln L against the given model without effects, minus ln N for each additional free
+  /// parameter.
   double gain = unset;
   fit::Likelihood likelihood{};
-  std::vector<double> rmse{};           ///< of each channel [SI]
+  std::vector<double> rmse{};           ///< error of each channel in sample [SI]
   std::vector<double> rmse_held_out{};  ///< held-out error of each channel [SI]
   std::vector<record::Parameter> parameters{};
-  double remaining_p_value = unset;  ///< of the gate on its residuals; NaN where not asked
-  bool explains = false;             ///< nothing is missing in it that these data can show
+  double remaining_p_value = unset;  ///< p of the gate on its residuals; NaN if not tested
+  bool explains = false;             ///< true if the data show no missing effect in this base model
 };
 
 struct Diagnosis {
   Verdict verdict = Verdict::nothing_missing;
-  std::string headline;                    ///< for a person, without its proof
-  std::string sentence;                    ///< the verdict with the numbers it rests on
-  std::vector<ChannelDiagnosis> channels;  ///< measured ones, the first leading
-  double p_value = unset;  ///< of the gate: chance of such a misfit if nothing were missing
-  double remaining_p_value = unset;  ///< with the verdict's effects on
+  std::string headline;                    ///< short verdict for the reader, without its evidence
+  std::string sentence;                    ///< verdict with the numbers that support it
+  std::vector<ChannelDiagnosis> channels;  ///< measured channels, the most important one first
+  double p_value = unset;  ///< p of the gate: probability of such a misfit if no effect is missing
+  double remaining_p_value = unset;  ///< p of the gate with the effects of the verdict switched on
   std::vector<RankedEffect>
       effects;  ///< effects of the verdict first, best set leading; then by rank
   std::vector<std::vector<std::string>>
-      sets;                    ///< explanations within reach of the best, best first
-  std::vector<SetFit> fits;    ///< of these sets; empty of a subject that only approximates
-  fit::Likelihood likelihood;  ///< of the refitted model without effects, under the noise found
-  Correlation correlation;     ///< of the parameters of the best set, or of the model without one
-  /// The verdict's best set first, where there is one; then every single effect that is ranked.
+      sets;                  ///< sets of effects whose gain is close to the best, best first
+  std::vector<SetFit> fits;  ///< fits of these sets; empty for a model that only approximates
+  /// likelihood of the refitted model without effects, under the estimated noise
+  fit::Likelihood likelihood;
+  Correlation correlation;  ///< correlation for the best set, or for the model without effects
+  /// Readings of the verdict's best set, if there is one, then of every ranked single effect.
   std::vector<ExplainedReadings> explained;
-  bool verdict_is_explained = false;  ///< `explained` begins with the verdict's best set
-  /// Refits of a subject that only approximates: itself, then with the verdict's best set.
+  bool verdict_is_explained = false;  ///< true if `explained` begins with the verdict's best set
+  /// Refits of a model that only approximates: first alone, then with the verdict's best set.
   std::vector<fit::Refit> refits;
   std::vector<DetectableSize> would_have_been_found;
   std::vector<NotTestable> not_testable;
-  std::vector<std::vector<std::string>> aliases;  ///< effects alike on these data (|cos| > 0.98)
+  /// groups of effects that act alike on these data (|cos| > 0.98)
+  std::vector<std::vector<std::string>> aliases;
   std::vector<SuggestedMeasurement> suggested_measurements;
-  std::vector<fit::Axis> axes;  ///< at which one may measure, in the order of a suggested point
+  /// settings available for a measurement, in the order of a suggested point
+  std::vector<fit::Axis> axes;
   double predicted_separation = unset, separation_by_repetition = unset;
-  std::vector<std::string> records_needed;  ///< further quantities to record, to separate them
+  /// further quantities to record that would separate the effects
+  std::vector<std::string> records_needed;
   std::optional<fit::Shape> shape;
   std::optional<Course> course;
-  /// Base parameters without (start) and with the verdict (value), which are the same where it
-  /// names nothing.
+  /// Base parameters without the verdict's effects (start) and with them (value). The two are equal
+  /// if the verdict names no effect.
   std::vector<record::Parameter> base;
-  std::vector<fit::HoldOut> hold_out;           ///< of the verdict's best set against the base
-  double needed_gain = unset;                   ///< ln N + 2 ln m
-  int candidates_tried = 0;                     ///< m, with those tried before
+  /// hold-out results of the verdict's best set against the base model
+  std::vector<fit::HoldOut> hold_out;
+  double needed_gain = unset;                   ///< gain that admits an effect, ln N + 2 ln m
+  int candidates_tried = 0;                     ///< m, including candidates tried earlier
   int rows = 0;                                 ///< used
-  std::vector<std::size_t> outliers;            ///< rows counted with less weight
+  std::vector<std::size_t> outliers;            ///< rows with reduced weight
   std::vector<std::size_t> rows_not_predicted;  ///< rows
-  /// Tried where no candidate explains the misfit, the best first.
+  /// Other base models, best first. They are tried if no candidate explains the misfit.
   std::vector<OtherBaseTried> other_bases{};
-  /// Diagnosis with the first of them as the base model, single candidates only; null if none is
-  /// worth it.
+  /// Diagnosis with the best of these as the base model, single candidates only. Null if none of
+  /// them is worth it.
   std::shared_ptr<const Diagnosis> given_other_base{};
-  /// With a tolerance: true if the refitted model is good enough without effects; and effects that
-  /// are certain and lower the held-out error, but do not matter.
+  /// True if a tolerance is given and the refitted model meets it without effects. The list names
+  /// significant effects that reduce the held-out error but do not matter.
   bool within_tolerance = false;
   std::vector<std::string> significant_but_immaterial;
-  std::vector<record::Note> messages;  ///< for the user
+  std::vector<record::Note> messages;  ///< messages for the user
 
-  /// A tolerance was given, and decides.
+  /// Returns true if a tolerance was given and decides the verdict.
   [[nodiscard]] bool tolerance_limited() const;
 };
 

@@ -10,13 +10,14 @@ namespace raceway::verdict {
 /// Noise of one channel that a diagnosis would assume.
 struct EstimatedNoise {
   const record::Channel* channel = nullptr;
-  double rms = unset;       ///< over the readings used [SI]
-  std::vector<double> std;  ///< by row of the record [SI]; by the reading where a row was not used
+  double rms = unset;       ///< rms noise over the readings used [SI]
+  std::vector<double> std;  ///< by row of the record [SI]; unused rows take it from their reading
 };
 
-/// The noise of NoiseModel, of each channel that takes part in a diagnosis, for data that declare
-/// none and repeat no rows. It comes from what a regression on smooth surfaces and all candidates
-/// leaves, not from the misfit of the subject. Nothing where the data could not carry a diagnosis.
+/// Estimates the noise (NoiseModel) of each channel of a diagnosis, for data without declared noise
+/// and without repeats. The estimate comes from the residual of a regression on smooth surfaces and
+/// all candidates, not from the misfit of the model. The result is empty if the data do not support
+/// a diagnosis.
 [[nodiscard]] std::optional<std::vector<EstimatedNoise>> estimate_noise_as_diagnosis(
     const fit::Subject& subject, const record::Record& record);
 

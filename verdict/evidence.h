@@ -10,43 +10,46 @@
 
 namespace raceway::verdict {
 
-constexpr int most_rows_of_a_fit = 4000;  ///< of larger records rows are chosen at random
+/// larger records are reduced to this number of randomly chosen rows
+constexpr int most_rows_of_a_fit = 4000;
 
-/// Model, data, candidates and noise, made ready to be asked what is missing.
+/// Model, data, candidates and noise, prepared for a diagnosis.
 struct Evidence {
   fit::Problem problem{};
   fit::Saturation saturation{};
-  std::vector<std::string> idle{};  ///< free parameters that change no reading: not in the base
-  Eigen::VectorXd size{};           ///< typical size of each reading, by the base model
-  std::vector<fit::NoiseModel> noise{};   ///< of each measured channel
-  fit::Whitening whitening{};             ///< of the noise, all channels together
-  std::vector<fit::Whitening> allowed{};  ///< other shapes of the noise, of one channel at a time
-  double degrees_of_freedom = unset;      ///< of all of them
-  fit::Response response{};               ///< of the base model
-  fit::ResponseFit base{};                ///< refitted under that noise
+  /// free parameters that change no reading; they are not in the base
+  std::vector<std::string> idle{};
+  Eigen::VectorXd size{};                 ///< typical size of each reading from the base model
+  std::vector<fit::NoiseModel> noise{};   ///< noise of each measured channel
+  fit::Whitening whitening{};             ///< weights by the noise of all channels together
+  std::vector<fit::Whitening> allowed{};  ///< weights by other noise shapes, one channel at a time
+  double degrees_of_freedom = unset;      ///< degrees of freedom of all channels
+  fit::Response response{};               ///< response of the base model
+  fit::ResponseFit base{};                ///< base model refitted with this noise
   std::size_t rows_in_record = 0;
-  bool few_rows = false;  ///< too few to tell their noise, which is the declared one
-  std::string hint{};     ///< Judged::doubt()
+  /// true if the rows are too few to determine their noise; the declared noise is used
+  bool few_rows = false;
+  std::string hint{};  ///< Judged::doubt()
   std::vector<record::Note> notes{};
 
   [[nodiscard]] std::size_t rows() const { return problem.record->rows(); }
-  /// Standard deviation of every reading [SI].
+  /// Returns the standard deviation of every reading [SI].
   [[nodiscard]] const Eigen::VectorXd& std() const { return whitening.std(); }
 };
 
-/// Options of a diagnosis.
+/// Options for gathering evidence.
 struct EvidenceOptions {
-  /// Effects that may be missing, by id; empty: all candidates.
+  /// Ids of the effects that may be missing; empty means all candidates.
   std::vector<std::string> candidates{};
   int most_rows = most_rows_of_a_fit;
   fit::NoiseOptions noise{};
-  bool screened = true;               ///< false where only the noise and the base are wanted
-  std::function<bool()> cancelled{};  ///< see Problem
+  bool screened = true;               ///< false if only the noise and the base model are needed
+  std::function<bool()> cancelled{};  ///< cancels the work; see Problem
 };
 
-/// Checks the data, estimates the noise from a saturated regression and refits the base model.
-/// Uses at most `most_rows` rows, chosen at random.
-/// Throws std::invalid_argument where the data cannot carry a verdict, with what is needed.
+/// Checks the data, estimates the noise from a saturated regression and refits the base model. Uses
+/// at most `most_rows` rows, chosen at random. Throws std::invalid_argument if the data do not
+/// support a verdict; the message says what is needed.
 [[nodiscard]] Evidence gather_evidence(const fit::Subject& subject, const record::Record& record,
                                        const EvidenceOptions& options = {});
 

@@ -6,12 +6,12 @@
 
 namespace raceway::verdict {
 
-/// Ability of a model's inputs to separate rows with different readings; a change from run to run
-/// that shows in no input is not an effect.
+/// Ability of the inputs to distinguish rows with different readings. A change between runs that no
+/// input shows is not an effect.
 enum class Inputs { tell_all, may_miss_something, miss_what_changes };
 
-/// Short verdict without its proof, which is in `sentence`: "Lubricant drag is missing: 65 N mm at
-/// 10 000 rpm; error 44.9 -> 10.7 N mm".
+/// Returns the short verdict without its evidence, which is in `sentence`: "Lubricant drag is
+/// missing: 65 N mm at 10 000 rpm; error 44.9 -> 10.7 N mm".
 [[nodiscard]] std::string headline(const Diagnosis& diagnosis, Inputs inputs = Inputs::tell_all);
 
 }  // namespace raceway::verdict

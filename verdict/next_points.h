@@ -9,15 +9,16 @@ namespace raceway::verdict {
 
 struct NextPoints {
   std::vector<SuggestedMeasurement> points;
-  std::vector<fit::Axis> axes;  ///< of the points
-  /// Squared misfit over variance that the wrong one of the worst pair would keep after refit, with
-  /// these points and with as many repeats of rows that exist.
+  std::vector<fit::Axis> axes;  ///< axes of the points
+  /// Squared misfit over variance that the wrong explanation of the worst pair would keep after a
+  /// refit: with these points, and with as many repeats of existing rows.
   double predicted_separation = unset, separation_by_repetition = unset;
 };
 
-/// Points on the subject's axes that best separate rival explanations: T-optimal, the worst pair
-/// counts, by greedy choice and exchange until the predicted separation reaches 20 or `most` points
-/// (with their repeats) are used. None where the subject has no axes.
+/// Returns points on the subject's axes that best separate rival explanations. The design is
+/// T-optimal for the worst pair. Greedy choice and exchange continue until the predicted separation
+/// reaches 20 or `most` points, including repeats, are used. The result is empty if the subject has
+/// no axes.
 [[nodiscard]] NextPoints next_points(const Evidence& evidence,
                                      const std::vector<const Explanation*>& rivals, int most = 12);
 

@@ -11,34 +11,34 @@
 
 namespace raceway::verdict {
 
-/// The explanation of a misfit that stands, and those within reach of it.
+/// Best explanation of a misfit, and the explanations close to it.
 struct Finding {
   enum class Kind {
-    none,       ///< nothing explains it
-    single,     ///< one candidate
-    several,    ///< two or three at once
-    bent,       ///< one whose law is bent
-    base_laws,  ///< the base law's own corrections together, less than a pair must be
-    partly      ///< one that takes most of the misfit, but not enough to meet the tolerance
+    none,       ///< no candidate explains the misfit
+    single,     ///< one candidate explains the misfit
+    several,    ///< two or three candidates together
+    bent,       ///< one candidate with a bent law
+    base_laws,  ///< both corrections of the base law together, with a lower threshold than a pair
+    partly      ///< one candidate explains most of the misfit but misses the tolerance
   };
   Kind kind = Kind::none;
-  std::vector<const Explanation*> set{};  ///< the best first
-  /// Pairs with wrong data that would do as well as the pairs of effects in the set.
+  std::vector<const Explanation*> set{};  ///< explanations, best first
+  /// Pairs with a wrong datum that fit as well as the pairs of effects in the set.
   std::vector<const Explanation*> with_data{};
 };
 
 /// Limits and options of a search.
 struct SearchLimits {
   double needed_gain = unset;  ///< fall of -2 ln L that admits a candidate
-  int tried = 0;               ///< candidates, for the multiplicity
+  int tried = 0;               ///< number of candidates tried, for the multiple-testing correction
   bool pairs = true;
   std::function<void(double share, std::string_view step)> step{};
   std::function<bool()> cancelled{};
 };
 
-/// Looks for an explanation of a misfit: each candidate alone, both corrections of the base law,
-/// pairs, triples, bent laws, in this order, until the residuals are noise. With a tolerance, until
-/// the held-out error is within it.
+/// Searches for an explanation of a misfit: single candidates, both corrections of the base law,
+/// pairs, triples and bent laws, in this order, until the residuals are noise. With a tolerance,
+/// the search ends when the held-out error is within it.
 class Search {
  public:
   Search(const Evidence& evidence, const Attribution& attribution,
@@ -47,27 +47,27 @@ class Search {
   /// Refits every candidate alone.
   void refit_singles();
   [[nodiscard]] const std::vector<Explanation>& singles() const { return singles_; }
-  /// Explains the misfit down to the noise.
+  /// Searches until the remaining misfit is noise.
   [[nodiscard]] Finding explain();
-  /// Brings the held-out error within the tolerance.
+  /// Searches until the held-out error is within the tolerance.
   [[nodiscard]] Finding explain_within_tolerance();
 
-  /// Pairs that would do without being shown, and the shape of what is missing: filled in on the
-  /// way.
+  /// Returns pairs that fit well although neither effect is proven. The search fills this list and
+  /// shape().
   [[nodiscard]] const std::vector<std::vector<std::string>>& weak_pairs() const {
     return weak_pairs_;
   }
   [[nodiscard]] std::optional<fit::Shape>& shape() { return shape_; }
-  /// No wrong datum, and no shape without a law behind it.
+  /// Returns true if the explanation has no wrong datum and no shape without a law.
   [[nodiscard]] bool is_physics(const Explanation& e) const;
   [[nodiscard]] bool is_physics_alone(const Explanation& e) const;
   [[nodiscard]] std::vector<std::string> ids_of(const Explanation& e) const;
-  /// True if the explanation raises the rms residual, weighed by the noise of each channel and
-  /// without outliers.
+  /// Returns true if the explanation raises the rms residual. Residuals are weighed by the noise of
+  /// each channel, without outliers.
   [[nodiscard]] bool raises_the_error(const Explanation& e) const;
-  /// True if it lowers that rms residual by this share at least.
+  /// Returns true if the explanation lowers this rms residual by at least `share`.
   [[nodiscard]] bool lowers_the_error(const Explanation& e, double share) const;
-  /// Held-out error of an explanation as the largest share of a channel's tolerance.
+  /// Returns the held-out error of an explanation as the largest share of a channel's tolerance.
   [[nodiscard]] double share_of_tolerance(const fit::Response& response,
                                           const fit::ResponseFit& fit) const;
 
@@ -83,8 +83,8 @@ class Search {
   [[nodiscard]] std::optional<Finding> two_candidates();
   [[nodiscard]] std::optional<Finding> three_candidates();
   [[nodiscard]] double least_loss_of(const Explanation& triple);
-  /// Gain needed by the best of `choices` sets: the gain of the best smaller set plus a margin for
-  /// chance.
+  /// Returns the gain that the best of `choices` sets must reach: the gain of the best smaller set
+  /// plus a margin for chance.
   [[nodiscard]] double gain_beyond(const Ranked& smaller, int choices) const;
   [[nodiscard]] Finding bent_law();
   void add_bent_physics(std::vector<const Explanation*>& set);
@@ -101,7 +101,7 @@ class Search {
   std::optional<fit::Shape> shape_;
 };
 
-constexpr double within_reach = 6.0;  ///< of the best, in -2 ln L
-constexpr double passed = 0.01;       ///< of the gate
+constexpr double within_reach = 6.0;  ///< largest distance from the best set, in -2 ln L
+constexpr double passed = 0.01;       ///< smallest p of the gate that counts as passed
 
 }  // namespace raceway::verdict

@@ -7,9 +7,9 @@
 
 namespace raceway::verdict {
 
-/// The power law of the subject's formula inputs that best describes what the base model misses on
-/// its first channel, all its free parameters refitted with it. Nothing where the subject has no
-/// formula and where no fit converges.
+/// Fits a power law of the subject's formula inputs to the misfit of the base model on its first
+/// channel, and refits all free parameters with it. The result is empty if the subject has no
+/// formula or no fit converges.
 [[nodiscard]] std::optional<fit::Shape> find_unknown_shape(const Evidence& evidence);
 
 }  // namespace raceway::verdict

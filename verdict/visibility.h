@@ -9,18 +9,20 @@
 
 namespace raceway::verdict {
 
-/// Effects that these data can show at all, whatever is missing.
+/// Effects that these data could show, whether or not an effect is missing.
 struct Visibility {
-  std::size_t tried = 0;  ///< effects that readings can show at all, whatever their range [1]
-  std::vector<DetectableSize> would_have_been_found;  ///< effects with a detectable size
+  std::size_t tried = 0;  ///< number of effects that can show in these readings
+  std::vector<DetectableSize> would_have_been_found;  ///< detectable size of each such effect
   std::vector<NotTestable> not_testable;
-  std::vector<std::vector<std::string>> aliases;  ///< effects alike on these data
+  /// groups of effects that act alike on these data
+  std::vector<std::vector<std::string>> aliases;
 };
 
-/// From the scores of the candidates with the base parameters projected off: the size at which
-/// -2 ln L would fall by 25, and that at which the most alike other effect would leave 20. Where it
-/// lies beyond the range of the effect's own parameter, one within is sought that changes as much;
-/// an effect that has none could not have been found.
+/// Finds detectable sizes from the scores of the candidates after projection of the base
+/// parameters. At the detectable size, -2 ln L would fall by 25. At the separable size, the most
+/// similar other effect would leave 20. If this size lies outside the range of the effect's own
+/// parameter, the program looks for a size within the range with an equal change of the readings.
+/// Without such a size, the effect could not have been found.
 [[nodiscard]] Visibility what_can_be_seen(const Evidence& evidence, const Attribution& attribution);
 
 }  // namespace raceway::verdict

@@ -6,8 +6,8 @@
 
 namespace raceway::session::varied {
 
-/// Fills in the indices of Sobol' of all predictions of `s`; `places` are the indices in `data` of
-/// s.data. Part of session/sensitivity.cpp. Throws text::InputError for what
+/// Computes the Sobol' indices of all predictions of `s`. `places` are the indices of s.data in
+/// `data`. The function is part of session/sensitivity.cpp. Throws text::InputError for data that
 /// cannot be sampled.
 void sample(const Data& data, const Predictor& predictor, const SensitivityQuestion& q,
             const std::vector<std::size_t>& places, results::Sensitivity& s);

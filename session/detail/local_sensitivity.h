@@ -5,35 +5,35 @@
 
 #include "session/detail/varied_model.h"
 
-/// Derivatives of every prediction with respect to every datum (see sensitivity()); parts of
-/// session/sensitivity.cpp.
+/// Computes the derivative of every prediction with respect to every datum (see sensitivity()).
+/// This file is part of session/sensitivity.cpp.
 namespace raceway::session::varied {
 
-/// Predictions with one datum moved to both sides.
+/// Predictions with one datum moved in both directions.
 struct Around {
-  double step = unset;  // 0: not varied
-  // At value + step, - step, + step/2, - step/2, + spread, - spread.
+  double step = unset;  // step of the datum; 0: the datum is not varied
+  // Predictions at value + step, - step, + step/2, - step/2, + spread, - spread.
   std::array<Outcome, 6> at;
 };
 
-/// Sets the spreads that the question gives or the model carries as standard errors.
+/// Sets the spreads from the question or from the standard errors in the model.
 void take_spreads(const model::Model& model, const SensitivityQuestion& q, Data& data);
 
-/// Predicts with each datum moved. Sets the usual spread of data without one, and lists data that
-/// cannot be varied.
+/// Predicts with each datum moved in turn. Sets the usual spread of data without a given spread,
+/// and lists data that cannot be varied.
 [[nodiscard]] std::vector<Around> predict_around(Data& data, const Predictor& predictor,
                                                  const SensitivityQuestion& q,
                                                  results::Sensitivity& s);
 
-/// Lists which data enter, which do not, and which the samples can vary. Returns the index in
-/// `data` of each of s.data.
+/// Lists the data that affect a prediction, the data that do not, and the data that can be sampled.
+/// Returns the index in `data` of each entry of s.data.
 [[nodiscard]] std::vector<std::size_t> take_what_enters(const Data& data,
                                                         const std::vector<Around>& around,
                                                         const std::vector<double>& here,
                                                         bool sampled, results::Sensitivity& s);
 
-/// Fills in the derivatives of the prediction with index i among all, of the data s.data, which
-/// have `places` in `around`.
+/// Computes the derivatives of prediction `i` with respect to the data s.data, whose indices in
+/// `around` are `places`.
 void differentiate(std::size_t i, const std::vector<results::VariedDatum>& data,
                    const std::vector<std::size_t>& places, const std::vector<Around>& around,
                    results::PredictionSensitivity& p);

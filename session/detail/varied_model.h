@@ -16,10 +16,11 @@
 #include "session/sensitivity.h"
 #include "text/number_range.h"
 
-/// A model that is predicted with other data in place of its own; parts of session/sensitivity.cpp.
+/// Predicts a model with changed data. This file is part of session/sensitivity.cpp.
 namespace raceway::session::varied {
 
-/// A number of the question. It can be varied where the question has one value of it.
+/// Numerical input of the question, for example a speed. It can be varied if the question gives a
+/// single value of it.
 struct Axis {
   std::string_view name, flag;
   std::vector<double> values;
@@ -28,19 +29,19 @@ struct Axis {
 
 [[nodiscard]] std::vector<Axis> axes_of(const SensitivityQuestion& q, bool shaft);
 
-/// Values of the axes at one state; NaN: as the model says.
+/// Values of the axes at one state; NaN means the value of the model.
 using State = std::array<double, 4>;
 
-/// All combinations of the axes' values; the speed runs fastest.
+/// Returns all combinations of the axis values; the speed varies fastest.
 [[nodiscard]] std::vector<State> states_of(const std::vector<Axis>& axes);
 
 inline constexpr std::string_view life = "life_h", stiffness = "axial_stiffness_N_um",
                                   hottest_ring = "hottest_ring_temperature_C";
 
-/// Columns that a question may name.
+/// Returns the columns that a question may name.
 [[nodiscard]] std::vector<std::string> known_columns(const model::Model& model, bool steady);
 
-/// Predicts the wanted columns with any data.
+/// Predicts the requested columns for changed data.
 class Predictor {
  public:
   Predictor(const SensitivityQuestion& question, std::vector<std::string> wanted,
@@ -48,7 +49,8 @@ class Predictor {
 
   [[nodiscard]] const std::vector<std::string>& wanted() const { return wanted_; }
 
-  /// State by state, in the units of the names; NaN where there is no value.
+  /// Returns the predictions state by state, in the units of the column names; NaN marks a missing
+  /// value.
   [[nodiscard]] std::vector<double> operator()(const files::ModelFile& file,
                                                const std::vector<State>& states) const;
 
@@ -65,7 +67,7 @@ class Predictor {
   std::vector<double> units_;
 };
 
-/// Predictions with one set of data, or the reason why the model does not take it.
+/// Predictions with one set of data, or the reason why the model rejects the data.
 struct Outcome {
   std::vector<double> values{};
   std::string refused{};
@@ -75,7 +77,7 @@ struct Outcome {
   }
 };
 
-/// The numbers of the model and of the question that can be varied.
+/// Data of the model and of the question that can be varied.
 class Data {
  public:
   Data(const files::ModelFile& file, const SensitivityQuestion& question,
@@ -84,13 +86,13 @@ class Data {
   [[nodiscard]] const std::vector<results::VariedDatum>& all() const { return all_; }
   [[nodiscard]] std::vector<results::VariedDatum>& all() { return all_; }
 
-  /// Index of a datum; one of the question comes before one of the model.
+  /// Returns the index of a datum. A datum of the question has priority over a datum of the model.
   [[nodiscard]] std::size_t find(const std::string& name) const;
 
-  /// True if the question names it, or names none.
+  /// Returns true if the question names this datum or names no data at all.
   [[nodiscard]] bool is_asked(std::size_t k) const;
 
-  /// Throws fit::Cancelled where the question is cancelled.
+  /// Throws fit::Cancelled if the user cancels the question.
   [[nodiscard]] Outcome predict(const Predictor& predictor,
                                 std::span<const std::pair<std::size_t, double>> changes) const;
 
@@ -100,10 +102,11 @@ class Data {
   std::vector<State> states_;
   std::vector<results::VariedDatum> all_;
   std::vector<std::size_t> asked_;
-  std::vector<std::size_t> axes_;  // indices of data, behind the data of the model
+  // indices of the question's data, which follow the data of the model
+  std::vector<std::size_t> axes_;
 };
 
-/// Calls `work(i)` for i < count on all cores and reports progress from `from` to `to`.
+/// Calls `work(i)` for all i < count on all cores and reports progress from `from` to `to`.
 template <typename Work>
 void for_all(std::size_t count, const SensitivityQuestion& question, double from, double to,
              const Work& work) {

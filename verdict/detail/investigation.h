@@ -9,26 +9,26 @@
 #include "verdict/hidden_input.h"
 #include "verdict/search.h"
 
-/// Parts of diagnose().
+/// Declares the steps of diagnose().
 namespace raceway::verdict {
 
-/// One diagnosis in the making.
+/// Carries out one diagnosis step by step.
 class Investigation {
  public:
   Investigation(const fit::Subject& subject, const record::Record& record,
                 const DiagnoseOptions& options);
 
-  /// Finds the effects that the data can show, and the error of the refitted model.
+  /// Finds the effects that the data can show and the error of the refitted model.
   void look();
-  /// True if that error exceeds the noise, or the tolerance.
+  /// Returns true if the error of the refitted model exceeds the noise or the tolerance.
   [[nodiscard]] bool is_anything_missing() const;
-  /// Finds effects that explain it.
+  /// Finds effects that explain the misfit.
   void attribute();
-  /// Checks the explanation on held-out rows, and its sizes for plausibility.
+  /// Checks the explanation on held-out rows and checks whether its sizes are plausible.
   void confirm();
   /// Compares other base models if no candidate explains the misfit.
   void try_other_bases();
-  /// Proposes measurements where the data cannot decide.
+  /// Proposes measurements if the data cannot decide.
   void propose();
   /// Puts the verdict into words.
   [[nodiscard]] Diagnosis conclude();
@@ -36,7 +36,7 @@ class Investigation {
  private:
   using Set = std::vector<const Explanation*>;
 
-  // Looking at the data.
+  // Steps that look at the data.
   void describe_channels();
   void describe_base();
   void tell_declared_noise();
@@ -47,7 +47,7 @@ class Investigation {
   [[nodiscard]] bool outside_the_inputs() const { return hidden_ && hidden_->follows_the_runs(); }
   [[nodiscard]] double degrees() const;
 
-  // Confirming.
+  // Steps that confirm an explanation.
   void confirm_single();
   [[nodiscard]] bool is_a_shape_alone(const Set& set) const;
   [[nodiscard]] std::string doubt_about(const Explanation& best) const;
@@ -65,7 +65,7 @@ class Investigation {
   void find_immaterial();
   void tell_of_all_rows();
 
-  // Words.
+  // Steps that write the sentences.
   [[nodiscard]] std::string sentence() const;
   [[nodiscard]] std::string data_text(const Set& set) const;
   [[nodiscard]] std::string single_text() const;
@@ -99,7 +99,7 @@ class Investigation {
   Finding finding_;
   bool plausible_ = true, holds_ = true;
   std::string doubt_;
-  double share_of_tolerance_ = unset;  // of the refitted base model, on held-out blocks
+  double share_of_tolerance_ = unset;  // share of the refitted base model on held-out blocks
   Diagnosis result_;
 };
 

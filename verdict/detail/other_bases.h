@@ -5,25 +5,26 @@
 
 #include "verdict/attribution.h"
 
-/// Parts of diagnose() and add().
+/// Calibrates other base models for diagnose() and add().
 namespace raceway::verdict {
 
-/// Another base model, calibrated to the readings of a diagnosis under the noise found there.
+/// Another base model, calibrated to the readings of a diagnosis with the same noise.
 struct CalibratedBase {
   fit::OtherBase base{};
-  /// Without members; its parameters are the free numbers of that base model. The gain is the fall
-  /// of -2 ln L against the refitted model as given, less ln N for each number that is free beyond
-  /// those of the given one.
+  /// Explanation without candidates. Its parameters are the free parameters of the other base
+  /// model. Its gain is the fall of -2 ln L against the given, refitted model, minus ln N for each
+  /// additional free parameter.
   Explanation explanation{};
-  std::string not_testable{};  ///< why not, in a sentence; empty where it can be tested
+  std::string not_testable{};  ///< reason if the base model cannot be tested; empty if it can
 };
 
 [[nodiscard]] CalibratedBase calibrate_other_base(const Evidence& evidence, fit::OtherBase base);
 
-/// All that the subject offers, the best first; those that cannot be tested come last.
+/// Calibrates all other base models of the subject; best first. Models that cannot be tested come
+/// last.
 [[nodiscard]] std::vector<CalibratedBase> calibrate_other_bases(const Evidence& evidence);
 
-/// The subject of one of them with the values that were found.
+/// Returns the model with this base model and its calibrated values.
 [[nodiscard]] std::shared_ptr<const fit::Subject> fitted_subject(const CalibratedBase& found);
 
 }  // namespace raceway::verdict

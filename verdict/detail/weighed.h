@@ -7,23 +7,24 @@
 #include "record/note.h"
 #include "verdict/evidence.h"
 
-/// Part of calibrate().
+/// Weighs the readings for calibrate().
 namespace raceway::verdict {
 
-/// Readings, what they are weighed by, and whether that is their noise.
+/// Readings with their weights, and the origin of these weights.
 struct Weighed {
   fit::Problem problem{};
   fit::Whitening whitening{};
   bool noise_known = false;
-  bool as_declared = false;  ///< by declared deviations alone, which may not be all of the noise
-  bool by_misfit = false;    ///< and by a scatter beside them that explains what a fit leaves
+  /// weights come only from declared deviations, which may be smaller than the noise
+  bool as_declared = false;
+  bool by_misfit = false;  ///< an additional common scatter accounts for the remaining misfit
 };
 
-/// Evidence of a diagnosis; empty if the data cannot carry one.
+/// Returns the evidence of a diagnosis; empty if the data do not support one.
 [[nodiscard]] std::optional<Evidence> evidence_of(const fit::Subject& subject,
                                                   const record::Record& record);
 
-/// The readings and their weights; `evidence` where a diagnosis could be made.
+/// Returns the readings with their weights. `evidence` is used if a diagnosis is possible.
 [[nodiscard]] Weighed weigh(const fit::Subject& subject, const record::Record& record,
                             const std::optional<Evidence>& evidence,
                             std::vector<record::Note>& messages);
