@@ -8,68 +8,72 @@
 
 #include "fit/separable.h"
 
-/// Fits of subjects with costly predictions (Subject::is_costly()).
+/// Fits models with costly predictions (Subject::is_costly()).
 namespace raceway::fit {
 
-/// Result of a fit, and the derivatives of all means by its values.
+/// Result of a fit with the derivatives of all means with respect to its parameters.
 struct CostlyFit {
   SeparableFit fit{};
   Eigen::MatrixXd slope{};
-  std::shared_ptr<const CostlyFit> begin{};  ///< where the fit began
+  std::shared_ptr<const CostlyFit> begin{};  ///< fit from which this one started
 };
 
-/// Depth of a fit.
+/// Stopping rule of a fit.
 struct CostlyEnd {
-  double settled = 1e-4;  ///< the relative fall of the misfit that is none
-  /// A misfit that stays above needs no exact derivatives.
+  double settled = 1e-4;  ///< relative fall of the misfit that counts as no progress
+  /// Fits with a larger misfit need no exact derivatives.
   double hopeless = std::numeric_limits<double>::infinity();
-  /// Ends where derivatives, exact or not, expect a relative fall below `settled`, and takes that
-  /// step without a prediction: shows how far a fit gets.
+  /// Stops as soon as exact or approximate derivatives predict a relative fall below `settled`, and
+  /// takes the last step without a prediction. This shows how far a fit would get.
   bool rough = false;
 };
 
-/// Minimises the weighted sum of squares of means over the parameters of some names, all alike, by
-/// the method of Levenberg and Marquardt on a scale of logarithms where bounds span more than a
-/// decade, otherwise of typical sizes. Derivatives are differences over a fiftieth or a fifth of
-/// that, so that neither the tolerance of a simulation nor the steps that it chooses show in them;
-/// between two sets of differences they are kept up by an update of rank one (Broyden 1965). Takes
-/// two predictions for each parameter and four more. Not for several threads at once: they share
-/// room for readings.
+/// Minimises the weighted sum of squares of means over the named parameters by the method of
+/// Levenberg and Marquardt. A parameter has a logarithmic scale if its bounds span more than a
+/// decade; otherwise its typical size is the scale. Derivatives are differences over a fiftieth or
+/// a fifth of the scale, so neither the tolerance of a simulation nor its step sizes disturb them.
+/// Between two sets of differences, a rank-one update keeps them current (Broyden 1965). A fit
+/// needs two predictions for each parameter plus four. Several threads must not use one object at
+/// once, because its methods share a buffer of readings.
 class CostlyProblem {
  public:
-  /// As of Separable.
+  /// Arguments are those of Separable.
   CostlyProblem(const Subject& subject, const Record& record,
                 const std::shared_ptr<const void>& prepared, const Means& means,
                 const std::vector<std::string>& names);
 
   [[nodiscard]] const std::vector<Parameter>& parameters() const { return parameters_; }
   [[nodiscard]] CostlyFit from(const Eigen::VectorXd& start, const CostlyEnd& end) const;
-  /// From the end of a fit of the first of these parameters. The others belong to candidates;
-  /// `sizes` are the places among them of what is neutral where it ended; `initial`: values away
-  /// from there. A fit that gets stuck at a bound or takes nothing begins again where the other fit
-  /// began, if that is far away: parameters that were bent to hide a candidate leave it no room.
+  /// Continues from `base`, a fit of the first of these parameters. The remaining parameters belong
+  /// to candidates. `sizes` are the indices of those that were neutral at the end of `base`;
+  /// `initial` contains values away from neutral. A fit that stalls at a bound or gains nothing
+  /// starts again from the start of `base` if that is far away, because parameters that were bent
+  /// to hide a candidate may block it.
   [[nodiscard]] CostlyFit beyond(const CostlyFit& base, const Eigen::VectorXd& initial,
                                  const std::vector<std::size_t>& sizes, const CostlyEnd& end) const;
-  /// Goes on with a fit of these parameters.
+  /// Continues a fit of these parameters.
   [[nodiscard]] CostlyFit onwards(const CostlyFit& fit, const CostlyEnd& end) const;
 
  private:
   [[nodiscard]] SeparableFit at(const Eigen::VectorXd& values) const;
-  /// Derivatives of the means by the parameters on their scales.
+  /// Returns the derivatives of the means with respect to the scaled parameters.
   [[nodiscard]] Eigen::MatrixXd differences(const SeparableFit& here) const;
-  /// `better`, where given, becomes what was predicted if that fits better than it does.
+  /// If `better` is given, it is replaced by the prediction made for the difference whenever that
+  /// fits better.
   [[nodiscard]] Eigen::VectorXd difference(const SeparableFit& here, std::size_t parameter,
                                            double by, SeparableFit* better = nullptr) const;
-  /// `slope`: on the scales. `is_fresh`: made of differences at `best`.
+  /// `slope` contains derivatives with respect to scaled parameters. `is_fresh` is true if they are
+  /// differences at `best`.
   [[nodiscard]] CostlyFit descend(SeparableFit best, Eigen::MatrixXd slope, bool is_fresh,
                                   const CostlyEnd& end) const;
-  /// The end of another fit with the candidates switched on, from where this gets better.
+  /// Switches the candidates on at the end of another fit and returns the first values with a
+  /// better fit.
   [[nodiscard]] CostlyFit with_candidates(const CostlyFit& base, const Eigen::VectorXd& initial,
                                           const std::vector<std::size_t>& sizes) const;
   [[nodiscard]] bool is_far(const CostlyFit& base) const;
   void find_bounds(SeparableFit& fit) const;
   [[nodiscard]] Eigen::MatrixXd on_scales(Eigen::MatrixXd slope, const Eigen::VectorXd& at) const;
-  /// One of the scale, in the unit of a parameter.
+  /// Returns one unit of the scale in the unit of a parameter.
   [[nodiscard]] double unit_of(std::size_t parameter, double value) const;
   [[nodiscard]] double to_scale(std::size_t parameter, double value) const;
   [[nodiscard]] double from_scale(std::size_t parameter, double at) const;
@@ -81,8 +85,8 @@ class CostlyProblem {
   mutable std::vector<double> all_;  // readings by row
 };
 
-/// Residuals of all means after a refit without one block, linearised: the readings are not
-/// predicted again. Parameters stay within their bounds.
+/// Returns the residuals of all means after a refit without one block. The refit is linearised, so
+/// the readings are not predicted again. Parameters stay within their bounds.
 [[nodiscard]] Eigen::VectorXd left_of_block(const CostlyFit& fit,
                                             const std::vector<Parameter>& parameters,
                                             const Means& means, int block);

@@ -5,50 +5,54 @@
 
 #include "record/record.h"
 
-/// Rows of a logger as the states that it stood at.
+/// Converts the rows of a logger to dwells, periods at one operating point.
 namespace raceway::fit {
 
-/// Columns of a record of dwells; no file has them.
+/// Number of rows in a dwell. This column exists only in averaged records, not in files.
 inline constexpr record::Channel dwell_rows{
     .name = "dwell_rows", .words = "rows of a dwell", .role = record::Role::deviation};
 inline constexpr record::Channel dwell_last_line{
     .name = "dwell_last_line", .words = "last line of a dwell", .role = record::Role::deviation};
-/// Pieces of one dwell, and dwells with stray rows alone between them, stand at one state.
+/// Number of the operating state. Pieces of one dwell have the same number, and so have dwells
+/// separated only by stray rows.
 inline constexpr record::Channel dwell_state{
     .name = "dwell_state", .words = "state of a dwell", .role = record::Role::deviation};
-/// Standard deviation that the mean of the readings has from the scatter within its rows, over the
-/// rms of all readings [1].
+/// Standard deviation of the mean reading of a dwell, from the scatter of its rows, over the rms of
+/// all readings [1].
 inline constexpr record::Channel dwell_scatter{
     .name = "dwell_scatter", .words = "scatter of a mean", .role = record::Role::deviation};
 
-/// A record after averaging, and what was averaged.
+/// A record after averaging over dwells, with counts of its rows.
 struct Averaged {
-  record::Record record{};          ///< a row for each dwell, and for each row outside of one
-  std::size_t rows = 0;             ///< of the record before
-  std::size_t dwells = 0;           ///< averaged rows, pieces of split dwells counted
-  std::size_t alone = 0;            ///< rows outside of dwells, as they were
-  std::size_t split = 0;            ///< dwells in several pieces, as their temperature moved
-  double correlation_time = unset;  ///< of the scatter within dwells [s]; NaN where it has none
-  /// Columns of which a mean stands in place of the rows.
+  record::Record record{};  ///< one row for each dwell and for each row outside a dwell
+  std::size_t rows = 0;     ///< number of rows before averaging
+  std::size_t dwells = 0;   ///< number of averaged rows; each piece of a split dwell counts
+  std::size_t alone = 0;    ///< number of unchanged rows outside dwells
+  std::size_t split = 0;    ///< number of dwells split because their temperature drifted
+  /// correlation time of the scatter within dwells [s]; NaN if unknown
+  double correlation_time = unset;
+  /// Channels whose rows were replaced by means.
   std::vector<const record::Channel*> channels{};
 
   [[nodiscard]] bool any() const { return dwells > 0; }
-  /// "1440 rows are 36 dwells: ...", for people.
+  /// Describes the averaging: "1440 rows are 36 dwells: ...".
   [[nodiscard]] std::string statement() const;
 };
 
-/// Averages the rows of each dwell: five consecutive rows or more with equal settings (but for
-/// temperatures, which follow), not further apart than two minutes, of one run. Inputs, time and
-/// readings are means; a dwell whose temperature moves by more than 1 K is cut into pieces of less.
-/// Rows of a ramp, on which a setting moves all the time, stay rows, and so do rows of one
-/// operating point and rows whose readings come with a standard deviation. Rows that scatter about
-/// one state are correlated: a mean of m of them has the variance
+/// Averages the rows of each dwell. A dwell has at least five consecutive rows of one run with
+/// equal settings (temperatures may drift) and at most two minutes between rows. Inputs, time and
+/// readings become means. A dwell whose temperature changes by more than 1 K is cut into pieces
+/// with less change. Rows of a ramp, on which a setting moves all the time, are not averaged. The
+/// same holds for rows at a single operating point and for readings with a declared standard
+/// deviation. Rows that scatter about one state are correlated. The mean of m such rows has the
+/// variance
 ///
 ///   s² [ w/m + (1 - w)/m² sum_ik φ^|i-k| ]
 ///
-/// (dwell_scatter) with s, φ and the white share w by restricted maximum likelihood from what all
-/// dwells leave about their own mean (and trend, where a temperature drifts); s grows with a power
-/// of the reading.
+/// The standard deviation s, the correlation φ and the white share w come from the deviations of
+/// all dwells from their own mean (or trend, if a temperature drifts), by restricted maximum
+/// likelihood. The scatter s grows with a power of the reading. The result is in the column
+/// dwell_scatter.
 [[nodiscard]] Averaged average_dwells(const record::Record& record);
 
 }  // namespace raceway::fit

@@ -8,11 +8,11 @@ enum class FitStatus {
   not_run,
   converged,
   iteration_limit,
-  failed,         ///< the search gave up; the values are where it stopped
-  nothing_to_fit  ///< the data depend on none of the free parameters
+  failed,         ///< the search stopped without success; the values are its last ones
+  nothing_to_fit  ///< no free parameter changes the data
 };
 
-/// The status in the words of the JSON results, e.g. "iteration_limit".
+/// Returns the status in the words of the JSON results, for example "iteration_limit".
 [[nodiscard]] constexpr std::string_view name(FitStatus status) {
   switch (status) {
     case FitStatus::not_run:

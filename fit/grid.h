@@ -4,7 +4,8 @@
 
 namespace raceway::fit {
 
-/// `count` levels from low to high, in ratio where that is wide; one where there is no range.
+/// Returns `count` levels from low to high, spaced by ratio if the range is wide. An empty range
+/// gives one level.
 [[nodiscard]] std::vector<double> grid(double low, double high, int count);
 
 }  // namespace raceway::fit

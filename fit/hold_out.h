@@ -8,23 +8,23 @@
 
 namespace raceway::fit {
 
-/// Blocks by observation instead of by row.
+/// Returns blocks of observations instead of blocks of rows.
 [[nodiscard]] std::vector<Blocking> blocks_of_observations(const Judged& subject,
                                                            const Record& record,
                                                            const Observations& observed);
 
-/// Errors of readings that a fit did not see [SI]: each block predicted from a refit to the
-/// others. The refit is linearised at `fit` (exact for affine responses), weighted by `std`, and
-/// keeps to the bounds by holding parameters that are at one.
+/// Returns held-out errors [SI]: each block is predicted from a refit to the other blocks. The
+/// refit is linearised at `fit`, which is exact for affine responses. It is weighted by `std` and
+/// keeps parameters at a bound fixed.
 [[nodiscard]] Eigen::VectorXd held_out_errors(const Response& response, const ResponseFit& fit,
                                               const Eigen::VectorXd& measured,
                                               const Eigen::VectorXd& std, const Blocking& blocking);
 
-/// Error of one model against another on readings that neither saw.
+/// Held-out errors of one model compared with another.
 struct HoldOut {
   std::string variable;
-  std::vector<double> rmse_before{}, rmse_after{};  ///< of each channel [SI]
-  /// Mean fall of the squared error, in units of the noise variance, and its 95 % interval by
+  std::vector<double> rmse_before{}, rmse_after{};  ///< held-out error of each channel [SI]
+  /// Mean fall of the squared error in units of the noise variance, with its 95 % interval from a
   /// bootstrap of the blocks.
   double improvement = unset, lower = unset, upper = unset;
   [[nodiscard]] bool better() const { return improvement > 0.0; }
@@ -35,11 +35,12 @@ struct HoldOut {
                                        const Eigen::VectorXd& std, const Observations& observed,
                                        const Blocking& blocking);
 
-/// Root mean square over several blockings, of each channel [SI]; empty where there is none.
+/// Returns the rms error of each channel over several blockings [SI]; empty without blockings.
 [[nodiscard]] std::vector<double> rms_over(const std::vector<HoldOut>& results,
                                            std::vector<double> HoldOut::*rmse);
 
-/// Better in two blockings (in all, where there are fewer), significantly worse in none.
+/// Returns true if the model is better in two blockings (or in all, if there are fewer) and
+/// significantly worse in none.
 [[nodiscard]] bool confirmed(const std::vector<HoldOut>& results);
 
 }  // namespace raceway::fit

@@ -7,62 +7,63 @@
 
 #include "record/record.h"
 
-/// Readings over time that cannot be true.
+/// Removes readings over time that cannot be true.
 namespace raceway::fit {
 
-/// Distance by which a reading has to leave.
+/// Criteria for isolated readings, as distances from the neighbours.
 struct Isolation {
-  bool steady = true;       ///< also by little, while the speed and the loads are steady
-  double impossible = 3.0;  ///< ranges of all other readings, whatever the speed does
+  bool steady = true;       ///< also removes small jumps while speed and loads are steady
+  double impossible = 3.0;  ///< limit at any speed, in multiples of the range of all other readings
 };
 
-/// A record over time without its isolated readings, and which they are.
+/// A time record without its isolated readings, and a list of them.
 struct Isolated {
-  record::Record record{};                   ///< NaN in their place
-  std::vector<std::size_t> rows{};           ///< of isolated readings, rising
-  const record::Channel* channel = nullptr;  ///< of which they are; null where there are none
-  bool impossible = false;  ///< some are beyond the range of the others, whatever the speed does
-  Isolation by{};           ///< what they had to leave by
-  bool by_model = false;    ///< told by the residuals of a model
+  record::Record record{};                   ///< isolated readings are NaN
+  std::vector<std::size_t> rows{};           ///< rows of isolated readings, rising
+  const record::Channel* channel = nullptr;  ///< channel of the readings; null if none were removed
+  bool impossible = false;  ///< true if a reading is outside the range of the others at any speed
+  Isolation by{};           ///< criteria that were used
+  bool by_model = false;    ///< true if the residuals of a model showed the readings
 
   [[nodiscard]] bool any() const { return !rows.empty(); }
-  /// "56 readings of axial displacement leave and return ...", for people.
+  /// Describes the result: "56 readings of axial displacement leave and return ...".
   [[nodiscard]] std::string statement() const;
 };
 
-/// Takes out readings of the first measured channel that leave and return while the speed and the
-/// loads are steady, one or two rows in succession, as where a chip touches the probe.
+/// Removes isolated readings of the first measured channel: one or two successive rows that jump
+/// and return while speed and loads are steady. A chip that touches the probe causes such readings.
 ///
-/// Both neighbours must be on the same side, at least 6 robust standard deviations away, and three
-/// times as far away as they are from each other. The standard deviation is taken from the readings
-/// about the middle of their four neighbours (1.4826 of the median), at least 0.3 % of the range
-/// that nine in ten readings have. A rise after a standstill, a peak at a change of speed and a
-/// jump that stays are no isolated readings; but one that is `by.impossible` times the range of all
-/// but a hundredth at either end away from both neighbours is, whatever the speed does. Nothing is
-/// taken out where more than a tenth would be.
+/// Both neighbours must be on the same side of the reading. Their distance from it must be at least
+/// 6 robust standard deviations and three times their distance from each other. The robust standard
+/// deviation is 1.4826 times the median distance of readings from the middle of their four
+/// neighbours. Its lower limit is 0.3 % of the range of the central 90 % of the readings. A rise
+/// after a standstill, a peak at a change of speed and a lasting jump are not isolated readings. At
+/// any speed, a reading is isolated if its distance from both neighbours exceeds `by.impossible`
+/// times the range of the readings, without the outermost hundredth at either end. Nothing is
+/// removed if more than a tenth of the readings would be.
 [[nodiscard]] Isolated without_isolated_readings(const record::Record& record);
 
-/// Does this for another channel; for the residuals of a model where `predicted` has its value for
-/// each row. Settings may change then, but for a speed or a load that leaves and returns with the
-/// reading itself; up to three rows in succession leave, and the last ones of a record need not
-/// return.
+/// Removes isolated readings of another channel. If `predicted` gives a value for each row, the
+/// test uses the residuals of the model. With residuals, settings may change, except for a speed or
+/// load that jumps and returns together with the reading. Up to three successive rows may jump, and
+/// the last ones of a record need not return.
 [[nodiscard]] Isolated without_isolated_readings(const record::Record& record,
                                                  const record::Channel& channel,
                                                  const Isolation& by = {},
                                                  std::span<const double> predicted = {});
 
-/// A record of states without rows that cannot be, and what is said of them: empty where there are
-/// none.
+/// A record without impossible rows, and statements about the removed rows (empty if none were
+/// removed).
 struct PossibleRows {
   record::Record record{};
   std::vector<std::string> statements{};
 };
 
-/// Takes out rows of a rig or a shaft, at most a tenth: with a temperature that no machine has
-/// (below -60 or above 200 C), and with a reading of the first measured channel that is
-/// three times the range of all others away from them, at inputs that lie within the range of the
-/// other rows. The range is over all but the two readings, or the hundredth, at either end. Nothing
-/// is taken out of fewer than 15 rows.
+/// Removes impossible rows of a rig or shaft, at most a tenth: rows with a temperature below -60 or
+/// above 200 C, and rows with an extreme reading of the first measured channel. A reading is
+/// extreme if its distance from all others is three times their range while its inputs are within
+/// the range of the other rows. The range excludes the two readings, or the hundredth of the
+/// readings, at either end. Records with fewer than 15 rows are not changed.
 [[nodiscard]] PossibleRows without_impossible_rows(const record::Record& record);
 
 }  // namespace raceway::fit

@@ -14,114 +14,120 @@ using record::Channel;
 using record::Record;
 
 /// Form of a smooth misfit of unknown origin: the typical reading times a sum of products of powers
-/// of some inputs.
+/// of inputs.
 struct Surface {
   struct Input {
-    std::vector<double> values;  ///< by row, on the scale on which it is smooth
-    double least = 0.0;          ///< variation below which it counts as constant
+    std::vector<double> values;  ///< value of each row, on a scale on which the misfit is smooth
+    double least = 0.0;          ///< an input with less variation counts as constant
   };
   std::vector<Input> inputs{};
-  std::vector<std::vector<int>> terms{};  ///< the exponent of each input
+  std::vector<std::vector<int>> terms{};  ///< exponents of all inputs, for each term
 };
 
-/// Columns of a regression that fits whatever effect is missing, so that its residuals are noise.
-/// With few rows not all columns fit; the first ones win.
+/// Columns of a regression that fits any missing effect, so that its residuals are noise. If there
+/// are too few rows for all columns, the first columns are used.
 struct Saturation {
   Surface surface{};
-  std::vector<const Channel*> levels{};  ///< inputs with a free value at each level
+  std::vector<const Channel*> levels{};  ///< inputs with one free value for each level
   bool levels_before_candidates = false;
-  /// Every candidate changes readings in proportion to its size, so that its scores are all of it.
+  /// True if every candidate changes readings in proportion to its size, so that its scores
+  /// describe it completely.
   bool proportional = false;
 };
 
-/// A number by row of a record that a law may be bent with, as a power of it.
+/// Quantity by whose powers a law may be bent, with a value for each row.
 struct Factor {
-  std::string name;            ///< for people: "speed"
-  std::vector<double> values;  ///< by row
+  std::string name;            ///< readable name: "speed"
+  std::vector<double> values;  ///< value of each row
 };
 
-/// Formula of a shape that is in no catalogue.
+/// Formula of an empirical shape that is not in the catalogue.
 struct Formula {
   struct Input {
-    std::string word;            ///< in the formula: "speed_rpm"
-    std::string exponent;        ///< its name: "a"
-    std::vector<double> values;  ///< by row, in the unit of the word
+    std::string word;            ///< name in the formula: "speed_rpm"
+    std::string exponent;        ///< name of its exponent: "a"
+    std::vector<double> values;  ///< value of each row, in the unit of the name
   };
-  std::string key;      ///< under which a file takes it
-  std::string unit;     ///< of its size
-  double factor = 1.0;  ///< reading [SI] for one of that unit
+  std::string key;      ///< key of the formula in a model file
+  std::string unit;     ///< unit of the size
+  double factor = 1.0;  ///< reading [SI] for one unit of the size
   std::vector<Input> inputs{};
 };
 
-/// A value of one input.
+/// Value of one input.
 struct Setting {
   const Channel* channel = nullptr;
-  double value = unset;  ///< SI; NaN: as it is
+  double value = unset;  ///< [SI]; NaN: unchanged
 };
 
-/// Values of an input at which one could measure.
+/// Values of an input at which a measurement is possible.
 struct Axis {
   const Channel* channel = nullptr;
-  std::vector<double> levels{};  ///< SI; NaN: as it is
-  bool told = true;              ///< in words; otherwise in results alone
+  std::vector<double> levels{};  ///< [SI]; NaN: unchanged
+  bool told = true;              ///< true: appears in sentences; false: only in results
 };
 
-/// A fault that a record shows of itself: no number of a model mends it.
+/// A fault that the record itself shows and that no parameter value corrects.
 struct Fault {
-  std::string id;          ///< of Subject::catalogue()
-  bool certain = true;     ///< shown whatever the model; otherwise it has to explain the residuals
-  std::string datum;       ///< the fault in words: "the sensor of ..."
-  std::string correction;  ///< details of it in words
-  std::shared_ptr<const Record> without{};  ///< the record without it, as far as it can be told
+  std::string id;          ///< id in Subject::catalogue()
+  bool certain = true;     ///< true: certain for every model; false: it must explain the residuals
+  std::string datum;       ///< description of the fault: "the sensor of ..."
+  std::string correction;  ///< details of the fault
+  /// record without the fault, as far as it can be corrected
+  std::shared_ptr<const Record> without{};
 };
 
-/// Rows held out together, block by block.
+/// Rows that are held out together, block by block.
 struct Blocking {
-  std::string variable;      ///< Channel::variable of what is held out
-  std::vector<int> block{};  ///< of each row
+  std::string variable;      ///< Channel::variable of the held-out input
+  std::vector<int> block{};  ///< block of each row
   int blocks = 0;
-  std::vector<std::string> untold{};  ///< inputs that move only outside of all blocks, in words
+  std::vector<std::string> untold{};  ///< inputs that vary only outside all blocks, as text
   bool ordered =
-      false;  ///< blocks rise with an input: the first and the last are ends of its range
+      false;  ///< true: blocks are ordered by an input, so the first and last are its extremes
 };
 
-/// Judgement of a model's records, and the next measurements. All rows belong to the record passed
-/// in. Every function has a default.
+/// Judges the records of a model and proposes the next measurements. All rows refer to the record
+/// that is passed in. Every function has a default implementation.
 class Judged {
  public:
   virtual ~Judged() = default;
 
-  // What a record shows.
-  /// Input that an effect of Subject::catalogue() needs and the model or record lacks; empty if
-  /// none.
+  // Content of a record.
+  /// Returns the input that an effect of Subject::catalogue() needs and that the model or record
+  /// lacks; empty if none.
   [[nodiscard]] virtual std::string lacks(const std::string& id, const Record& record) const;
-  /// Levels without which parameters of the model act almost alike; empty if none.
+  /// Returns the levels without which parameters of the model act almost alike; empty if none.
   [[nodiscard]] virtual std::string lacks_levels(const std::string& id, const Record& record) const;
-  /// Default: none.
+  /// Default: Returns faults of the record. Default: none.
   [[nodiscard]] virtual std::vector<Fault> faults(const Record& record) const;
-  /// Doubt that readings are in another unit or of the other sign, in words; empty if none.
+  /// Describes a doubt about the unit or the sign of readings; empty if none.
   [[nodiscard]] virtual std::string doubt(const Record& record,
                                           std::span<const double> predicted) const;
 
-  // What noise is, and what is held out.
-  /// Default: a polynomial in the first input that varies, to the fourth degree; of every other its
-  /// square and its products with the first.
+  // Noise and hold-out.
+  /// Default: Returns the columns of the saturated regression. Default: a polynomial of degree four
+  /// in the first varying input, and for every other input its square and its products with the
+  /// first.
   [[nodiscard]] virtual Saturation saturation(const Record& record) const;
-  /// Inputs whose recorded values scatter about what they were. Default: none.
+  /// Returns inputs whose recorded values scatter about the true values. Default: none.
   [[nodiscard]] virtual std::vector<const Channel*> scattering(const Record& record) const;
-  /// Factors by which the law of a candidate may be bent. Default: inputs that vary.
+  /// Returns the factors by which the law of a candidate may be bent. Default: the inputs that
+  /// vary.
   [[nodiscard]] virtual std::vector<Factor> factors(const Record& record) const;
-  /// Formula of a shape; empty if none can be given.
+  /// Returns the formula of a shape; empty if the model supports none.
   [[nodiscard]] virtual std::optional<Formula> formula(const Record& record) const;
-  /// Default: a level, or range of levels, of one input at a time; runs where there are few inputs.
+  /// Default: Returns the blockings for hold-out tests. Default: one level or range of levels of
+  ///          one input at a time; runs if there are few inputs.
   [[nodiscard]] virtual std::vector<Blocking> blockings(const Record& record) const;
 
-  // What to measure next.
-  /// Default: over the range of every setting. Empty where single points say nothing.
+  // Next measurements.
+  /// Default: Returns the axes for the next measurements. Default: the range of every setting. The
+  ///          result is empty if single points carry no information.
   [[nodiscard]] virtual std::vector<Axis> axes(const Record& record) const;
-  /// A point in words. Default: "995 rpm, 100 N".
+  /// Describes a point. Default: "995 rpm, 100 N".
   [[nodiscard]] virtual std::string words(std::span<const Setting> point) const;
-  /// Further quantities to record, which separate the rivals.
+  /// Returns further quantities whose recording would separate the rivals.
   [[nodiscard]] virtual std::vector<std::string> records_needed(
       const Record& record, const std::vector<std::vector<std::string>>& rivals,
       const std::vector<std::string>& not_testable) const;

@@ -5,21 +5,21 @@
 
 namespace raceway::fit {
 
-/// Likelihood of readings under a fit, with normal noise of covariance S.
+/// Likelihood of readings for a fit, with normal noise of covariance S.
 ///
 ///   -2 ln L = χ² + ln det(2 π S),   χ² = eᵀ S^-1 e
 ///   AIC = -2 ln L + 2 k      [Akaike1974]
 ///   BIC = -2 ln L + k ln N   [Schwarz1978]
 ///
-/// Compare only fits to the same readings under the same S. Readings are in SI; in a unit of f SI
-/// units -2 ln L is less by 2 N ln f.
+/// Compare only fits to the same readings with the same S. Readings are in SI. In a unit of f SI
+/// units, -2 ln L is smaller by 2 N ln f.
 struct Likelihood {
-  int readings = 0;                ///< N, of all channels together
-  int parameters = 0;              ///< k, which the fit moved, those at a bound among them
-  double chi_square = unset;       ///< NaN where the noise is not known [1]
+  int readings = 0;                ///< N, number of readings in all channels
+  int parameters = 0;              ///< k, number of fitted parameters, including those at a bound
+  double chi_square = unset;       ///< NaN if the noise is unknown [1]
   double log_determinant = unset;  ///< ln det(2 π S)
-  /// -2 ln L. Where nothing but the size of the noise is unknown, with the size that makes it
-  /// least; NaN where the noise was fitted in another way, or errors follow each other.
+  /// -2 ln L of the readings. If only the size of the noise is unknown, the most likely size is
+  /// used. NaN if the noise was fitted in another way, or if errors are correlated.
   double deviance = unset;
 
   [[nodiscard]] int degrees_of_freedom() const { return readings - parameters; }
@@ -27,15 +27,15 @@ struct Likelihood {
   [[nodiscard]] double bic() const;
 };
 
-/// Likelihood under known noise, of errors whose whitened squares sum up to `misfit`.
+/// Returns the likelihood for known noise. `misfit` is the sum of squares of the whitened errors.
 [[nodiscard]] Likelihood likelihood_of(double misfit, const Whitening& whitening, int parameters);
 
-/// Factor by which standard errors from known noise are widened: root of the reduced χ² where the
-/// misfit exceeds the noise beyond chance (1 %), else 1.
+/// Returns the factor that widens standard errors from known noise: the root of the reduced χ² if
+/// the misfit exceeds the noise significantly (1 %), otherwise 1.
 [[nodiscard]] double widening(double misfit, int degrees_of_freedom);
 
-/// Likelihood of independent readings of equal weight, with the maximum likelihood estimate of the
-/// noise variance: -2 ln L = N (1 + ln(2 π s²)), s² = Σe²/N. k does not count the noise, as usual.
+/// Returns the likelihood of independent readings with equal weights and the most likely noise
+/// variance: -2 ln L = N (1 + ln(2 π s²)), s² = Σe²/N. As usual, k does not count the noise.
 [[nodiscard]] Likelihood likelihood_of_alike(double rmse, int readings, int parameters);
 
 }  // namespace raceway::fit

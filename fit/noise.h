@@ -11,59 +11,63 @@ namespace raceway::fit {
 enum class NoiseSource {
   none,
   declared,
-  regression,  ///< by which the readings themselves were gained
+  regression,  ///< the regression that produced the readings
   repeats,
-  neighbours  ///< readings next to each other in time
+  neighbours  ///< neighbouring readings in time
 };
 
-/// The source in the words of the JSON results: "none", "declared", "regression", "repeats",
-/// "neighbours".
+/// Returns the source in the words of the JSON results: "none", "declared", "regression",
+/// "repeats", "neighbours".
 [[nodiscard]] std::string_view name(NoiseSource source);
 
 /// Noise of the readings of one channel.
 struct Noise {
-  double rms = unset;  ///< SI; NaN where nothing is known
+  double rms = unset;  ///< rms noise [SI]; NaN if unknown
   NoiseSource source = NoiseSource::none;
-  int degrees_of_freedom = 0;  ///< of the repeats, also where the noise is declared
-  double repeats_rms = unset;  ///< from repeats alone [SI], NaN without
+  int degrees_of_freedom = 0;  ///< degrees of freedom of the repeats, also if the noise is declared
+  double repeats_rms = unset;  ///< noise from repeats alone [SI]; NaN without repeats
 };
 
-/// Noise of a measured channel: declared or regression standard deviations if every reading has one
-/// (their rms), otherwise the scatter within repeats where that has at least 3 degrees of freedom.
-/// Never estimated from the misfit of a model, which would call missing physics noise.
+/// Returns the noise of a measured channel: the rms of declared or regression standard deviations
+/// if every reading has one. Otherwise it is the scatter within repeats, if that has at least 3
+/// degrees of freedom. The misfit of a model is never used, because it would count missing physics
+/// as noise.
 [[nodiscard]] Noise estimate_noise(const record::Record& record, const record::Channel& measured);
 
-/// Readings that were repeated in one stop, as a probe approaches several times.
+/// Readings that were repeated during one stop, for example by several approaches of a probe.
 struct Stop {
-  double time = unset;  ///< of its first reading [s]
+  double time = unset;  ///< time of its first reading [s]
   int readings = 0;
   double mean = unset;  ///< [SI]
-  double std = unset;   ///< of one reading, from this stop alone [SI]; NaN of one reading
+  double std = unset;   ///< of one reading, from this stop only [SI]; NaN for a single reading
 };
 
 /// Repeatability of a measured channel over all stops.
 struct Repeatability {
   std::vector<Stop> stops{};
-  double std = unset;  ///< of one reading, pooled [SI]
+  double std = unset;  ///< standard deviation of one reading, pooled over all stops [SI]
   int degrees_of_freedom = 0;
 
   [[nodiscard]] bool known() const { return degrees_of_freedom > 0; }
 };
 
-/// Scatter of readings within stops: groups of 2 to 30 readings of one run, with far longer breaks
-/// between groups than within one. Of 4 readings or more what the machine moves meanwhile is taken
-/// off as a straight line. Empty for a record without such groups.
+/// Finds the scatter of readings within stops: groups of 2 to 30 readings of one run, with much
+/// longer breaks between groups than within a group. A straight line is subtracted from groups of 4
+/// or more readings, because the machine may move during the stop. The result is empty if the
+/// record has no such groups.
 [[nodiscard]] Repeatability repeatability(const record::Record& record,
                                           const record::Channel& measured);
 
-/// Scatter of single readings [SI]: within stops, else from readings next to each other. NaN
-/// where they stand too far apart to tell it from what is measured moving meanwhile.
+/// Returns the scatter of single readings [SI], from stops if there are any, otherwise from
+/// neighbouring readings. It is NaN if the readings are too far apart in time to separate noise
+/// from real motion.
 [[nodiscard]] double noise_of_neighbours(const record::Record& record,
                                          const record::Channel& measured);
 
-/// Upper bound of the scatter of single readings [SI] that stand far apart, one in each stop: from
-/// the quarter of them that leaves the line between its neighbours least, which is noise where the
-/// machine was at rest for a quarter of the time. NaN for fewer than 12 readings.
+/// Returns an upper bound for the scatter of single readings far apart in time [SI], one in each
+/// stop. It uses the quarter of the readings closest to the line between their neighbours. This
+/// quarter shows only noise if the machine was at rest for a quarter of the time. NaN for fewer
+/// than 12 readings.
 [[nodiscard]] double noise_of_calm_readings(const record::Record& record,
                                             const record::Channel& measured);
 

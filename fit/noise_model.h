@@ -10,59 +10,61 @@
 
 namespace raceway::fit {
 
-/// Noise of the readings of one channel: its size, its growth with the reading, its correlation.
+/// Noise of the readings of one channel: its size, its growth with the reading and its correlation.
 ///
 ///   s_i² = (relative y_i (n_i/n_max)^p)² + (absolute a_i)² + (input b_i)²
 ///
-/// with the input n that records sweep, a_i = 1 and b_i the change of the reading as an input
-/// changes by the width of a level, both over their rms; and the correlation of Whitening. For
-/// means over dwells, a_i comes from the scatter within a dwell, independent of its neighbours.
-/// Declared standard deviations take the place of the whole sum. The noise is estimated from the
-/// residuals of a saturated regression, never from the misfit of a physical model, which would
-/// count missing physics as noise.
+/// The input n is the swept input, and a_i = 1. The number b_i is the change of the reading when an
+/// input changes by the width of a level. Both a and b are divided by their rms. The correlation is
+/// described in Whitening. For means over dwells, a_i comes from the scatter within a dwell and is
+/// independent of its neighbours. Declared standard deviations replace the whole sum. The noise is
+/// estimated from the residuals of a saturated regression. The misfit of a physical model is never
+/// used, because it would count missing physics as noise.
 struct NoiseModel {
-  /// Standard deviation in proportion to the reading, at the largest of the swept input [1].
+  /// Standard deviation relative to the reading, at the largest value of the swept input [1].
   double relative = 0.0;
-  double growth = 0.0;             ///< p: power of the swept input with which it grows [1]
-  const Channel* swept = nullptr;  ///< n; null where nothing is swept widely
+  double growth = 0.0;             ///< p: exponent of the growth with the swept input [1]
+  const Channel* swept = nullptr;  ///< n; null if no input is swept over a wide range
   double largest_swept = unset;    ///< n_max [SI]
-  double absolute = 0.0;           ///< rms of the part that does not grow with it [SI]
-  double input = 0.0;              ///< rms of the part that comes from scatter of an input [SI]
-  double correlation = 0.0;        ///< φ of neighbours in time, at the median step [1]
-  double run_share = 0.0;          ///< of the variance, common to the rows of a run [1]
+  double absolute = 0.0;           ///< rms of the part that does not grow with the reading [SI]
+  double input = 0.0;              ///< rms of the part from scatter of an input [SI]
+  double correlation = 0.0;        ///< φ of neighbours in time, at the median time step [1]
+  double run_share = 0.0;  ///< share of the variance that is common to the rows of a run [1]
   /// Size of offsets that all readings of a run share [SI]: their variance is `run_share` times its
-  /// square. 0 where an offset goes with the standard deviation of each reading.
+  /// square. It is 0 if the offset is proportional to the standard deviation of each reading.
   double run_unit = 0.0;
-  double state_share = 0.0;           ///< of the variance, common to the pieces of a dwell [1]
-  double degrees_of_freedom = unset;  ///< of the variance
+  double state_share = 0.0;  ///< share of the variance that is common to the pieces of a dwell [1]
+  double degrees_of_freedom = unset;  ///< degrees of freedom of the variance
   Whitening whitening{};
-  /// Other shapes of the same noise that the readings allow: a verdict has to hold under each.
+  /// Other shapes of the noise that the readings allow. A verdict must be valid for each of them.
   std::vector<Whitening> allowed{};
-  /// Nothing tells how much runs differ: runs and levels of the plan coincide.
+  /// True if the data do not show the difference between runs, because runs and levels of the plan
+  /// coincide.
   bool unknown_runs = false;
-  bool undeclared_blocks = false;       ///< `run_share` is for blocks not declared as runs
-  bool as_declared = false;             ///< the declared standard deviations are what is found
-  std::vector<std::size_t> outliers{};  ///< readings counted with less weight, none left out
-  /// Factor on the standard deviations of each of several joined records [1]; empty where they
-  /// scatter alike.
+  bool undeclared_blocks = false;  ///< `run_share` describes blocks that are not declared as runs
+  bool as_declared = false;  ///< true: the declared standard deviations agree with the estimate
+  std::vector<std::size_t> outliers{};  ///< readings with reduced weight; none is left out
+  /// Factor on the standard deviations of each joined record [1]; empty if all records scatter
+  /// alike.
   std::vector<double> records{};
-  double rms = unset;          ///< over the readings [SI]
-  double median_step = unset;  ///< of time, to which the correlation belongs [s]
-  /// Repeats against the saturated regression: F and its p; NaN below 8 degrees of freedom.
+  double rms = unset;          ///< rms over the readings [SI]
+  double median_step = unset;  ///< time step to which the correlation refers [s]
+  /// F statistic and p-value of repeats against the saturated regression; NaN below 8 degrees of
+  /// freedom.
   double repeats_statistic = unset, repeats_p_value = unset;
 
-  /// All of it, larger by a factor.
+  /// Multiplies all parts of the noise by a factor.
   void scale(double factor);
   [[nodiscard]] bool has_memory() const {
     return correlation > 0.0 || run_share > 0.0 || state_share > 0.0;
   }
-  /// Standard deviation of the offsets of runs, rms over the readings [SI].
+  /// Returns the standard deviation of the run offsets, rms over the readings [SI].
   [[nodiscard]] double run_offset() const;
-  /// (n/n_max)^p at a row [1].
+  /// Returns the growth factor (n/n_max)^p of a row [1].
   [[nodiscard]] double growth_at(const Record& record, std::size_t row) const;
 };
 
-/// Parts of the noise that may be switched off, to see what they are for.
+/// Parts of the noise model that can be switched off, to study their purpose.
 struct NoiseOptions {
   bool correlation = true;
   bool runs = true;
@@ -71,54 +73,56 @@ struct NoiseOptions {
   bool growth = true;
 };
 
-/// Readings of one channel as its noise is looked for.
+/// Readings of one channel, prepared for the estimate of their noise.
 struct ChannelReadings {
   Eigen::VectorXd measured{};  ///< SI
-  Eigen::VectorXd std{};       ///< declared [SI]; empty where not every reading has one
-  bool known = false;          ///< `std` is as good as known
-  /// Change of each as a scattering input changes by the width of a level [SI]; empty where no
-  /// input scatters.
+  Eigen::VectorXd std{};       ///< declared [SI]; empty unless every reading has one
+  bool known = false;          ///< true if `std` is practically known
+  /// Change of each reading when a scattering input changes by the width of a level [SI]; empty if
+  /// no input scatters.
   Eigen::VectorXd slope{};
-  /// Standard deviation of means from the scatter within them, up to a factor; empty for rows.
+  /// Standard deviation of means from the scatter within them, up to a factor; empty for rows that
+  /// are not means.
   Eigen::VectorXd within{};
-  /// The input that records sweep [SI, > 0]; null and empty where nothing is swept widely.
+  /// Swept input of the record [SI, > 0]; null and empty if no input is swept over a wide range.
   const Channel* swept_by = nullptr;
   Eigen::VectorXd swept{};
-  /// Level of each reading, of each setting that stands at few.
+  /// Level of each reading, for each setting with few levels.
   std::vector<std::vector<std::size_t>> levels{};
   RowOrder order{};
-  std::vector<std::size_t> part{};                  ///< the joined record of each; may be empty
-  std::vector<std::vector<std::size_t>> repeats{};  ///< readings at the same point
+  std::vector<std::size_t> part{};                  ///< joined record of each reading; may be empty
+  std::vector<std::vector<std::size_t>> repeats{};  ///< groups of readings at one point
 };
 
 [[nodiscard]] ChannelReadings readings_of(const Record& record, const Observations& observed,
                                           std::size_t channel);
 
-/// Noise from the saturated regression `columns` (SI, full rank) by restricted maximum likelihood.
-/// `size` is a typical reading of each [SI, > 0]; it only decides the first weights.
-/// Readings further off than scatter is, as rare as 3.5 standard deviations of a known law, count
-/// the less the further they are, and are no degree of freedom. Scatter that grows with the swept
-/// input is looked for before any reading is called an outlier, and what gathers at one level of a
-/// setting is none.
+/// Estimates the noise from the saturated regression `columns` (SI, full rank) by restricted
+/// maximum likelihood. `size` is a typical size of each reading [SI, > 0]; it affects only the
+/// first weights. Readings beyond the scatter, as rare as 3.5 standard deviations of a known normal
+/// law, get less weight the further they are away, and add no degree of freedom. Growth of the
+/// scatter with the swept input is tested before a reading is called an outlier. Readings that
+/// gather at one level of a setting are not outliers.
 [[nodiscard]] NoiseModel estimate_noise_model(const ChannelReadings& readings,
                                               const Eigen::MatrixXd& columns,
                                               const Eigen::VectorXd& size,
                                               const NoiseOptions& options = {});
 
-/// Whitening by the same noise for other readings of its channel, of typical sizes `size` [SI].
+/// Returns a whitening with this noise for other readings of the channel, of typical sizes `size`
+/// [SI].
 [[nodiscard]] Whitening whitening_of(const NoiseModel& noise, const ChannelReadings& readings,
                                      const Eigen::VectorXd& size);
 
-/// Error in excess of the noise, both root mean squares: sqrt(error² - noise²), 0 if the error is
-/// less.
+/// Returns the error in excess of the noise, from two rms values: sqrt(error² - noise²), or 0 if
+/// the error is smaller.
 [[nodiscard]] double beyond_noise(double error, double noise);
 
-/// Counts what a model leaves by its own coarseness as scatter: `error` [SI], equal at every
-/// reading, in addition to the noise.
+/// Adds the model's own coarseness to the noise as scatter: `error` [SI], equal for every reading.
 void add_model_error(NoiseModel& noise, const ChannelReadings& readings, double error);
 
-/// Noise that is known beforehand: the standard deviation of every reading, readings independent.
-/// For a regression that has measured the scatter of far more samples than it gives readings.
+/// Returns known noise: a given standard deviation of every reading, with independent readings. Use
+/// it for readings from a regression that measured the scatter of far more samples than it returns
+/// readings.
 [[nodiscard]] NoiseModel known_noise_model(const ChannelReadings& readings);
 
 }  // namespace raceway::fit

@@ -11,67 +11,69 @@
 
 namespace raceway::fit {
 
-/// Thrown out of a search that was told to end.
+/// Exception of a search that the caller cancelled.
 struct Cancelled : std::exception {
   [[nodiscard]] const char* what() const noexcept override { return "cancelled"; }
 };
 
-/// A candidate as the data show it.
+/// A candidate with its effect on the data.
 struct Screened {
   Candidate candidate{};
-  bool one_sided = false;  ///< only one sign of the size is physical
-  double unit_size = 1.0;  ///< a typical amount of the size, from neutral
-  /// Readings per `unit_size`, at the neutral point: one column per trial value of the shapes, not
-  /// whitened [SI].
+  bool one_sided = false;  ///< true if only one sign of the size is physical
+  double unit_size = 1.0;  ///< typical change of the size from its neutral value
+  /// Change of the readings per `unit_size` at the neutral point [SI, not whitened]; one column for
+  /// each trial value of the shapes.
   Eigen::MatrixXd scores{};
-  /// Change by the largest amount met in practice, where it is not a multiple of the scores: one
-  /// column or none.
+  /// Change by the largest size seen in practice, if it is not a multiple of the scores; one column
+  /// or none.
   Eigen::MatrixXd most{};
-  std::string not_testable{};  ///< why not, in a sentence; empty where it can be tested
+  std::string not_testable{};  ///< reason why it cannot be tested, in one sentence; empty if it can
 
   [[nodiscard]] const std::string& id() const { return candidate.id; }
-  /// The parameter that gives it its size.
+  /// Returns the parameter that is the size of the candidate.
   [[nodiscard]] const Parameter& size() const { return candidate.parameters[candidate.size]; }
 };
 
-/// A model, the readings it can predict, and what may be missing.
+/// A model, the readings that it can predict, and the candidates for missing effects.
 struct Problem {
   std::shared_ptr<const Subject> subject{};
-  std::shared_ptr<const Record> record{};    ///< the rows used, in the one order
-  std::vector<std::size_t> rows{};           ///< of the record handed in, by row of this one
-  std::vector<std::size_t> not_predicted{};  ///< rows of the record handed in
+  std::shared_ptr<const Record> record{};    ///< rows used, in the standard order
+  std::vector<std::size_t> rows{};           ///< index of each row in the original record
+  std::vector<std::size_t> not_predicted{};  ///< rows of the original record without a prediction
   Observations observed{};
-  std::vector<std::string> base{};     ///< free parameters of the model
-  std::vector<Screened> candidates{};  ///< by id, so that their order does not matter
+  std::vector<std::string> base{};     ///< names of the free parameters of the model
+  std::vector<Screened> candidates{};  ///< sorted by id, so the given order has no influence
   std::shared_ptr<const void> prepared{};
-  /// Asked before each prediction, which throws Cancelled then; may be empty.
+  /// Called before each prediction; if it returns true, the prediction throws Cancelled. May be
+  /// empty.
   std::function<bool()> cancelled{};
 
   [[nodiscard]] const Eigen::VectorXd& measured() const { return observed.measured; }
 };
 
-/// Readings of the problem's model with some candidates switched on: base parameters first, then
-/// the parameters of each candidate.
+/// Returns the response of the model with some candidates switched on. Base parameters come first,
+/// then the parameters of each candidate.
 [[nodiscard]] Response response_with(const Problem& problem, std::span<const Screened* const> on);
 
-/// Readings at the rows of another record, with its observations `observed`.
+/// Returns the response at the rows of another record with the observations `observed`.
 [[nodiscard]] Response response_with(const Problem& problem, std::span<const Screened* const> on,
                                      const std::shared_ptr<const Record>& record,
                                      const Observations& observed);
 
-/// The model of the problem with candidates switched on and the fitted values of `fit`, whose
-/// parameters are in the order of response_with().
+/// Returns the model with candidates switched on and the values of `fit`, whose parameters are in
+/// the order of response_with().
 [[nodiscard]] std::shared_ptr<const Subject> fitted_subject(const Problem& problem,
                                                             std::span<const Screened* const> on,
                                                             const Response& response,
                                                             const Eigen::VectorXd& values);
 
-/// Candidates of these ids (all where empty) with what is known of them before any data.
+/// Returns the candidates with these ids (all if empty) and the facts known about them without
+/// data.
 [[nodiscard]] std::vector<Screened> make_candidates(const Subject& subject,
                                                     std::span<const std::string> ids);
 
-/// Fills in what the candidates need to be screened: scores at the base values `base_values`, and
-/// whether they can be tested at all.
+/// Prepares the screening of the candidates: computes scores at the base values `base_values`, and
+/// finds whether each candidate can be tested.
 void screen_candidates(Problem& problem, const Saturation& saturation,
                        const Eigen::VectorXd& base_values);
 

@@ -8,15 +8,15 @@
 
 namespace raceway::fit {
 
-/// A mean of readings, predicted by a fit to the other parts of its record.
+/// Mean of readings, predicted by a fit to the other parts of the record.
 struct HeldOutReading {
-  std::size_t channel = 0;  ///< of Subject::measured()
-  std::size_t row = 0;      ///< of the record, in its middle
-  int part = 0;             ///< held-out part
+  std::size_t channel = 0;  ///< index in Subject::measured()
+  std::size_t row = 0;      ///< row in the middle of the mean
+  int part = 0;             ///< held-out part of the record
   double residual = unset;  ///< prediction minus reading [SI]
 };
 
-/// A subject that only approximates, as a fit left it.
+/// A model that only approximates, after a fit.
 struct Refit {
   std::shared_ptr<const Subject> subject{};
   std::vector<HeldOutReading> held_out{};

@@ -8,24 +8,25 @@
 #include "fit/subject.h"
 #include "fit/whitening.h"
 
-/// Order of readings in time and in runs.
+/// Orders readings in time and in runs.
 namespace raceway::fit {
 
-/// Settings that vary and are constant within every run, in words: "axial load"; empty where there
-/// are none or no runs. `each_in_one_run`: those alone of which no two runs have the same.
+/// Returns the settings that vary between runs and are constant within every run, as text: "axial
+/// load". The text is empty if there are no such settings or no runs. With `each_in_one_run`, it
+/// names only settings that differ between any two runs.
 [[nodiscard]] std::string nested_settings(const Record& record, bool each_in_one_run = false);
 
-/// Rows in the one order that all of the diagnosis uses, whatever order a record has: by time where
-/// all rows have one (within runs, if runs overlap in time), then by settings. Joined records stay
-/// apart. A record without time and runs keeps its order where its rows pass through the swept
-/// input at one level of another setting after the other.
+/// Returns the rows in the standard order of a diagnosis, independent of their order in the record:
+/// by time if all rows have a time (within runs, if runs overlap in time), then by settings. Joined
+/// records remain separate. A record without time and runs keeps its order if its rows sweep one
+/// input at successive levels of another setting.
 [[nodiscard]] std::vector<std::size_t> order_of_rows(const Record& record);
 
-/// Time since the reading before, whether a run begins, and blocks that may be runs, of readings at
-/// these rows.
+/// Returns, for readings at these rows, the time since the previous reading, the starts of runs,
+/// and blocks that may be runs.
 [[nodiscard]] RowOrder row_order(const Record& record, std::span<const std::size_t> rows);
 
-/// The order of some readings, those that are not neighbours anew.
+/// Returns the order of a selection of readings. Readings that are no longer neighbours start anew.
 [[nodiscard]] RowOrder order_of(const RowOrder& all, const std::vector<Eigen::Index>& some);
 
 }  // namespace raceway::fit

@@ -9,47 +9,47 @@
 
 namespace raceway::fit {
 
-/// One model of several records that were joined (record::joined()): what is named as own has a
-/// value in each of them, as the oil and the temperature of a day; all else, and every candidate,
-/// is one for all. The loop sees one subject and one record.
+/// One model for several joined records (record::joined()). Parameters named as own, such as the
+/// oil and the temperature of a day, have a value in each record. All other parameters and every
+/// candidate are common to all records. The loop treats it as one subject with one record.
 ///
-/// A parameter of a record's own is called "name@record", as "f0@monday", and stands in the place
-/// of the shared one. The noise has one shape for all records where no deviations are declared, and
-/// a size for each where they scatter differently (NoiseModel::records).
+/// An own parameter is called "name@record", for example "f0@monday", and replaces the shared
+/// parameter. Without declared standard deviations, the noise has one shape for all records, and a
+/// size for each record if their scatter differs (NoiseModel::records).
 class SeveralRecords : public Subject {
  public:
-  /// `record` was joined; `own` are names of parameters of the model, which need not be free in it:
-  /// they are here. Throws as find_parameters().
+  /// `record` is a joined record. `own` lists parameters of the model that become free for each
+  /// record, even if the model holds them. Throws like find_parameters().
   SeveralRecords(std::shared_ptr<const Subject> model, const Record& record,
                  std::vector<std::string> own);
 
-  /// Names of the records, in their order.
+  /// Returns the names of the records, in their order.
   [[nodiscard]] const std::vector<std::string>& records() const { return records_; }
-  /// Names of the parameters that each record has for itself.
+  /// Returns the names of the parameters with a value in each record.
   [[nodiscard]] const std::vector<std::string>& own() const { return own_; }
-  /// The model, with the values that it had before where records have their own.
+  /// Returns the original model, in which own parameters have their original values.
   [[nodiscard]] const Subject& shared() const { return *model_; }
-  /// The model of one record, with the values of that record.
+  /// Returns the model of one record, with the values of that record.
   [[nodiscard]] std::unique_ptr<Subject> model_of(std::size_t record) const;
-  /// The name of a parameter in the model of one record: "f0" of "f0@monday"; the shared ones as
-  /// they are. Empty for one of another record.
+  /// Returns the name of a parameter in the model of one record: "f0" for "f0@monday". Names of
+  /// shared parameters are unchanged. The name is empty for a parameter of another record.
   [[nodiscard]] std::string name_in(std::size_t record, const std::string& name) const;
 
-  /// Itself with data that may be other ones in each record, as the oil
-  /// (Candidate::of_each_record), among the numbers that records have for themselves; null where
-  /// they have none, or where the data cannot tell.
+  /// Adds data that may differ between records, such as the oil (Candidate::of_each_record), to the
+  /// own parameters. Returns null if there are no such data, or if the records do not determine
+  /// them.
   [[nodiscard]] std::unique_ptr<SeveralRecords> with_data_of_each_record(
       const Record& record) const;
 
   [[nodiscard]] std::vector<Measured> measured() const override;
-  /// Every record by itself; messages name it.
+  /// Checks every record separately; error messages name the record.
   void require(const Record& record) const override;
   [[nodiscard]] bool has_memory() const override;
   [[nodiscard]] std::shared_ptr<const void> prepare(const Record& record) const override;
   [[nodiscard]] std::unique_ptr<Predictor> predictor(
       const Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
-  /// By all records together.
+  /// Uses the information of all records together.
   [[nodiscard]] std::unique_ptr<Subject> informed_by(const Record& record) const override;
 
   [[nodiscard]] std::vector<Parameter> parameters() const override;
@@ -64,7 +64,7 @@ class SeveralRecords : public Subject {
   [[nodiscard]] std::unique_ptr<Subject> without_free_candidates() const override;
   [[nodiscard]] std::unique_ptr<Subject> with_shape(const std::string& id,
                                                     const Shape& shape) const override;
-  /// Those of the model that have the numbers which records have for themselves.
+  /// Returns the other base models that contain the own parameters.
   [[nodiscard]] std::vector<OtherBase> other_bases() const override;
   [[nodiscard]] std::string rules_out(const std::string& id) const override;
   [[nodiscard]] std::string correction(const std::string& id,
@@ -73,13 +73,15 @@ class SeveralRecords : public Subject {
   [[nodiscard]] std::string lacks_levels(const std::string& id,
                                          const Record& record) const override;
 
-  /// That of the model, and a level and a slope on every input that each record has for itself.
+  /// Returns the saturation of the model, with an additional level and slope in each record for
+  /// every input.
   [[nodiscard]] Saturation saturation(const Record& record) const override;
   [[nodiscard]] std::vector<const Channel*> scattering(const Record& record) const override;
   [[nodiscard]] std::vector<Factor> factors(const Record& record) const override;
   [[nodiscard]] std::optional<Formula> formula(const Record& record) const override;
-  /// Those of the model, and record by record where there are three or more. Where records have
-  /// values of their own none in which a block is all of a record: nothing else tells these values.
+  /// Returns the blockings of the model. With three or more records, whole records are also held
+  /// out. With own parameters, no block may contain a whole record, because nothing else determines
+  /// the values of that record.
   [[nodiscard]] std::vector<Blocking> blockings(const Record& record) const override;
   [[nodiscard]] std::string doubt(const Record& record,
                                   std::span<const double> predicted) const override;
@@ -90,14 +92,14 @@ class SeveralRecords : public Subject {
       const std::vector<std::string>& not_testable) const override;
 
  private:
-  /// A number of one record.
+  /// Index of an own parameter and its record.
   struct Place {
     std::size_t own, record;
   };
-  /// Place where a name means a record's own number.
+  /// Returns the place of a name that belongs to an own parameter of a record.
   [[nodiscard]] std::optional<Place> place_of(const std::string& name) const;
   [[nodiscard]] std::string name_of(const Place& place) const;
-  /// These records with another model.
+  /// Returns the same records with another model.
   [[nodiscard]] std::unique_ptr<SeveralRecords> with_model(
       std::shared_ptr<const Subject> model) const;
   SeveralRecords(const SeveralRecords&) = default;
@@ -105,7 +107,7 @@ class SeveralRecords : public Subject {
   std::shared_ptr<const Subject> model_;
   std::vector<std::string> records_;
   std::vector<std::string> own_;
-  std::vector<std::vector<double>> values_;  // by name and record
+  std::vector<std::vector<double>> values_;  // values by name and record
 };
 
 }  // namespace raceway::fit

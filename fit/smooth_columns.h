@@ -6,14 +6,14 @@
 
 namespace raceway::fit {
 
-/// The columns of a surface at the observations, of the size `size` of the readings: `size` times
-/// products of powers of the inputs, each centred and scaled to [-1, 1]. What contains an input
-/// that does not vary is left out.
+/// Returns the columns of a surface at the observations: `size`, the size of the readings, times
+/// products of powers of the inputs. Each input is centred and scaled to [-1, 1]. Terms with an
+/// input that does not vary are left out.
 [[nodiscard]] Eigen::MatrixXd surface_columns(const Surface& surface, const Observations& observed,
                                               const Eigen::VectorXd& size);
 
-/// `size` times an indicator of each level, for channels measured at few levels: what a smooth
-/// surface is too smooth for.
+/// Returns `size` times an indicator of each level, for channels measured at few levels. These
+/// columns describe steps that a smooth surface cannot.
 [[nodiscard]] Eigen::MatrixXd level_columns(const std::vector<const Channel*>& channels,
                                             const Record& record, const Observations& observed,
                                             const Eigen::VectorXd& size);

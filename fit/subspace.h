@@ -5,18 +5,18 @@
 
 namespace raceway::fit {
 
-/// A basis of the first block, then of what later ones add to it, each column by its largest
-/// remainder: a remainder below `tolerance` of the column is not counted. At most `most` columns;
-/// later blocks get what earlier ones left.
+/// Returns a basis of the first block, extended by the parts of later blocks that are independent
+/// of it. Columns with the largest remainder come first. A remainder below `tolerance` of its
+/// column is left out. The basis has at most `most` columns, and earlier blocks have priority.
 [[nodiscard]] Eigen::MatrixXd independent_columns(const std::vector<Eigen::MatrixXd>& blocks,
                                                   const std::vector<double>& tolerance,
                                                   Eigen::Index most);
 
-/// Columns without their part along `tangent`, which has any rank.
+/// Removes from each column its projection on `tangent`, which may have any rank.
 [[nodiscard]] Eigen::MatrixXd project_off(const Eigen::MatrixXd& tangent,
                                           const Eigen::MatrixXd& columns);
 
-/// A basis of the columns.
+/// Returns an orthonormal basis of the columns.
 [[nodiscard]] Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns);
 
 }  // namespace raceway::fit

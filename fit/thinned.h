@@ -5,8 +5,8 @@
 
 namespace raceway::fit {
 
-/// At most `most` of these rows, one at random from each of as many equal stretches: spread over
-/// the time of a record, and in step with nothing that repeats in it. The same choice each time.
+/// Returns at most `most` of these rows: one random row from each of `most` equal stretches. The
+/// rows cover the whole record without a fixed period. The choice is the same for each call.
 [[nodiscard]] std::vector<std::size_t> thinned(std::vector<std::size_t> rows, std::size_t most);
 
 }  // namespace raceway::fit

@@ -5,68 +5,71 @@
 
 namespace raceway::fit {
 
-/// Position of each reading in time, for correlated noise. Readings are in this order.
+/// Position of each reading in time, for correlated noise. Vectors follow the order of the
+/// readings.
 struct RowOrder {
-  /// Time since the row before, in units of the median step [1]; infinite where the correlation
-  /// starts anew, also in the first row.
+  /// Time since the previous row, in units of the median step [1]. It is infinite for the first row
+  /// and wherever the correlation starts anew.
   std::vector<double> step;
-  std::vector<bool> new_run;    ///< the row belongs to another run than the row before
-  std::vector<bool> new_state;  ///< it belongs to another dwell than the row before
-  /// True if the row begins a block that may be an undeclared run; empty if there is none.
+  std::vector<bool> new_run;    ///< the row and its predecessor belong to different runs
+  std::vector<bool> new_state;  ///< the row and its predecessor belong to different dwells
+  /// True if the row begins a block that may be an undeclared run; empty if there are no such
+  /// blocks.
   std::vector<bool> new_block;
-  /// In each such block the swept input, the first setting, goes one way at a level of another
-  /// setting that no other block has.
+  /// True if in each such block the swept input (the first setting) moves in one direction while
+  /// another setting has a level that no other block has.
   bool own_levels = false;
-  double median_step = 1.0;  ///< the unit of the steps [s]
-  bool has_time = false;     ///< steps mean something
-  bool has_runs = false;     ///< two or more runs
-  bool has_states = false;   ///< some dwell has several rows
+  double median_step = 1.0;  ///< unit of the steps [s]
+  bool has_time = false;     ///< true if the steps are real times
+  bool has_runs = false;     ///< true for two or more runs
+  bool has_states = false;   ///< true if at least one dwell has several rows
 };
 
-/// Turns readings into independent numbers of unit variance.
+/// Transforms readings into independent numbers of unit variance.
 ///
 ///   cov(e_i, e_k) = s_i s_k [ (1 - g - h) φ^|t_i - t_k| + g r_i r_k (same run) + h (same dwell) ]
 ///
-/// with the standard deviation s of each reading [SI], a first-order autoregression along time and
-/// offsets common to the rows of a run and of a dwell. r = 1 where the offset of a run goes with s;
-/// r_i = u/s_i where it is the same at each of its readings, as that of a zero that is set before
-/// the run; then the variance of a reading is no longer s² alone. Of a reading with a white part,
-/// of which neighbours know nothing, c s stands in place of s, and s² (1 - c²) is added to its own
-/// variance. Innovations of the Kalman filter with these states, divided by their standard
-/// deviation: exact, in time and memory proportional to the rows.
+/// Each reading has the standard deviation s [SI]. The noise is a first-order autoregression along
+/// time, plus offsets common to the rows of a run and of a dwell. If a run offset is proportional
+/// to s, r = 1. If it is equal for all readings of the run, like a zero that is set before the run,
+/// r_i = u/s_i; the variance of a reading then differs from s². A reading may have a white part
+/// that is independent of its neighbours. Then c s replaces s, and s² (1 - c²) is added to its own
+/// variance. The result consists of the innovations of the Kalman filter with these states, divided
+/// by their standard deviations. It is exact and needs time and memory proportional to the number
+/// of rows.
 class Whitening {
  public:
   Whitening() = default;
-  /// correlation φ in [0, 1), run_share g and state_share h in [0, 1), both together below 1.
-  /// `common`: c of each reading, in (0, 1]; 1 where empty. `run_unit`: u [SI]; 0: r = 1.
+  /// The correlation φ, run_share g and state_share h are in [0, 1), and g + h is below 1. `common`
+  /// is c of each reading, in (0, 1]; an empty vector means 1. `run_unit` is u [SI]; 0 means r = 1.
   Whitening(Eigen::VectorXd std, const RowOrder& order, double correlation, double run_share,
             double state_share = 0.0, const Eigen::VectorXd& common = {}, double run_unit = 0.0);
-  /// Whitening of several channels, one after the other, with independent noise.
+  /// Combines several channels in sequence, with independent noise.
   explicit Whitening(const std::vector<Whitening>& parts);
 
   [[nodiscard]] Eigen::MatrixXd operator()(const Eigen::MatrixXd& columns) const;
   [[nodiscard]] Eigen::VectorXd operator()(const Eigen::VectorXd& column) const;
-  /// Whitening with standard deviations larger by a factor.
+  /// Returns a whitening whose standard deviations are multiplied by a factor.
   [[nodiscard]] Whitening scaled(double factor) const;
-  /// ln of the determinant of the covariance.
+  /// Returns ln of the determinant of the covariance.
   [[nodiscard]] double log_determinant() const { return log_determinant_; }
   [[nodiscard]] const Eigen::VectorXd& std() const { return std_; }
 
  private:
   struct Step {
-    double decay;  // of the autoregressive state since the row before
-    bool new_run;  // the offset starts anew
+    double decay;  // decay of the autoregressive state since the previous row
+    bool new_run;  // true if the run offset starts anew
     double gain_ar, gain_run;
     bool new_state = true;
     double gain_state = 0.0, common = 1.0;
     double run = 1.0;          // r
-    double inverse_std = 1.0;  // of the innovation
+    double inverse_std = 1.0;  // 1 / standard deviation of the innovation
   };
   template <std::size_t count>
   void follow(double* first, Eigen::Index stride) const;
 
   Eigen::VectorXd std_;
-  std::vector<Step> steps_;  // empty where rows are independent
+  std::vector<Step> steps_;  // empty if the rows are independent
   double log_determinant_ = 0.0;
 };
 

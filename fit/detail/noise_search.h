@@ -7,16 +7,17 @@
 
 #include "fit/noise_model.h"
 
-/// Part of estimate_noise_model().
+/// Declares the search for estimate_noise_model().
 namespace raceway::fit {
 
-/// The search for the noise of one channel, part by part.
+/// Searches for the noise of one channel, part by part.
 class NoiseSearch {
  public:
-  static constexpr double as_good_as_known = 1000.0;  ///< degrees of freedom
+  /// degrees of freedom that count as known noise
+  static constexpr double as_good_as_known = 1000.0;
 
-  /// Shares of the variance: in proportion to the reading, from the scatter of an input, the rest
-  /// absolute.
+  /// Shares of the variance: proportional to the reading, and from the scatter of an input. The
+  /// remainder is absolute.
   struct Shares {
     double relative = 1.0, input = 0.0;
     [[nodiscard]] double absolute() const { return std::max(0.0, 1.0 - relative - input); }
@@ -25,7 +26,7 @@ class NoiseSearch {
     }
   };
 
-  /// Parts of the standard deviations, each with an rms of one.
+  /// Parts of the standard deviations, each with an rms of 1.
   struct Parts {
     Eigen::VectorXd reading, own, slope;
   };
@@ -35,73 +36,78 @@ class NoiseSearch {
   NoiseModel run();
 
  private:
-  /// Least squares with orthogonal columns kept: residual, and how much of each row is left to it.
+  /// Least-squares regression with orthogonal columns: residual, and freedom that remains in each
+  /// row.
   struct Regression {
     Eigen::VectorXd fitted;    ///< whitened
     Eigen::VectorXd residual;  ///< whitened
-    Eigen::VectorXd freedom;   ///< 1 - leverage
-    double log_determinant;    ///< of XᵀV⁻¹X
+    Eigen::VectorXd freedom;   ///< 1 - leverage of each row
+    double log_determinant;    ///< ln det of XᵀV⁻¹X
   };
   static Regression regress(const Eigen::MatrixXd& x, const Eigen::VectorXd& y);
-  /// Shape of the standard deviations, at some of the readings.
+  /// Returns relative standard deviations of some of the readings.
   static Eigen::VectorXd shape(const Shares& shares, const Parts& parts,
                                const Eigen::VectorXd& widening);
   static Eigen::VectorXd of_rms_one(const Eigen::VectorXd& v);
 
   [[nodiscard]] double misfit(double phi, double run_share, const Shares& shares) const;
-  /// Share of each standard deviation that neighbours can have in common. Scatter within a dwell
-  /// and of an input is excluded; single rows have no excluded part.
+  /// Returns the share of each standard deviation that neighbours can have in common. It excludes
+  /// scatter within a dwell and scatter of an input; single rows have no excluded part.
   [[nodiscard]] Eigen::VectorXd common(const Shares& shares, const Parts& parts) const;
-  /// A reading by its size, with the growth of the noise over the swept input.
+  /// Returns the size of a reading, including the growth of the noise over the swept input.
   [[nodiscard]] Eigen::VectorXd grown(const Eigen::VectorXd& reading) const;
-  /// Factor by which a standard deviation exceeds that of its parts.
+  /// Factor by which each standard deviation exceeds the sum of its parts.
   [[nodiscard]] Eigen::VectorXd stretched() const { return widening_.cwiseProduct(by_record_); }
   [[nodiscard]] std::vector<Shares> all_shares() const;
   double find_shares() { return find_shares(all_shares()); }
   [[nodiscard]] static double cost(const Shares& shares);
-  /// The best of these with the memory as it is; its -2 ln L with what its parts cost.
+  /// Finds the best of these shares for the current memory. Returns its -2 ln L including the cost
+  /// of its parts.
   double find_shares(const std::vector<Shares>& list);
   /// Finds the growth of the relative part with the swept input. Each growth has its own doubtful
-  /// readings, and each of these costs what its rarity is worth.
+  /// readings, and each doubtful reading costs as much as its rarity.
   void find_growth();
-  /// Quick test: logarithms of the residuals of the saturated regression against the logarithm of
-  /// the swept input. ln |z| of a normal law has a standard deviation of 1.11.
+  /// Quick test: fits logarithms of the residuals of the saturated regression over the logarithm of
+  /// the swept input. ln |z| of a normal variable has a standard deviation of 1.11.
   [[nodiscard]] bool seems_to_grow() const;
-  /// Readings that gather at one level of a setting are no outliers: there the rig scatters more.
+  /// Readings that gather at one level of a setting are not outliers, because the rig scatters more
+  /// at that level.
   void spare_levels();
-  /// First doubts, from a regression of few columns that outliers cannot bend to themselves, as
-  /// they do with one that has half as many columns as rows: reweighted by Tukey's biweight from
-  /// least absolute deviations. find_outliers() takes back unfounded doubts.
+  /// Marks first suspects by a regression with few columns: outliers cannot pull its fit towards
+  /// them, as they can with half as many columns as rows. It starts from least absolute deviations
+  /// and reweights by Tukey's biweight. find_outliers() removes unfounded suspects.
   void suspect_outliers();
   void find_outliers();
-  /// Finds the scatter of each of several records, in the common shape: days and sensors differ.
+  /// Finds the size of the scatter in each joined record, because days and sensors differ. All
+  /// records share one shape of the noise.
   void find_records();
-  /// Correlation and runs both at once, as each can look like the other; offsets of runs in
-  /// proportion to the noise of each reading, or the same for all readings of a run.
+  /// Finds correlation and run offsets together, because each can look like the other. Run offsets
+  /// are either proportional to the noise of each reading or equal for all readings of a run.
   void find_memory();
-  /// The best correlation and share of runs with the other parts as they are.
+  /// Finds the best correlation and run share for the current other parts.
   void search_memory(bool timed, bool runs);
-  /// -2 ln L with what memory and parts cost.
+  /// Returns -2 ln L including the cost of memory and parts.
   [[nodiscard]] double value() const;
-  /// Whitening::run_unit for standard deviations of this shape.
+  /// Returns Whitening::run_unit for these standard deviations.
   [[nodiscard]] double run_unit(const Eigen::VectorXd& std) const;
-  /// Finds the offset that the pieces of one dwell have in common. It competes with the correlation
-  /// between neighbours, so both are searched together.
+  /// Finds the common offset of the pieces of one dwell. It competes with the correlation between
+  /// neighbours, so both are searched together.
   void find_states();
-  /// Finds offsets that follow blocks of rows not declared as runs.
+  /// Finds offsets of blocks of rows that are not declared as runs.
   void find_blocks();
-  /// Whitening scaled to the residuals of the regression.
+  /// Returns a whitening that is scaled to the residuals of the regression.
   [[nodiscard]] Whitening scaled(double phi, double run_share, const Shares& shares,
                                  double& factor) const;
   void set_scale();
-  /// Declared standard deviations that the readings do not contradict are taken as they are.
+  /// Keeps declared standard deviations that the readings do not contradict.
   void honour_declared(double& factor);
-  /// Shapes whose likelihood is within reach of the best: each part of the noise to both ends of
-  /// what the readings allow, and no memory where they allow that.
+  /// Finds noise shapes with a likelihood close to the best. Each part of the noise is moved to
+  /// both ends of the range that the readings allow, and memory is removed if the readings allow
+  /// it.
   void find_allowed();
-  /// Less growth and more, as far as the readings allow.
+  /// Tries weaker and stronger growth, as far as the readings allow.
   void allow_growths(double phi, double g, double best);
-  /// Pure error as a check.
+  /// Checks the result against the pure error of repeats.
   void hold_against_repeats();
   const ChannelReadings& readings_;
   const Eigen::MatrixXd& columns_;
@@ -114,15 +120,17 @@ class NoiseSearch {
   Eigen::VectorXd some_deviation_;
   bool declared_;
   Parts parts_;
-  double reading_size_ = unset;  // rms of what Parts::reading has without its scale [SI]
-  Eigen::VectorXd widening_;     // of outliers
+  double reading_size_ = unset;  // rms of Parts::reading before scaling [SI]
+  Eigen::VectorXd widening_;     // factor on the standard deviation of outliers
   Eigen::VectorXd by_record_;    // NoiseModel::records
   Shares shares_;
-  bool even_runs_ = false;  // the offset of a run is the same for all of its readings
+  bool even_runs_ = false;  // true if the offset of a run is equal for all its readings
   NoiseModel noise_;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr double worth_a_parameter = 2.71;  // of -2 ln L: 5 % level of one variance >= 0
-  static constexpr double within_the_likely = 2.71;  // the same: 90 % of one parameter
+  // threshold in -2 ln L: 5 % level of one variance >= 0
+  static constexpr double worth_a_parameter = 2.71;
+  // threshold in -2 ln L: 90 % region of one parameter
+  static constexpr double within_the_likely = 2.71;
 };
 
 }  // namespace raceway::fit
