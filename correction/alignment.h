@@ -6,17 +6,17 @@
 
 namespace raceway::correction {
 
-/// Constant that is subtracted before a prediction is compared, because the zero of a displacement
-/// is arbitrary.
+/// Constant that is subtracted from a prediction before a comparison, because the zero of a
+/// displacement is arbitrary.
 enum class Zero {
-  none,   ///< none: the offset of the model stands
-  first,  ///< the constant that makes the first reading of each run right
-  mean    ///< the constant with the smallest residual
+  none,   ///< subtracts nothing: the offset of the model is kept
+  first,  ///< subtracts the error of the first reading of each run
+  mean    ///< subtracts the mean error, which gives the smallest residual
 };
 
-/// The subject informed by a record, with the constant of every run, and the states that a warm
-/// machine had when its record began, found from the readings before the first long gap. All else
-/// as in the model.
+/// Returns the subject with the constants of every run, found from a record. For a machine that was
+/// warm at the start, it also finds the initial states from the readings before the first long gap.
+/// Everything in the model remains unchanged.
 [[nodiscard]] std::shared_ptr<const CorrectionSubject> aligned(const Model& model,
                                                                const record::Record& record,
                                                                Zero zero);

@@ -9,71 +9,72 @@
 #include "correction/model.h"
 #include "record/record.h"
 
-/// Models that others have to beat, or that show why they are not used.
+/// Fits simple models for comparison: a correction has to be better than these.
 namespace raceway::correction {
 
-/// Multiple linear regression on the inputs of the channels of a model and on further columns. Each
-/// is a channel with a feedthrough alone, so that the result runs wherever models run. It has no
-/// memory and extrapolates linearly. Power is left out, with a message; so are inputs that never
-/// vary or follow from the others.
+/// Fits a multiple linear regression on the inputs of the model's channels and on further columns.
+/// Each input becomes a channel with only a feedthrough, so the result runs like every other model.
+/// It has no memory and extrapolates linearly. Power is left out, with a message. Inputs that never
+/// vary or depend linearly on others are left out too.
 ///
-/// Source:   least squares by QR, see regression.h; standard errors are widened for the
-///           autocorrelation of the residual. Held out: eight parts, each by the coefficients of
-///           the others.
-/// Throws std::invalid_argument: no input, too few readings.
+/// Source:   least squares by QR, see regression.h. Standard errors are widened for the
+/// autocorrelation of the residual. The held-out error comes from eight parts, each predicted with
+/// the coefficients of the others. Throws std::invalid_argument without an input and for too few
+/// readings.
 [[nodiscard]] Identification regression_baseline(const Model& model,
                                                  const std::vector<const Channel*>& offered,
                                                  const record::Record& record);
 
-/// True for a model that is nothing but a regression.
+/// Returns true if a model is only a regression.
 [[nodiscard]] bool is_regression(const Model& model);
 
-/// The channels of a model that such baselines can have, without sections, and one for each further
-/// column. Throws std::invalid_argument where there is none.
+/// Returns the channels of a model that these baselines can use, without sections, and one channel
+/// for each further column. Throws std::invalid_argument if there are none.
 [[nodiscard]] std::vector<DrivenChannel> bare_channels(const Model& model,
                                                        const std::vector<const Channel*>& offered,
                                                        std::vector<record::Note>& messages);
 
-/// An ARX model: a reading from the readings and inputs before it.
+/// An ARX model: ARX model: predicts a reading from the readings and inputs before it.
 ///
 ///   y(k) = sum_i a_i y(k-i) + sum_ij b_ij u_j(k-i) + c,   i = 1..n of y, 0..n of u
 ///
 /// Source:   least squares of the one-step prediction [Ljung1999, sec. 4.2].
-/// Traps:    each step begins at readings, so that the fit is good whatever the poles are: with
-///           readings that are close to each other or coarse it says little more than that the
-///           next one is like the last. What a control gets is the simulation, which never sees a
-///           reading. Noise of a reading pulls the poles towards 0.
+/// Traps:    each step starts from readings, so the one-step fit is good for any poles. With
+///           readings close in time or of coarse resolution, a good fit only says that the next
+///           reading is similar to the last. A control uses the simulation, which has no readings.
+///           Noise of the readings moves the estimated poles towards 0.
 struct ArxFit {
   int order = 0;
   Metrics one_step{}, simulated{};
-  /// Errors over the second half, simulated by the fit of the first half.
+  /// Errors over the second half of the record, simulated with the fit to the first half.
   Metrics second_half{};
-  std::vector<std::complex<double>> poles{};  ///< of z, the largest first
-  std::vector<double> time_constants{};       ///< of each [s]; NaN for one that is no decay
+  std::vector<std::complex<double>> poles{};  ///< poles in z, the largest first
+  /// time constant of each pole [s]; NaN if the pole is not a decay
+  std::vector<double> time_constants{};
   bool stable = false;
-  /// The channels as transfer functions, one for each input, all with one denominator.
+  /// Channels as transfer functions, one for each input, with a common denominator.
   std::vector<DrivenChannel> channels{};
-  double offset =
-      0.0;  ///< what the constant of the equation settles at, above the first reading [m]
+  double offset = 0.0;  ///< displacement for zero inputs, relative to the first reading [m]
 };
 
 struct ArxBaseline {
-  double sampling = unset;  ///< [s], of an even grid over the record
+  double sampling = unset;  ///< time step of the even grid over the record [s]
   std::size_t rows = 0;
   std::vector<std::string> inputs{};
-  std::vector<ArxFit> fits{};  ///< by order
+  std::vector<ArxFit> fits{};  ///< fits by order
   std::vector<record::Note> messages{};
 
-  /// The stable order that errs least over the second half, simulated by the fit of the first; null
-  /// where none is stable.
+  /// Returns the stable order with the smallest error over the second half, simulated with the fit
+  /// to the first half; null if no order is stable.
   [[nodiscard]] const ArxFit* best() const;
 };
 
-/// The model as transfer functions of an order, for calls at the sampling of the baseline.
+/// Returns the model as transfer functions of one order, for calls at the sampling interval of the
+/// baseline.
 [[nodiscard]] Model with_arx(const Model& model, const ArxBaseline& baseline, const ArxFit& fit);
 
-/// Fits on an even grid as fine as the readings come. Throws std::invalid_argument: no input, too
-/// few readings.
+/// Fits ARX models on an even grid as fine as the readings. Throws std::invalid_argument without an
+/// input and for too few readings.
 [[nodiscard]] ArxBaseline arx_baseline(const Model& model,
                                        const std::vector<const Channel*>& offered,
                                        const record::Record& record, int lowest, int highest);

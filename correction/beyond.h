@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-/// Range of an input in the data of the fit, and continuation of laws beyond it.
+/// Continues laws beyond the range of their inputs in the data of the fit.
 namespace raceway::correction {
 
 struct Interval {
@@ -15,14 +15,15 @@ struct Interval {
   friend bool operator==(const Interval&, const Interval&) = default;
 };
 
-/// A law at x, within what was seen the law itself, beyond it never steeper than a straight line.
+/// Evaluates a law at x. Within the range of the fit, the law itself is used. Beyond it, the law
+/// never rises more steeply than a straight line:
 ///
-///   y(edge) + what moves less of   law(x) - y(edge)   and   y'(edge) (x - edge)
+///   y(edge) + the smaller change of   law(x) - y(edge)   and   y'(edge) (x - edge)
 ///
-/// Where the two part ways, the value at the edge. It lies between the edge and the law, and so is
-/// positive where the law is.
-/// Accuracy: the slope at the edge is a difference over a millionth of what was seen, to its
-/// inside.
+/// If the two have different signs, the value at the edge is used. The result lies between the
+/// value at the edge and the law, so it is positive if the law is positive.
+/// Accuracy: the slope at the edge is a difference over a millionth of the range, taken inside the
+/// range.
 template <typename Law>
 [[nodiscard]] double continued(const Law& law, const Interval& seen, double x) {
   if (!(x < seen.lower) && !(x > seen.upper)) return law(x);

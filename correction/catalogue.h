@@ -7,12 +7,12 @@
 
 namespace raceway::correction {
 
-/// Effects on a displacement over time, by id: see correction/effects/all_effects.h.
+/// Returns the effects on a displacement over time, by id: see correction/effects/all_effects.h.
 [[nodiscard]] std::span<const EffectKind* const> kinds();
-/// Null where there is none of that id.
+/// Returns null if no effect has this id.
 [[nodiscard]] const EffectKind* find_kind(std::string_view id);
 
-/// Their cards.
+/// Returns the cards of the effects.
 [[nodiscard]] std::span<const EffectCard> catalogue();
 [[nodiscard]] const EffectCard* find_card(std::string_view id);
 

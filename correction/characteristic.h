@@ -9,8 +9,8 @@
 
 namespace raceway::correction {
 
-/// A number that depends on the input x of a delay element, a power or a load: its gain or its time
-/// constant [SI]. x is in the unit of its column: W, N.
+/// Gain or time constant of a delay element as a function of its input x, a power or a load [SI]. x
+/// is in the unit of its column: W, N.
 class Characteristic {
  public:
   struct Line {
@@ -19,7 +19,7 @@ class Characteristic {
   struct Power {
     double factor, exponent;
   };
-  /// Straight between its points, x rising; the ends hold outside.
+  /// Linear interpolation between points with rising x. Outside, the end values are used.
   struct Table {
     std::vector<double> input, value;
   };
@@ -27,12 +27,13 @@ class Characteristic {
 
   Characteristic(Line line) : form_(line) {}
   Characteristic(Power power) : form_(power) {}
-  /// Throws std::invalid_argument: no point, lengths that differ, x that does not rise.
+  /// Throws std::invalid_argument for an empty table, for lengths that differ, and for x that does
+  /// not rise.
   Characteristic(Table table);
 
   [[nodiscard]] double operator()(double input) const;
-  /// Range around x = 0 in which it is positive: from `lower` on and below `upper`, where it no
-  /// longer is; infinite where that is nowhere. A power law has no value below 0.
+  /// Returns the range around x = 0 in which the value is positive, including `lower` and excluding
+  /// `upper`. A limit that does not exist is infinite. A power law is not defined below 0.
   [[nodiscard]] Interval positive_within() const;
   [[nodiscard]] const Form& form() const { return form_; }
 

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-/// Settings of a correction on a control, [export] of a model file: docs/control.md.
+/// Contains the settings of a correction on a control, [export] of a model file: docs/control.md.
 namespace raceway::correction {
 
-/// A value for all inputs or axes, and others for some of them.
+/// A value for all inputs or axes, and different values for some of them.
 template <typename T>
 struct ByColumn {
   T all{};
@@ -30,31 +30,32 @@ struct ControlLimits {
   double low = 0.0, high = 0.0;
 };
 
-/// Units are the units of the files: um, for an angle urad, s, C, and for an input the unit of its
+/// Units are those of the files: um (urad for an angle), s, C, and for an input the unit of its
 /// column.
 struct ControlSettings {
-  // Axes, by the column of their displacement.
-  ByColumn<double> limit_um{100.0};  ///< an offset is at most this, either way
-  ByColumn<double> slew_um_s{1.0};   ///< and goes no faster
-  ByColumn<double> sign{-1.0};       ///< offset = sign * displacement: an axis moves against it
-  ByColumn<std::string> unit{"um"};  ///< of what is handed out: "um", "mm", "counts";
-                                     ///< of an angle "urad", "mrad", "rad", "deg", "counts"
-  ByColumn<double> count_um{0.1};    ///< of one count
-  ByColumn<std::string> axis{};  ///< letter of the axis; empty: LETTER of displacement_LETTER_um
-  // Inputs, by their column.
+  // Settings of axes, by the column of their displacement.
+  ByColumn<double> limit_um{100.0};  ///< largest offset in either direction
+  ByColumn<double> slew_um_s{1.0};   ///< largest rate of the offset
+  /// offset = sign * displacement: -1 moves the axis against the displacement
+  ByColumn<double> sign{-1.0};
+  /// unit of the output: "um", "mm", "counts"; for an angle "urad", "mrad", "rad", "deg", "counts"
+  ByColumn<std::string> unit{"um"};
+  ByColumn<double> count_um{0.1};  ///< size of one count
+  ByColumn<std::string> axis{};    ///< letter of the axis; empty: LETTER of displacement_LETTER_um
+  // Settings of inputs, by their column.
   ByColumn<ControlLimits> plausible{
-      {-40.0, 150.0}, {}};  ///< `all`: of temperatures alone; others ten times their range
-  ByColumn<double> fastest_per_s{1.0};  ///< `all`: of temperatures alone; 0: not asked
-  ByColumn<double> stuck_s{3600.0};     ///< `all`: of temperatures alone; 0: not asked
-  ByColumn<double> smoothing_s{0.0};    ///< that instant parts feel them with
-  // All axes and inputs.
-  std::string on_fault = "last-safe";  ///< after the hold: "hold", "last-safe", "zero"
+      {-40.0, 150.0}, {}};  ///< `all`: for temperatures only; other inputs: ten times their range
+  ByColumn<double> fastest_per_s{1.0};  ///< `all`: for temperatures only; 0: not checked
+  ByColumn<double> stuck_s{3600.0};     ///< `all`: for temperatures only; 0: not checked
+  ByColumn<double> smoothing_s{0.0};    ///< smoothing of the input of instant parts
+  // Settings of all axes and inputs.
+  std::string on_fault = "last-safe";  ///< action after the hold: "hold", "last-safe", "zero"
   double hold_s = 60.0, fade_s = 300.0;
   double longest_gap_s = 10.0, clock_jump_s = 1800.0;
-  std::string restart = "decay";        ///< after a longer gap: "decay", "resume", "rest"
-  std::string touch_off = "keep";       ///< what is applied then: "keep", "clear"
-  std::string disabled = "zero";        ///< where offsets go then: "zero", "freeze"
-  std::string beyond_range = "linear";  ///< sections there: "linear", "hold"
+  std::string restart = "decay";        ///< action after a longer gap: "decay", "resume", "rest"
+  std::string touch_off = "keep";       ///< offsets at touch-off: "keep", "clear"
+  std::string disabled = "zero";        ///< offsets while disabled: "zero", "freeze"
+  std::string beyond_range = "linear";  ///< sections beyond their range: "linear", "hold"
 };
 
 }  // namespace raceway::correction

@@ -11,7 +11,7 @@
 
 namespace raceway::correction {
 
-/// A correction model as the loop sees it: one displacement over time.
+/// A correction model for the loop: one displacement over time.
 class CorrectionSubject : public fit::Subject {
  public:
   explicit CorrectionSubject(Model model);
@@ -26,12 +26,12 @@ class CorrectionSubject : public fit::Subject {
   [[nodiscard]] std::unique_ptr<fit::Predictor> predictor(
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
-  /// The subject with the time constants that the record can show, the columns that it has, and a
-  /// zero for each of its runs. Parameters found from a record have seen all of it, so the ranges,
-  /// covariance and evidence of other records are dropped.
+  /// Returns the subject with the limits on time constants from the record, with the available
+  /// columns, and with a zero for each run. The ranges, covariance and evidence of other records
+  /// are removed, because the new parameters will come from this whole record.
   [[nodiscard]] std::unique_ptr<fit::Subject> informed_by(const fit::Record& record) const override;
 
-  /// The range of a model, where its numbers are compared with another record.
+  /// Keeps the range of a model whose parameters are compared with another record.
   void keep_range(const Model& model);
 
   [[nodiscard]] std::vector<fit::Parameter> parameters() const override;
@@ -44,23 +44,26 @@ class CorrectionSubject : public fit::Subject {
   [[nodiscard]] std::unique_ptr<fit::Subject> with_candidates(
       std::span<const std::string> ids) const override;
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
-  /// The candidate that a person means: "second-time-constant:ambient", or without what it acts on
-  /// where that is the main channel or the only axis. Unknown ids are returned unchanged. Throws
-  /// std::invalid_argument where several are meant. Call it on a subject that a record informed.
+  /// Returns the id of the candidate that the user named: "second-time-constant:ambient". The place
+  /// may be missing if it is the main channel or the only axis. Unknown ids are returned unchanged.
+  /// Throws std::invalid_argument if the name is ambiguous. Call this on a subject returned by
+  /// informed_by().
   [[nodiscard]] std::string meant_by(const std::string& id) const;
-  /// Sensors whose resolution shows: the displacement steps with the last digit, and the residual
-  /// steps back by no more than this effect explains. For a fitted model.
+  /// Returns sensors with visible resolution: the displacement steps with the last digit of the
+  /// sensor, and the residual steps back by at most the explained amount. Use it for a fitted
+  /// model.
   [[nodiscard]] std::vector<fit::Fault> faults(const fit::Record& record) const override;
-  /// Eight parts of the record, one after the other, with as many readings each; eight of every run
-  /// where an input moves within one part alone. Parts that still hold nearly all of what an input
-  /// does are in none, nor is the first of a record that began warm.
+  /// Returns eight consecutive parts of the record with equal numbers of readings. If an input
+  /// moves in only one part, each run is split into eight parts. A part that contains nearly all
+  /// motion of an input is never held out. The first part of a record that began warm is not held
+  /// out either.
   [[nodiscard]] std::vector<fit::Blocking> blockings(const fit::Record& record) const override;
 
-  /// Unknowns that are no numbers of the model: the zero of each run after the first, and the
+  /// Unknowns outside the parameters of the model: the zero of each run after the first, and the
   /// initial states of a record that did not begin at rest [m].
   struct Beginning {
     fit::Parameter parameter{};
-    int zero = 0;  ///< of which run, or
+    int zero = 0;  ///< run of the zero, or
     std::size_t channel = 0, section = 0;
     bool is_state = false;
   };
@@ -71,17 +74,18 @@ class CorrectionSubject : public fit::Subject {
   [[nodiscard]] Surroundings surroundings() const;
 
   Model model_;
-  // Properties of the record that informed it.
+  // Properties of the record passed to informed_by().
   bool informed_ = false;
   TimeConstantLimits limits_{};
   std::vector<const Channel*> columns_{};  // inputs that vary
-  std::vector<Interval> ranges_{};         // and how far
+  std::vector<Interval> ranges_{};         // range of each input
   std::vector<double> jump_times_{};
-  double end_ = 0.0;  // behind the last row [s]
+  double end_ = 0.0;  // end of the record, behind the last row [s]
   std::vector<Beginning> beginnings_{};
 };
 
-/// The model of a subject. Throws std::invalid_argument for one of another kind.
+/// Returns the model of a correction subject. Throws std::invalid_argument for a subject of another
+/// kind.
 [[nodiscard]] const Model& model_of(const fit::Subject& subject);
 
 }  // namespace raceway::correction

@@ -9,35 +9,34 @@
 
 namespace raceway::correction {
 
-/// A delay element of which gain and time constant go with the input x that drives it: the power
-/// loss, a load.
+/// Delay element whose gain and time constant depend on its input x, the power loss or a load.
 ///
 ///   T(x) du/dt = K(x) - u
 ///
-/// Source:   [Brecher2021, eq. 6 to 9]; there printed as K (1 - exp(-t/T)), the step response from
-///           rest, which a changing x would make jump. The state form has the same step response
-///           and goes on from where it is.
+/// Source:   [Brecher2021, eq. 6 to 9]. The paper prints K (1 - exp(-t/T)), the step response from
+///           rest. That form would jump when x changes. The state form used here has the same step
+///           response and continues from the current state.
 /// Units:    K [m], T [s], x in the unit of its column: W, N.
-/// Domain:   T positive, and of a power x >= 0: 0 <= P < 214.7 W for the published lines. A load
-/// may
-///           have either sign; a power law has none below 0.
-/// Traps:    the published K is a line with K(0) = 10.36 um although nothing heats at P = 0. The
-///           paper is silent: here K(0) = 0, so that a standing spindle cools towards its rest,
-///           with T(0).
+/// Domain:   T is positive. A power must be x >= 0; for the published lines 0 <= P < 214.7 W. A
+/// load may
+///           have either sign; a power law is not defined below 0.
+/// Traps:    the published K is a line with K(0) = 10.36 um, although no heat is produced at P = 0.
+///           The paper does not discuss this. Here K(0) = 0, so a spindle at standstill cools
+///           towards its rest position, with T(0).
 struct DelayElement {
   Characteristic gain, time_constant;
-  bool both_signs = false;  ///< the input may lie below 0
+  bool both_signs = false;  ///< true: the input may be negative
 
-  /// Inputs that it takes, from `lower` on and below `upper`.
+  /// Returns the accepted inputs, including `lower` and excluding `upper`.
   [[nodiscard]] Interval domain() const;
-  /// The displacement towards which an input drives it [m].
+  /// Returns the displacement to which a constant input leads [m].
   [[nodiscard]] double target(double input) const { return input != 0.0 ? gain(input) : 0.0; }
 };
 
-/// Displacement at every row [m]; the input, in the unit of its column, holds as the settings of
-/// the clock do. Runs begin from rest. NaN from the first input on that lies outside the domain, to
-/// the end of its run. Beyond the inputs that were seen K and T are continued(); an input of 0
-/// drives nothing, seen or not.
+/// Computes the displacement at every row [m]. The input, in the unit of its column, is held
+/// between rows like the settings of the clock. Every run begins at rest. From the first input
+/// outside the domain, the result is NaN to the end of the run. Beyond the range of the fit, K and
+/// T follow continued(). An input of 0 always gives the target 0.
 void delay_response(const Clock& clock, std::span<const double> input, const DelayElement& element,
                     std::span<double> displacement, const Interval& seen = {});
 

@@ -13,55 +13,57 @@
 
 namespace raceway::correction {
 
-/// Properties of an effect on a displacement over time that are known beforehand.
+/// Description of an effect on a displacement over time.
 struct EffectCard {
   std::string_view id;
   std::string_view title;
-  std::string_view form;      ///< u: input, x: state, y: displacement
-  std::string_view needs;     ///< of a record, in words
-  std::string_view confused;  ///< with what
-  /// Parameters, in the units of files. A unit "um/u" is per unit of the input.
+  std::string_view form;      ///< formula with u: input, x: state, y: displacement
+  std::string_view needs;     ///< description of the required record
+  std::string_view confused;  ///< effects with which it may be confused
+  /// Parameters in the units of files. A unit "um/u" is per unit of the input.
   std::span<const record::NumberCard> numbers;
-  std::size_t size = 0;      ///< which of them changes nothing at its neutral value
-  bool of_channel = false;   ///< changes how a channel answers; otherwise adds a share of its own
-  bool at_channel = false;   ///< `where` names a channel, or is empty for the first one
-  bool by_column = false;    ///< named by a column: the one that drives it, or of its window
-  bool by_window = false;    ///< may act in a window of a position
-  bool of_reading = false;   ///< of this record alone: not carried to another one, nor to a control
-  bool evidence = false;     ///< told by the record itself: has no number, is never switched on
-  bool needs_input = false;  ///< its columns cannot be left out in a file
+  std::size_t size = 0;     ///< index of the parameter whose neutral value switches the effect off
+  bool of_channel = false;  ///< true: changes the response of a channel; false: adds its own share
+  bool at_channel = false;  ///< true: `where` names a channel; empty means the first one
+  /// true: a column is part of the name, the one that drives it or its window
+  bool by_column = false;
+  bool by_window = false;   ///< true: may act in a window of a position
+  bool of_reading = false;  ///< true: valid only for this record, not for others or for a control
+  /// true: the record itself shows it; it has no parameter and is never switched on
+  bool evidence = false;
+  bool needs_input = false;  ///< true: a file must name its columns
 };
 
-/// Properties of a record that decide where effects can act on a model.
+/// Properties of a record that decide at which places of a model effects can act.
 struct Surroundings {
   const Model& model;
   std::span<const Channel* const> varying{};  ///< inputs of the record that vary
-  std::span<const Interval> ranges{};         ///< through which each of them goes [SI]
-  std::span<const double> jump_times{};       ///< at which the displacement leaps [s]
-  double end = 0.0;                           ///< behind the last row [s]
+  std::span<const Interval> ranges{};         ///< range of each of these inputs [SI]
+  std::span<const double> jump_times{};       ///< times at which the displacement jumps [s]
+  double end = 0.0;                           ///< end of the record, behind the last row [s]
 
   [[nodiscard]] bool varies(const Channel& column) const;
-  /// Returns true if the first channel is a sum of lags, which effects can change.
+  /// Returns true if the first channel is a sum of lags, which effects can modify.
   [[nodiscard]] bool first_channel_lags() const {
     return !model.channels.empty() && !model.channels.front().sections.empty();
   }
-  /// Name of a channel that an effect acts on; empty for the first one.
+  /// Returns the name of the channel on which an effect acts; empty for the first channel.
   [[nodiscard]] std::string where(const DrivenChannel& channel) const {
     return &channel == &model.channels.front() ? std::string() : channel.name;
   }
-  /// Columns that vary, drive nothing in the model, and are of a kind.
+  /// Returns columns of this kind that vary and drive nothing in the model.
   [[nodiscard]] std::vector<const Channel*> unused(bool (*is_of_kind)(const Channel&)) const;
 };
 
-/// A model that was fitted to a record, and its residual there.
+/// A model fitted to a record, with its residual.
 struct FittedRecord {
   const Model& model;
   const Series& series;
-  std::span<const double> left;  ///< [m] by row, NaN where nothing was read
+  std::span<const double> left;  ///< residual [m] by row; NaN without a reading
 };
 
 /// Behaviour of an effect on a displacement over time. Each effect of the catalogue is a struct in
-/// a file of its own (correction/effects/); OwnEffect is one that a user wrote.
+/// its own file (correction/effects/); OwnEffect is an effect defined by a user.
 class EffectKind {
  public:
   EffectKind() = default;
@@ -71,60 +73,63 @@ class EffectKind {
 
   [[nodiscard]] virtual const EffectCard& card() const = 0;
 
-  /// The effect at every place where a record lets it act, with its initial values.
+  /// Returns the effect at every place where the record allows it, with its initial values.
   [[nodiscard]] virtual std::vector<Effect> possible(const Surroundings& in) const;
-  /// Values that a number may have; empty: all between its bounds.
+  /// Returns the allowed values of a parameter; empty: all values within its bounds.
   [[nodiscard]] virtual std::vector<double> choices(std::size_t number,
                                                     const Surroundings& in) const;
 
-  /// Numbers of the card that the effect has, switched on as it is.
+  /// Returns the parameters of the card that the switched-on effect uses.
   [[nodiscard]] virtual std::span<const record::NumberCard> numbers(const Effect& effect) const;
-  /// Returns true if a file may leave out this number and those after it.
+  /// Returns true if a file may omit this parameter and the following ones.
   [[nodiscard]] virtual bool may_end_before(std::size_t number) const;
-  /// Returns true if the displacement is proportional to a number.
+  /// Returns true if the displacement is proportional to a parameter.
   [[nodiscard]] virtual bool is_proportional(std::size_t number) const;
-  /// Bounds of a number; `limits` of the record apply to time constants.
+  /// Returns the bounds of a parameter; `limits` of the record apply to time constants.
   [[nodiscard]] virtual Interval bounds(const Effect& effect, std::size_t number,
                                         const Model& model, const TimeConstantLimits& limits) const;
-  /// Key of a number in a file, for a displacement that is a length: "gain_um_K". key_of() gives it
-  /// for any.
+  /// Returns the key of a parameter in a file for a displacement in length units: "gain_um_K".
+  /// key_of() handles all units.
   [[nodiscard]] virtual std::string key(const Effect& effect, std::size_t number,
                                         const Model& model) const;
 
-  /// Input of the effect: its columns, else the input of the channel that it acts on.
+  /// Returns the input of the effect: its columns, otherwise the input of the channel on which it
+  /// acts.
   [[nodiscard]] virtual Input input(const Effect& effect, const Model& model) const;
-  /// Columns that it needs in addition to its input.
+  /// Returns the columns that the effect needs in addition to its input.
   [[nodiscard]] virtual std::vector<const Channel*> other_columns(const Effect& effect) const;
 
-  /// Faults of this kind that the record itself shows. Default: none.
+  /// Returns faults of this kind that the record itself shows. Default: none.
   [[nodiscard]] virtual std::vector<fit::Fault> faults(const FittedRecord& in) const;
 
-  /// Contribution to the displacement.
+  /// Returns the contribution to the displacement.
   [[nodiscard]] virtual Share share(const Effect& effect, const Model& model) const;
-  /// Changes how the channel answers that it acts on.
+  /// Changes the response of the channel on which the effect acts.
   virtual void change(const Effect& effect, const Model& model, Answer& answer) const;
 
  protected:
-  /// Switched on there, with its initial values.
+  /// Returns the effect switched on at this place, with its initial values.
   [[nodiscard]] Effect at(std::string where = {}, std::vector<const Channel*> columns = {}) const;
 };
 
-/// Key of a number of an effect in the file of a model: "gain_um_K", of an angle "gain_urad_K".
+/// Returns the key of an effect's parameter in a model file: "gain_um_K", or "gain_urad_K" for an
+/// angle.
 [[nodiscard]] std::string key_of(const Effect& effect, std::size_t number, const Model& model);
 
-/// The unit of a number of an effect, for people: "um/K", of an angle "urad/K".
+/// Returns the unit of an effect's parameter for the reader: "um/K", or "urad/K" for an angle.
 [[nodiscard]] std::string unit_of(const Effect& effect, std::size_t number, const Model& model);
 
-/// A lag of what drives it: the share of effects with the numbers `gain` and `time_constant`.
+/// Returns a lag of the effect's input: the share of effects with the parameters `gain` and
+/// `time_constant`.
 [[nodiscard]] DrivenShare lag_of_input(const EffectKind& kind, const Effect& effect,
                                        const Model& model);
 
-/// The kind of an effect, of the catalogue or the user's own.
+/// Returns the kind of an effect, from the catalogue or user-defined.
 [[nodiscard]] const EffectKind& kind_of(const Effect& effect);
 [[nodiscard]] const EffectCard& card_of(const Effect& effect);
 
-/// The value of a number of an effect, in the unit of its card. Throws std::logic_error for a
-/// number that is none of it.
+/// Returns the value of an effect's parameter in the unit of its card. Throws std::logic_error if
+/// the effect has no such parameter.
 [[nodiscard]] double value_of(const Effect& effect, const record::NumberCard& number);
 
 }  // namespace raceway::correction

@@ -5,24 +5,24 @@
 
 namespace raceway::correction {
 
-/// Friction torque of a whole spindle over speed, loads and temperature, on a grid.
+/// Friction torque of a whole spindle on a grid of speed, loads and temperature.
 ///
-/// A load counts by its amount where the axis of the table has no negative one.
+/// Loads are used by their absolute value unless the axis of the table contains negative loads.
 struct FrictionTable {
-  /// [rad/s], [N], [N], [K].
+  /// Units: [rad/s], [N], [N], [K].
   struct Point {
     double speed, axial_load, radial_load, temperature;
   };
 
-  std::string file{};  ///< as the model names it
-  /// Rising, one value or more each; units as in Point.
+  std::string file{};  ///< file name as in the model
+  /// Axes with one or more rising values each; units as in Point.
   std::vector<double> speed{}, axial_load{0.0}, radial_load{0.0}, temperature{};
-  /// [N m]; speed runs fastest, then axial load, radial load, temperature.
+  /// Friction torque [N m]; speed varies fastest, then axial load, radial load and temperature.
   std::vector<double> torque{};
 
-  /// Interpolates linearly; outside of its axes the value at the edge holds.
+  /// Interpolates linearly. Outside an axis, the value at its edge is used.
   [[nodiscard]] double operator()(const Point& at) const;
-  /// Returns true for a point within the axes; an axis of one value accepts all.
+  /// Returns true for a point within the axes. An axis with one value accepts all points.
   [[nodiscard]] bool holds(const Point& at) const;
 };
 

@@ -10,55 +10,55 @@
 
 namespace raceway::correction {
 
-/// Something unknown that changes slowly: a Gauss-Markov process of first order.
+/// An unknown that changes slowly: a first-order Gauss-Markov process.
 ///
 ///   x(t + dt) = a x(t) + w,   a = exp(-dt/T),   w ~ N(0, s² (1 - a²) + q² dt)
 ///
-/// Left alone it returns to 0 with the memory T and is then known to +- s; with T endless it is a
-/// constant, or with q a random walk.
+/// Without readings it returns to 0 with the memory T and then has the standard deviation s. With
+/// infinite T it is a constant or, with q, a random walk.
 struct Unknown {
   std::string name{};
-  double std = unset;                                       ///< s, in its unit
+  double std = unset;                                       ///< s, in the unit of the unknown
   double memory = std::numeric_limits<double>::infinity();  ///< T [s]
-  double walk = 0.0;                                        ///< q, its unit by the root of a second
-  double first_std = unset;                                 ///< at the beginning; NaN: s
-  double bound = std::numeric_limits<double>::infinity();   ///< of its amount
-  /// Index of the unknown whose rate this one is, dx_k/dt = x; none where it is negative.
+  double walk = 0.0;         ///< q, in the unit of the unknown per root of a second
+  double first_std = unset;  ///< standard deviation at the start; NaN: s
+  double bound = std::numeric_limits<double>::infinity();  ///< largest absolute value
+  /// Index k of the unknown whose rate is this one, dx_k/dt = x; negative: none.
   int rate_of = -1;
 };
 
-/// Estimate of a sum of unknowns from occasional readings of it.
+/// Estimates a sum of unknowns from occasional readings.
 ///
 ///   y(t) = sum_j h_j(t) x_j(t) + v,   v ~ N(0, r²)
 ///
-/// A Kalman filter with one scalar reading at a time, in the form of Joseph, which keeps the
-/// covariance symmetric and positive semidefinite. For unknowns without bound, walk and rate it is
-/// the regression of the readings so far by a Gaussian process of kernel
+/// Kalman filter that processes one scalar reading at a time in Joseph's form, which keeps the
+/// covariance symmetric and positive semidefinite. Without bounds, walks and rates, the filter is
+/// equivalent to a Gaussian-process regression on all readings so far with the kernel
 ///
 ///   k(t, t') = sum_j h_j(t) h_j(t') s_j² exp(-|t - t'|/T_j)
 ///
-/// and where all T_j are endless, recursive least squares with a ridge r²/s².
+/// With infinite T_j, it is recursive least squares with a ridge r²/s².
 ///
-/// Source:   derivation above; tests compare it with the dense solution of the regression.
-/// Units:    x_j and h_j any units whose product is the unit of y.
-/// Domain:   s_j, T_j, r > 0; time goes forward.
-/// Trap:     a bound is kept after each reading by moving along the covariance to where it holds;
-///           the covariance is left as it was.
+/// Source:   derivation above. Tests compare it with the dense solution of the regression.
+/// Units:    x_j and h_j may have any units whose product is the unit of y.
+/// Domain:   s_j, T_j, r > 0; time must not go back.
+/// Trap:     after each reading, a violated bound is restored by moving along the covariance. The
+///           covariance itself does not change.
 class UnknownsFilter {
  public:
-  /// Throws std::invalid_argument for a size or memory that is not positive.
+  /// Throws std::invalid_argument for a standard deviation or memory that is not positive.
   explicit UnknownsFilter(std::vector<Unknown> unknowns);
 
   struct Expected {
     double mean = 0.0;
-    double variance = 0.0;  ///< of the sum without the noise of a reading
+    double variance = 0.0;  ///< variance of the sum, without the noise of a reading
   };
-  /// Mean and variance of the sum with weights h, a time dt [s] from now.
+  /// Returns mean and variance of the sum with weights h, at a time dt [s] from now.
   [[nodiscard]] Expected expected(std::span<const double> weights, double dt) const;
 
-  /// Goes on by dt without a reading.
+  /// Advances by dt without a reading.
   void advance(double dt);
-  /// Learns a reading of the sum with these weights and of this noise, now.
+  /// Processes a reading of the weighted sum with its noise at the current time.
   void learn(std::span<const double> weights, double reading, double reading_std);
   /// Resets one unknown to its initial state.
   void reset(std::size_t unknown);

@@ -13,50 +13,51 @@
 namespace raceway::correction {
 
 struct IdentifyOptions {
-  int lowest_order = 1, highest_order = 3;  ///< sections of a channel
-  /// Columns that may drive a channel of their own, in addition to the channels of the model: taken
-  /// up one by one as long as the error on parts held out falls.
+  int lowest_order = 1, highest_order = 3;  ///< range for the number of sections of a channel
+  /// Columns that may drive additional channels. They are added one at a time while the held-out
+  /// error falls.
   std::vector<const Channel*> offered{};
   std::size_t most_channels = 6;
   std::function<void(double share, std::string_view step)> progress{};
-  std::function<bool()> cancelled{};  ///< where it is true identify() throws fit::Cancelled
+  std::function<bool()> cancelled{};  ///< identify() throws fit::Cancelled if this returns true
 };
 
-/// A structure that was tried, and how well it predicts what it did not see.
+/// A structure that was tried, with its held-out error.
 struct StructureTried {
   std::vector<std::string> channels{};
-  std::vector<int> orders{};                 ///< of each channel
+  std::vector<int> orders{};                 ///< number of sections of each channel
   double rms_held_out = unset, rms = unset;  ///< [m]
   bool taken = false;
 };
 
-/// A fit to a record up to a time, judged by all that comes after.
+/// Result of a fit to the record up to a time, tested on all later readings.
 struct AheadError {
-  double from = unset;  ///< since the first row [s]
+  double from = unset;  ///< end of the fit, since the first row [s]
   double rms = unset;   ///< [m]
 };
 
-/// A strength of ridge that was tried: see lag_bank.h.
+/// A ridge strength that was tried: see lag_bank.h.
 struct StrengthTried {
   double strength = unset;      ///< [um² per square of a gain in um/K, um/(m/min), um/1000 rpm]
   double speed_weight = unset;  ///< [1]
-  double rms_ahead = unset;     ///< mean of all cuts [m]
-  double share = unset;         ///< in the gains that were taken [1]
+  double rms_ahead = unset;     ///< mean rms error over all cuts [m]
+  double share = unset;         ///< weight in the final gains [1]
 };
 
-/// A model whose structure and numbers come from a record.
+/// A model identified from a record.
 struct Identification {
-  Model model{};                                ///< with its numbers, range and covariance
-  std::vector<StructureTried> tried{};          ///< in the order of the search
-  std::vector<record::Parameter> parameters{};  ///< of the model, fitted, with standard errors
-  std::vector<StrengthTried> strengths{};       ///< of a bank of lags
-  std::vector<AheadError> ahead{};              ///< of a bank of lags
-  Metrics metrics{};                            ///< on the record, one constant removed
-  double rms_held_out = unset;                  ///< [m]
+  Model model{};                        ///< identified model with parameters, range and covariance
+  std::vector<StructureTried> tried{};  ///< structures in the order of the search
+  /// fitted parameters of the model with standard errors
+  std::vector<record::Parameter> parameters{};
+  std::vector<StrengthTried> strengths{};  ///< ridge strengths of a bank of lags
+  std::vector<AheadError> ahead{};         ///< errors ahead of a bank of lags
+  Metrics metrics{};                       ///< on the record, after subtracting one constant
+  double rms_held_out = unset;             ///< [m]
   double condition = unset;
-  double correlation_time = unset;   ///< of the residual [s]
-  double whiteness_p_value = unset;  ///< that the residual does not follow the rows before it
-  double noise = unset;              ///< of a single reading [m]
+  double correlation_time = unset;   ///< correlation time of the residual [s]
+  double whiteness_p_value = unset;  ///< p of the test that the residual is uncorrelated in time
+  double noise = unset;              ///< noise of a single reading [m]
   fit::NoiseSource noise_source = fit::NoiseSource::none;
   std::vector<std::string> at_bound{};
   std::vector<record::Note> messages{};
@@ -65,15 +66,18 @@ struct Identification {
   [[nodiscard]] bool is_bank() const { return !strengths.empty(); }
 };
 
-/// A channel of `model` that this column drives, named by it, without sections.
+/// Returns a channel of `model` that this column drives. The column gives its name, and it has no
+/// sections.
 [[nodiscard]] DrivenChannel driven_by(const Channel& column, const Model& model);
 
-/// Finds order, inputs and numbers of a model from a record: gains and time constants by variable
-/// projection from many starts, the structure by the error on eight parts held out, the numbers at
-/// last on single rows. Gains, time constants and kinematic law of the model are starts; delay
-/// elements that go with the power and printed coefficients stay as they are.
+/// Identifies the order, inputs and parameters of a model from a record. Gains and time constants
+/// come from variable projection with many starts. The error on eight held-out parts selects the
+/// structure. At the end, the parameters are fitted to single rows. Gains, time constants and the
+/// kinematic law of the model are start values. Delay elements that depend on the power and printed
+/// coefficients remain unchanged.
 ///
-/// Throws std::invalid_argument: a record without an input of the model, or with too few readings.
+/// Throws std::invalid_argument for a record that lacks an input of the model or has too few
+/// readings.
 [[nodiscard]] Identification identify(const Model& model, const record::Record& record,
                                       const IdentifyOptions& options = {});
 

@@ -8,19 +8,20 @@
 
 namespace raceway::correction {
 
-/// Course of an input between two samples.
+/// Shape of an input between two samples.
 enum class Hold {
-  straight,  ///< along a straight line, as temperatures do: first-order hold
-  held       ///< as it was set, by the clock's settings_hold: zero-order hold
+  straight,  ///< straight line, suitable for temperatures: first-order hold
+  held       ///< constant, according to the clock's settings_hold: zero-order hold
 };
 
 /// One step of a first-order lag T dx/dt = u - x over a time dt.
 ///
 ///   x(k+1) = decay x(k) + old_weight u(k) + new_weight u(k+1)
 ///
-/// Source:   solution of the equation for an input that is straight or constant between samples.
+/// Source:   exact solution of the equation for an input that is linear or constant between
+///           samples.
 /// Domain:   0 <= dt/T.
-/// Accuracy: rounding, also where dt/T is small: the weights come from expm1 and a series.
+/// Accuracy: rounding error only, also for small dt/T, because the weights use expm1 and a series.
 struct LagStep {
   double decay = 1.0, old_weight = 0.0, new_weight = 0.0;  ///< [1]
 };
@@ -28,7 +29,7 @@ struct LagStep {
 inline LagStep lag_step(double ratio, Hold hold) {
   const double rise = -std::expm1(-ratio);  // 1 - exp(-x)
   if (hold == Hold::held) return {1.0 - rise, rise, 0.0};
-  // 1 - (1 - exp(-x))/x loses its digits below; the series is then exact to rounding.
+  // 1 - (1 - exp(-x))/x loses digits below this limit; the series is exact to rounding there.
   const double new_weight =
       ratio < 1e-2
           ? ratio * (1.0 / 2 -
@@ -41,23 +42,25 @@ inline LagStep lag_step(double ratio, Hold hold) {
 
 /// Times of the rows of a record.
 struct Clock {
-  std::vector<double> steps{};  ///< time since the row before [s]; 0 where a run begins
-  std::vector<bool> begins{};   ///< a run begins with this row, and with it the simulation
+  std::vector<double> steps{};  ///< time since the previous row [s]; 0 at the start of a run
+  std::vector<bool> begins{};   ///< true if a run and its simulation begin with this row
   record::SettingsHold settings_hold = record::SettingsHold::sampled;
 
   [[nodiscard]] std::size_t rows() const { return steps.size(); }
-  /// Row whose settings hold from the row before until `row`, which begins no run.
+  /// Returns the row whose settings are valid from the previous row to `row`. The row must not
+  /// begin a run.
   [[nodiscard]] std::size_t held_until(std::size_t row) const {
     return settings_hold == record::SettingsHold::until_row ? row : row - 1;
   }
-  /// Row with whose settings the reading in `row` was taken.
+  /// Returns the row whose settings were valid at the reading in `row`.
   [[nodiscard]] std::size_t seen_at(std::size_t row) const {
     return settings_hold == record::SettingsHold::from_row && !begins[row] ? row - 1 : row;
   }
 };
 
-/// State of a first-order lag of time constant T > 0 [s] at every row, in the unit of the input.
-/// Every run begins from `start`. `input` and `state` have a value for each row of the clock.
+/// Computes the state of a first-order lag with time constant T > 0 [s] at every row, in the unit
+/// of the input. Every run begins at `start`. `input` and `state` have a value for each row of the
+/// clock.
 void lag_response(const Clock& clock, std::span<const double> input, Hold hold,
                   double time_constant, double start, std::span<double> state);
 

@@ -8,39 +8,42 @@
 namespace raceway::correction {
 
 struct LagBankOptions {
-  std::vector<const Channel*> inputs{};  ///< columns that drive
-  /// Time constants of the lags of every input [s], 0: at once. Empty: usual_lags().
+  std::vector<const Channel*> inputs{};  ///< columns used as inputs
+  /// Time constants of the lags of every input [s]; 0 means an instant response. An empty list
+  /// means usual_lags().
   std::vector<double> time_constants{};
   std::function<void(double share, std::string_view step)> progress{};
-  std::function<bool()> cancelled{};  ///< as of IdentifyOptions
+  std::function<bool()> cancelled{};  ///< cancels like IdentifyOptions::cancelled
 };
 
-/// At once, and lags of a hundredth of the longest run and of three times that, up to a quarter of
-/// it [s].
+/// Returns an instant response (0) and lags [s] that begin at a hundredth of the longest run and
+/// grow by a factor of three, up to a quarter of the run.
 [[nodiscard]] std::vector<double> usual_lags(const Series& series);
 
-/// A model of many small shares: every input through the same lags, all gains at once by ridge.
+/// Model with many small shares: every input passes the same lags, and a ridge regression finds all
+/// gains together.
 ///
 ///   minimise  mean (y - y0 - sum g_ij x_ij)² + λ sum (w_ij g_ij)²,   w_ij = s_i sqrt(τ_j/5400 s)
 ///
-/// x_ij is input i through lag j, g its gain [um/K, um/(m/min), um/1000 rpm], λ [um² per square of
-/// that] the strength, s = 1 but for speeds. Slow lags cost more, since they reach farthest beyond
-/// the record; at once counts as 600 s. A speed enters twice, as n and as n (n/1000 rpm)^0.5, by
-/// which friction rises, without a share at once. λ from 0.01 to 10 and the s of speeds from 0.1
-/// to 1 are tried, each fitted to the record up to six times, from 0.59 to 0.88 of it, and judged
-/// by all that comes after; the gains are the mean of all, weighted by that error to the power -4.
-/// Parts held out of the middle would favour gains that hold within the record alone, and the best
-/// strength alone is chosen by little more than chance.
+/// x_ij is input i after lag j, and g is its gain [um/K, um/(m/min), um/1000 rpm]. λ [um² per
+/// square of that unit] is the strength. s is 1 except for speeds. Slow lags have larger penalties,
+/// because they have the longest effect beyond the record. The instant response counts as 600 s. A
+/// speed enters as n and as n (n/1000 rpm)^0.5, which follows the rise of friction, and has no
+/// instant share. The program tries λ from 0.01 to 10 and s of speeds from 0.1 to 1. Each
+/// combination is fitted to up to six initial parts of the record (0.59 to 0.88 of it) and judged
+/// by its error on the remainder. The final gains are the mean over all combinations, weighted by
+/// this error to the power -4. Held-out parts from the middle would favour gains that are valid
+/// only within the record. The best strength alone would depend mostly on chance.
 ///
-/// With many sensors on unknown bodies, this predicts better than a few sections with their own
-/// time constants, which fit equally well but extrapolate badly. It explains nothing. Gains have no
-/// standard error, because ridge shrinks them to 0. If the model does not list its free parameters,
-/// only the offset is free from then on.
-/// Source: ridge regression [HoerlKennard1970]; the bank of lags and its weights are ours, chosen
-/// on the record of docs/spindle-record.md.
+/// With many sensors on unknown bodies, this model predicts better than a few sections with their
+/// own time constants, which fit equally well but extrapolate badly. The gains have no physical
+/// meaning. They have no standard error, because the ridge shrinks them to 0. If the model does not
+/// list its free parameters, only the offset remains free afterwards.
+/// Source: ridge regression [HoerlKennard1970]. The lags and weights are our choice, based on the
+/// record of docs/spindle-record.md.
 ///
-/// Throws std::invalid_argument: a model with channels, a kinematic law, effects or a free initial
-/// state; no input; too few readings; a time constant below 0.
+/// Throws std::invalid_argument for a model with channels, a kinematic law, effects or a free
+/// initial state, without an input, for too few readings, and for a negative time constant.
 [[nodiscard]] Identification identify_lag_bank(const Model& model, const record::Record& record,
                                                const LagBankOptions& options);
 

@@ -8,22 +8,23 @@
 
 namespace raceway::correction {
 
-/// Times between two readings at which a displacement leaps [s]: a collet, a probe, a cable.
+/// Returns times between two readings at which a displacement jumps [s], for example because of a
+/// collet, a probe or a cable.
 ///
-/// Straight lines through some ten minutes of readings before and after, 3 to 20 of them, meet in
-/// the middle with a gap; where nothing leaps that gap is noise and the bend of the curve. Taken
-/// are gaps of five times what they usually are (median, as a standard deviation), away from
-/// changes of the speed by ten minutes: there instant parts of the machine step. Slow structure,
-/// however large, is no leap.
+/// Straight lines are fitted to about ten minutes of readings before and after (3 to 20 readings
+/// each). They meet in the middle with a gap. Without a jump, the gap shows only noise and the
+/// curvature. A jump is a gap of at least five times the usual gap (standard deviation from the
+/// median). Gaps within ten minutes of a speed change do not count, because instant parts of the
+/// machine step there. Slow changes of any size are not jumps.
 [[nodiscard]] std::vector<double> leaps(const record::Record& record,
                                         const record::Channel& displacement);
 
-/// A smaller one of a temperature is lost in its last digits [K].
+/// Smallest visible jump of a temperature [K]; smaller jumps disappear in the last digits.
 inline constexpr double seen_leap_of_a_sensor = 0.5;
 
-/// Rows before which a temperature leaps, as no body with a capacity does: by more than half a
-/// kelvin, and by more than four times its change in the neighbouring rows, in one run at equal
-/// time steps and at a speed that is constant for three rows.
+/// Returns the rows before which a temperature jumps faster than any body with heat capacity can.
+/// The jump exceeds 0.5 K and four times the change in the neighbouring rows. These rows belong to
+/// one run with equal time steps, and the speed is constant for three rows.
 [[nodiscard]] std::vector<std::size_t> leaping_rows(const record::Record& record,
                                                     const record::Channel& column);
 

@@ -10,46 +10,48 @@
 
 namespace raceway::correction {
 
-/// Between which time constants a record can tell anything [s].
+/// Range of the time constants that a record can determine [s].
 struct TimeConstantLimits {
   double shortest = 1.0, longest = 1e7;
-  double record = unset;  ///< its length, where there is one
+  double record = unset;  ///< length of the record, if there is one
 };
 
-/// One number of a model that may be fitted.
+/// A parameter of a model that may be fitted.
 struct Number {
-  record::Parameter parameter{};  ///< named "spindle.gain_1", in the units of the files
+  record::Parameter parameter{};  ///< parameter "spindle.gain_1", in the units of the files
   std::string group{};  ///< "gains", "time_constants", "offset", "kinematic", "scale" or "effects"
-  double* place = nullptr;  ///< in the model
-  double factor = 1.0;      ///< what stands there is the value of the parameter times it
+  double* place = nullptr;  ///< its place in the model
+  double factor = 1.0;      ///< value in the model over value of the parameter
 };
 
-/// All of them, in the order of the file. They point into the model, which outlives them.
+/// Returns all parameters, in the order of the file. The places point into the model, which must
+/// live longer.
 [[nodiscard]] std::vector<Number> numbers(Model& model, const TimeConstantLimits& limits = {});
 
-/// The parameters without places in the model.
+/// Returns the parameters without their places in the model.
 [[nodiscard]] std::vector<record::Parameter> parameters(const Model& model,
                                                         const TimeConstantLimits& limits = {});
 
-/// Names of the parameters of a model that a list of names and groups means, in the order of the
-/// model; without a list all but scales, and those with a prior. Throws std::invalid_argument for a
-/// name that is none.
+/// Returns the names of the parameters that the model's list of free names and groups selects, in
+/// the order of the model. Without a list, all parameters are free except scales without a prior.
+/// Throws std::invalid_argument for an unknown name.
 [[nodiscard]] std::vector<std::string> free_names(const Model& model);
 
-/// Returns true for the name of a group of parameters, as "gains".
+/// Returns true if a name denotes a group of parameters, such as "gains".
 [[nodiscard]] bool is_group(std::string_view name);
 
-/// The shortest time constant of a lag of that input [s]. What follows power or speed faster than a
-/// body does is the law of instant displacement.
+/// Returns the shortest time constant for a lag of this input [s]. A faster response to power or
+/// speed belongs to the law of instant displacement.
 [[nodiscard]] double shortest_time_constant(const Input& input, const TimeConstantLimits& limits);
 
-/// The channel of that name, or the first one for an empty name; null where there is none.
+/// Returns the channel with this name, or the first one for an empty name; null if there is none.
 [[nodiscard]] const DrivenChannel* find_channel(const Model& model, std::string_view name);
 
-/// Input of an effect: see EffectKind::input().
+/// Returns the input of an effect: see EffectKind::input().
 [[nodiscard]] Input input_of(const Effect& effect, const Model& model);
 
-/// "ambient-drift", or "second-time-constant:ambient" where it says which channel or axis.
+/// Returns "ambient-drift", or "second-time-constant:ambient" if the effect names a channel or
+/// axis.
 [[nodiscard]] std::string full_id(const Effect& effect);
 
 }  // namespace raceway::correction

@@ -10,40 +10,41 @@
 
 namespace raceway::correction {
 
-/// An effect that a user wrote as a formula of the columns of a record, in the units of the files:
-/// y + K/(1 + tau s) f(columns, parameters), without a time constant at once.
+/// User-defined effect: a formula of the columns of a record, in the units of the files. It adds y
+/// + K/(1 + tau s) f(columns, parameters); without a time constant it acts instantly.
 ///
-/// It counts from the first row of a run where a temperature is in it, as temperatures do; columns
-/// themselves stand in it as they were recorded, speeds and feeds with their sign as read.
+/// A formula with a temperature counts from the first row of a run, like temperatures. Columns
+/// enter it as recorded, and speeds and feeds keep their sign.
 class OwnEffect final : public EffectKind {
  public:
   struct Number {
     std::string name{}, unit{};
     double value = 0.0;
-    double lower = unset, upper = unset;  ///< NaN: no bound
-    bool in_braces = false;               ///< the file has value, unit and bounds of it
+    double lower = unset, upper = unset;  ///< NaN: unbounded
+    bool in_braces = false;               ///< the file gives its value, unit and bounds
   };
   struct Given {
     std::string id{}, title{}, formula{};
-    bool lags = false;  ///< has a time constant
+    bool lags = false;  ///< true: has a time constant
     std::vector<Number> parameters{};
   };
 
-  /// Throws record::FormulaError.
+  /// Throws record::FormulaError for an invalid formula.
   explicit OwnEffect(Given given);
 
   [[nodiscard]] const Given& given() const { return given_; }
-  /// Its numbers: the gain [um], the time constant where it lags, its parameters.
+  /// Its numbers: Returns the card with its parameters: the gain [um], the time constant if it
+  ///              lags, and the parameters of the formula.
   [[nodiscard]] const EffectCard& card() const override { return card_; }
   [[nodiscard]] const std::vector<const Channel*>& columns() const { return columns_; }
   [[nodiscard]] bool follows_a_temperature() const;
 
-  /// Value in one row: the columns in the order of columns(), in their units; the parameters.
+  /// Returns the value in one row. Columns are in the order of columns() and in their units.
   [[nodiscard]] double value(std::span<const double> columns, std::span<const double> parameters,
                              std::vector<double>& scratch) const;
 
   [[nodiscard]] bool is_proportional(std::size_t number) const override { return number == 0; }
-  /// "gain_um", "p.value".
+  /// Returns a key such as "gain_um" or "p.value".
   [[nodiscard]] std::string key(const Effect& effect, std::size_t number,
                                 const Model& model) const override;
   [[nodiscard]] Input input(const Effect& effect, const Model& model) const override;
@@ -55,18 +56,18 @@ class OwnEffect final : public EffectKind {
     std::size_t index = 0;
   };
 
-  /// Index of the first parameter among the numbers.
+  /// Returns the index of the first parameter of the formula.
   [[nodiscard]] std::size_t first_parameter() const { return given_.lags ? 2 : 1; }
 
   Given given_;
   std::vector<const Channel*> columns_;
   std::unique_ptr<record::Expression> expression_;
-  std::vector<Term> terms_;  // what the expression uses, in its order
+  std::vector<Term> terms_;  // variables of the expression, in its order
   std::vector<record::NumberCard> numbers_;
   EffectCard card_;
 };
 
-/// The column of a record that a formula calls so; null for a name that is none.
+/// Returns the record column with this name in formulas; null for an unknown name.
 [[nodiscard]] const Channel* column_of_formula(std::string_view name);
 
 }  // namespace raceway::correction

@@ -7,12 +7,12 @@
 
 namespace raceway::correction {
 
-/// State of a machine before a row, to show where a model fails.
+/// State of a machine at a row, which shows in which state a model fails.
 inline constexpr record::Channel phase{
     .name = "phase", .variable = "phase", .words = "phase", .role = record::Role::run};
 
-/// Phase of each row: "after a change of speed" (15 min); "rising" and "falling" where the
-/// displacement changed by more than 5 % of its span in the last half hour; else "at rest" or
+/// Returns the phase of each row: "after a change of speed" (15 min); "rising" or "falling" if the
+/// displacement changed by more than 5 % of its span in the last half hour; otherwise "at rest" or
 /// "steady".
 [[nodiscard]] std::vector<std::string> phases(const record::Record& record,
                                               const record::Channel& displacement);

@@ -8,25 +8,26 @@
 
 namespace raceway::correction {
 
-/// The last digit of a column [SI]: the greatest step of which all differences are multiples. NaN
-/// where there is none, or fewer than three values.
+/// Returns the last digit of a column [SI]: the greatest step of which all differences are
+/// multiples. NaN if there is no such step, or for fewer than three values.
 [[nodiscard]] double quantum_of(const record::Channel& channel, std::span<const double> values);
 
-/// Times the usual step of time: a gap, which has no readings.
+/// Longest time step within a record, in multiples of the usual step. A longer step is a gap
+/// without readings.
 inline constexpr double a_gap = 20.0;
 
-/// Longest time for which a column of a record read the same.
+/// Longest time for which a column kept the same value.
 struct Still {
   double longest = 0.0, from = 0.0;  ///< [s]
 };
 
-/// The longest time for which values of a record stood still. Neither a new run nor a gap goes on
-/// with it: a sensor that reads the same behind a gap need not have stood.
+/// Returns the longest time for which the values of a record stayed constant. A new run or a gap
+/// ends such a time, because the sensor may have changed during the gap.
 [[nodiscard]] Still longest_still(const record::Record& record, std::span<const double> values);
 
-/// Likely values between the steps of a sensor: straight between the changes of its last digit,
-/// where the value is half-way, and at the digit itself in the middle of a turn. `begins`: a run
-/// begins with this row.
+/// Returns likely values between the steps of a sensor. Values are interpolated between the changes
+/// of the last digit, where the true value is half-way. At a turning point, the middle has the
+/// value of the digit. `begins` is true at the first row of a run.
 [[nodiscard]] std::vector<double> between_digits(std::span<const double> time,
                                                  std::span<const double> values,
                                                  const std::vector<bool>& begins);

@@ -10,34 +10,35 @@
 
 namespace raceway::correction {
 
-/// Properties of a record over time that matter for a model.
+/// Properties of a time record that are important for a model.
 struct RecordCheck {
   struct Quantum {
     const Channel* column = nullptr;
-    double step = unset;  ///< [SI]: every value is a multiple of it from the least
+    double step = unset;  ///< [SI]: the values are the least value plus multiples of it
   };
   struct Printed {
     std::string channel;
-    double factor = 1.0;     ///< SI over the unit of the input's column
-    double quantum = unset;  ///< of the input, as the record shows it, or 0.1 of its unit [SI]
+    double factor = 1.0;     ///< one unit of the input's column in SI
+    double quantum = unset;  ///< resolution of the input in the record, or 0.1 of its unit [SI]
     TransferFunctionCheck check;
   };
   const Channel* displacement = nullptr;
-  double sampling = unset;                   ///< median time between rows [s]
-  double duration = unset;                   ///< of the longest run [s]
-  std::size_t readings = 0;                  ///< of the displacement
-  fit::Repeatability repeatability{};        ///< of readings that were repeated in stops
-  double noise_at_most = unset;              ///< of readings that stand far apart [m]
-  double reading_interval = unset;           ///< median [s]
-  double shortest = unset, longest = unset;  ///< time constants that it can tell [s]
+  double sampling = unset;             ///< median time between rows [s]
+  double duration = unset;             ///< of the longest run [s]
+  std::size_t readings = 0;            ///< number of readings of the displacement
+  fit::Repeatability repeatability{};  ///< repeatability from repeated readings within stops
+  double noise_at_most = unset;        ///< upper bound of the noise of widely spaced readings [m]
+  double reading_interval = unset;     ///< median [s]
+  /// range of time constants that the record can determine [s]
+  double shortest = unset, longest = unset;
   std::vector<Quantum> quanta{};
-  std::vector<Printed> printed{};  ///< polynomials of the model
+  std::vector<Printed> printed{};  ///< printed transfer functions of the model
   std::vector<record::Note> warnings{};
-  /// Warnings that concern the sensors of the model's inputs.
+  /// Warnings about sensors of the model's inputs.
   std::vector<record::Note> of_its_inputs{};
 };
 
-/// Describes where an input leaves the range of its delay element, in a sentence; empty where it
+/// Describes in one sentence where an input leaves the range of its delay element; empty if it
 /// never does.
 [[nodiscard]] std::string beyond_element(const Model& model, const record::Record& record);
 

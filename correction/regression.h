@@ -6,23 +6,23 @@
 
 namespace raceway::correction {
 
-/// Multiple linear regression: a displacement as a constant combination of temperatures, without
-/// any memory. The common model of a control, here as the one that others have to beat.
+/// Multiple linear regression: a displacement as a linear combination of temperatures, without
+/// memory. Many controls use this model; here it is the baseline for comparison.
 struct Regression {
   Eigen::VectorXd coefficients{};  ///< one for each column
-  double rms = unset;              ///< of what it leaves, in the unit of the readings
-  /// Largest over least singular value of the columns: from 1e8 on, digits of the coefficients are
-  /// lost.
+  double rms = unset;              ///< rms residual, in the unit of the readings
+  /// Condition number: largest over least singular value of the columns. From 1e8 on, the
+  /// coefficients lose digits.
   double condition = unset;
 };
 
-/// Least squares by a QR decomposition with column pivoting; the normal equations would square the
-/// condition. Throws std::invalid_argument: less rows than columns, columns that depend on each
-/// other.
+/// Solves the least-squares problem by QR decomposition with column pivoting. Normal equations
+/// would square the condition number. Throws std::invalid_argument for fewer rows than columns and
+/// for linearly dependent columns.
 [[nodiscard]] Regression regress(const Eigen::MatrixXd& columns, const Eigen::VectorXd& readings);
 
-/// The gain of a sister spindle: by how much the simulated share of the spindle has to be scaled
-/// where the rest of the model is right, <y - rest, s>/<s, s> [Transfer2022, eq. 6].
+/// Returns the gain of a sister spindle: the factor on the simulated share s of the spindle if the
+/// remainder of the model is correct, <y - rest, s>/<s, s> [Transfer2022, eq. 6].
 [[nodiscard]] double sister_scale(const Eigen::VectorXd& measured, const Eigen::VectorXd& rest,
                                   const Eigen::VectorXd& spindle);
 

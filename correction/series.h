@@ -14,13 +14,13 @@
 
 namespace raceway::correction {
 
-/// Response of a channel that is more than a lag.
+/// Response of a channel with effects that change its lags.
 struct Answer {
-  double sensor_time_constant = 0.0;               ///< [s]: the input is T (1 + it s)
-  double off_gain = 1.0, off_time_constant = 1.0;  ///< ratios where coolant_on is 0
-  double speed_factor = 0.0, gain_power = 1.0;     ///< s and g of the card
-  double falling = 1.0;                            ///< ratio where the input is below the state
-  Interval speed{};                                ///< that was seen [rpm]: s and g go on beyond it
+  double sensor_time_constant = 0.0;  ///< sensor time constant [s]: the input is T (1 + it s)
+  double off_gain = 1.0, off_time_constant = 1.0;  ///< ratios that apply while coolant_on is 0
+  double speed_factor = 0.0, gain_power = 1.0;     ///< s and g of the effect's card
+  double falling = 1.0;                            ///< ratio while the input is below the state
+  Interval speed{};  ///< speed range of the fit [rpm], beyond which s and g are continued()
 
   [[nodiscard]] bool is_plain() const {
     return sensor_time_constant == 0.0 && off_gain == 1.0 && off_time_constant == 1.0 &&
@@ -28,15 +28,16 @@ struct Answer {
   }
 };
 
-/// Effective size of a speed or feed that drives a channel, without its sign: see Input::exponent.
+/// Returns the effective size of a speed or feed that drives a channel, without its sign: see
+/// Input::exponent.
 [[nodiscard]] double driving_size(double value, double exponent);
 
-/// A record over time as the models of this folder need it: the time between its rows, inputs
-/// counted from the first row of each run, and the answers of lags to them, kept as they are asked
-/// for. One may be shared by several threads.
+/// A time record prepared for the models of this folder: time steps, inputs relative to the first
+/// row of each run, and stored lag responses. Several threads may share one object.
 class Series {
  public:
-  /// `record` outlives it. Throws std::invalid_argument for time that goes back, or is missing.
+  /// `record` must live longer than this object. Throws std::invalid_argument if time is missing or
+  /// goes back.
   explicit Series(const record::Record& record);
 
   [[nodiscard]] const record::Record& record() const { return record_; }
@@ -48,33 +49,35 @@ class Series {
   [[nodiscard]] std::span<const int> zero() const { return zero_; }
   [[nodiscard]] int zeros() const { return zeros_; }
   [[nodiscard]] std::span<const double> speed_rpm() const { return speed_rpm_; }
-  /// Empty where coolant_on is not recorded.
+  /// Returns an empty span if coolant_on is not recorded.
   [[nodiscard]] std::span<const double> coolant() const { return coolant_; }
 
   using Values = std::shared_ptr<const std::vector<double>>;
-  /// Input at every row, SI: a rise of temperature [K], a power [W], a speed, a feed, times the
-  /// share of a window of the input. Throws
-  /// std::invalid_argument for a column that the record lacks.
+  /// Returns the input at every row [SI]: a rise of temperature [K], a power [W], a speed or a
+  /// feed, multiplied by the weight of a window on the input. Throws std::invalid_argument if the
+  /// record lacks a column.
   [[nodiscard]] Values input(const Input& input) const;
-  /// Input of a part that answers at once, as the reading in each row sees it; with its window.
+  /// Returns the input of an instant part as the reading in each row sees it, including its window.
   [[nodiscard]] Values at_once(const Input& input) const;
-  /// Share with which the window of an input lets its channel act, as the reading in each row sees
-  /// it; null for an input without a window of the displacement.
+  /// Returns the weight of a window on the displacement as the reading in each row sees it; null
+  /// for an input without such a window.
   [[nodiscard]] Values shown_share(const Input& input) const;
-  /// Rows at which it turns and the power lies outside the axes of its friction table.
+  /// Returns the number of rows at which the spindle turns and the power is outside the axes of its
+  /// friction table.
   [[nodiscard]] std::size_t rows_beyond_table(const Input& input) const;
 
-  /// State of a lag of that input, in its unit; with its window.
+  /// Returns the state of a lag of this input in the unit of the input, including its window.
   [[nodiscard]] Values lag(const Input& input, double time_constant, const Answer& answer) const;
-  /// n^(1 - B exp(-C n)), of speed in rpm. Above the speeds that were seen it is continued(); below
-  /// them it ends at rest, where it is known to be 0.
+  /// Returns n^(1 - B exp(-C n)) for the speed n in rpm. Above the speed range of the fit it
+  /// follows continued(). The lower end is standstill, where the value is known to be 0.
   [[nodiscard]] Values kinematic(double B, double C, const Interval& seen = {}) const;
-  /// Lag of exp(-n/n0) where it turns, else of 0; beyond the speeds that were seen continued().
+  /// Returns the lag of exp(-n/n0) while the spindle turns, otherwise of 0. Beyond the speed range
+  /// of the fit it follows continued().
   [[nodiscard]] Values motor(double decay_speed_rpm, double time_constant,
                              const Interval& seen = {}) const;
-  /// exp(-t/tau) from the first row of the first run; 0 in later ones.
+  /// Returns exp(-t/tau) from the first row of the first run; 0 in later runs.
   [[nodiscard]] Values decay(double time_constant) const;
-  /// 1 - exp(-t/tau) from the first row of the record on, through all runs.
+  /// Returns 1 - exp(-t/tau) from the first row of the record, through all runs.
   [[nodiscard]] Values settling(double time_constant) const;
 
  private:
@@ -85,11 +88,11 @@ class Series {
   [[nodiscard]] std::vector<FrictionTable::Point> points_of_table(const Input& input) const;
   [[nodiscard]] std::vector<double> power(const Input& input) const;
   [[nodiscard]] std::vector<double> formula(const Input& input) const;
-  /// Key of the stored values of `input`.
+  /// Returns the key of the stored values of `input`.
   [[nodiscard]] Key key_of(const Input& input) const;
-  /// Input at every row, without a window.
+  /// Computes the input at every row without a window.
   void fill(const Input& input, std::vector<double>& out) const;
-  /// Share of a window at every row.
+  /// Returns the weight of a window at every row.
   [[nodiscard]] std::vector<double> shares(const Window& window) const;
   void answer(const std::vector<double>& input, record::Course course, double time_constant,
               const Answer& answer, std::vector<double>& state) const;
@@ -100,7 +103,7 @@ class Series {
   std::vector<int> zero_;
   int zeros_ = 1;
   mutable std::mutex mutex_;
-  mutable std::vector<std::string> inputs_;  // what ids stand for
+  mutable std::vector<std::string> inputs_;  // input of each id
   mutable std::map<Key, Values> kept_;
 };
 

@@ -9,22 +9,22 @@
 
 namespace raceway::correction {
 
-/// A share of the displacement that a lag of an input makes, or the input itself at once.
+/// Share of the displacement from a lag of an input, or from the input itself without a lag.
 struct DrivenShare {
   Input input{};
-  double gain = 0.0;             ///< [um] per unit of the input, as people read it
-  double time_constant = unset;  ///< [s]; NaN: at once
+  double gain = 0.0;             ///< [um] per unit of the input as displayed
+  double time_constant = unset;  ///< [s]; NaN: instant
 };
 
-/// A share of a motor that warms up with or against the spindle: a lag of exp(-n/n0) while it
-/// turns.
+/// Share of a motor that heats up or cools down with the spindle: a lag of exp(-n/n0) while the
+/// spindle turns.
 struct MotorShare {
   double gain = 0.0;         ///< [um]
   double time_constant = 0;  ///< [s]
   double decay_speed = 0;    ///< n0 [rpm]
 };
 
-/// A share that settles once, from the start of the record: size (1 - exp(-t/τ)).
+/// Share that settles once from the start of the record: size (1 - exp(-t/τ)).
 struct SettlingShare {
   double size = 0.0;         ///< [um]
   double time_constant = 0;  ///< [s]
@@ -34,21 +34,22 @@ struct SettlingShare {
 struct JumpShare {
   struct Jump {
     double size = 0.0;  ///< [um]
-    double time = 0.0;  ///< of the clock of the record [s]
+    double time = 0.0;  ///< time on the clock of the record [s]
   };
   std::vector<Jump> jumps{};
 };
 
 /// Contribution of an effect to the displacement. Simulation, step responses and exported programs
-/// use it, so that they agree. Empty for an effect that changes the response of a channel.
+/// all use it, so they agree. It is empty for an effect that changes the response of a channel.
 using Share =
     std::variant<std::monostate, DrivenShare, MotorShare, SettlingShare, JumpShare, Kinematic>;
 
-/// Takes weight [m] times values, one for each row. What a Series keeps is the same object whenever
-/// it is made of the same numbers.
+/// Receives a weight [m] and its factor values, one for each row. For equal parameters, a Series
+/// passes the same stored object.
 using Sink = std::function<void(double weight, const Series::Values& values)>;
 
-/// Simulates a share on a record. `seen`: speeds [rpm] beyond which laws are continued().
+/// Simulates a share on a record. `seen` is the speed range of the fit [rpm], beyond which laws are
+/// continued().
 void add_share(const Share& share, const Series& series, const Interval& seen, const Sink& sink);
 
 }  // namespace raceway::correction

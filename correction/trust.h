@@ -7,48 +7,50 @@
 #include "correction/model.h"
 #include "correction/range.h"
 
-/// Trust in a correction, from the evidence of readings that no fit saw.
+/// Judges the trust in a correction from held-out readings.
 namespace raceway::correction {
 
 enum class TrustLevel { unknown, do_not_use, within_range, good };
 
-/// "unknown", "do-not-use", "within-range", "good"
+/// Returns "unknown", "do-not-use", "within-range" or "good".
 [[nodiscard]] std::string_view name(TrustLevel level);
 
 struct Trust {
   TrustLevel level = TrustLevel::unknown;
-  std::string because{};  ///< one clause; empty where it is good
+  std::string because{};  ///< reason in one clause; empty for good
 };
 
-/// Returns the line for people: "good", "inside its range only: ...", "do not use, because ...",
-/// "not known: ...".
+/// Returns one line for the reader: "good", "inside its range only: ...", "do not use, because
+/// ...", "not known: ...".
 [[nodiscard]] std::string line_of(const Trust& trust);
 
-/// RMS of the readings when one constant is taken off each run: the error without a correction [m].
+/// Returns the rms of the readings after subtracting one constant from each run: the error without
+/// a correction [m].
 [[nodiscard]] double uncorrected_rms(const Model& model, const record::Record& record);
 
-/// Evidence of a record that a model was fitted to. `error`: RMS on readings that no fit saw [m],
-/// NaN where nothing could be held out.
+/// Returns the evidence of a record to which a model was fitted. `error` is the rms error on
+/// held-out readings [m]; NaN if nothing could be held out.
 [[nodiscard]] Evidence evidence_on(const Model& model, const record::Record& record, double error);
 
-/// Returns the trust that the evidence of a model supports. The first that applies:
+/// Returns the trust that the evidence of a model supports. The first matching level is used:
 ///
-///   do not use    nothing was held out; the readings go from one state to another once; a time
-///                 constant is longer than the readings; more than half of the mean square of the
-///                 displacement is left
-///   within range  a time constant is longer than a third of the readings; the error is above the
-///                 tolerance, or without one above a quarter of the displacement
+///   do not use    nothing was held out; the readings move only once from one state to another; a
+///                 time constant is longer than the readings; the residual contains more than half
+///                 of the mean square of the displacement
+///   within range  a time constant is longer than a third of the readings; the error exceeds the
+///                 tolerance or, without a tolerance, a quarter of the displacement
 ///   good          otherwise
 ///
-/// An error on another record (`Evidence::other_record`) shows by itself what the course and the
-/// length of the first record can only suggest, and these are not asked then.
-/// Accuracy: the limits are ours. Of corrections found in the first 1 to 12 h of
-/// data/corrections/exact, none that leaves more than a fifth of the displacement of its
-/// test.csv is called good.
+/// An error on another record (`Evidence::other_record`) is direct evidence. The conditions on the
+/// course and the length of the first record are then not used.
+/// Accuracy: the limits are our choice. They were tested on corrections found in the first 1 to 12
+/// h of data/corrections/exact. No correction with a residual above a fifth of the displacement in
+/// its test.csv is called good.
 [[nodiscard]] Trust trust_of(const Model& model);
 
-/// Trust on a record: no better than its readings show, and within its range only where the record
-/// leaves it. `errors`: of the readings, one constant subtracted; `uncorrected`: as above.
+/// Returns the trust on a record. It is at most as good as the readings show, and "within range" at
+/// best if the record leaves the range. `errors` are the errors of the readings after subtracting
+/// one constant; `uncorrected` comes from uncorrected_rms().
 [[nodiscard]] Trust trust_on(const Model& model, const Metrics& errors, double uncorrected,
                              const Beyond& beyond);
 

@@ -8,31 +8,31 @@
 #include "verdict/add.h"
 #include "verdict/diagnose.h"
 
-/// The loop for subjects that only approximate (Subject::approximates()): is what is missing larger
-/// than what the user tolerates, on parts of the record that no fit saw? What they leave is always
-/// larger than the noise of the sensor and follows the rows before it, so that no test against
-/// noise would ever be passed. Called by loop/loop.h.
+/// Runs the loop for models that only approximate (Subject::approximates()). The question is
+/// whether the missing effect exceeds the tolerance of the user on held-out parts of the record.
+/// The residual of such a model always exceeds the sensor noise and is correlated in time, so a
+/// test against noise would never pass. Call these functions through loop/loop.h.
 namespace raceway::tolerance {
 
-/// Verdict on the means of a minute or more:
+/// Diagnoses a model on means over a minute or more:
 ///
-///   refit -> held out, part by part -> within the tolerance: nothing is missing that matters
-///   each candidate -> one within the tolerance, with all that come near it
-///   a fault that the record shows of itself, where no single one is within
-///   pairs, where no single one is within -> one that gains a fifth more
-///   otherwise like the one that takes half of the mean square, or in no catalogue
+///   refit -> held-out parts -> within the tolerance: no missing effect matters
+///   each candidate -> one within the tolerance, together with all close to it
+///   a fault that the record itself shows, if no single candidate is within the tolerance
+///   pairs, if no single candidate is within -> a pair that gains a further fifth
+///   otherwise: like the candidate that explains half of the mean square, or not in the catalogue
 ///
-/// An error of a single one that is not told from the tolerance (1.645 of its standard error,
-/// 1/sqrt(2 T/30 min)) is within.
+/// An error counts as within the tolerance if it exceeds it by less than 1.645 of its standard
+/// error, 1/sqrt(2 T/30 min).
 ///
-/// Near is what errs at most a fifth more, or is not told from the best by
-/// lambda = T/(30 min) (r²/best² - 1) of at least 20, errors on parts held out, and takes half of
-/// what the best takes.
+/// A candidate is close to the best one if its held-out error is at most a fifth larger, or if
+/// lambda = T/(30 min) (r²/best² - 1) is below 20. It must also remove at least half as much of the
+/// error as the best one.
 [[nodiscard]] verdict::Diagnosis diagnose_approximation(const fit::Subject& subject,
                                                         const record::Record& record,
                                                         const verdict::DiagnoseOptions& options);
 
-/// Free parameters fitted to single rows, begun where the means led.
+/// Fits the free parameters to single rows, starting from the fit to means.
 [[nodiscard]] verdict::Calibration calibrate_approximation(const fit::Subject& subject,
                                                            const record::Record& record);
 

@@ -6,9 +6,10 @@
 
 namespace raceway::tolerance {
 
-/// True where the readings of a channel go from one state to another once, as while a machine warms
-/// up: the way that their means go is hardly longer than their span. No part of such a record can
-/// be held out and told from the rest. True without readings.
+/// Returns true if the readings of a channel only move once from one state to another, for example
+/// while a machine warms up. The total path of their means is then hardly longer than their span.
+/// No part of such a record can be held out and predicted from the others. The result is also true
+/// without readings.
 [[nodiscard]] bool goes_one_way(const fit::Means& means, std::size_t channel);
 
 }  // namespace raceway::tolerance

@@ -7,8 +7,9 @@
 
 namespace raceway::tolerance {
 
-/// Course of residuals over time that no effect of the catalogue explains: where they are largest,
-/// their period and their correlation time. `left`: reading minus prediction of every mean.
+/// Finds the pattern of residuals over time that no effect of the catalogue explains: times of the
+/// largest residuals, period and correlation time. `left` is the reading minus the prediction of
+/// every mean.
 [[nodiscard]] verdict::Course course_of(const fit::Means& means, const Eigen::VectorXd& left);
 
 }  // namespace raceway::tolerance

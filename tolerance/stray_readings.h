@@ -7,16 +7,16 @@
 
 namespace raceway::tolerance {
 
-/// A record without readings that no model of it could have made, and what to say of them.
+/// A record without readings that no model could explain, and notes on these readings.
 struct WithoutStrays {
   std::shared_ptr<const record::Record> record{};
-  std::vector<record::Note> notes{};  ///< with their lines
+  std::vector<record::Note> notes{};  ///< notes with the lines of these readings
 };
 
-/// Takes out readings that leave what the refitted subject leaves around them and return
-/// (fit/isolated_readings.h), as where chips touch a probe that reads every few minutes. The
-/// subject is fitted again without them as long as that shows others, three times at most. A
-/// subject that is costly, or that cannot be fitted, keeps its record.
+/// Removes readings whose residual jumps and returns (fit/isolated_readings.h), for example because
+/// chips touch a probe that measures every few minutes. The model is refitted without these
+/// readings, at most three times, as long as the fit shows further ones. The record is unchanged
+/// for costly models and for models that cannot be fitted.
 [[nodiscard]] WithoutStrays without_strays(const fit::Subject& subject,
                                            const record::Record& record);
 

@@ -7,28 +7,28 @@
 #include "correction/learning.h"
 #include "correction/series.h"
 
-/// Part of learning.h: what of a model is learnt.
+/// Selects the parts of a model that learning.h learns.
 namespace raceway::correction {
 
-/// A number of a model that is learnt, as an unknown with its weight at every row.
+/// A learned quantity of a model, as an unknown with a weight at every row.
 struct LearntPart {
   Unknown unknown{};
-  std::vector<double> weights{};  ///< of a gain: the contribution [m]; of a lag [1]
-  std::string name{};            ///< of the contribution that it makes larger; of a lag the channel
-  bool is_lag = false;           ///< one that the model lacks
-  double time_constant = unset;  ///< of the lag [s]
-  double gain = unset;           ///< of the lag where the unknown is 1 [1] per SI unit of the input
+  std::vector<double> weights{};  ///< weights: contribution of a gain [m], or response of a lag [1]
+  std::string name{};   ///< name of the contribution that the gain scales, or channel of the lag
+  bool is_lag = false;  ///< true for a lag that the model lacks
+  double time_constant = unset;  ///< time constant of the lag [s]
+  double gain = unset;  ///< gain of the lag if the unknown is 1 [1], per SI unit of the input
 };
 
-/// Gains of all that the model adds up, and lags of its inputs that it lacks; these only of
-/// channels that have sections and of whose inputs the model knows the range.
+/// Returns the gains of all contributions of the model and the missing lags of its inputs. Lags are
+/// added only to channels with sections and a known input range.
 [[nodiscard]] std::vector<LearntPart> learnt_parts(const Model& model, const Series& series,
                                                    const LearningOptions& options, double misfit);
 
-/// The zero, its rate, and what the model leaves by its memories.
+/// Returns the unknowns for the zero, its rate, and the residual of the model with its memories.
 [[nodiscard]] std::vector<Unknown> zero_and_misfits(const Model& model, double misfit);
 
-/// The model with its zero and its parts as they were found.
+/// Returns the model with the learned zero and parts.
 [[nodiscard]] Model with_learnt(const Model& model, const std::vector<LearntPart>& parts,
                                 const std::vector<double>& values, double zero, double misfit);
 

@@ -20,7 +20,8 @@
 
 namespace raceway::correction {
 
-/// The list of the catalogue, by id. A new effect is a header of this folder and its name here.
+/// List of the effects of the catalogue, by id. To add an effect, write a header in this folder and
+/// add its name here.
 using AllEffects = std::tuple<AmbientDrift, CoolingSwitch, ExchangedColumns, FeedAxisHeat,
                               RecordedInput, KinematicDisplacement, LooseSensor, MotorHeat,
                               OffsetJump, SecondTimeConstant, SensorLag, SensorQuantisation,

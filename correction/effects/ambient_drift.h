@@ -6,7 +6,8 @@
 
 namespace raceway::correction {
 
-/// The room moves the machine: a lag of the room temperatures, else of the base temperatures.
+/// Ambient temperature moves the machine: a lag of the ambient temperatures, or of the base
+/// temperatures if there are none.
 struct AmbientDrift final : EffectKind {
   static constexpr EffectCard ambient_card{
       .id = "ambient-drift",

@@ -5,7 +5,7 @@
 
 namespace raceway::correction {
 
-/// The machine answers otherwise with its coolant off: gain and time constant times their ratios.
+/// The response changes when the coolant is off: gain and time constant are multiplied by ratios.
 struct CoolingSwitch final : EffectKind {
   static constexpr record::NumberCard gain_ratio{"gain_ratio", "1", 1.0, 0.1, 10, 0.1, 10, 1.0};
   static constexpr record::NumberCard time_ratio{

@@ -4,8 +4,8 @@
 
 namespace raceway::correction {
 
-/// Two temperatures of the record stand under each other's name: a plug or a header was exchanged.
-/// The model is fitted with each such pair put right, where one of them drives it.
+/// Two temperature columns have exchanged names, because a plug or a header was exchanged. The
+/// model is fitted with each pair of columns exchanged if one of them drives it.
 struct ExchangedColumns final : EffectKind {
   static constexpr EffectCard exchanged_card{
       .id = "exchanged-columns",

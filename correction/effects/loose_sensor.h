@@ -4,8 +4,9 @@
 
 namespace raceway::correction {
 
-/// A sensor of temperature came loose for a while: it saw a share of the rise above the room, from
-/// one leap of its reading to the leap back, or to the end of the run.
+/// A temperature sensor came loose for some time: it measured only a share of the rise above
+/// ambient. The fault lasts from one jump of its reading to the jump back, or to the end of the
+/// run.
 struct LooseSensor final : EffectKind {
   static constexpr EffectCard loose_card{
       .id = "loose-sensor",

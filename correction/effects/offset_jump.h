@@ -13,7 +13,8 @@ inline constexpr record::NumberCard jump_time(std::string_view name) {
   return {name, "s", 0.0, -any_size, any_size, -any_size, any_size, unset};
 }
 
-/// The reading jumps: a collet, a probe, a cable. Up to three jumps, each a size and a time.
+/// The reading jumps, for example because of a collet, a probe or a cable. The effect has up to
+/// three jumps, each with a size and a time.
 struct OffsetJump final : EffectKind {
   static constexpr std::array jumps{jump_size("size"),   jump_time("time_s"),
                                     jump_size("size_2"), jump_time("time_2_s"),
@@ -42,7 +43,7 @@ struct OffsetJump final : EffectKind {
     if (!is_time(number)) return {};
     return {in.jump_times.begin(), in.jump_times.end()};
   }
-  /// Jumps after the first, as many as there are.
+  /// Jumps after the first may be omitted.
   [[nodiscard]] bool may_end_before(std::size_t number) const override {
     return number > 0 && !is_time(number);
   }

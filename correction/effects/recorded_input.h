@@ -10,11 +10,10 @@
 
 namespace raceway::correction {
 
-/// A column that was recorded and that the model does not use: a lag of it, and of a position,
-/// which is no heat, the column itself. A temperature counts above the reference of the model's
-/// channels, where they have one in common. A position also acts as a window, in which one more lag
-/// of the input of a channel is felt; a record is tried by a few windows of the range that the
-/// position goes through.
+/// A recorded column that the model does not use: a lag of it. A position is not a heat source, so
+/// the column itself is used. A temperature counts relative to the reference of the model's
+/// channels if they have a common one. A position can also define a window in which an additional
+/// lag of a channel's input acts. Some windows of the recorded range of the position are tried.
 struct RecordedInput final : EffectKind {
   static constexpr EffectCard recorded_card{
       .id = "input",
@@ -53,7 +52,7 @@ struct RecordedInput final : EffectKind {
     return list;
   }
 
-  /// A file without the time constant has the column itself.
+  /// A file without a time constant uses the column itself.
   [[nodiscard]] bool may_end_before(std::size_t number) const override { return number == 1; }
 
   [[nodiscard]] Input input(const Effect& e, const Model& m) const override {
@@ -74,8 +73,9 @@ struct RecordedInput final : EffectKind {
  private:
   static constexpr double endless = std::numeric_limits<double>::infinity();
 
-  /// In proportion to the way along the axis; its upper half; each third. The lower half is the
-  /// channel itself less the upper one. Edges are round numbers of the column's unit.
+  /// Windows: proportional to the position along the axis; its upper half; each third. The lower
+  /// half needs no window, because it is the channel minus the upper half. Edges are round numbers
+  /// in the unit of the column.
   static std::array<Window, 5> windows_of(const Channel& position, const Interval& range) {
     const double low = position.in_unit(range.lower), width = position.in_unit(range.upper) - low;
     const double grain = std::pow(10.0, std::floor(std::log10(width)) - 2.0);
@@ -91,12 +91,12 @@ struct RecordedInput final : EffectKind {
             between(third, third, two_thirds, two_thirds),
             between(two_thirds, two_thirds, endless, endless)};
   }
-  /// Temperatures of the room belong to ambient-drift, feeds and speeds to effects of their own.
+  /// Ambient temperatures belong to ambient-drift; feeds and speeds belong to their own effects.
   static bool is_nameless(const Channel& c) {
     return !record::is_ambient(c) && !record::acts_by_amount(c) && c.kind != record::offset_kind;
   }
-  /// Reference that all temperature-driven channels share, the channel of the reference itself
-  /// aside; null for none.
+  /// Returns the common reference of all temperature-driven channels, except the channel of the
+  /// reference itself; null if there is none.
   static const Channel* common_reference(const Model& m) {
     const Channel* common = nullptr;
     for (const DrivenChannel& c : m.channels)

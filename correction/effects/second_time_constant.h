@@ -5,7 +5,7 @@
 
 namespace raceway::correction {
 
-/// A second body behind the first: one more lag of the input of a channel, as it was read.
+/// A second body behind the first: an additional lag of the recorded input of a channel.
 struct SecondTimeConstant final : EffectKind {
   static constexpr EffectCard second_card{
       .id = "second-time-constant",

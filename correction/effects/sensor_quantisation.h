@@ -5,7 +5,7 @@
 namespace raceway::correction {
 
 /// The displacement steps with the last digit of a sensor. The record itself shows it: the residual
-/// steps back with that digit, by no more than the feedthrough explains.
+/// steps back with that digit, by at most the amount that the feedthrough explains.
 struct SensorQuantisation final : EffectKind {
   static constexpr EffectCard quantisation_card{
       .id = "sensor-quantisation",

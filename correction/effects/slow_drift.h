@@ -7,7 +7,7 @@
 
 namespace raceway::correction {
 
-/// Something that no sensor measures settles over the whole record.
+/// A slow part of the machine without a sensor settles over the whole record.
 struct SlowDrift final : EffectKind {
   static constexpr record::NumberCard size{"size", "um", 0.0, -any_size, any_size};
   static constexpr std::array both{size, time_constant_number};
@@ -25,7 +25,7 @@ struct SlowDrift final : EffectKind {
   [[nodiscard]] std::vector<Effect> possible(const Surroundings&) const override { return {at()}; }
   [[nodiscard]] Interval bounds(const Effect& e, std::size_t number, const Model& m,
                                 const TimeConstantLimits& limits) const override {
-    // Time constants over the length of the record.
+    // Time constants relative to the length of the record.
     constexpr double shortest = 0.15, longest = 5.0;
     if (number == 0 || std::isnan(limits.record)) return EffectKind::bounds(e, number, m, limits);
     return {shortest * limits.record, longest * limits.record};

@@ -5,7 +5,7 @@
 
 namespace raceway::correction {
 
-/// The faster the spindle turns, the sooner it is warm:
+/// A faster spindle warms up in a shorter time:
 ///
 ///   τ = τ0 f,  K = K0 f^g,  f = 1/(1 + s n/10 000 rpm)
 struct SpeedDependentTimeConstant final : EffectKind {
