@@ -11,13 +11,15 @@
 
 namespace raceway::rig {
 
-/// Balances of the rows of a record as entered, solved at the first request and then shared.
+/// Balances of the rows of a record for the original model. They are solved at the first request
+/// and then shared.
 class EnteredBalances {
  public:
   EnteredBalances(const model::Model& model, const record::Record& record);
-  /// Balances by row; nothing where the points differ. May be called by several threads at once.
+  /// Returns the balances by row; empty if the operating points differ. Several threads may call it
+  /// at once.
   [[nodiscard]] std::span<const model::Balance> of(std::span<const model::Row> rows) const;
-  /// Balances of a bearing with cylindrical rollers, otherwise as of().
+  /// Returns the balances of a bearing with cylindrical rollers, otherwise like of().
   [[nodiscard]] std::span<const model::RowPredictor::Rollers> rollers_of(
       std::span<const model::Row> rows) const;
 
@@ -31,15 +33,15 @@ class EnteredBalances {
   mutable std::vector<model::RowPredictor::Rollers> rollers_;
 };
 
-/// Friction torque that a rig reads at every row of a record [N m]. Results are kept for all stages
-/// before the first one that a changed parameter affects.
+/// Predicts the friction torque that a rig measures at every row of a record [N m]. It keeps the
+/// results of all stages before the first stage that a changed parameter affects.
 class RigPredictor : public fit::Predictor {
  public:
-  /// `entered` may be null; it is looked at here alone.
+  /// `entered` may be null; it is used only in the constructor.
   RigPredictor(const model::Model& model, const record::Record& record,
                std::vector<model::ParameterPlace> places, const EnteredBalances* entered);
-  /// Values by place. NaN throughout for values that the model cannot take; of the model as it is
-  /// an exception says why.
+  /// Values are in the order of the places. All readings are NaN for values that the model rejects.
+  /// For the original model, an exception gives the reason.
   void readings(std::span<const double> values, std::span<double> out) override;
 
  private:
@@ -49,9 +51,9 @@ class RigPredictor : public fit::Predictor {
   model::Steps steps_;
   std::vector<model::RowPredictor> rows_;
   std::vector<model::ParameterPlace> places_;
-  std::vector<model::Stage> stages_;  // of the places
+  std::vector<model::Stage> stages_;  // stage of each place
   std::vector<double> last_;
-  bool known_ = false;  // all rows have the last values
+  bool known_ = false;  // true if all rows belong to the last values
 };
 
 }  // namespace raceway::rig

@@ -4,7 +4,7 @@
 
 namespace raceway::rig {
 
-/// A bearing on a rig that measures its friction torque, or coasts down.
+/// Subject for a bearing on a rig that measures friction torque or coasts down.
 class RigSubject : public model::ModelSubject {
  public:
   /// Throws std::invalid_argument for the model of a shaft.
@@ -12,31 +12,33 @@ class RigSubject : public model::ModelSubject {
 
   [[nodiscard]] std::vector<fit::Measured> measured() const override;
   void require(const fit::Record& record) const override;
-  /// Balances as entered, which all predictors of effects that look at balls begin with.
+  /// Returns the balances of the original model, with which all predictors of ball-based effects
+  /// begin.
   [[nodiscard]] std::shared_ptr<const void> prepare(const fit::Record& record) const override;
   [[nodiscard]] std::unique_ptr<fit::Predictor> predictor(
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// A torque times a cubic in ln speed, ln axial load and temperature with interactions; where the
-  /// radial load varies with its logarithm as well. Of cylindrical rollers the radial load stands
-  /// in place of the axial one.
+  /// Returns the columns: the torque times a cubic in ln speed, ln axial load and temperature with
+  /// interactions, and ln radial load if it varies. For cylindrical rollers, the radial load
+  /// replaces the axial load.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
-  /// The temperature.
+  /// Returns the temperature.
   [[nodiscard]] std::vector<const record::Channel*> scattering(
       const fit::Record& record) const override;
-  /// Speed, load and viscosity.
+  /// Returns speed, load and viscosity.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
-  /// The moment of one bearing, for an effect of the user's own.
+  /// Returns the formula for the moment of one bearing, for a user-defined effect.
   [[nodiscard]] std::optional<fit::Formula> formula(const fit::Record& record) const override;
   [[nodiscard]] std::vector<fit::Axis> axes(const fit::Record& record) const override;
   [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;
-  /// The other laws, "law:skf" and so on.
+  /// Returns the other laws, "law:skf" and so on.
   [[nodiscard]] std::vector<fit::OtherBase> other_bases() const override;
-  /// Also of two numbers of the contact law: rows with thin films, and with high pressure.
+  /// Also names the rows that two parameters of the contact law need: rows with thin films, and
+  /// rows with high pressure.
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
-  /// Measurements that distinguish a wrong datum from an effect: the oil, or the temperature,
-  /// measured again.
+  /// Returns measurements that distinguish a wrong datum from an effect: the oil or the
+  /// temperature, measured again.
   [[nodiscard]] std::vector<std::string> records_needed(
       const fit::Record& record, const std::vector<std::vector<std::string>>& rivals,
       const std::vector<std::string>& not_testable) const override;

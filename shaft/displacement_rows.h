@@ -11,57 +11,59 @@
 
 namespace raceway::shaft {
 
-/// Displacement of a model's shaft at the rows of a record, predicted again and again with other
-/// numbers of one model. A row remembers its balance, from which the next one is found, and which
-/// is solved again only where something has moved the sets.
+/// Predicts the displacement of a shaft at the rows of a record, repeatedly with different
+/// parameters of one model. Each row stores its balance as the start for the next one. The balance
+/// is solved again only if the condition of the sets has changed.
 class DisplacementRows {
  public:
-  /// The record must outlive it. Throws std::invalid_argument for a model without shaft, and as
-  /// add_expansion() does.
+  /// The record must live longer than this object. Throws std::invalid_argument for a model without
+  /// a shaft, and like add_expansion().
   DisplacementRows(const Model& model, const record::Record& record);
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
-  /// Readings of all rows [m], as predict_displacement(). `model` has the effects of the one before
-  /// and its temperatures, with any other numbers.
+  /// Computes the readings of all rows [m], like predict_displacement(). `model` must have the same
+  /// effects and temperatures as the previous model; its parameters may differ.
   void predict(const Model& model, std::span<double> readings);
 
  private:
   struct Known {
-    model::Row row;  ///< ring temperatures taken from the model where the row has none
+    model::Row row;  ///< row with ring temperatures of the model if it has none of its own
     std::optional<bearing::SetTemperatures> temperatures;
     std::size_t balance = 0;  ///< index into balances_
     bearing::ArrangementCondition condition{};
     model::BallTurning turning{};
     bearing::ArrangementEquilibrium equilibrium{};
-    int version = 0;          ///< of the balance that it belongs to
+    int version = 0;          ///< version of the mounted sets for this balance
     double standstill = 0.0;  ///< [m]
   };
   [[nodiscard]] std::size_t balance_of(double preload);
-  /// Position against standstill [m].
+  /// Returns the position relative to standstill [m].
   double displacement(const Model& model, Known& known,
                       const bearing::ArrangementEquilibrium* neighbour);
 
   Steps steps_;
   std::vector<Known> rows_;
-  std::vector<double> preloads_;        // that rows have
-  std::vector<ShaftBalance> balances_;  // one for each
+  std::vector<double> preloads_;        // preloads that occur in rows
+  std::vector<ShaftBalance> balances_;  // one balance for each preload
   ShaftCondition wanted_;
 };
 
-/// Displacement of the model's shaft at the rows of a record [m], as ShaftPrediction::displacement
-/// with the readings that effects add; NaN where the sets do not balance or an effect has no
-/// number. The axial load of a row is the external load; where none was recorded it comes from the
-/// model.
+/// Returns the displacement of the shaft at the rows of a record [m]: ShaftPrediction::displacement
+/// plus the contributions of effects on the reading. It is NaN if the sets have no balance or an
+/// effect has no value. The axial load of a row is the external load. Without a recorded load, the
+/// model gives it.
 ///
-/// Recorded values replace the values of the model: the preload as force at standstill, ring
-/// temperatures. Balls, shaft and housing keep the temperatures of the model where it has any;
-/// otherwise they follow the rings: balls their mean, the shaft the inner, the housing the outer.
-/// Throws std::invalid_argument for a model without shaft, and as add_expansion() does.
+/// Recorded values replace values of the model: the preload force at standstill and ring
+/// temperatures. Balls, shaft and housing keep the temperatures of the model if it gives any.
+/// Otherwise, balls take the mean of the rings, the shaft takes the inner ring and the housing
+/// takes the outer ring. Throws std::invalid_argument for a model without a shaft, and like
+/// add_expansion().
 [[nodiscard]] std::vector<double> predict_displacement(const Model& model,
                                                        const record::Record& record);
 
-/// Note on rows at standstill under different loads: their displacement counts from standstill
-/// under the same load, so the model gives 0 there whatever was read. Empty where there are none.
+/// Returns a note on rows at standstill under different loads. Displacement is measured from
+/// standstill under the same load, so the model predicts 0 for these rows, whatever the readings
+/// are. The text is empty if there are no such rows.
 [[nodiscard]] std::string note_on_standstill(const record::Record& record);
 
 }  // namespace raceway::shaft

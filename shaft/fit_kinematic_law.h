@@ -16,78 +16,81 @@
 
 namespace raceway::shaft {
 
-/// One point of a displacement curve, computed or measured.
+/// One computed or measured point of a displacement curve.
 struct DisplacementPoint {
-  double speed = unset;         ///< [rad/s], >= 0
-  double displacement = unset;  ///< axial, of the shaft from standstill, towards the tool [m]
-  double std = unset;           ///< its standard deviation where known [m]
+  double speed = unset;  ///< [rad/s], >= 0
+  /// axial shaft displacement from standstill, positive towards the tool [m]
+  double displacement = unset;
+  double std = unset;  ///< standard deviation, if known [m]
 };
 
-/// Bounds of the law's parameters, in its published units. B above 1 has no displacement at
-/// standstill, below 0 another shape. C n_max below 0.01 is a plain power, above 100 a straight
-/// line: unset ends stand for these. A is free in size and sign (negative where the layout is
-/// mirrored).
+/// Bounds of the law's parameters, in its published units. With B above 1 the displacement at
+/// standstill is not zero; with B below 0 the curve has another shape. For C n_max below 0.01 the
+/// law is a plain power; above 100 it is a straight line. These are the bounds of C if none is set.
+/// A may have any size and sign (negative for a mirrored layout).
 struct KinematicLawBounds {
   double lower_B = 0.0, upper_B = 1.0;
   double lower_C = unset, upper_C = unset;  ///< [1/rpm]
 };
 
-/// Up to which mean absolute error the law follows a curve: the published fit's [Brecher2021,
-/// section 4.2], and for small displacements this share of the largest one.
+/// Largest mean absolute error for which the law follows a curve: the error of the published fit
+/// [Brecher2021, section 4.2] and, for small displacements, a share of the largest displacement.
 inline constexpr double kinematic_law_tolerance = 0.023e-6;  ///< [m]
 inline constexpr double kinematic_law_share = 0.01;          ///< [1]
 
 enum class KinematicLawVerdict {
-  follows,  ///< mean absolute error within tolerance and share
-  scatter,  ///< above, but the residual jumps from row to row: scatter, not shape
-  stiff     ///< above, and the residual is smooth: the law cannot take the shape of the curve
+  follows,  ///< mean absolute error within the tolerance or the share
+  scatter,  ///< error above the limits, with residuals that scatter from row to row
+  stiff     ///< error above the limits, with smooth residuals: the law cannot follow the shape
 };
 
 struct KinematicLawFit {
   KinematicLaw law;
-  /// A, B, C: value, standard error, bounds, in published units.
+  /// A, B and C with value, standard error and bounds, in published units.
   std::array<record::Parameter, 3> parameters;
-  Eigen::Matrix3d correlation = Eigen::Matrix3d::Constant(unset);  ///< NaN where no std error is
+  Eigen::Matrix3d correlation = Eigen::Matrix3d::Constant(unset);  ///< NaN without a standard error
   double mae = unset;                                              ///< mean absolute error [m]
   double max_abs = unset;                                          ///< largest absolute error [m]
   double speed_of_max_abs = unset;                                 ///< [rad/s]
-  double largest = unset;      ///< displacement by magnitude [m]
-  double scatter = unset;      ///< of neighbours about a smooth course [m]
-  double misfit = unset;       ///< rms of law minus reading, weighted as the fit was [1 or m]
-  double standstill = 0.0;     ///< largest reading at standstill, which the law takes as 0 [m]
-  int rows = 0;                ///< fitted: those with a speed
-  int rows_at_standstill = 0;  ///< left out of fit and errors
-  bool weighted = false;       ///< by the standard deviation of the rows
+  double largest = unset;      ///< largest absolute displacement [m]
+  double scatter = unset;      ///< scatter of neighbouring rows about a smooth curve [m]
+  double misfit = unset;       ///< rms of law minus reading, with the weights of the fit [1 or m]
+  double standstill = 0.0;     ///< largest reading at standstill, where the law is 0 [m]
+  int rows = 0;                ///< fitted rows, with a speed above 0
+  int rows_at_standstill = 0;  ///< rows not used for the fit and the errors
+  bool weighted = false;       ///< true if rows are weighted by their standard deviation
   int iterations = 0;
   fit::FitStatus status = fit::FitStatus::not_run;
   KinematicLawVerdict verdict = KinematicLawVerdict::stiff;
-  std::vector<record::Note> notes;  ///< what the user should know
+  std::vector<record::Note> notes;  ///< notes for the user
 
   [[nodiscard]] bool converged() const { return status == fit::FitStatus::converged; }
 };
 
-/// "follows", "scatter" or "stiff".
+/// Returns "follows", "scatter" or "stiff".
 [[nodiscard]] std::string_view name(KinematicLawVerdict verdict);
 
-/// Fits the law to a curve by variable projection: minimise Σ (u(n) - u_measured)² / std², with
-/// equal weights unless every row has a std.
+/// Fits the law to a curve by variable projection: minimises Σ (u(n) - u_measured)² / std². Weights
+/// are equal unless every row has a std.
 ///
-/// The law is linear in A alone, and A is eliminated. On a grid in C the best B is found, on a grid
-/// and then to full accuracy; from each minimum of that profile of C, Ceres runs on all three
-/// parameters, and the lowest end wins. So the result needs no start and depends on none.
+/// The law is linear in A, which is eliminated. For each C of a grid, the best B is found on a grid
+/// and then to full accuracy. From each minimum of this profile over C, Ceres optimises all three
+/// parameters; the lowest result is used. The result therefore needs no start value and depends on
+/// none.
 ///
-/// Standard errors follow from the linearised problem. Without std the misfit sets their scale;
-/// with std, a misfit above them widens them. On a computed curve, which has no scatter, they show
-/// how sharply the curve defines the parameters and nothing about other curves.
+/// Standard errors come from the linearised problem. Without std, the misfit sets their scale. With
+/// std, they are widened if the misfit exceeds it. A computed curve has no scatter. Its standard
+/// errors show how sharply this curve defines the parameters; they say nothing about other curves.
 ///
-/// Rows at standstill are not fitted: the law is zero there. They extend its range to zero.
-/// Throws std::invalid_argument: a value that is not finite, negative speed, std not positive, less
-/// than four different speeds above zero, all displacements zero, bounds that are none.
+/// Rows at standstill are not fitted, because the law is zero there. They extend the range of the
+/// law to zero. Throws std::invalid_argument for a value that is not finite, a negative speed, a
+/// std that is not positive, fewer than four different speeds above zero, only zero displacements,
+/// and invalid bounds.
 [[nodiscard]] KinematicLawFit fit_kinematic_law(std::span<const DisplacementPoint> curve,
                                                 const KinematicLawBounds& bounds = {});
 
-/// Fits the law from one start (its B and C; A is eliminated), without the grid: the nearest
-/// optimum. Checks that fit_kinematic_law() returns the lowest.
+/// Fits the law from one start (B and C; A is eliminated) without the grid, and returns the nearest
+/// optimum. Use it to check that fit_kinematic_law() returns the lowest optimum.
 [[nodiscard]] KinematicLawFit refine_kinematic_law(std::span<const DisplacementPoint> curve,
                                                    const KinematicLaw& start,
                                                    const KinematicLawBounds& bounds = {});

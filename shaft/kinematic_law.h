@@ -1,14 +1,14 @@
 #pragma once
 
-// Needs the standard library's <cmath> and <limits> and C++17, nothing else: this one file may be
-// copied into a controller.
+// This file needs only <cmath> and <limits> of the standard library and C++17, so it may be copied
+// into a controller.
 
 #include <cmath>
 #include <limits>
 
 namespace raceway::shaft {
 
-/// Kinematic axial displacement of a shaft against its speed, as published.
+/// Returns the kinematic axial displacement of a shaft as a function of its speed, as published.
 ///
 ///   u = A n^(1 - B exp(-C n))
 ///
@@ -16,14 +16,14 @@ namespace raceway::shaft {
 /// Source:   [Brecher2021, eq. 10], with A = 1.28e-3, B = 0.697, C = 5.3e-4: 12.396 um at
 ///           10 000 rpm.
 /// Domain:   n >= 0, B <= 1; at standstill u = 0 for B < 1.
-/// Accuracy: rounding. As a model of a shaft it is a fit: see docs/kinematic-law.md for how good.
-/// Traps:    n counts in rpm: A changes with the unit of n by a factor that depends on n, so the
-///           three numbers cannot be carried over to rad/s or 1/s. The exponent runs from 1 - B at
-///           standstill to 1, not to 0 (and not to 2, as centrifugal forces would have it): at high
-///           speed u becomes A n. The slope at standstill is infinite for 0 < B < 1. The published
-///           numbers bend at 111.28 and 5691.27 rpm (u'' = 0), so the slope is smallest at 111 rpm
-///           and largest at 5691 rpm. A multiplies a power of a large number: its digits count as
-///           B's do.
+/// Accuracy: rounding. For the quality of the law as a model of a shaft, see docs/kinematic-law.md.
+/// Traps:    n is in rpm. Another unit of n changes A by a factor that depends on n, so the three
+///           parameters cannot be converted to rad/s or 1/s. The exponent rises from 1 - B at
+///           standstill to 1, not to 0 (nor to 2, as for centrifugal forces). At high speed u
+///           becomes A n. The slope at standstill is infinite for 0 < B < 1. The published curve
+///           has inflection points at 111.28 and 5691.27 rpm (u'' = 0). The slope is smallest at
+///           111 rpm and largest at 5691 rpm. A multiplies a power of a large number, so its digits
+///           are as important as the digits of B.
 template <typename T>
 T kinematic_displacement_um(double speed_rpm, const T& A, const T& B, const T& C) {
   using std::exp;
@@ -33,12 +33,12 @@ T kinematic_displacement_um(double speed_rpm, const T& A, const T& B, const T& C
 
 /// Result of a law at one speed.
 struct KinematicDisplacement {
-  double displacement;  ///< of the shaft from its place at standstill, towards the tool [m]
-  double slope;         ///< du/dω, a displacement over an angular speed [m s/rad]
-  bool inside;          ///< false: the speed lies outside the range of the law; see there
+  double displacement;  ///< of the shaft relative to standstill, positive towards the tool [m]
+  double slope;         ///< du/dω, displacement over angular speed [m s/rad]
+  bool inside;          ///< false: the speed is outside the range of the law, see evaluate()
 };
 
-/// The law with its numbers and the range of speeds that it was fitted to.
+/// The law with its parameters and the range of speeds of its fit.
 struct KinematicLaw {
   double A = std::numeric_limits<double>::quiet_NaN();  ///< [um], the displacement at 1 rpm
   double B = std::numeric_limits<double>::quiet_NaN();  ///< [1]
@@ -47,13 +47,13 @@ struct KinematicLaw {
   double highest_speed = 0.0;                           ///< [rad/s]
 };
 
-/// Displacement and slope at a speed [rad/s].
+/// Returns displacement and slope at a speed [rad/s].
 ///
 ///   du/dn = u/n (1 - B exp(-C n) (1 - C n ln n))
 ///
-/// Domain:   lowest_speed <= speed <= highest_speed. Outside it does not extrapolate: the
-///           displacement of the nearer end is held, with slope zero and `inside` false, so that a
-///           control loop meets no step and no NaN. A speed that is no number gives NaN.
+/// Domain:   lowest_speed <= speed <= highest_speed. Outside, the law does not extrapolate. It
+///           returns the displacement of the nearer end with slope zero and `inside` false, so a
+///           control loop sees neither a step nor a NaN. A NaN speed gives NaN.
 /// Traps:    the slope at standstill is infinite for 0 < B < 1.
 inline KinematicDisplacement evaluate(const KinematicLaw& law, double speed) {
   constexpr double rpm = 3.14159265358979323846 / 30.0, um = 1e-6;

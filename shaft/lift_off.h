@@ -8,25 +8,26 @@
 
 namespace raceway::shaft {
 
-/// State of a bearing in a set that carries too little.
+/// State of a bearing in a set with too little load.
 enum class Unloaded {
-  no_contact,     ///< its inner contacts are lost: it carries nothing
-  below_minimum,  ///< in contact, but below BearingInSet::minimum_load: balls may skid
+  no_contact,     ///< the inner contacts are open and carry no load
+  below_minimum,  ///< loaded, but below BearingInSet::minimum_load: balls may skid
 };
 
-/// A range of speeds in which some bearings of a shaft carry too little.
+/// A range of speeds in which some bearings of a shaft have too little load.
 struct UnloadedRange {
   Unloaded what = Unloaded::no_contact;
-  std::vector<std::size_t> bearings;  ///< all with this range, front set first
-  ShaftPoint first;                   ///< where it begins
-  double end = unset;  ///< speed at which it is over, NaN where it lasts to the last point [rad/s]
-  double load = unset, minimum_load = unset;  ///< of the first of the bearings, where it begins [N]
+  std::vector<std::size_t> bearings;  ///< all bearings with this range, front set first
+  ShaftPoint first;                   ///< start of the range
+  double end = unset;  ///< end of the range; NaN if it lasts to the last point [rad/s]
+  /// loads of the first of these bearings at the start [N]
+  double load = unset, minimum_load = unset;
 };
 
-/// Ranges of speed in which the bearings of a shaft lose their inner contacts, then ranges in which
-/// they fall below their minimum load, by bearing and speed. Begin and end are found between the
-/// points, which rise in speed, to half an rpm; a range that lies between two points is not seen.
-/// `predictions` belong to the points.
+/// Returns the ranges of speed in which bearings of a shaft lose their inner contacts, then the
+/// ranges in which they fall below their minimum load, by bearing and speed. Start and end are
+/// interpolated between the points to half an rpm; the points must rise in speed. A range between
+/// two points is not found. `predictions` belong to the points.
 [[nodiscard]] std::vector<UnloadedRange> unloaded_ranges(
     const Model& model, std::span<const ShaftPoint> points,
     std::span<const ShaftPrediction> predictions);

@@ -4,10 +4,10 @@
 
 namespace raceway::shaft {
 
-/// The sets on a shaft whose axial displacement is measured.
+/// Subject for sets on a shaft with measured axial displacement.
 class ShaftSubject : public model::ModelSubject {
  public:
-  /// Throws std::invalid_argument for a model without shaft.
+  /// Throws std::invalid_argument for a model without a shaft.
   explicit ShaftSubject(const model::Model& model);
 
   [[nodiscard]] std::vector<fit::Measured> measured() const override;
@@ -16,17 +16,18 @@ class ShaftSubject : public model::ModelSubject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// The polynomial of the base class: what may be missing adds to a displacement.
+  /// Returns the polynomial of the base class, because missing effects add to a displacement.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
-  /// Speed, preload and viscosity.
+  /// Returns speed, preload and viscosity.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
-  /// A displacement a thousand times too small or large, or of the other sign.
+  /// Reports a displacement that is a thousand times too small or too large, or that has the
+  /// opposite sign.
   [[nodiscard]] std::string doubt(const fit::Record& record,
                                   std::span<const double> predicted) const override;
-  /// Axes of a plan, among them the preload, also at other values than in the record.
+  /// Returns the axes for next measurements, including preloads outside the record.
   [[nodiscard]] std::vector<fit::Axis> axes(const fit::Record& record) const override;
   [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;
-  /// Ring temperatures, and runs up and down, where heat and speed are rivals.
+  /// Returns ring temperatures, and runs up and down, to separate heat from speed.
   [[nodiscard]] std::vector<std::string> records_needed(
       const fit::Record& record, const std::vector<std::vector<std::string>>& rivals,
       const std::vector<std::string>& not_testable) const override;

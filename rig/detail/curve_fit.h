@@ -2,16 +2,16 @@
 
 #include <Eigen/Core>
 
-/// Least squares of a polynomial; shared with the calibration of sensors.
+/// Fits a polynomial by least squares; the calibration of sensors uses it too.
 namespace raceway::rig {
 
-/// y = Σ c_k (x/scale)^k fitted to readings.
+/// Polynomial y = Σ c_k (x/scale)^k fitted to readings.
 struct CurveFit {
   double scale = 0.0;              ///< largest |x|
   Eigen::MatrixXd columns{};       ///< (x/scale)^k
-  Eigen::VectorXd coefficients{};  ///< c_k, of the scaled powers
-  Eigen::VectorXd residuals{};     ///< reading less polynomial
-  Eigen::VectorXd free{};          ///< 1 less the leverage of a reading, which is never 0 here
+  Eigen::VectorXd coefficients{};  ///< coefficients c_k of the scaled powers
+  Eigen::VectorXd residuals{};     ///< reading minus polynomial
+  Eigen::VectorXd free{};          ///< 1 minus the leverage of a reading, never 0 here
   Eigen::MatrixXd inverse{};       ///< (XᵀX)⁻¹
   double square = 0.0;             ///< sum of squares of the residuals
 
@@ -19,18 +19,20 @@ struct CurveFit {
   [[nodiscard]] int degrees_of_freedom() const {
     return static_cast<int>(residuals.size() - coefficients.size());
   }
-  /// Coefficients of the powers of x.
+  /// Returns the coefficients of the powers of x.
   [[nodiscard]] Eigen::VectorXd unscaled() const;
 };
 
-/// By QR, with one step of refinement. More readings than coefficients, x at as many places.
+/// Fits by QR with one step of refinement. There must be more readings than coefficients, and x
+/// must have at least as many different values as coefficients.
 [[nodiscard]] CurveFit fit_curve(const Eigen::VectorXd& x, const Eigen::VectorXd& y, int degree);
 
-/// Covariance of the scaled coefficients whatever the scatter of each reading [MacKinnon1985, HC3].
+/// Returns the covariance of the scaled coefficients. It is valid for any scatter of the readings
+/// [MacKinnon1985, HC3].
 [[nodiscard]] Eigen::MatrixXd robust_covariance(const CurveFit& fit);
 
-/// The chance of so large an F = (square/degrees) / (error_square/error_degrees). Squares up to
-/// `floor` are rounding.
+/// Returns the p-value of F = (square/degrees) / (error_square/error_degrees). Squares up to
+/// `floor` count as rounding.
 [[nodiscard]] double p_of_F(double square, int degrees, double error_square, int error_degrees,
                             double floor);
 

@@ -6,43 +6,45 @@
 
 #include "rig/detail/speed_regression.h"
 
-/// Detection of the release of a shaft; used by coast_down_torque().
+/// Finds the release of a shaft for coast_down_torque().
 namespace raceway::rig {
 
 /// Criteria for a release.
 struct ReleaseOptions {
-  std::size_t fewest = 7;      ///< samples of a window
-  std::size_t windows = 40;    ///< of a run, from which the noise is estimated
-  double largest_fall = 0.25;  ///< of the speed within a window, relative to its start [1]
+  std::size_t fewest = 7;    ///< fewest samples of a window
+  std::size_t windows = 40;  ///< windows of a run that give the estimate of the noise
+  /// largest fall of the speed within a window, relative to its start [1]
+  double largest_fall = 0.25;
 };
 
-/// Cuts a run where the shaft is driven up again: each part begins at the lowest speed before a
-/// rise by more than a tenth of the highest speed of the run, which noise does not reach.
+/// Divides a run wherever the shaft is driven up again. Each part begins at the lowest speed before
+/// a rise by more than a tenth of the highest speed of the run; noise does not reach this size.
 [[nodiscard]] std::vector<std::span<const Block>> starts(std::span<const Block> samples);
 
-/// Number of samples of one start before the shaft was let go, the release included; 0 where the
-/// record begins with the release.
+/// Returns the number of samples of one start up to and including the release; 0 if the record
+/// begins with the release.
 ///
-/// A release is a kink of ω(t): what slows a free shaft depends on its speed, so dω/dt does not
-/// jump, while a drive that holds or raises the speed ends at once. At every sample two models of
-/// the samples before and after it, 4 and `fewest` or more, over which the speed changes by no more
-/// than `largest_fall`, are compared by least squares:
+/// The release is a kink of ω(t). Friction of a free shaft depends on its speed, so dω/dt does not
+/// jump, but the torque of a drive ends at once. At every sample, two least-squares models are
+/// compared. They use the samples before it (4 or more) and after it (`fewest` or more) within a
+/// speed change of `largest_fall`:
 ///
-///   released   a line before, a parabola after, not joined: 5 numbers
-///   free       one polynomial of degree five: 6 numbers
+///   released   a line before, a separate parabola after: 5 parameters
+///   free       one polynomial of degree five: 6 parameters
 ///
-/// It is a release where the first is nearer by more than 40 times the variance of a sample and the
-/// slope before it is, within two deviations, no steeper than a tenth of that after it. The
-/// variance is that of the part which coasts for certain (times (1 + r)/(1 - r) where neighbours
-/// correlate by r), or what the first model leaves where that is more, as of a drive that hunts.
-/// The search is repeated on the remaining samples, so that run-up and plateau may have any form.
+/// The sample is a release under two conditions. The sum of squares of the first model is smaller
+/// by more than 40 times the variance of a sample. The slope before it is, within two deviations,
+/// at most a tenth of the slope after it. The variance comes from the part that certainly coasts,
+/// times (1 + r)/(1 - r) if neighbours are correlated by r. If the first model has a larger
+/// residual, for example because the drive hunts, that variance is used. The search is repeated on
+/// the remaining samples, so run-up and plateau may have any shape.
 ///
-/// Domain:   a fall that begins slowly is no plateau, however slow, as it has no kink. The release
-///           stands within `largest_fall` of the highest speed: a brake, a seal or boundary
-///           friction further down is none. A plateau that the noise hides is kept; it shifts the
-///           first torques by no more than some standard deviations. Of more than 1000 samples
-///           means are taken; then up to three thousandths of the samples behind the release go as
-///           well.
+/// Domain:   a fall that begins slowly does not count as a plateau, because it has no kink. The
+///           release is within `largest_fall` of the highest speed. A brake, a seal or boundary
+///           friction at lower speed does not count as a release. A plateau hidden by noise is
+///           kept; it shifts the first torques by at most a few standard deviations. Records with
+///           more than 1000 samples are averaged first. Then up to three thousandths of the samples
+///           after the release are left out as well.
 [[nodiscard]] std::size_t samples_before_release(std::span<const Block> samples,
                                                  const ReleaseOptions& options);
 

@@ -5,17 +5,17 @@
 #include "record/record.h"
 #include "rig/detail/speed_regression.h"
 
-/// Rows of friction torque from the windows of a coast-down.
+/// Builds rows of friction torque from the windows of a coast-down.
 namespace raceway::rig {
 
-/// One torque [SI].
+/// One torque with its time and speed [SI].
 struct Torque {
   double time, speed, torque, std;
-  Block mean;       // of its window
-  std::size_t row;  // of the coast-down
+  Block mean;       // mean of its window
+  std::size_t row;  // row of the coast-down record
 };
 
-/// Columns in the order of the table of channels, and the runs that gave a torque.
+/// Fills the columns in the order of the table of channels, and the runs with a torque.
 void fill(const std::vector<Torque>& torques, const record::Record& coast_down,
           record::Record& result);
 

@@ -7,10 +7,10 @@
 #include "record/parameter.h"
 #include "record/units.h"
 
-/// The search behind fit_kinematic_law(), in the units of the law (rpm, um).
+/// Search for fit_kinematic_law(), in the units of the law (rpm, um).
 namespace raceway::shaft {
 
-/// The rows that are fitted, by increasing speed.
+/// Rows for the fit, by increasing speed.
 struct LawRows {
   std::vector<double> n, log_n, u, weight;
 };
@@ -19,7 +19,7 @@ struct LawShape {
   double B = unset, C = unset;
 };
 
-/// Closed, C above 0.
+/// Closed intervals for B and C; C is above 0.
 struct LawRange {
   double lower_B, upper_B, lower_C, upper_C;
 };
@@ -33,14 +33,14 @@ struct LawOptimum {
   fit::FitStatus status = fit::FitStatus::failed;
 };
 
-/// The optimum next to a start; A is eliminated there.
+/// Returns the optimum next to a start; A is eliminated.
 [[nodiscard]] LawOptimum nearest_optimum(const LawRows& rows, const LawRange& range,
                                          const LawShape& start);
 
-/// The best of the optima next to all minima of a grid.
+/// Returns the best of the optima next to all minima of a grid.
 [[nodiscard]] LawOptimum best_optimum(const LawRows& rows, const LawRange& range);
 
-/// At which of its bounds a value lies, if at one.
+/// Returns the bound at which a value lies, if any.
 [[nodiscard]] record::Bound bound_of(double value, double lower, double upper);
 
 }  // namespace raceway::shaft
