@@ -24,7 +24,7 @@ struct PairRigidity {
 inline constexpr double lowest_conformity = 0.505, highest_conformity = 0.56;
 
 struct ConformityFit {
-  double conformity = unset;  ///< of both grooves [1]
+  double conformity = unset;  ///< common value of both grooves [1]
   double std = unset;         ///< standard error; NaN with one class and at a bound
   record::Bound at_bound = record::Bound::none;
   double rms = unset;  ///< rms of ln(computed/printed) [1]

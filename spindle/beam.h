@@ -10,14 +10,14 @@
 
 namespace raceway::spindle {
 
-/// Shear coefficient κ of a round section with bore, m = inner/outer diameter [1]:
+/// Shear coefficient κ of a circular section with a bore, m = inner/outer diameter [1]:
 ///
 ///   κ = 6 (1 + ν)(1 + m²)² / ((7 + 6 ν)(1 + m²)² + (20 + 12 ν) m²)
 ///
 /// Source: [Cowper1966]. Domain: 0 <= m < 1.
 [[nodiscard]] double shear_coefficient(double diameter_ratio, double poissons_ratio);
 
-/// Section, material and length of one element.
+/// Section, material and length of one beam element.
 struct BeamElement {
   double length = unset;                      ///< [m]
   double outer_diameter = unset, bore = 0.0;  ///< [m]
@@ -26,78 +26,80 @@ struct BeamElement {
   double density = unset;                     ///< [kg/m³]
 
   [[nodiscard]] double area() const;           ///< [m²]
-  [[nodiscard]] double second_moment() const;  ///< about a diameter [m⁴]
-  /// Φ = 12 E I / (κ G A L²), how much shear softens the element [1].
+  [[nodiscard]] double second_moment() const;  ///< second moment about a diameter [m⁴]
+  /// Returns Φ = 12 E I / (κ G A L²), the share by which shear softens the element [1].
   [[nodiscard]] double shear_ratio() const;
 };
 
-/// Matrices of one element in one plane, for (v1, θ1, v2, θ2): displacement [m] and rotation of the
-/// section [rad], θ = dv/ds without shear. Mass with rotary inertia; `gyroscopic` is 2 N with N
-/// the rotary inertia, the polar moment of a section being twice that about its diameter. Closed
-/// forms of the integrals over the shape functions that are exact for loads at the nodes.
+/// Matrices of one element in one plane, for (v, θ) at both ends: displacement [m] and rotation of
+/// the section [rad], θ = dv/ds without shear. The mass matrix includes rotary inertia.
+/// `gyroscopic` is 2 N with the rotary inertia N, because the polar moment of a section is twice
+/// its moment about a diameter. The integrals have closed forms with shape functions that are exact
+/// for loads at the nodes.
 struct ElementMatrices {
   Eigen::Matrix4d stiffness, mass, gyroscopic;
 };
 [[nodiscard]] ElementMatrices element_matrices(const BeamElement& element);
 
-/// Stiffness of a spring in one plane on (v, θ) of its place.
+/// Stiffness of a spring in one plane for (v, θ) at its node.
 struct PlaneSpring {
   double radial = 0.0;    ///< [N/m]
   double tilt = 0.0;      ///< [N m/rad]
-  double coupling = 0.0;  ///< force per rotation, and moment per displacement [N/rad]
+  double coupling = 0.0;  ///< force per rotation and moment per displacement [N/rad]
   [[nodiscard]] bool operator==(const PlaneSpring&) const = default;
 };
 
-/// A spring from shaft to housing, its principal planes parallel to y and z.
+/// Spring between shaft and housing with principal planes parallel to y and z.
 struct Spring {
-  double position = unset;  ///< behind the nose face [m]
+  double position = unset;  ///< distance behind the nose face [m]
   PlaneSpring y, z;
   [[nodiscard]] bool isotropic() const { return y == z; }
 };
 
-/// Spring with the same stiffness in all radial directions.
+/// Returns a spring with equal stiffness in all radial directions.
 [[nodiscard]] Spring isotropic_spring(double position, double radial, double tilt = 0.0,
                                       double coupling = 0.0);
 
 /// A load in one plane.
 struct BeamLoad {
-  double position = unset;  ///< behind the nose face [m]
+  double position = unset;  ///< distance behind the nose face [m]
   double force = 0.0;       ///< [N]
-  double moment = 0.0;      ///< positive as θ [N m]
+  double moment = 0.0;      ///< positive in the direction of θ [N m]
 };
 
 struct BeamMesh {
-  double element_length = 5 * mm;  ///< at most [m]
-  int elements = 0;                ///< at least, over the whole shaft; overrides the length
+  double element_length = 5 * mm;  ///< largest length of an element [m]
+  int elements = 0;  ///< least number of elements of the whole shaft; overrides the length
 };
 
-/// A shaft as Timoshenko elements, s from the nose to the rear. What is isotropic of it has
-/// one matrix for both planes, and in the complex v + i w half the size. Supports of the body are
-/// springs of it; bearings are not: springs() of bearings come with each question.
+/// Shaft made of Timoshenko elements, with s from the nose to the rear. Isotropic parts have one
+/// matrix for both planes; in the complex variable v + i w the size is halved. Supports of the body
+/// are part of the beam. Bearings are not: their springs are arguments of each calculation.
 class Beam {
  public:
-  /// Nodes at changes of section, disks, supports and `places` [m]. Throws std::invalid_argument:
-  /// name, value with unit, allowed range.
+  /// Places nodes at changes of section, disks, supports and `places` [m]. Throws
+  /// std::invalid_argument with name, value with unit, and allowed range.
   Beam(const model::ShaftBody& body, std::span<const double> places, const BeamMesh& mesh = {});
 
   [[nodiscard]] std::span<const double> nodes() const { return nodes_; }  ///< [m]
   [[nodiscard]] std::size_t elements() const { return elements_.size(); }
   [[nodiscard]] double length() const { return nodes_.back(); }  ///< [m]
-  [[nodiscard]] double weight() const { return mass_sum_; }      ///< with disks [kg]
+  [[nodiscard]] double weight() const { return mass_sum_; }      ///< mass including disks [kg]
 
-  /// Matrices in one plane, (v, θ) node behind node. Stiffness with the body's supports.
+  /// Matrices in one plane, with (v, θ) of successive nodes. The stiffness includes the supports of
+  /// the body.
   [[nodiscard]] const Eigen::SparseMatrix<double>& stiffness() const { return stiffness_; }
   [[nodiscard]] const Eigen::SparseMatrix<double>& mass() const { return mass_; }
   [[nodiscard]] const Eigen::SparseMatrix<double>& gyroscopic() const { return gyroscopic_; }
-  /// Stiffness with springs at nodes.
+  /// Returns the stiffness with springs at nodes.
   [[nodiscard]] Eigen::SparseMatrix<double> held_by(std::span<const double> places,
                                                     std::span<const PlaneSpring> springs) const;
 
-  /// The node at a place, within 1 nm. Throws std::invalid_argument where there is none.
+  /// Returns the node at a place, within 1 nm. Throws std::invalid_argument if there is no node.
   [[nodiscard]] std::size_t node_at(double position) const;
-  /// v and θ at a place between the nodes, from the values of all nodes.
+  /// Returns v and θ at a place between nodes, from the values of all nodes.
   [[nodiscard]] Eigen::Vector2d at(double position, const Eigen::VectorXd& shape) const;
-  /// Adds equivalent nodal forces of a load.
+  /// Adds the equivalent nodal forces of a load.
   void add_load(const BeamLoad& load, Eigen::VectorXd& forces) const;
 
  private:
@@ -115,28 +117,29 @@ class Beam {
 
 /// Bending of the shaft in one plane under static loads.
 struct Deflection {
-  bool found = false;     ///< false where nothing holds the shaft
+  bool found = false;     ///< false if the shaft is not supported
   Eigen::VectorXd shape;  ///< (v, θ) of all nodes [m, rad]
 };
 
-/// Solves K q = f with springs at `places`, each of them a node. Exact at the nodes.
+/// Solves K q = f with springs at `places`, each of which is a node. The result is exact at the
+/// nodes.
 [[nodiscard]] Deflection deflect(const Beam& beam, std::span<const double> places,
                                  std::span<const PlaneSpring> springs,
                                  std::span<const BeamLoad> loads);
 
-/// The beam seen from a few of its nodes alone, in one plane: stiffness on their (v, θ), all
-/// other nodes eliminated (exact in statics).
+/// Beam condensed onto a few nodes in one plane: stiffness for their (v, θ), with all other nodes
+/// eliminated (exact in statics).
 class CondensedBeam {
  public:
   CondensedBeam(const Beam& beam, std::vector<std::size_t> nodes);
   [[nodiscard]] const Eigen::MatrixXd& stiffness() const { return stiffness_; }
-  /// All nodes from the few.
+  /// Returns the values of all nodes from the condensed nodes.
   [[nodiscard]] Eigen::VectorXd expand(const Eigen::VectorXd& few) const;
 
  private:
   std::vector<std::size_t> nodes_;
   Eigen::MatrixXd stiffness_;
-  Eigen::MatrixXd follow_;  ///< displacement of all nodes per displacement of the few
+  Eigen::MatrixXd follow_;  ///< displacement of all nodes per displacement of the condensed nodes
 };
 
 }  // namespace raceway::spindle

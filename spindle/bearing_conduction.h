@@ -9,63 +9,65 @@
 
 namespace raceway::spindle {
 
-/// Usual conductance from ring to ring of a ball bearing that turns in its lubricant, in
+/// Returns a typical heat conductance from ring to ring of a lubricated, turning ball bearing, in
 /// addition to its contacts [W/K].
 ///
 ///   G = 1650 Z D²      Z D² [m²]
 ///
-/// Source:   590 Z D² sqrt(7 + ln(ω d_m/(2000 D))) of [Schaefer1993] as the open program
-///           Thermca has it; here at n d_m = 500 000 mm/min. It includes the contacts, a tenth of
-///           it.
-/// Domain:   balls of 5 to 22 mm; within 12 % of the formula from n d_m = 200 000 to 2 000 000.
-/// Accuracy: unknown. The contact model of [Jungnickel2010] in the same program gives 0.6 W/K for a
-///           7014 bearing, this 4.7, which agrees with the rule of inner rings 5 to 10 K above
-///           the outer ones.
+/// Source:   590 Z D² sqrt(7 + ln(ω d_m/(2000 D))) of [Schaefer1993] as implemented in the open
+///           program Thermca, evaluated at n d_m = 500 000 mm/min. The value includes the contacts,
+///           about a tenth of it.
+/// Domain:   balls of 5 to 22 mm; within 12 % of the formula for n d_m from 200 000 to 2 000 000.
+/// Accuracy: unknown. For a 7014 bearing, the contact model of [Jungnickel2010] in the same program
+///           gives 0.6 W/K, and this formula gives 4.7 W/K. The larger value agrees with the rule
+///           that inner rings are 5 to 10 K warmer than outer rings.
 [[nodiscard]] inline double usual_lubricant_conductance(const bearing::BearingGeometry& g) {
   constexpr double film = 1650.0;
   return film * g.ball_count * g.ball_diameter * g.ball_diameter;
 }
 
-/// λ of balls or rollers of a material [W/(m K)]: 30 of silicon nitride, else as the rings.
-/// What is lighter than 6000 kg/m³ is no steel.
+/// Returns the thermal conductivity of balls or rollers [W/(m K)]: 30 for silicon nitride,
+/// otherwise the value of the rings. A density below 6000 kg/m³ identifies a material other than
+/// steel.
 [[nodiscard]] inline double conductivity_of_element(const bearing::Material& material) {
   return material.density < 6000.0 ? 30.0 : model::steel_of_rings.conductivity;
 }
 
-/// Heat from ring to ring through the balls of a bearing.
+/// Heat conduction from ring to ring through the balls of a bearing.
 ///
 ///   G = Z/(R_i + R_o),   R = K(k)/(2 π a) (1/λ_ball + 1/λ_ring) = R(1 N)/Q^(1/3)
 ///
-/// The modulus of K belongs to the contact, k² = 1 - b²/a², the same at every load, and a goes with
-/// the cube root of the load: one cube root a race is all that is left per call.
-/// Source:   constriction_resistance() with Hertz's semi-axes; the ball itself conducts well.
-/// Domain:   loads >= 0; zero where a ball touches one race only.
-/// Accuracy: dry and at rest. Oil film, lubricant and balls that roll carry several times as much:
-///           model::Spindle::lubricant_conductance is added to it.
+/// The modulus of K, k² = 1 - b²/a², belongs to the contact and does not depend on the load. a is
+/// proportional to the cube root of the load, so each call needs only one cube root for each race.
+/// Source:   constriction_resistance() with Hertz's semi-axes; the resistance of the ball itself is
+///           neglected.
+/// Domain:   loads >= 0; the conductance is zero if a ball touches only one race.
+/// Accuracy: dry and at rest. Oil film, lubricant and rolling balls conduct several times as much;
+///           model::Spindle::lubricant_conductance is added for them.
 class BallConduction {
  public:
-  /// Conductivities [W/(m K)].
+  /// Arguments are conductivities [W/(m K)].
   BallConduction(const bearing::Bearing& bearing, double ball_conductivity,
                  double ring_conductivity)
       : count_(bearing.geometry().ball_count),
         inner_(of(bearing.contact(bearing::Race::inner), ball_conductivity, ring_conductivity)),
         outer_(of(bearing.contact(bearing::Race::outer), ball_conductivity, ring_conductivity)) {}
 
-  /// Resistance of one contact under that load [K/W]; infinite without load.
+  /// Returns the resistance of one contact at this load [K/W]; infinite without load.
   [[nodiscard]] double resistance(bearing::Race race, double load) const {
     return 1.0 / ((race == bearing::Race::inner ? inner_ : outer_) * std::cbrt(load));
   }
-  /// Conductance of one ball [W/K].
+  /// Returns the conductance of one ball [W/K].
   [[nodiscard]] double ball(double inner_load, double outer_load) const {
     if (!(inner_load > 0.0) || !(outer_load > 0.0)) return 0.0;
     const double inner = inner_ * std::cbrt(inner_load), outer = outer_ * std::cbrt(outer_load);
     return inner * outer / (inner + outer);
   }
-  /// Conductance of a bearing whose balls are all loaded alike [W/K].
+  /// Returns the conductance of a bearing whose balls have equal loads [W/K].
   [[nodiscard]] double conductance(double inner_load, double outer_load) const {
     return count_ * ball(inner_load, outer_load);
   }
-  /// Conductance of a bearing with these balls [W/K].
+  /// Returns the conductance of a bearing with these balls [W/K].
   [[nodiscard]] double conductance(const bearing::Balls& balls) const {
     double sum = 0.0;
     for (std::size_t k = 0; k < balls.distinct().size(); ++k)
@@ -74,7 +76,7 @@ class BallConduction {
   }
 
  private:
-  /// Conductance of a contact under 1 N [W/(K N^(1/3))].
+  /// Returns the conductance of a contact at 1 N [W/(K N^(1/3))].
   static double of(const bearing::HertzContact& contact, double ball, double ring) {
     return 2.0 * pi * contact.semi_major_axis(1.0) /
            (contact.first_integral * (1.0 / ball + 1.0 / ring));

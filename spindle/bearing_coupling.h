@@ -12,22 +12,21 @@ namespace raceway::spindle {
 
 using Matrix = Eigen::MatrixXd;
 
-/// The few numbers by which bearings and cells act on each other:
+/// Quantities that couple bearings and cells:
 ///
-///   felt s    of each bearing the means of inner and outer ring and of the cells at its two
-///             raceways [K], of each roller bearing also shaft and housing at its seats,
-///             then the elongation between the sets, in um
+///   felt s    for each bearing, the mean temperatures of inner and outer ring and of the cells
+///             at its two raceways [K]; for each roller bearing also shaft and housing at its
+///             seats; then the elongation between the sets, in um
 ///   given y   heat into the cells at the inner and the outer raceway of each bearing [W]
 ///
-/// Friction heat arises at the raceways. What the balls carry flows between the raceways, which are
-/// warmer than the cells behind them by what half a cell resists:
+/// Friction heat arises at the raceways. Heat conducted by the balls flows between the raceways. A
+/// raceway is warmer than the cells behind it by the temperature drop over half a cell:
 ///
 ///   T_s = a + w/S,   Q = G (T_si - T_so),   w_i = q_i - Q,   w_o = q_o + Q
 ///
-/// with the conductance S from cells to raceway. Loads across the shaft reach the bearings through
-/// the beam; what they add is held from one bear() to the next, as films and seats are. The
-/// elongation is counted in um so that all of s
-/// is of one size.
+/// S is the conductance from cells to raceway. Radial loads on the shaft reach the bearings through
+/// the beam. Their additional bearing loads are kept constant between two calls of bear(), like
+/// films and seats. The elongation is in um so that all elements of s have similar size.
 class BearingCoupling {
  public:
   BearingCoupling(const model::Model& model, const effects::SpindleCondition& condition,
@@ -35,33 +34,33 @@ class BearingCoupling {
 
   [[nodiscard]] Eigen::Index felt_count() const { return felt_.rows(); }
   [[nodiscard]] Eigen::Index given_count() const { return given_.cols(); }
-  /// s of these temperatures.
+  /// Returns s for these temperatures.
   [[nodiscard]] Vector felt(const Vector& temperatures) const {
     return felt_ * temperatures + offset_;
   }
   [[nodiscard]] const SparseMatrix& felt_rows() const { return felt_; }
-  /// Cells by given number [1].
+  /// Returns the matrix that distributes y to the cells [1].
   [[nodiscard]] const Matrix& given() const { return given_; }
 
   [[nodiscard]] const WarmSets& sets() const { return sets_; }
   /// Sets speed and loads of the bearings. Returns false if the cold sets have no equilibrium.
   [[nodiscard]] bool set_inputs(const Inputs& inputs);
-  /// Distributes the loads across the shaft to the bearings as they are at s; false where they have
-  /// no balance.
+  /// Distributes the radial loads of the shaft to the bearings in their state at s. Returns false
+  /// if there is no equilibrium.
   [[nodiscard]] bool bear(const Vector& felt);
-  /// The shaft of the last bear(); null where nothing bends it and no rollers hold it.
+  /// Returns the shaft of the last bear(); null if no load bends it and no rollers support it.
   [[nodiscard]] const LoadedShaft* shaft() const { return bent_ ? &*bent_ : nullptr; }
-  /// True where bear() changes anything.
+  /// Returns true if bear() has any effect.
   [[nodiscard]] bool bends() const { return shaft_.has_value(); }
-  /// Position of the shaft at standstill without heat, under the belt alone [m].
+  /// Returns the position of the shaft at standstill without heat, under the belt load only [m].
   [[nodiscard]] double rest() const { return sets_.rest() + bent_rest_; }
   [[nodiscard]] std::size_t bearings() const { return inner_raceway_.size(); }
-  /// Bearing b at s, which was evaluated last.
+  /// Returns the state of bearing b at s, after evaluate() for this s.
   [[nodiscard]] BearingState state(std::size_t b, const Vector& felt) const;
-  /// y of s; false where the sets have no balance.
+  /// Computes y for s. Returns false if the sets have no equilibrium.
   [[nodiscard]] bool evaluate(const Vector& felt, Vector& given);
-  /// dy/ds by differences, about the s that was evaluated last; false where a neighbour of it has
-  /// no balance.
+  /// Computes dy/ds by differences about the last evaluated s. Returns false if a neighbouring s
+  /// has no equilibrium.
   [[nodiscard]] bool differentiate(const Vector& felt, const Vector& given, Matrix& jacobian);
 
  private:
@@ -76,13 +75,13 @@ class BearingCoupling {
   SparseMatrix felt_;
   Vector offset_;
   Matrix given_;
-  std::vector<double> inner_raceway_, outer_raceway_;  // S of each bearing [W/K]
-  std::vector<double> lubricant_;                      // of each bearing [W/K]
+  std::vector<double> inner_raceway_, outer_raceway_;  // S for each bearing [W/K]
+  std::vector<double> lubricant_;                      // for each bearing [W/K]
   double factor_;
   std::vector<ShaftLoad> loads_;
-  std::optional<ShaftOnBearings> shaft_;  // made when it is first needed
+  std::optional<ShaftOnBearings> shaft_;  // created at first use
   std::optional<LoadedShaft> bent_;
-  double bent_rest_ = 0.0;  // of the position by the belt, at standstill [m]
+  double bent_rest_ = 0.0;  // part of the position from the belt at standstill [m]
 };
 
 }  // namespace raceway::spindle

@@ -8,29 +8,30 @@ namespace raceway::spindle {
 
 enum class NewtonStatus { converged, no_balance, diverged };
 
-/// Solves  A T = r + P y(s),  s = F T + s0  for the temperatures of all cells.
+/// Solves A T = r + P y(s), s = F T + s0 for the temperatures of all cells.
 ///
-/// A is factorised once per time step. What is nonlinear, the sets, sees a dozen numbers s and
-/// gives half a dozen y, so that Newton's method runs on
+/// A is factorised once per time step. The nonlinear part, the sets, maps about a dozen numbers s
+/// to half a dozen numbers y. Newton's method therefore runs only on
 ///
 ///   s = F A⁻¹ r + s0 + M y(s),   M = F A⁻¹ P
 ///
-/// alone: the cells are eliminated by Woodbury's identity, no derivative of them is formed. dy/ds
-/// is kept from step to step and renewed where it converges slowly.
+/// Woodbury's identity eliminates the cells, so derivatives with respect to cell temperatures are
+/// not needed. dy/ds is kept between time steps and is computed again when convergence is slow.
 class CoupledNewton {
  public:
   CoupledNewton(const HeatPaths& paths, BearingCoupling* coupling);
 
-  /// A = capacity_factor C + G; false where A is not positive definite: heat has no way out.
+  /// Factorises A = capacity_factor C + G. Returns false if A is not positive definite, which means
+  /// that heat cannot leave.
   [[nodiscard]] bool factorise(const HeatPaths& paths, double capacity_factor);
-  /// The temperatures, and y at them in `given`, which is where the search begins.
+  /// Computes the temperatures. `given` contains the start value of y and receives the result.
   [[nodiscard]] NewtonStatus solve(const Vector& right, Vector& temperatures, Vector& given,
                                    Vector& felt);
   [[nodiscard]] Vector solve_linear(const Vector& right) const { return ldlt_.solve(right); }
-  /// Drops the derivatives, after inputs of the sets have changed.
+  /// Drops the derivatives; call it after a change of the inputs of the sets.
   void forget_derivatives() { known_ = false; }
-  /// Largest real gain of the loop heat -> temperature -> preload -> heat at the last solution: at
-  /// 1 it runs away.
+  /// Returns the largest real gain of the loop heat -> temperature -> preload -> heat at the last
+  /// solution. At a gain of 1 the spindle runs away thermally.
   [[nodiscard]] double gain(const Vector& felt, const Vector& given);
 
  private:

@@ -5,12 +5,13 @@
 
 namespace raceway::spindle {
 
-/// Length of a body between two planes as a weighted sum of its cells' temperatures,
+/// Returns the weights w_k [m/K] of the cell temperatures in the elongation of a body between two
+/// planes,
 ///
 ///   u = ∫ α ΔT dz = sum w_k (T_k - T0),
 ///
-/// with the mean of α ΔT over a cross-section weighted by E A: sections stay plane. [m/K]
-/// Domain: lines of the grid at both planes; zero beyond the body.
+/// The mean of α ΔT over a cross-section is weighted by E A, because plane sections remain plane.
+/// Domain: both planes are lines of the grid; weights outside the body are zero.
 [[nodiscard]] Vector expansion_row(const Mesh& mesh, Body body, double from, double to,
                                    Eigen::Index nodes);
 

@@ -6,8 +6,9 @@
 #include "model/spindle.h"
 #include "record/units.h"
 
-/// Films between solids and what flows past them: one correlation per function, conductances in
-/// W/(m² K). Temperatures of a difference may be equal; nothing here is NaN or negative then.
+/// Computes heat transfer between solids and flowing fluids. Each function is one correlation and
+/// returns a conductance in W/(m² K). The two temperatures of a difference may be equal; results
+/// are then neither NaN nor negative.
 namespace raceway::spindle {
 
 /// Properties of a fluid at one temperature.
@@ -20,13 +21,13 @@ struct FluidProperties {
   [[nodiscard]] bool operator==(const FluidProperties&) const = default;
 };
 
-/// Dry air at 1 bar.
+/// Returns the properties of dry air at 1 bar.
 ///
 ///   μ = 1.458e-6 T^1.5/(T + 110.4),   λ = 2.64638e-3 T^1.5/(T + 245.4 10^(-12/T))
 ///
-/// Source:   Sutherland's forms with the constants of the US Standard Atmosphere 1976; ideal gas,
-///           c = 1006 J/(kg K).
-/// Domain:   T from 200 to 600 K, held at these outside.
+/// Source:   Sutherland's forms with the constants of the US Standard Atmosphere 1976; ideal gas, c
+///           = 1006 J/(kg K).
+/// Domain:   T from 200 to 600 K; outside, the nearest limit is used.
 /// Accuracy: 1 % of viscosity and conductivity, 0.5 % of c below 400 K.
 [[nodiscard]] inline FluidProperties air_properties(double temperature) {
   constexpr double pressure = 1e5, gas_constant = 287.05, heat_capacity = 1006.0;
@@ -42,15 +43,15 @@ struct FluidProperties {
           .heat_capacity = heat_capacity};
 }
 
-/// Properties of the fluid at that temperature [K]. Formulas and sources: film.cpp.
+/// Returns the properties of a fluid at a temperature [K]. Formulas and sources: film.cpp.
 [[nodiscard]] FluidProperties fluid_properties(model::Fluid fluid, double temperature);
 
-/// g of the correlations [m/s²].
+/// Gravity g in the correlations [m/s²].
 inline constexpr double gravity = 9.81;
-/// Stefan and Boltzmann's constant, CODATA 2018 [W/(m² K⁴)].
+/// Stefan-Boltzmann constant, CODATA 2018 [W/(m² K⁴)].
 inline constexpr double stefan_boltzmann = 5.670374419e-8;
 
-/// Ra = g ΔT l³ Pr/(T_film ν²) [1], of a gas.
+/// Returns the Rayleigh number of a gas, Ra = g ΔT l³ Pr/(T_film ν²) [1].
 [[nodiscard]] inline double rayleigh(double length, double difference, double film_temperature,
                                      const FluidProperties& gas) {
   const double nu = gas.kinematic_viscosity;
@@ -58,7 +59,8 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
          (film_temperature * nu * nu);
 }
 
-/// Common form of both laws of Churchill and Chu, (c + 0.387 Ra^(1/6)/(1 + (d/Pr)^(9/16))^(8/27))².
+/// Returns the common form of both laws of Churchill and Chu, (c + 0.387 Ra^(1/6)/(1 +
+/// (d/Pr)^(9/16))^(8/27))².
 [[nodiscard]] inline double churchill_chu(double still, double prandtl_constant, double rayleigh,
                                           double prandtl) {
   const double fluid = std::pow(1.0 + std::pow(prandtl_constant / prandtl, 9.0 / 16.0), 8.0 / 27.0);
@@ -66,24 +68,25 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
   return root * root;
 }
 
-/// Free convection around a lying cylinder [W/(m² K)].
+/// Returns the free convection around a horizontal cylinder [W/(m² K)].
 ///
 ///   Nu = (0.60 + 0.387 Ra^(1/6)/(1 + (0.559/Pr)^(9/16))^(8/27))²,   on the diameter
 ///
-/// Source:   Churchill and Chu, Int. J. Heat Mass Transfer 18 (1975) 1049.
-/// Domain:   Ra from 1e-5 to 1e12; at no difference 0.36 λ/D is left.
-/// Accuracy: some 10 %; a machine around it changes more.
+/// Source:   Churchill and Chu (Int J Heat Mass Transfer 18, 1975, p. 1049).
+/// Domain:   Ra from 1e-5 to 1e12; without a temperature difference, 0.36 λ/D remains.
+/// Accuracy: about 10 %; surrounding machine parts have a larger influence.
 [[nodiscard]] inline double free_cylinder(double diameter, double difference,
                                           double film_temperature, const FluidProperties& gas) {
   const double ra = rayleigh(diameter, difference, film_temperature, gas);
   return churchill_chu(0.60, 0.559, ra, gas.prandtl) * gas.conductivity / diameter;
 }
 
-/// Free convection along an upright wall of that height, as an end face [W/(m² K)].
+/// Returns the free convection along a vertical wall with this height, for example an end face
+/// [W/(m² K)].
 ///
 ///   Nu = (0.825 + 0.387 Ra^(1/6)/(1 + (0.492/Pr)^(9/16))^(8/27))²,   on the height
 ///
-/// Source:   Churchill and Chu, Int. J. Heat Mass Transfer 18 (1975) 1323.
+/// Source:   Churchill and Chu (Int J Heat Mass Transfer 18, 1975, p. 1323).
 /// Domain:   Ra up to 1e12.
 [[nodiscard]] inline double free_plate(double height, double difference, double film_temperature,
                                        const FluidProperties& gas) {
@@ -91,15 +94,15 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
   return churchill_chu(0.825, 0.492, ra, gas.prandtl) * gas.conductivity / height;
 }
 
-/// Convection of a shaft that turns in still air [W/(m² K)].
+/// Returns the convection of a shaft that turns in still air [W/(m² K)].
 ///
 ///   Re = ω D²/(2 ν);  becker            Nu = 0.133 Re^(2/3) Pr^(1/3)
 ///                     kendoush          Nu = 0.6366 (Re Pr)^(1/2)
 ///                     anderson_saunders Nu = 0.1 Re^(2/3)
 ///
 /// Source:   Becker 1963; Kendoush 1996; Anderson and Saunders 1953.
-/// Domain:   speed >= 0, zero at standstill: there free convection is larger (turning_shaft()).
-/// Accuracy: at 10 000 rpm the three differ by a factor of 1.7.
+/// Domain:   speed >= 0; zero at standstill, where free convection is larger (turning_shaft()).
+/// Accuracy: at 10 000 rpm the three laws differ by a factor of 1.7.
 [[nodiscard]] inline double rotating_shaft(model::RotatingConvection law, double speed,
                                            double diameter, const FluidProperties& gas) {
   const double re = speed * diameter * diameter / (2.0 * gas.kinematic_viscosity);
@@ -118,7 +121,7 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
   return nusselt * gas.conductivity / diameter;
 }
 
-/// The larger of the convection by turning and of the free one [W/(m² K)].
+/// Returns the larger of the rotating and the free convection [W/(m² K)].
 [[nodiscard]] inline double turning_shaft(model::RotatingConvection law, double speed,
                                           double diameter, double difference,
                                           double film_temperature, const FluidProperties& gas) {
@@ -126,8 +129,8 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
                   free_cylinder(diameter, difference, film_temperature, gas));
 }
 
-/// Taylor number of the gap between a turning and a still cylinder, Ta = ω² r_m δ³/ν² [1], at the
-/// arithmetic mean radius.
+/// Returns the Taylor number of the gap between a rotating and a fixed cylinder, Ta = ω² r_m δ³/ν²
+/// [1], at the arithmetic mean radius.
 [[nodiscard]] inline double taylor_number(double inner_radius, double outer_radius, double speed,
                                           const FluidProperties& gas) {
   const double gap = outer_radius - inner_radius;
@@ -135,15 +138,17 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
   return root * root * 0.5 * (inner_radius + outer_radius) * gap * gap * gap;
 }
 
-/// Conductance of that gap from surface to surface [W/(m² K)], of the area at the mean radius.
+/// Returns the conductance of that gap from surface to surface [W/(m² K)], relative to the area at
+/// the mean radius.
 ///
 ///   h = Nu λ/(2 δ);   Nu = 2,   0.128 Ta^0.367 above 1700,   0.409 Ta^0.241 above 1e4
 ///
-/// Source:   Becker and Kaye, J. Heat Transfer 84 (1962) 97. Nu is on 2 δ and between the surfaces:
-///           codes that take λ/δ double the conductance.
-/// Domain:   no axial flow. The pieces leave a step of 2 % at 1700 and of 0.2 % at 1e4. They are
-///           joined where they meet, at 1790 and 1.01e4, as a step would stop an iteration.
-/// Accuracy: some 15 %, smooth surfaces.
+/// Source:   Becker and Kaye (J Heat Transfer 84, 1962, p. 97). Nu is defined with 2 δ and the
+///           temperatures of both surfaces. Programs that use λ/δ double the conductance.
+/// Domain:   no axial flow. The published pieces have a step of 2 % at 1700 and of 0.2 % at 1e4.
+///           Here they are joined where they intersect, at 1790 and 1.01e4, because a step could
+///           stop an iteration.
+/// Accuracy: about 15 % for smooth surfaces.
 [[nodiscard]] inline double annular_gap(double inner_radius, double outer_radius, double speed,
                                         const FluidProperties& gas) {
   const double ta = taylor_number(inner_radius, outer_radius, speed, gas);
@@ -152,15 +157,16 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
   return nusselt * gas.conductivity / (2.0 * (outer_radius - inner_radius));
 }
 
-/// Mean Nusselt number of the flow through a channel [1], on its hydraulic diameter.
+/// Returns the mean Nusselt number of the flow through a channel [1], based on its hydraulic
+/// diameter.
 ///
 ///   Re <= 2300   (3.66³ + 0.7³ + (1.615 (Re Pr d/l)^(1/3) - 0.7)³)^(1/3)
 ///   Re >= 4000   (ξ/8) Re Pr/(1 + 12.7 (ξ/8)^(1/2) (Pr^(2/3) - 1)) (1 + (d/l)^(2/3)),
 ///                ξ = (1.8 lg Re - 1.5)^-2;      linear in Re between
 ///
-/// Source:   VDI-Wärmeatlas 2002, G1 (walls of one temperature; Gnielinski), print not seen.
-///           Gnielinski's older form has Re - 1000 and gives 10 % less.
-/// Domain:   Re up to 1e6, straight and smooth; a helix mixes better.
+/// Source:   VDI-Wärmeatlas 2002, G1 (walls of one temperature; Gnielinski); the print was not
+///           checked. Gnielinski's older formula contains Re - 1000 and gives 10 % less.
+/// Domain:   Re up to 1e6, straight and smooth channel; the flow in a helix mixes better.
 [[nodiscard]] inline double channel_nusselt(double reynolds, double prandtl,
                                             double diameter_by_length) {
   const auto laminar = [&](double re) {
@@ -181,16 +187,17 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
   return (1.0 - share) * laminar(lowest) + share * turbulent(highest);
 }
 
-/// Darcy's friction factor of a channel of rectangular section [1], a the ratio of its sides.
+/// Returns Darcy's friction factor of a channel with rectangular section [1]. a is the ratio of its
+/// sides.
 ///
 ///   Re <= 2300   96 (1 - 1.3553 a + 1.9467 a² - 1.7012 a³ + 0.9564 a⁴ - 0.2537 a⁵)/Re
 ///   Re >= 4000   (1.8 lg Re - 1.5)^-2;      linear in Re between
 ///
 /// Source:   Shah and London 1978 (laminar), Konakov 1946 as in channel_nusselt().
-/// Domain:   Re > 0, 0 < a <= 1, straight and smooth.
-/// Accuracy: 0.1 % of tables where laminar, 1.5 % of Prandtl's law of smooth pipes to Re = 1e6. A
-///           helix has more: its secondary flow adds some ten percent where turbulent, several
-///           times that where laminar.
+/// Domain:   Re > 0, 0 < a <= 1, straight and smooth channel.
+/// Accuracy: 0.1 % of tables in laminar flow, 1.5 % of Prandtl's law of smooth pipes up to Re =
+///           1e6. A helix has a larger factor: its secondary flow adds some tens of percent in
+///           turbulent flow, and several times as much in laminar flow.
 [[nodiscard]] inline double channel_friction(double reynolds, double aspect) {
   const auto laminar = [&](double re) {
     const double a = aspect;
@@ -208,23 +215,24 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
   return (1.0 - share) * laminar(lowest) + share * turbulent(highest);
 }
 
-/// A helical channel of rectangular section, unrolled.
+/// A helical channel with rectangular section, unrolled to a straight one.
 struct Channel {
-  double section = unset;             ///< w d [m²]
+  double section = unset;             ///< w d, area of the section [m²]
   double hydraulic_diameter = unset;  ///< 2 w d/(w + d) [m]
-  double length = unset;              ///< of the helix [m]
-  /// Re = v d_h/ν of that flow [m³/s].
+  double length = unset;              ///< length of the helix [m]
+  /// Returns Re = v d_h/ν for a flow [m³/s].
   [[nodiscard]] double reynolds(double flow, const FluidProperties& fluid) const {
     return flow / section * hydraulic_diameter / fluid.kinematic_viscosity;
   }
-  /// Film on the walls of the channel at that flow [W/(m² K)].
+  /// Returns the film on the walls of the channel for a flow [W/(m² K)].
   [[nodiscard]] double film(double flow, const FluidProperties& fluid) const {
     return channel_nusselt(reynolds(flow, fluid), fluid.prandtl, hydraulic_diameter / length) *
            fluid.conductivity / hydraulic_diameter;
   }
 };
 
-/// Turns from start to end, each the hypotenuse of its circumference and its pitch.
+/// Returns the channel of a coolant. Each turn from start to end is the hypotenuse of its
+/// circumference and its pitch.
 [[nodiscard]] inline Channel channel_of(const model::Coolant& c) {
   const double turns = std::abs(c.end - c.start) / c.pitch;
   return {.section = c.channel_width * c.channel_depth,
@@ -233,8 +241,9 @@ struct Channel {
           .length = turns * std::hypot(pi * c.diameter, c.pitch)};
 }
 
-/// Film of a coolant at its mean temperature [W/(m² K)]: the film of the flow, or of the standing
-/// fluid where it is off. Standing fluid conducts too, so the film never falls below its value.
+/// Returns the film of a coolant at its mean temperature [W/(m² K)], for the flow or, if it is off,
+/// for the standing fluid. Standing fluid conducts heat too, so the film never falls below that
+/// value.
 [[nodiscard]] inline double coolant_film(const model::Coolant& c, double temperature, bool on) {
   if (!on || !(c.flow > 0.0)) return c.stagnant;
   return std::max(c.stagnant, channel_of(c).film(c.flow, fluid_properties(c.fluid, temperature)));
@@ -242,22 +251,22 @@ struct Channel {
 
 inline constexpr double bar = 1e5;  ///< [Pa]
 
-/// The flow of a coolant through its channel.
+/// Flow of a coolant through its channel.
 struct ChannelFlow {
   double velocity = unset;       ///< mean [m/s]
   double reynolds = unset;       ///< [1]
   double film = unset;           ///< [W/(m² K)]
-  double pressure_drop = unset;  ///< of the channel [Pa]
-  double throttle_drop = 0.0;    ///< of the orifice at its outlet [Pa]
+  double pressure_drop = unset;  ///< pressure drop of the channel [Pa]
+  double throttle_drop = 0.0;    ///< pressure drop of the orifice at its outlet [Pa]
 };
 
-/// Flow at a mean temperature of the coolant [K].
+/// Computes the flow at a mean temperature of the coolant [K].
 ///
 ///   Δp = ξ (l/d_h) ρ v²/2;   throttle  Δp = ρ/2 (V/(0.61 A))²
 ///
-/// Source:   Darcy and Weisbach; 0.61: a sharp orifice much smaller than its pipe, ISO 5167 within
-///           2 %.
-/// Domain:   flow > 0. Bends, fittings and hoses are left out.
+/// Source:   Darcy and Weisbach. The factor 0.61 is valid for a sharp orifice much smaller than its
+///           pipe, within 2 % of ISO 5167.
+/// Domain:   flow > 0. Bends, fittings and hoses are neglected.
 [[nodiscard]] inline ChannelFlow channel_flow(const model::Coolant& c, double temperature) {
   constexpr double sharp_orifice = 0.61;
   const Channel channel = channel_of(c);
@@ -278,7 +287,7 @@ struct ChannelFlow {
   return flow;
 }
 
-/// Radiation of a surface into large surroundings [W/(m² K)], temperatures in K.
+/// Returns the radiation of a surface into large surroundings [W/(m² K)]; temperatures in K.
 ///
 ///   h = ε σ (T² + T0²)(T + T0)
 ///
@@ -288,8 +297,8 @@ struct ChannelFlow {
          (temperature + surroundings);
 }
 
-/// Radiation between two long grey cylinders, one in the other, by the area of the inner one
-/// [W/(m² K)].
+/// Returns the radiation between two long grey cylinders, one inside the other, relative to the
+/// area of the inner one [W/(m² K)].
 ///
 ///   1/ε = 1/ε_i + (r_i/r_o)(1/ε_o - 1)
 ///

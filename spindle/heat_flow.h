@@ -9,9 +9,9 @@
 
 namespace raceway::spindle {
 
-/// The thermal state of a spindle and how it goes on: one time step, or where it ends.
+/// Thermal state of a spindle, with time steps and steady states.
 ///
-/// A spindle of cells with its sets, or a network of bodies alone.
+/// The model is a mesh of cells with the sets, or a network of bodies only.
 class HeatFlow {
  public:
   HeatFlow(const model::Model& model, const effects::SpindleCondition& condition,
@@ -23,24 +23,24 @@ class HeatFlow {
   struct Step {
     Status status = Status::not_run;
     Vector rate_before, rate_after;  ///< dT/dt [K/s]
-    double error = unset;            ///< of the embedded method, largest of all bodies [K]
-    double energy_error = unset;     ///< stored less what came in, of the turnover [1]
+    double error = unset;            ///< from the embedded method, the largest of all bodies [K]
+    double energy_error = unset;     ///< stored heat minus supplied heat, over the turnover [1]
     std::array<double, reservoirs> out_before{}, out_after{};  ///< [W]
   };
 
-  /// All bodies at one temperature.
+  /// Sets all bodies to one temperature.
   void start(double temperature);
   void start(const Vector& temperatures) { temperatures_ = temperatures; }
-  /// Puts the sets under these inputs; false where they have no balance.
+  /// Sets the inputs of the sets. Returns false if the sets have no equilibrium.
   [[nodiscard]] bool set_inputs(const Inputs& inputs);
-  /// Goes on by dt [s] under `inputs`, whose speed and loads must be as in set_inputs(). Films,
-  /// seats and what loads across the shaft put on its bearings are those at `films`. Nothing
-  /// changes unless the status is `converged`.
+  /// Advances by dt [s] under `inputs`, whose speed and loads must equal those of set_inputs().
+  /// Films, seats, and the bearing loads from radial loads on the shaft are taken at `films`. The
+  /// state changes only if the status is `converged`.
   [[nodiscard]] Step advance(const Inputs& inputs, double machine_rise, double dt,
                              const Vector& films);
-  /// Steady state under these inputs; `iterations` are of films and seats.
+  /// Finds the steady state under these inputs. `iterations` counts the updates of films and seats.
   [[nodiscard]] Status settle(const Inputs& inputs, double machine_rise, int& iterations);
-  /// Gain of the loop of heat and preload at this state in the long run [1].
+  /// Returns the long-term gain of the loop of heat and preload at this state [1].
   [[nodiscard]] double gain();
 
   [[nodiscard]] const Vector& temperatures() const { return temperatures_; }
@@ -52,7 +52,7 @@ class HeatFlow {
   [[nodiscard]] double driven_heat() const {
     return system_ ? system_->driven_heat() : network_.source.sum();
   }
-  /// Limit of a ring's temperature; above it the spindle has run away [K].
+  /// Limit of ring temperatures [K]; above it, the simulation stops as thermal runaway.
   static constexpr double hottest_ring = kelvin(300.0);
 
  private:
@@ -62,7 +62,7 @@ class HeatFlow {
 
   std::unique_ptr<ThermalSystem> system_;
   HeatPaths network_;
-  std::vector<double> held_;  // temperatures of a network's nodes; NaN: free
+  std::vector<double> held_;  // fixed temperatures of a network's nodes; NaN: free
   std::unique_ptr<BearingCoupling> coupling_;
   std::unique_ptr<CoupledNewton> newton_;
   Vector temperatures_, given_, felt_;

@@ -10,18 +10,18 @@
 
 namespace raceway::spindle {
 
-/// Destinations of heat.
+/// Destinations of heat that leaves the spindle.
 enum class Reservoir { air, machine, coolant };
 inline constexpr std::size_t reservoirs = 3;
 
 using Vector = Eigen::VectorXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-/// Bodies that store heat, and the ways between them and out of them:
+/// Bodies that store heat, and the heat paths between them and to reservoirs:
 ///
 ///   C_i dT_i/dt = sum G_ij (T_j - T_i) + sum G_ir (T_r - T_i) + q_i
 ///
-/// Conductances may be set anew as long as no way is added.
+/// Conductances may be changed, but paths must not be added later.
 struct HeatPaths {
   struct Link {
     int first, second;
@@ -33,26 +33,28 @@ struct HeatPaths {
     double conductance;  ///< [W/K]
   };
   Vector capacity;  ///< [J/K], > 0
-  Vector source;    ///< what does not depend on temperatures [W]
+  Vector source;    ///< heat sources that do not depend on temperatures [W]
   std::vector<Link> links;
   std::vector<Outlet> outlets;
-  std::array<double, reservoirs> temperature{unset, unset, unset};  ///< of the reservoirs [K]
+  /// temperature of each reservoir [K]
+  std::array<double, reservoirs> temperature{unset, unset, unset};
 
   [[nodiscard]] Eigen::Index size() const { return capacity.size(); }
-  /// Heat that flows out to each reservoir [W].
+  /// Returns the heat that flows to each reservoir [W].
   [[nodiscard]] std::array<double, reservoirs> outflow(const Vector& temperatures) const;
-  /// Heat flow from all paths and sources into each body [W].
+  /// Returns the heat flow from all paths and sources into each body [W].
   [[nodiscard]] Vector inflow(const Vector& temperatures) const;
-  /// Part of inflow() that does not depend on the temperatures of bodies [W].
+  /// Returns the part of inflow() that does not depend on body temperatures [W].
   [[nodiscard]] Vector constant_inflow() const;
 };
 
-/// The symmetric matrix of `scale` C + factor * conductances of some ways, its pattern kept.
+/// Symmetric matrix of `scale` C + factor * conductances of given paths, with a fixed sparsity
+/// pattern.
 class ConductanceMatrix {
  public:
-  /// `paths` may change its conductances afterwards, and nothing else.
+  /// Conductances of `paths` may change afterwards; its structure must not change.
   explicit ConductanceMatrix(const HeatPaths& paths);
-  /// Lower half of capacity_factor C + G [W/K].
+  /// Returns the lower half of capacity_factor C + G [W/K].
   [[nodiscard]] const SparseMatrix& fill(const HeatPaths& paths, double capacity_factor);
 
  private:

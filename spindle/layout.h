@@ -7,66 +7,68 @@
 
 namespace raceway::spindle {
 
-/// A way for heat between two cells through a joint, or from a cell to a fluid or the room.
+/// Heat path between two cells through a joint, or from a cell to a fluid or the surroundings.
 struct Joint {
   int first = -1;
-  int second = -1;      ///< -1: to what stands around
+  int second = -1;      ///< -1: to the surroundings
   double area = unset;  ///< [m²]
-  double half = 0.0;    ///< resistance of the cells up to the joint [K/W]
+  double half = 0.0;    ///< resistance from the cells to the joint [K/W]
 };
 using Joints = std::vector<Joint>;
 
-/// A share of something by cell.
+/// Weight of one cell in a mean or a source.
 struct Share {
   int cell = -1;
   double share = 0.0;  ///< [1]
 };
 using Shares = std::vector<Share>;
 
-/// Mean temperature of a body: weights sum up to 1.
+/// Returns the mean temperature of a body as weights with the sum 1.
 [[nodiscard]] Shares mean_over(const Mesh& mesh, const std::vector<int>& cells);
 
-/// One bearing in the cells.
+/// Position of one bearing in the mesh of cells.
 struct BearingPlace {
   double position = unset, width = unset;  ///< [m]
   double seat_bore = unset, seat = unset;  ///< radii of shaft bore and inner seat [m]
-  double inner_shoulder = unset, outer_shoulder = unset;       ///< radii [m]
-  double housing_seat = unset, housing_outer = unset;          ///< radii [m]
-  double inner_interference = unset, outer_clearance = unset;  ///< diametral, cold and still [m]
+  double inner_shoulder = unset, outer_shoulder = unset;  ///< radii [m]
+  double housing_seat = unset, housing_outer = unset;     ///< radii [m]
+  /// diametral, cold and at standstill [m]
+  double inner_interference = unset, outer_clearance = unset;
   Joints inner_seat, outer_seat;
-  Joints inner_raceway, outer_raceway;  ///< from cell to raceway
-  Shares inner_ring, outer_ring;        ///< mean temperatures
-  Shares shaft_below, housing_above;    ///< of what the seats sit on
+  Joints inner_raceway, outer_raceway;  ///< paths from cells to the raceway
+  Shares inner_ring, outer_ring;        ///< weights of the mean temperatures
+  Shares shaft_below, housing_above;    ///< weights of shaft and housing at the seats
 };
 
-/// All of a spindle's cells and joints, with everything that stays as it is whatever runs.
+/// All cells and joints of a spindle, with all data that do not depend on the operating point.
 struct Layout {
   Mesh mesh;
-  std::vector<BearingPlace> bearings;  ///< as model::rings_of()
+  std::vector<BearingPlace> bearings;  ///< order as in model::rings_of()
   Joints shoulders, collars;
-  Joints clamped;  ///< spacers between rings, ground and pressed together: no barrier
+  Joints clamped;  ///< spacers between rings, ground and clamped: no contact resistance
   Joints housing_cylinder, housing_ends, nose, rear, flange;
   Joints gap;
   Joints coolant_walls;
   double first_bearing_front = unset, last_bearing_rear = unset;  ///< outermost faces [m]
   double housing_start = unset, housing_end = unset;              ///< [m]
-  double front_centre = unset, rear_centre = unset;  ///< of the sets [m]; NaN without a rear set
-  double helix_length = 0.0;                         ///< of the coolant's channel [m]
+  /// centres of the sets [m]; NaN without a rear set
+  double front_centre = unset, rear_centre = unset;
+  double helix_length = 0.0;  ///< length of the coolant channel [m]
 
-  /// Material in the middle of a seat.
+  /// Returns the material in the middle of a seat.
   [[nodiscard]] const model::SolidMaterial& material(const Shares& seat) const {
     return mesh.cells[static_cast<std::size_t>(seat.front().cell)].material;
   }
-  /// Shares of a source between two planes, by volume; with a radius of the cells there alone. The
-  /// nearest cell where none lies there.
+  /// Returns the weights of a source between two planes, by volume. With a radius, only cells at
+  /// this radius are used. If no cell is there, the nearest one is used.
   [[nodiscard]] Shares source(Body body, double from, double to, double radius = unset) const;
 };
 
-/// Throws std::invalid_argument if parts cannot be mounted; the message has name, value with unit
-/// and allowed range.
+/// Builds the layout. Throws std::invalid_argument if parts cannot be mounted; the message has
+/// name, value with unit and allowed range.
 [[nodiscard]] Layout make_layout(const model::Model& model, model::Cells cells);
 
-/// Shaft and housing as a spindle's own parts, nothing cut into cells yet.
+/// Returns shaft and housing as regions, before they are cut into cells.
 [[nodiscard]] std::vector<Region> regions_of(const model::Model& model);
 
 }  // namespace raceway::spindle

@@ -11,62 +11,66 @@
 
 namespace raceway::spindle {
 
-/// Load on the shaft at one place, in addition to the axial load of the condition.
+/// Load on the shaft at one place, in addition to the axial load in the condition.
 struct ShaftLoad {
-  double position = 0.0;  ///< behind the nose face [m]
+  double position = 0.0;  ///< distance behind the nose face [m]
   double axial = 0.0;     ///< positive towards the tool [N]
-  /// In the planes of y and z: forces [N], moments positive as θ = dv/ds [N m].
+  /// Loads in the planes of y and z: forces [N], and moments [N m] that are positive in the
+  /// direction of θ = dv/ds.
   double radial = 0.0, radial_z = 0.0, moment = 0.0, moment_z = 0.0;
   [[nodiscard]] bool pushes_across() const {
     return radial != 0.0 || radial_z != 0.0 || moment != 0.0 || moment_z != 0.0;
   }
 };
 
-/// A cylindrical roller bearing that holds the shaft in addition to its sets, free along the axis.
+/// A cylindrical roller bearing that supports the shaft in addition to its sets, free to move
+/// axially.
 struct RollerSupport {
   const bearing::RollerBearing* bearing = nullptr;
-  double position = unset;  ///< behind the nose face [m]
+  double position = unset;  ///< distance behind the nose face [m]
 };
 
-/// All bearings that hold a shaft. Keeps pointers to them.
+/// All bearings that support a shaft. The struct stores pointers to them.
 struct ShaftBearings {
-  /// Null where there are none: then nothing holds the shaft along its axis, and nothing moves it.
+  /// Null without sets: the shaft then has no axial support and is assumed not to move axially.
   const bearing::Arrangement* sets = nullptr;
-  std::vector<double> places = {};  ///< of the bearings of the sets, front set first [m]
+  std::vector<double> places = {};  ///< centres of the bearings of the sets, front set first [m]
   std::vector<RollerSupport> rollers = {};
 };
 
-/// The shaft bent on its bearings. Only `report` is set unless the solve converged.
+/// Shaft bent on its bearings. Only `report` is valid unless the solve converged.
 struct LoadedShaft {
-  double position = unset;           ///< x of the shaft, as in ArrangementEquilibrium [m]
+  double position = unset;           ///< x of the shaft, defined as in ArrangementEquilibrium [m]
   double rear_displacement = unset;  ///< δ_r [m]
-  double front_force = unset, rear_force = unset;  ///< axial, sums over the sides [N]
+  double front_force = unset, rear_force = unset;  ///< axial forces, summed over each side [N]
   Eigen::VectorXd y, z;                            ///< (v, θ) of all nodes in both planes
-  /// Each in its own frame, +x where its inner ring is pressed: loads on the ring, and balls with
-  /// displacement and tangent stiffness.
+  /// Values in the frame of each bearing, with +x in the direction in which its inner ring is
+  /// pressed: loads on the ring, and balls with displacement and tangent stiffness.
   std::vector<bearing::Vector5> loads;
   std::vector<bearing::BearingEquilibrium> bearings;
-  /// State of the roller bearings, in a frame with x rearwards: `load` is what the shaft presses
-  /// with.
+  /// State of the roller bearings, in a frame with x to the rear. `load` is the load from the
+  /// shaft.
   std::vector<bearing::RollerEquilibrium> rollers;
   bearing::SolveReport report;
 };
 
 class ShaftBalance5;
 
-/// The elastic shaft on all bearings that hold it, under loads anywhere on it: the balance of
-/// solve_loaded_shaft(), asked for again and again with other conditions, each solved from the one
-/// before it. Not for several threads at once.
+/// Elastic shaft on all its bearings, under loads at any places. It solves the problem of
+/// solve_loaded_shaft() repeatedly for different conditions, each starting from the previous
+/// solution. Several threads must not use one object at once.
 class ShaftOnBearings {
  public:
-  /// Bearings and loads stand at nodes of the beam, which may go once this is made. Throws
-  /// std::invalid_argument where there is no such node, or another number of places than bearings.
+  /// Bearings and loads are at nodes of the beam, which is not needed after construction. Throws
+  /// std::invalid_argument if a node is missing, or if the number of places differs from the number
+  /// of bearings.
   ShaftOnBearings(const Beam& beam, ShaftBearings held, std::span<const double> load_places);
   ShaftOnBearings(ShaftOnBearings&&) noexcept;
   ~ShaftOnBearings();
 
-  /// `clearances` of the roller bearings [m]; loads at the places of the constructor, in their
-  /// order. `unbent`: the sets under the axial loads alone, where that is known.
+  /// `clearances` are those of the roller bearings [m]. Loads act at the places of the constructor,
+  /// in the same order. `unbent` is the equilibrium of the sets under axial loads only, if it is
+  /// known.
   [[nodiscard]] LoadedShaft solve(const bearing::ArrangementCondition& condition,
                                   std::span<const double> clearances,
                                   std::span<const ShaftLoad> loads,
@@ -78,16 +82,16 @@ class ShaftOnBearings {
   Eigen::VectorXd last_;  ///< empty before the first balance
 };
 
-/// Finds the balance of the elastic shaft and all bearings of its sets, each in five degrees of
-/// freedom, under a load anywhere on the shaft: Newton's method on the axial positions of shaft and
-/// rear set and on (v, θ) of the bearings' places in two planes, the beam condensed onto these,
-/// balls and rollers in balance at every look. Starts from the balance of the axial load
-/// alone; where a start fails, the radial load is followed from zero. Between the sets the shaft is
-/// as stiff axially as the arrangement says.
+/// Finds the equilibrium of the elastic shaft and all bearings of its sets, each in five degrees of
+/// freedom, under loads at any places. Newton's method solves for the axial positions of shaft and
+/// rear set and for (v, θ) at the bearings in two planes. The beam is condensed onto these nodes,
+/// and balls and rollers are in equilibrium at every evaluation. It starts from the equilibrium
+/// under the axial load only. If a start fails, the radial load is increased from zero in steps.
+/// Between the sets, the axial stiffness of the shaft is that of the arrangement.
 ///
-/// Domain:   `places` of the bearings' centres on the shaft, front set first, are nodes of the
-/// beam. Accuracy: 1e-9 of the largest load; second-order effects of the axial force are left out.
-/// Throws std::invalid_argument for another number of places than bearings.
+/// Domain:   `places`, the centres of the bearings on the shaft, front set first, are nodes of the
+/// beam. Accuracy: 1e-9 of the largest load; second-order effects of the axial force are neglected.
+/// Throws std::invalid_argument if the number of places differs from the number of bearings.
 [[nodiscard]] LoadedShaft solve_loaded_shaft(const Beam& beam,
                                              const bearing::Arrangement& arrangement,
                                              std::span<const double> places,
@@ -95,19 +99,19 @@ class ShaftOnBearings {
                                              const ShaftLoad& load,
                                              const bearing::EquilibriumOptions& options = {});
 
-/// True where a bearing's inner ring is pressed towards the rear: the front set of an O, the
-/// rear set of an X.
+/// Returns true if the inner ring of the bearing is pressed to the rear: the front set of an O
+/// arrangement and the rear set of an X arrangement.
 [[nodiscard]] bool presses_rearwards(const bearing::Arrangement& arrangement, std::size_t i);
 
-/// Tangent stiffness of the bearings as springs of the beam. The coupling of force and tilt turns
-/// with the frame: +K(y, θz) where a bearing presses rearwards, else -K(y, θz). Both
-/// off-diagonals, 1 to 2 % apart at speed, are taken as their mean.
+/// Returns the tangent stiffness of the bearings as springs of the beam. The coupling of force and
+/// tilt changes its sign with the frame: +K(y, θz) if a bearing presses to the rear, otherwise
+/// -K(y, θz). The two off-diagonal terms differ by 1 to 2 % at speed; their mean is used.
 [[nodiscard]] std::vector<Spring> bearing_springs(
     const bearing::Arrangement& arrangement, std::span<const double> places,
     std::span<const bearing::BearingEquilibrium> bearings);
 
-/// Tangent stiffness of a roller bearing. What couples the planes of y and z, which a load in
-/// neither of them does, is left out.
+/// Returns the tangent stiffness of a roller bearing as a spring of the beam. The coupling between
+/// the planes of y and z, which arises only for loads outside both planes, is neglected.
 [[nodiscard]] Spring roller_spring(double position, const bearing::RollerEquilibrium& rollers);
 
 }  // namespace raceway::spindle

@@ -9,18 +9,18 @@
 
 namespace raceway::spindle {
 
-/// The sense in which the shaft's axis runs around in a mode, with the rotation or against it.
-/// `standing` where it does neither, as at standstill.
+/// Direction in which the axis of the shaft whirls in a mode, with or against the rotation.
+/// `standing` means neither, as at standstill.
 enum class Whirl { backward, standing, forward };
 
-/// Name in files: "backward".
+/// Name in files: Returns the name in files: "backward".
 [[nodiscard]] std::string_view name(Whirl whirl);
 
 struct Mode {
-  double frequency = unset;  ///< angular, undamped [rad/s]
+  double frequency = unset;  ///< undamped angular frequency [rad/s]
   Whirl whirl = Whirl::standing;
-  /// (v, θ) of all nodes, amplitudes in the planes of y and z, a quarter of a period apart: v_y =
-  /// y cos ωt, v_z = z sin ωt. The largest displacement of the axis is 1.
+  /// Amplitudes (v, θ) of all nodes in the planes of y and z, a quarter of a period apart: v_y = y
+  /// cos ωt, v_z = z sin ωt. The largest displacement of the axis is 1.
   Eigen::VectorXd y, z;
 };
 
@@ -33,23 +33,24 @@ struct Modes {
   [[nodiscard]] bool converged() const { return status == ModesStatus::converged; }
 };
 
-/// The lowest modes of a turning shaft on springs, without damping. With N the mass, G the
-/// gyroscopic matrix, q e^{iωt} the deflection v + i w where all springs are isotropic,
+/// Finds the lowest modes of a rotating shaft on springs, without damping. With the mass matrix M,
+/// the gyroscopic matrix G and the deflection v + i w = q e^{iωt}, isotropic springs give
 ///
 ///   (-ω² M + ω Ω G + K) q = 0,   ω > 0 forward, ω < 0 backward.
 ///
-/// Anisotropic springs couple both senses; with w = -i b e^{iωt} the matrices of both planes stay
-/// real and symmetric. Either is solved as B x = (1/ω) A x with A = diag(K, M), positive definite,
-/// by Lanczos iterations on the largest |1/ω|, in sparse matrices throughout.
+/// Anisotropic springs couple both directions. With w = -i b e^{iωt} the matrices of both planes
+/// remain real and symmetric. Both problems are solved as B x = (1/ω) A x with the positive
+/// definite A = diag(K, M), by Lanczos iterations for the largest |1/ω|, with sparse matrices.
 ///
 /// Domain:   speed >= 0 [rad/s]; springs at nodes of the beam, their planes parallel to y and z.
-/// Accuracy: of the mesh (h² for many elements, exact in statics); of the solver near rounding.
-///           Damping, axial and torsional modes and the housing's own are left out.
+/// Accuracy: limited by the mesh (h² for many elements, exact in statics); the solver itself is
+///           accurate to about rounding. Damping, axial and torsional modes, and modes of the
+///           housing are neglected.
 [[nodiscard]] Modes find_modes(const Beam& beam, std::span<const Spring> springs, double speed,
                                int count = 6);
 
-/// One set of springs and one answer for each speed, on all threads. Throws std::invalid_argument
-/// if the sizes differ.
+/// Finds the modes at each speed, with one set of springs for each speed, on all threads. Throws
+/// std::invalid_argument if the sizes differ.
 [[nodiscard]] std::vector<Modes> campbell(const Beam& beam, std::span<const double> speeds,
                                           std::span<const std::vector<Spring>> springs,
                                           int count = 6);

@@ -5,31 +5,32 @@
 
 #include "record/units.h"
 
-/// Gain and time constant of a step response as laws of the power loss P, or of a load.
+/// Fits gain and time constant of step responses as functions of the power loss P or of a load.
 namespace raceway::spindle {
 
-/// value = slope P + offset, by least squares, all points alike.
+/// value = slope P + offset, by unweighted least squares.
 struct StraightLine {
   double slope = unset, offset = unset;
-  double slope_std = unset, offset_std = unset;  ///< by what it leaves; NaN below three points
+  /// from the residual; NaN with fewer than three points
+  double slope_std = unset, offset_std = unset;
   [[nodiscard]] double operator()(double power) const { return slope * power + offset; }
 };
 
-/// value = factor P^exponent, by least squares of logarithms: all points alike in proportion.
+/// value = factor P^exponent, by least squares of logarithms, so all points have equal relative
+/// weight.
 struct PowerLaw {
   double factor = unset, exponent = unset;
   double exponent_std = unset;
-  double rms = unset;  ///< that it leaves, as a share of the value [1]
+  double rms = unset;  ///< rms residual relative to the value [1]
   [[nodiscard]] double operator()(double power) const;
 };
 
-/// A curve through points that turns only where they turn, by cubics between them; the ends hold
-/// outside.
+/// Curve of cubics through points that turns only at points; outside, the end values are used.
 ///
 /// Source:   [FritschCarlson1980].
 class MonotoneCurve {
  public:
-  /// Throws std::invalid_argument: no point, lengths that differ, x that does not rise.
+  /// Throws std::invalid_argument without points, for different lengths, and if x does not rise.
   MonotoneCurve(std::vector<double> x, std::vector<double> y);
   [[nodiscard]] double operator()(double x) const;
   [[nodiscard]] const std::vector<double>& x() const { return x_; }
@@ -39,34 +40,34 @@ class MonotoneCurve {
   std::vector<double> x_, y_, slope_;
 };
 
-/// Gain and time constant at one power, or one load.
+/// Gain and time constant at one power or load.
 struct LagAt {
   double input = unset;          ///< [W], [N]
   double gain = unset;           ///< [m]
   double time_constant = unset;  ///< [s]
 };
 
-/// The laws K(P) and T(P). NaN where the points do not carry them: below two powers.
+/// Laws K(P) and T(P). All values are NaN for fewer than two powers.
 ///
-/// Source:   lines: [Brecher2021, eq. 8 and 9].
-/// Traps:    a line is a chord: K(0) of it is no physics, and its T ends where it reaches zero.
+/// Source:   lines from [Brecher2021, eq. 8 and 9].
+/// Traps:    a line is only a chord. Its K(0) has no physical meaning, and its T may reach zero.
 struct PowerLaws {
   StraightLine gain_line = {}, time_line = {};  ///< [m/W], [m]; [s/W], [s]
-  PowerLaw gain_power = {}, time_power = {};    ///< NaN where values differ in sign
-  /// Range of P in which both lines keep the sign that they have between the points [W]; infinite
-  /// where they always do.
+  PowerLaw gain_power = {}, time_power = {};    ///< NaN if values differ in sign
+  /// Range of P in which both lines have the same sign as between the points [W]; infinite limits
+  /// if the sign never changes.
   double valid_from = unset, valid_to = unset;
 };
 
-/// Laws of these points, in any order. Throws std::invalid_argument: a power below 0, a value that
-/// is not finite.
+/// Fits laws to these points, in any order. Throws std::invalid_argument for a negative power and
+/// for a value that is not finite.
 [[nodiscard]] PowerLaws fit_power_laws(std::span<const LagAt> points);
-/// Laws over loads, which may have either sign.
+/// Fits laws over loads, which may have either sign.
 [[nodiscard]] PowerLaws fit_load_laws(std::span<const LagAt> points);
 
-/// K through all points and through K(0) = 0. Of points of one power or load the mean.
+/// Returns K through all points and through K(0) = 0. Points with equal power or load are averaged.
 [[nodiscard]] MonotoneCurve gain_curve(std::span<const LagAt> points);
-/// T through all points; `at_rest` [s] is that at 0, where it is known.
+/// Returns T through all points. `at_rest` [s] is the value at 0, if it is known.
 [[nodiscard]] MonotoneCurve time_curve(std::span<const LagAt> points, double at_rest = unset);
 
 }  // namespace raceway::spindle

@@ -7,29 +7,31 @@
 
 namespace raceway::spindle {
 
-/// One of two round parts that fit into each other.
+/// One of two round parts of a fit.
 struct PressedPart {
-  double bore = unset;      ///< diameter [m]; 0 for a solid one, of the inner part only
+  double bore = unset;      ///< diameter [m]; 0 for a solid inner part
   double diameter = unset;  ///< outer [m]
   model::SolidMaterial material = {};
-  double rise = 0.0;  ///< of its temperature over the mounting temperature [K]
+  double rise = 0.0;  ///< rise above the mounting temperature [K]
 };
 
-/// A seat as it is.
+/// State of a press fit.
 struct PressFit {
-  double pressure = 0.0;                  ///< [Pa], >= 0
-  double effective_interference = unset;  ///< diametral, at speed and temperature; < 0 is loose [m]
-  double gap = 0.0;                       ///< radial, of a loose seat [m], >= 0
-  double outer_radius_growth = unset;     ///< of the outer surface of the outer part [m]
-  double inner_radius_growth = unset;     ///< of the bore of the inner part [m]
+  double pressure = 0.0;  ///< [Pa], >= 0
+  /// diametral, at speed and temperature; negative: loose [m]
+  double effective_interference = unset;
+  double gap = 0.0;                    ///< radial gap of a loose seat [m], >= 0
+  double outer_radius_growth = unset;  ///< growth of the outer surface of the outer part [m]
+  double inner_radius_growth = unset;  ///< growth of the bore of the inner part [m]
   [[nodiscard]] bool loose() const { return !(pressure > 0.0); }
 };
 
-/// Growth by rotation of the outer or the inner surface of a ring, free of stress at both [m].
+/// Returns the growth by rotation of the outer or inner surface of a ring, with both surfaces free
+/// of stress [m].
 ///
-///   u(r2) = ρ ω² r2/(4 E) ((1 - ν) r2² + (3 + ν) r1²);   u(r1): r1 and r2 in the other's place
+///   u(r2) = ρ ω² r2/(4 E) ((1 - ν) r2² + (3 + ν) r1²);   u(r1): exchange r1 and r2
 ///
-/// Source:   plane stress of a turning disc with a hole, derived.
+/// Source:   plane stress of a rotating disc with a hole, derived.
 /// Domain:   r1 >= 0.
 [[nodiscard]] inline double growth_by_rotation(const model::SolidMaterial& m, double radius,
                                                double other_radius, double speed) {
@@ -38,17 +40,17 @@ struct PressFit {
          ((1.0 - nu) * radius * radius + (3.0 + nu) * other_radius * other_radius);
 }
 
-/// Pressure of a seat, both parts at one speed [Pa].
+/// Computes the pressure of a seat whose parts have one speed [Pa].
 ///
 ///   p = (δ/2)/(b (c_i/E_i + c_o/E_o)),   δ = δ0 + 2 (u_i - u_o) + 2 b (α_i T_i - α_o T_o)
 ///   c_i = (b² + a²)/(b² - a²) - ν_i,   c_o = (c² + b²)/(c² - b²) + ν_o,   radii a < b < c
 ///
-/// u by growth_by_rotation() of the parts alone; δ0 diametral, as mounted and still, negative for a
-/// clearance.
+/// u is growth_by_rotation() of each part alone. δ0 is the diametral interference as mounted and at
+/// standstill, negative for a clearance.
 /// Source:   Lamé, plane stress; a radial finite element agrees to 1e-7.
-/// Domain:   a seat that is loose bears no pressure and leaves both parts alone. Parts of even
-///           temperature and of one section along the axis.
-/// Trap:     an outer seat stands still: speed 0 there.
+/// Domain:   a loose seat has no pressure and does not deform either part. Each part has a uniform
+///           temperature and one section along the axis.
+/// Trap:     use speed 0 for an outer seat, because it does not rotate.
 [[nodiscard]] inline PressFit press_fit(const PressedPart& inner, const PressedPart& outer,
                                         double interference, double speed) {
   const model::SolidMaterial &i = inner.material, &o = outer.material;

@@ -10,8 +10,8 @@
 #include "effects/spindle_condition.h"
 #include "model/model.h"
 
-/// The spindle that calls the bearings: temperatures, expansion, preload and friction together; the
-/// beam on its bearings.
+/// Simulates a spindle with its bearings: temperatures, expansion, preload and friction together,
+/// and the beam on its bearings.
 namespace raceway::spindle {
 
 struct LoadedShaft;
@@ -19,167 +19,171 @@ struct LoadedShaft;
 /// End of a simulation.
 enum class Status { not_run, converged, no_equilibrium, thermal_runaway, step_limit };
 
-/// As files write it: "thermal_runaway".
+/// Returns the name in files: "thermal_runaway".
 [[nodiscard]] std::string_view name(Status status);
-/// For people, a sentence.
+/// Returns the status as a readable sentence.
 [[nodiscard]] std::string_view words(Status status);
 
-/// Conditions that a spindle runs under. NaN: as the model says.
+/// Operating conditions of a spindle. NaN means the value of the model.
 struct Inputs {
   double speed = 0.0;                  ///< [rad/s], >= 0
   double ambient_temperature = unset;  ///< [K]
   double machine_temperature = unset;  ///< [K]
   double coolant_inlet = unset;        ///< [K]
   double motor_heat = unset;           ///< [W]
-  double motor_power = unset;          ///< that the motor takes [W]
-  double axial_load = 0.0;             ///< at the nose, positive towards the tool [N]
-  double radial_load = 0.0;            ///< at the nose, in the direction of y [N]
-  /// At the nose in the plane of y, in the sense of a force further in front [N m].
+  double motor_power = unset;          ///< electrical input of the motor [W]
+  double axial_load = 0.0;             ///< load at the nose, positive towards the tool [N]
+  double radial_load = 0.0;            ///< load at the nose in the direction of y [N]
+  /// Moment at the nose in the plane of y, positive like a force further forward [N m].
   double moment = 0.0;
   double belt_force = unset;  ///< [N]
   bool coolant_on = true;
   [[nodiscard]] bool operator==(const Inputs&) const = default;
 };
 
-/// A row of a speed programme: its inputs hold from the row before it to its time.
+/// A row of a speed programme. Its inputs are valid from the previous row to the time of the row.
 struct ProfileRow {
   double time = unset;  ///< [s], rising
   Inputs inputs = {};
 };
 
-/// One bearing on the shaft.
+/// State of one bearing on the shaft.
 struct BearingState {
-  double inner_ring_temperature = unset, outer_ring_temperature = unset;  ///< mean of a ring [K]
-  double force = unset;                                                   ///< axial [N]
-  double radial_force = unset;                                            ///< [N]
-  double clearance = unset;  ///< s of a roller bearing, diametral; negative is a preload [m]
-  double power = unset;      ///< of its friction [W]
-  double power_band = 0.0;   ///< half width of the 95 % band of a friction table in it [W]
+  /// mean temperature of the ring [K]
+  double inner_ring_temperature = unset, outer_ring_temperature = unset;
+  double force = unset;         ///< axial [N]
+  double radial_force = unset;  ///< [N]
+  double clearance = unset;  ///< s, diametral clearance of a roller bearing; negative: preload [m]
+  double power = unset;      ///< friction loss [W]
+  double power_band = 0.0;   ///< half width of the 95 % band from a friction table [W]
 };
 
-/// Heat balance [W]; heat that leaves is positive.
+/// Heat balance [W]. Heat that leaves the spindle is positive.
 struct HeatBalance {
-  double friction = 0.0;  ///< of all bearings
-  /// Half width of the 95 % band of a friction table, which all bearings of the sets have in
-  /// common.
+  double friction = 0.0;  ///< friction of all bearings
+  /// Half width of the 95 % band of a friction table, fully correlated between all bearings of the
+  /// sets.
   double friction_band = 0.0;
-  double drive = 0.0;  ///< motor, drive, seals
+  double drive = 0.0;  ///< heat of motor, drive and seals
   double coolant = 0.0, air = 0.0, machine = 0.0;
-  double stored = 0.0;  ///< per second
+  double stored = 0.0;  ///< stored heat per second
 };
 
-/// A spindle at one moment.
+/// State of a spindle at one moment.
 struct Moment {
   double time = unset;          ///< [s]
-  double displacement = unset;  ///< of the nose face against the flange, towards the tool [m]
-  double kinematic_displacement = unset;  ///< what the sets alone move by at that speed, cold [m]
-  double set_position = unset;            ///< of the front set, from its balance [m]
-  double elongation = unset;              ///< of the shaft beyond the housing between the sets [m]
+  double displacement = unset;  ///< nose face relative to the flange, positive towards the tool [m]
+  double kinematic_displacement = unset;  ///< displacement of the cold sets alone at that speed [m]
+  double set_position = unset;            ///< position of the front set from its equilibrium [m]
+  double elongation = unset;              ///< shaft relative to the housing between the sets [m]
   double front_force = unset, rear_force = unset;  ///< [N]
   HeatBalance heat = {};
-  std::vector<double> sources = {};         ///< heat of each of model::Spindle::heat [W]
+  std::vector<double> sources = {};         ///< heat of each source in model::Spindle::heat [W]
   std::vector<BearingState> bearings = {};  ///< front set first, roller bearings last
   std::vector<double> sensors = {};         ///< [K], in the order of the model
-  /// Temperature of what leaves the channel, T_in + 2 (T_mean - T_in), or stands in it; NaN without
-  /// one [K].
+  /// Temperature of the coolant at the outlet, T_in + 2 (T_mean - T_in), or of standing coolant
+  /// [K]; NaN without coolant.
   double coolant_outlet = unset;
   [[nodiscard]] double thermal_displacement() const {
     return displacement - kinematic_displacement;
   }
 };
 
-/// Temperatures of all cells, with which a simulation can go on.
+/// Temperatures of all cells, from which a simulation can continue.
 struct State {
   double time = 0.0;                 ///< [s]
-  double structure_time = 0.0;       ///< since the machine began to drift [s]
+  double structure_time = 0.0;       ///< time since the machine temperature began to drift [s]
   std::vector<double> temperatures;  ///< [K]
 };
 
 struct Report {
   Status status = Status::not_run;
   int steps = 0, rejected = 0;
-  double energy_error = unset;  ///< stored less what came in, of the turnover; worst step [1]
-  std::string message = {};     ///< where and why it ended early
+  /// stored heat minus supplied heat over the turnover, worst step [1]
+  double energy_error = unset;
+  std::string message = {};  ///< place and reason of an early end
   [[nodiscard]] bool converged() const { return status == Status::converged; }
 };
 
-/// A run through a speed programme. Where it ended early, `moments` are those before.
+/// Result of a speed programme. After an early end, `moments` contains the rows before it.
 struct Run {
   std::vector<Moment> moments = {};    ///< one for each row of the programme
-  bool has_end = false;                ///< the last moment is the early end, see add_end()
-  std::vector<double> step_ends = {};  ///< of the time steps [s]
+  bool has_end = false;                ///< true if the last moment is the early end, see add_end()
+  std::vector<double> step_ends = {};  ///< ends of the time steps [s]
   State end = {};
-  std::vector<State> kept = {};  ///< those that were asked for and reached
+  std::vector<State> kept = {};  ///< requested states that were reached
   Report report = {};
-  double highest_front_force = 0.0;      ///< over all steps [N]
+  double highest_front_force = 0.0;      ///< largest force of the front set over all steps [N]
   double time_of_highest_force = unset;  ///< [s]
 };
 
-/// A cell of the axisymmetric mesh, for pictures.
+/// A cell of the axisymmetric mesh, for plots.
 struct FieldCell {
   std::string_view part;                              ///< "shaft", "ring", "housing", "coolant"
-  double start = unset, end = unset;                  ///< behind the nose face [m]
+  double start = unset, end = unset;                  ///< distance behind the nose face [m]
   double inner_radius = unset, outer_radius = unset;  ///< [m]
   double temperature = unset;                         ///< [K]
 };
 
-/// A seat of a ring, at speed and warm.
+/// State of the seat of a ring at speed and temperature.
 struct SeatState {
-  double pressure = unset;     ///< [Pa]; 0 where it is loose, NaN where its conductance is given
-  double gap = unset;          ///< radial, of a loose one [m]
-  double conductance = unset;  ///< of spots that touch and air [W/(m² K)]
+  double pressure = unset;     ///< [Pa]; 0 for a loose seat, NaN if its conductance is given
+  double gap = unset;          ///< radial gap of a loose seat [m]
+  double conductance = unset;  ///< contact spots and air [W/(m² K)]
 };
-/// The inner ring on the shaft, the outer one in the housing.
+/// Seats of the inner ring on the shaft and of the outer ring in the housing.
 struct SeatsOfBearing {
   SeatState inner, outer;
 };
 
-/// A place of the shaft, and how far it has moved along the axis against the flange.
+/// Position on the shaft with its axial displacement relative to the flange.
 struct ShaftPlace {
-  double position = unset;      ///< behind the nose face [m]
-  double displacement = unset;  ///< towards the tool [m]
+  double position = unset;      ///< distance behind the nose face [m]
+  double displacement = unset;  ///< positive towards the tool [m]
 };
 
-/// A spindle made ready to be simulated: cells, conductances, sets as mounted. Not for several
-/// threads at once; a copy for each is cheap.
+/// A spindle prepared for simulation: cells, conductances and mounted sets. Several threads must
+/// not use one object at once; copies are cheap.
 class Simulator {
  public:
-  /// With the effects that the model has switched on. Throws std::invalid_argument for a model that
-  /// is no spindle, or one that cannot be mounted or meshed: name, value with unit, allowed range.
+  /// Includes the effects that the model has switched on. Throws std::invalid_argument for a model
+  /// that is not a spindle or that cannot be mounted or meshed; the message has name, value with
+  /// unit and allowed range.
   explicit Simulator(const model::Model& model);
-  /// As above, with this in place of what effects change of the spindle.
+  /// Uses `condition` in place of the effects of the model on the spindle.
   Simulator(const model::Model& model, const effects::SpindleCondition& condition);
   Simulator(const Simulator&);
   Simulator(Simulator&&) noexcept;
   ~Simulator();
 
-  /// Looked at before every step: where it is set, simulate() and steady() throw fit::Cancelled.
-  /// Copies look at it too. Null: no check.
+  /// Sets a flag that is checked before every step: when it becomes true, simulate() and steady()
+  /// throw fit::Cancelled. Copies of this object check it too. Null switches the check off.
   void stop_on(const std::atomic<bool>* cancelled);
-  /// From `start`, or from the ambient temperature throughout. `step_ends`: the ends of steps of
-  /// another run of this programme, taken as they are; fits so see no other steps as parameters
-  /// change. `keep`: rising times [s], of each the state at the end of the first step that reaches
-  /// it is kept.
+  /// Simulates from `start` or, without it, from the ambient temperature in all cells. `step_ends`
+  /// fixes the ends of all steps, taken from another run of this programme. In a fit, step sizes
+  /// then do not change with the parameters. `keep` lists rising times [s]. For each, the state at
+  /// the end of the first step that reaches it is kept.
   [[nodiscard]] Run simulate(std::span<const ProfileRow> profile, const State* start = nullptr,
                              std::span<const double> step_ends = {},
                              std::span<const double> keep = {});
-  /// The state to which these inputs lead.
+  /// Finds the steady state for these inputs.
   [[nodiscard]] Moment steady(const Inputs& inputs, Report& report);
-  /// Temperatures of the last call.
+  /// Returns the temperatures of the last call.
   [[nodiscard]] const State& state() const;
-  /// The sets at the end of the last call; null in a network.
+  /// Returns the equilibrium of the sets at the end of the last call; null for a network.
   [[nodiscard]] const bearing::ArrangementEquilibrium* sets() const;
-  /// The sets as mounted; null in a network.
+  /// Returns the sets as mounted; null for a network.
   [[nodiscard]] const bearing::Arrangement* arrangement() const;
-  /// The shaft bent there, as the friction of its bearings knows it; null in a network, and where
-  /// nothing pushes across a shaft without roller bearings.
+  /// Returns the bent shaft of the last call, on which the bearing friction is based. Null for a
+  /// network, and for a shaft without radial loads and roller bearings.
   [[nodiscard]] const LoadedShaft* shaft() const;
-  /// Conditions of the sets there; null in a network.
+  /// Returns the conditions of the sets of the last call; null for a network.
   [[nodiscard]] const bearing::ArrangementCondition* sets_condition() const;
-  /// Seats at the end of the last call, in the order of Moment::bearings; none in a network.
+  /// Returns the seats at the end of the last call, in the order of Moment::bearings; empty for a
+  /// network.
   [[nodiscard]] std::vector<SeatsOfBearing> seats() const;
-  /// The shaft from its nose to its rear end at the end of the last call, which ended in `moment`;
-  /// none in a network.
+  /// Returns the displacement along the shaft, from nose to rear end, at the end of the last call,
+  /// whose result was `moment`; empty for a network.
   [[nodiscard]] std::vector<ShaftPlace> along_shaft(const Moment& moment) const;
   [[nodiscard]] std::vector<FieldCell> field(const State& state) const;
   [[nodiscard]] std::size_t cells() const;

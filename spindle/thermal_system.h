@@ -12,11 +12,11 @@
 
 namespace raceway::spindle {
 
-/// The cells of a spindle with their ways for heat, all but the bearings: their friction and what
-/// their balls conduct depend on the sets (BearingCoupling).
+/// Cells of a spindle with their heat paths, except the bearings. Friction and conduction of the
+/// bearings depend on the sets (BearingCoupling).
 ///
-/// Films and seats follow the temperatures that update() is given; within a time step they are
-/// held.
+/// Films and seats depend on the temperatures passed to update(); they are constant within a time
+/// step.
 class ThermalSystem {
  public:
   ThermalSystem(const model::Model& model, const effects::SpindleCondition& condition,
@@ -24,26 +24,26 @@ class ThermalSystem {
 
   [[nodiscard]] const HeatPaths& paths() const { return paths_; }
   [[nodiscard]] const Layout& layout() const { return layout_; }
-  /// The node of the coolant; -1 without.
+  /// Returns the node of the coolant; -1 without coolant.
   [[nodiscard]] int coolant_node() const { return coolant_; }
 
-  /// Conductances at these temperatures and inputs.
+  /// Updates the conductances for these temperatures and inputs.
   void update(const Vector& temperatures, const Inputs& inputs);
-  /// Sets reservoirs and sources by these inputs; `machine_rise`: drift of the machine temperature
-  /// [K].
+  /// Sets reservoirs and sources for these inputs. `machine_rise` is the drift of the machine
+  /// temperature [K].
   void set_inputs(const Inputs& inputs, double machine_rise);
-  /// Heat of motor, drive, seals and all other sources [W].
+  /// Returns the heat of motor, drive, seals and all other sources [W].
   [[nodiscard]] double driven_heat() const { return driven_heat_; }
-  /// Heat of each of model::Spindle::heat [W].
+  /// Returns the heat of each source in model::Spindle::heat [W].
   [[nodiscard]] const std::vector<double>& source_heat() const { return source_heat_; }
   [[nodiscard]] double ambient(const Inputs& inputs) const;
-  /// As update() left them, a bearing as in Layout.
+  /// Returns the seats after the last update(), bearing by bearing as in Layout.
   [[nodiscard]] const std::vector<SeatsOfBearing>& seats() const { return seats_; }
 
  private:
-  /// A group of ways of one conductance per area.
+  /// A group of heat paths with one conductance per area.
   struct Group {
-    std::size_t first = 0;  ///< place in links or outlets
+    std::size_t first = 0;  ///< place of the first path in links or outlets
     Joints joints;
     double area = 0.0;  ///< [m²]
   };
@@ -56,7 +56,7 @@ class ThermalSystem {
   void update_seats(const Vector& temperatures, double speed);
   void update_room(const Vector& temperatures, double speed);
   void update_coolant(const Vector& temperatures, const Inputs& inputs);
-  /// Cells that a source heats: `share` of it in the first ones.
+  /// Cells heated by a source; `share` is the part of the heat in the first cells.
   struct HeatedCells {
     Shares first, second;
     double share = 1.0;
@@ -73,15 +73,15 @@ class ThermalSystem {
   std::vector<Group> inner_seats_, outer_seats_;
   std::vector<SeatsOfBearing> seats_;
   Group housing_, ends_, nose_, rear_, gap_, coolant_walls_;
-  std::size_t coolant_flow_ = 0;  ///< its outlet
+  std::size_t coolant_flow_ = 0;  ///< outlet of the coolant
   double nose_diameter_ = unset, rear_diameter_ = unset;
   HeatedCells motor_, drive_, seal_, front_bearings_, rear_bearings_;
-  std::vector<HeatedCells> sources_;  ///< of model::Spindle::heat
+  std::vector<HeatedCells> sources_;  ///< in the order of model::Spindle::heat
   double driven_heat_ = 0.0;
   std::vector<double> source_heat_;
 };
 
-/// Mean temperature of some cells [K].
+/// Returns the mean temperature of some cells [K].
 [[nodiscard]] double mean(const Shares& shares, const Vector& temperatures);
 
 }  // namespace raceway::spindle

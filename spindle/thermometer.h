@@ -4,9 +4,9 @@
 
 namespace raceway::spindle {
 
-/// Reading of a thermometer at a place: linear between the middles of the cells around it, beyond
-/// the outermost middles the value of the nearest cell. Shares sum up to 1.
-/// Throws std::invalid_argument where there is no such part.
+/// Returns the reading of a thermometer as weights of cells: linear between the middles of the
+/// surrounding cells. Beyond the outermost middles, the nearest cell is used. The weights have the
+/// sum 1. Throws std::invalid_argument if the part does not exist.
 [[nodiscard]] Shares thermometer(const Mesh& mesh, const model::ThermometerPlace& place);
 
 }  // namespace raceway::spindle

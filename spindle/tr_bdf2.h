@@ -5,14 +5,15 @@
 
 namespace raceway::spindle {
 
-/// TR-BDF2 of γ = 2 - √2, as a Runge-Kutta method of three stages with an explicit first one:
+/// Coefficients of TR-BDF2 with γ = 2 - √2, as a three-stage Runge-Kutta method with an explicit
+/// first stage:
 ///
 ///   T_γ = T_0 + dt d (f_0 + f_γ)
 ///   T_1 = T_0 + dt (w f_0 + w f_γ + d f_1),     d = γ/2,  w = √2/4
 ///
-/// Both implicit stages have the matrix C + dt d G. Stored is what flowed: sum C (T_1 - T_0) is
+/// Both implicit stages have the matrix C + dt d G. The method conserves heat: sum C (T_1 - T_0) is
 /// exactly dt times the weighted flows.
-/// Source:   Bank et al. 1985; Hosea and Shampine, Appl. Numer. Math. 20 (1996) 21, which has the
+/// Source:   Bank et al. 1985; Hosea and Shampine (Appl Numer Math 20, 1996, p. 21), who give the
 ///           embedded weights of order 3.
 /// Accuracy: order 2; L-stable, R(z) -> 0 for z -> -inf.
 struct TrBdf2 {
@@ -25,7 +26,7 @@ struct TrBdf2 {
                                                        weight - (3.0 * weight + 1.0) / 3.0,
                                                        diagonal - diagonal / 3.0};
 
-  /// T_1/T_0 for dT/dt = λ T, z = λ dt.
+  /// Returns T_1/T_0 for dT/dt = λ T with z = λ dt.
   [[nodiscard]] static constexpr double amplification(double z) {
     const double middle = (1.0 + diagonal * z) / (1.0 - diagonal * z);
     return (1.0 + weight * z + weight * z * middle) / (1.0 - diagonal * z);

@@ -8,26 +8,26 @@
 
 namespace raceway::spindle {
 
-/// Temperatures that a roller bearing on its seats feels [K].
+/// Temperatures that act on a roller bearing on its seats [K].
 struct RollersAsked {
-  double inner_ring = unset, outer_ring = unset;  ///< mean of each ring
-  double shaft = unset, housing = unset;          ///< of what the seats sit on
+  double inner_ring = unset, outer_ring = unset;  ///< mean temperature of each ring
+  double shaft = unset, housing = unset;          ///< temperatures of the parts at the seats
 };
 
 /// A cylindrical roller bearing of a spindle at the temperatures of its rings and seats: clearance,
-/// friction heat, conduction.
+/// friction heat and conduction.
 ///
-/// What the rollers carry is held from one take() to the next, and moves with the clearance along
-/// its tangent: heat and preload drive each other within a time step too.
+/// The roller loads are kept between two calls of take(), but follow the clearance along its
+/// tangent. Heat and preload therefore interact within a time step too.
 class WarmRollers {
  public:
   WarmRollers(const model::Model& model, const model::RollerOnShaft& rollers, const Layout& layout,
               const BearingPlace& place);
 
   void set_speed(double speed) { speed_ = speed; }
-  /// s in operation [m].
+  /// Returns the operating clearance s [m].
   [[nodiscard]] double clearance(const RollersAsked& asked) const;
-  /// Takes what the rollers carry.
+  /// Stores the roller loads.
   void take(const bearing::RollerEquilibrium& rollers);
   [[nodiscard]] BearingHeat heat(const RollersAsked& asked) const;
   [[nodiscard]] const bearing::RollerEquilibrium& rollers() const { return taken_; }
@@ -40,7 +40,7 @@ class WarmRollers {
   double roller_conductivity_;
   double speed_ = 0.0;
   bearing::RollerEquilibrium taken_;
-  double inner_sum_ = unset, outer_sum_ = unset, conductance_ = unset;  ///< of taken_
+  double inner_sum_ = unset, outer_sum_ = unset, conductance_ = unset;  ///< for taken_
 };
 
 }  // namespace raceway::spindle

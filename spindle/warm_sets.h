@@ -14,40 +14,40 @@
 
 namespace raceway::spindle {
 
-/// Temperatures that the sets feel.
+/// Temperatures and elongation that act on the sets.
 struct SetsAsked {
-  std::vector<double> inner_ring, outer_ring;  ///< mean of each ring [K]
-  double elongation = 0.0;                     ///< of the shaft beyond the housing [m]
+  std::vector<double> inner_ring, outer_ring;  ///< mean temperature of each ring [K]
+  double elongation = 0.0;                     ///< shaft relative to the housing [m]
 };
 
-/// The friction of one bearing, and what it carries and conducts.
+/// Friction heat of one bearing, with its forces, clearance and heat conduction.
 struct BearingHeat {
-  double inner = 0.0, outer = 0.0;  ///< heat that arises at each ring [W]
+  double inner = 0.0, outer = 0.0;  ///< heat produced at each ring [W]
   double force = 0.0;               ///< axial [N]
   double radial_force = 0.0;        ///< [N]
   double clearance = unset;         ///< s of a roller bearing [m]
-  double conductance = 0.0;         ///< of balls or rollers by their contacts [W/K]
-  double band = 0.0;  ///< half width of the 95 % band that a friction table gives its power [W]
+  double conductance = 0.0;  ///< conductance of balls or rollers through their contacts [W/K]
+  double band = 0.0;         ///< half width of the 95 % band of its power from a friction table [W]
   [[nodiscard]] double power() const { return inner + outer; }
 };
 
-/// The sets of a spindle at the temperatures of its rings: balance, forces, friction heat.
+/// Sets of a spindle at given ring temperatures: equilibrium, forces and friction heat.
 ///
-/// Each bearing has its own ring temperatures (thermal_shift(), balls at the mean of the rings);
-/// the lubricant is at the mean of the rings, as in the data with a known answer. Friction follows
-/// the axial forces of the warm sets, or the cold ones at that speed. What loads across
-/// the shaft add to forces, friction and position is held from one bear() to the next.
+/// Each bearing has its own ring temperatures (thermal_shift()); balls and lubricant have the mean
+/// of the rings, as in the test data with a known answer. Friction follows the axial forces of the
+/// warm sets, or of the cold sets at that speed. The contributions of radial loads to forces,
+/// friction and position are kept between two calls of bear().
 class WarmSets {
  public:
-  /// Throws std::invalid_argument where the sets cannot be mounted.
+  /// Throws std::invalid_argument if the sets cannot be mounted.
   WarmSets(const model::Model& model, const effects::SpindleCondition& condition);
 
-  /// Sets what the sets run under from now on; false where the cold sets have no balance.
+  /// Sets the operating conditions of the sets. Returns false if the cold sets have no equilibrium.
   [[nodiscard]] bool set_inputs(const Inputs& inputs);
-  /// False where the sets have no balance; then nothing has changed.
+  /// Returns false if the sets have no equilibrium; the state is then unchanged.
   [[nodiscard]] bool solve(const SetsAsked& asked);
-  /// Takes what the bent shaft puts on the bearings at the temperatures of the last solve(), in
-  /// addition to the axial loads; null: nothing. False where a friction has no number.
+  /// Takes the bearing loads of the bent shaft, in addition to the axial loads, at the temperatures
+  /// of the last solve(); null means none. Returns false if a friction value is not finite.
   [[nodiscard]] bool bear(const LoadedShaft* bent);
 
   [[nodiscard]] const model::Model& model() const { return model_; }
@@ -57,26 +57,26 @@ class WarmSets {
   [[nodiscard]] const bearing::ArrangementCondition& asked() const { return asked_.sets; }
   [[nodiscard]] const bearing::Arrangement& arrangement() const { return balance_.arrangement(); }
   [[nodiscard]] std::size_t bearings() const { return heat_.size(); }
-  /// Position of the shaft and forces of the sets, loads across it included [m], [N].
+  /// Return the position of the shaft and the forces of the sets, including radial loads [m], [N].
   [[nodiscard]] double position() const { return sets_.position + more_position_; }
   [[nodiscard]] double front_force() const { return sets_.front_force + more_front_; }
   [[nodiscard]] double rear_force() const { return sets_.rear_force + more_rear_; }
-  /// Position that the sets have at standstill without any load or heat [m].
+  /// Returns the position of the sets at standstill without load and heat [m].
   [[nodiscard]] double rest() const { return rest_; }
 
  private:
   [[nodiscard]] bool find_condition(const bearing::OperatingPoint& point,
                                     shaft::ShaftCondition& condition) const;
-  /// Balls that are not all alike, and what presses their bearing.
+  /// Balls with different loads, and the load on their bearing.
   struct UnevenBalls {
     const bearing::Vector5& load;
     const bearing::BearingEquilibrium& balls;
   };
-  /// Under the axial load of `sets`, or of the uneven balls.
+  /// Returns the heat under the axial load of `sets`, or for uneven balls.
   [[nodiscard]] BearingHeat heat_of(std::size_t bearing, const SetsAsked& asked,
                                     const bearing::ArrangementEquilibrium& sets,
                                     const UnevenBalls* uneven = nullptr) const;
-  /// `heat` with the contacts in warm and cold sets, each by its share.
+  /// Returns `heat` interpolated between contacts in the warm and in the cold sets.
   [[nodiscard]] BearingHeat heat_of_contacts(std::size_t bearing, double temperature,
                                              const bearing::ArrangementEquilibrium& sets,
                                              const UnevenBalls* uneven, BearingHeat heat) const;
@@ -87,18 +87,18 @@ class WarmSets {
 
   model::Model model_;
   model::Steps steps_, friction_;
-  bool has_effects_ = false;  ///< that act on friction
+  bool has_effects_ = false;  ///< true if effects act on friction
   bool has_conditions_ = false;
-  double feedback_ = 1.0;  ///< share of the way from cold to warm forces [1]
+  double feedback_ = 1.0;  ///< interpolation from cold to warm forces [1]
   shaft::ShaftBalance balance_;
-  std::vector<model::Model> singles_;  ///< of each bearing alone, where effects ask for one
+  std::vector<model::Model> singles_;  ///< model of each bearing alone, if effects need one
   Inputs inputs_;
-  shaft::ShaftCondition speed_, asked_;  ///< as the speed makes it; with temperatures
+  shaft::ShaftCondition speed_, asked_;  ///< condition at speed only; condition with temperatures
   bearing::ArrangementEquilibrium cold_, sets_;
-  SetsAsked temperatures_;  ///< of the last solve()
+  SetsAsked temperatures_;  ///< temperatures of the last solve()
   std::vector<BallConduction> conduction_;
   std::vector<BearingHeat> heat_;
-  std::vector<BearingHeat> more_;  ///< by loads across the shaft; empty without
+  std::vector<BearingHeat> more_;  ///< additional heat from radial loads; empty without
   double more_position_ = 0.0, more_front_ = 0.0, more_rear_ = 0.0;
   double rest_ = 0.0;
 };

@@ -7,10 +7,11 @@
 
 #include "spindle/spindle.h"
 
-/// Rows of a programme and the steps through them; parts of spindle/simulator.cpp.
+/// Handles the rows of a programme and the time steps through them, for spindle/simulator.cpp.
 namespace raceway::spindle {
 
-/// Rows of a programme over time: each holds from the row before it.
+/// Rows of a programme over time. The inputs of a row are valid from the previous row to the time
+/// of the row.
 class Programme {
  public:
   Programme(std::span<const ProfileRow> rows, double start) : rows_(rows), start_(start) {}
@@ -18,9 +19,10 @@ class Programme {
   [[nodiscard]] double begin_of(std::size_t row) const {
     return row == 0 ? start_ : rows_[row - 1].time;
   }
-  /// The row after the last one that goes on from `row` without a jump.
+  /// Returns the row after the last one that continues from `row` without a jump.
   [[nodiscard]] std::size_t jump_after(std::size_t row) const;
-  /// Inputs of a step, wandering temperatures as their mean over it. `row` holds at `from`.
+  /// Returns the inputs of a step. Temperatures that change are averaged over the step. `row`
+  /// contains the time `from`.
   [[nodiscard]] Inputs mean(std::size_t row, double from, double to) const;
 
  private:
@@ -28,13 +30,13 @@ class Programme {
   double start_;
 };
 
-/// Step sizes [s]: short after a jump, then as the error allows.
+/// Chooses step sizes [s]: short after a jump, then as the error allows.
 class StepSizes {
  public:
   static constexpr double longest_unless_given = 600.0;
 
-  /// `tolerance`: error of a step of the warmest body [K]. `given`: ends of all steps, empty where
-  /// they are free.
+  /// `tolerance` is the error of a step in the temperature of the warmest body [K]. `given`
+  /// contains the ends of all steps; it is empty for free step sizes.
   StepSizes(double longest, double tolerance, std::span<const double> given)
       : longest_(longest), tolerance_(tolerance), given_(given) {}
 
@@ -42,9 +44,10 @@ class StepSizes {
   void shrink() { next_ *= 0.3; }
   [[nodiscard]] bool too_short() const { return next_ < shortest; }
   [[nodiscard]] bool held() const { return !given_.empty(); }
-  /// The step from `time` on. It ends at `end` at the latest and leaves no stump before it.
+  /// Returns the step size from `time`. The step ends at `end` at the latest and leaves no very
+  /// short step before it.
   [[nodiscard]] double take(double time, double end);
-  /// False where the step is to be repeated with a shorter one.
+  /// Returns false if the step must be repeated with a smaller size.
   [[nodiscard]] bool accept(double dt, double error);
 
  private:
