@@ -6,10 +6,10 @@
 
 namespace raceway::model {
 
-/// Inputs of the ball rotation without race control; all zero under race control. A change of these
-/// changes the balance.
+/// Inputs of ball rotation without race control. All are zero with race control. A change of these
+/// inputs changes the equilibrium.
 struct BallTurning {
-  double temperature = 0.0;                                 ///< of the oil [K]
+  double temperature = 0.0;                                 ///< temperature of the oil [K]
   double viscosity_40C = 0.0, viscosity_100C = 0.0;         ///< [m²/s]
   double boundary_friction = 0.0, limiting_traction = 0.0;  ///< [1]
   [[nodiscard]] bool operator==(const BallTurning&) const = default;
@@ -17,15 +17,16 @@ struct BallTurning {
 [[nodiscard]] BallTurning ball_turning(const Model& model, const friction::Lubricant& oil,
                                        double temperature);
 
-/// Balance of a bearing as the model's solver has it: by race control, or, where no race holds the
-/// balls, with the oil at the temperature of the point. `bearing` may be another one than the
-/// model's, and `oil`; from a neighbour where there is one.
+/// Solves the ball equilibrium of a bearing with the solver of the model: by race control or, if no
+/// race controls the balls, with the oil at the temperature of the point. `bearing` and `oil` may
+/// differ from those of the model. The solve starts from a neighbouring solution if one is given.
 [[nodiscard]] bearing::BearingEquilibrium solve_balls(
     const Model& model, const bearing::Bearing& bearing, const bearing::OperatingPoint& point,
     const bearing::EquilibriumOptions& options, const friction::Lubricant& oil,
     const bearing::BearingEquilibrium* neighbour = nullptr);
 
-/// Balance of the sets. `temperatures`: of the oil in each bearing, or one for all [K].
+/// Solves the equilibrium of the sets. `temperatures` of the oil: one for each bearing, or one for
+/// all [K].
 [[nodiscard]] bearing::ArrangementEquilibrium solve_sets(
     const Model& model, const bearing::Arrangement& arrangement,
     const bearing::ArrangementCondition& condition, std::span<const double> temperatures,

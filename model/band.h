@@ -8,18 +8,18 @@
 
 namespace raceway::model {
 
-/// Half the width of the 95 % band of what a model predicts, as far as it comes from the parameters
-/// that were fitted:
+/// Half width of the 95 % band of predictions from the uncertainty of the fitted parameters:
 ///
 ///   1.96 sqrt(gᵀ C g)      g = ∂y/∂θ, C the covariance of the fit
 ///
-/// in linear propagation, g by central differences of a tenth of a standard error to each side,
-/// from the value itself where a bound or a missing balance leaves one side alone. Of these
-/// parameters alone: what the model lacks and the noise of a reading are no part of it.
-/// Accuracy: exact where y is linear in θ; otherwise to the square of the standard errors.
+/// The propagation is linear. g comes from central differences of a tenth of a standard error. It
+/// is one-sided if a bound or a missing equilibrium prevents one side. The band covers only these
+/// parameters, not missing effects and not the noise of a reading.
+/// Accuracy: exact if y is linear in θ; otherwise the error is of the order of the squared standard
+///           errors.
 class Band {
  public:
-  /// Predicted numbers, a list of the same length for every model.
+  /// Function that returns predicted values, always the same number of them.
   using Outputs = std::function<std::vector<double>(const Model&)>;
 
   static constexpr double level = 0.95;
@@ -27,17 +27,18 @@ class Band {
   /// Throws std::invalid_argument for a model without a covariance.
   explicit Band(const Model& model);
 
-  /// Names of the fitted parameters.
+  /// Returns the names of the fitted parameters.
   [[nodiscard]] const std::vector<std::string>& fitted() const { return model_.covariance->names; }
-  /// By output, in its unit; NaN where neither side has a prediction. Calls `outputs` twice for
-  /// each parameter and once for the model. May be called by several threads at once.
+  /// Returns the half width of each output in its unit; NaN if neither side has a prediction. It
+  /// calls `outputs` twice for each parameter and once for the model. Several threads may call it
+  /// at once.
   [[nodiscard]] std::vector<double> operator()(const Outputs& outputs) const;
 
  private:
-  /// The model with one parameter moved to each side.
+  /// The model with one parameter moved in one direction.
   struct Side {
     Model model;
-    double step = 0.0;  ///< 0 where it cannot be moved there
+    double step = 0.0;  ///< 0 if the parameter cannot be moved in this direction
   };
   Model model_;
   std::vector<Side> below_, above_;

@@ -6,13 +6,14 @@
 
 namespace raceway::model {
 
-/// Input that a base law needs and the model lacks, in words: a datum of the bearing, or a model
-/// without an effect that belongs to its present law; empty if none.
+/// Names the input that a base law needs and the model lacks: a datum of the bearing, or a model
+/// without an effect that only fits its present law. The text is empty if nothing is missing.
 [[nodiscard]] std::string lacks_for_law(const Model& model, friction::FrictionLaw law);
 
-/// The model with another base law, whose numbers are the published ones and whose usual numbers
-/// are free (default_free()), with the numbers of effects that were free. All else stays, but for
-/// what belongs to the contact law alone: balls that traction turns are held by the outer race.
+/// Returns the model with another base law. The law has its published parameters; its usual
+/// parameters are free (default_free()), and so are the parameters of effects that were free
+/// before. Settings that belong only to the contact law are replaced: traction-controlled balls
+/// become outer-race-controlled. All other settings are unchanged.
 [[nodiscard]] Model with_law(Model model, friction::FrictionLaw law);
 
 }  // namespace raceway::model

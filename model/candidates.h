@@ -9,20 +9,20 @@
 
 namespace raceway::model {
 
-/// True if the model frees a parameter of the effect.
+/// Returns true if a parameter of the effect is free in the model.
 [[nodiscard]] bool is_free(const Model& model, std::string_view id);
 
-/// Ids of effects of the user's own that change nothing yet, a size of zero: they stand in the
-/// model only to be tried. One without a size is none of them, nor one of which something is free.
+/// Returns the ids of user-defined effects that have no influence yet (size zero). They are in the
+/// model only as candidates. Effects without a size or with a free parameter are not among them.
 [[nodiscard]] std::vector<std::string> waiting_effects(const Model& model);
 
-/// An effect as something that may be missing; nothing for one without a size. On the rig of a
-/// coast-down what grows with the rotor has no upper end of plausibility.
+/// Returns an effect as a candidate; empty for an effect without a size. For a coast-down rig,
+/// effects that grow with the rotor have no upper limit of a plausible size.
 [[nodiscard]] std::optional<fit::Candidate> candidate_of(const effects::Description& effect,
                                                          const Model& model);
 
-/// Measurements that show which of some rivals is at work, as the catalogue has them for each, in
-/// its order and every one once.
+/// Returns the measurements that would separate several rival effects, from the catalogue, in its
+/// order and without repetition.
 [[nodiscard]] std::vector<std::string> settling_records(
     effects::Form form, const std::vector<std::vector<std::string>>& rivals);
 

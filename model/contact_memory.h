@@ -11,46 +11,46 @@
 
 namespace raceway::model {
 
-/// Balls in balance, shared by all that look at them.
+/// Ball equilibrium, shared by all its users.
 using Balance = std::shared_ptr<const bearing::BearingEquilibrium>;
 
-/// Stored contact results of one row, for fits that need nearly the same ones repeatedly: the
-/// integrals over the ellipses take most of their time.
+/// Stores contact results of one row for fits that need almost equal results repeatedly. The
+/// integrals over the contact ellipses take most of the time.
 ///
-/// The key of a result is balance, oil, temperature and the parameters of the law; factors of
-/// rolling and hysteresis may differ. Along ν(T) of the oil it is known close by too, in proportion
-/// to the temperature, for films that warm themselves. Accuracy: by temperature 1e-7; all else is
-/// what contact_result() gives.
+/// The key of a result consists of equilibrium, oil, temperature and the parameters of the law,
+/// except the factors of rolling and hysteresis. Along ν(T) of the oil, results nearby are found by
+/// linear extrapolation in temperature, for films that heat themselves. Accuracy: 1e-7 by
+/// temperature; all other values equal those of contact_result().
 class ContactMemory {
  public:
-  /// Result for the state `s` with the balls `balls`.
+  /// Returns the result for the state `s` with the balls `balls`.
   [[nodiscard]] friction::contact::ContactResult at(const Balance& balls,
                                                     const friction::BearingState<double>& s,
                                                     std::span<const double> values);
-  /// Stores a result found elsewhere for a state.
+  /// Stores a result that was computed elsewhere.
   void know(const Balance& balls, const friction::BearingState<double>& s,
             std::span<const double> values, const friction::contact::ContactResult& result) {
     (void)remember(balls, s, values, result);
   }
-  /// The whole moment of that state as it goes with temperature along ν(T) of its oil, about one
-  /// that is known close to s.temperature, or there.
+  /// Returns the total moment of that state and its slope with temperature along ν(T) of the oil,
+  /// about a stored temperature near s.temperature, or about s.temperature itself.
   [[nodiscard]] effects::FilmSelfHeating::Tangent tangent(const Balance& balls,
                                                           friction::BearingState<double> s,
                                                           std::span<const double> values);
-  /// Temperature of the last tangent requested [K]; NaN if none was.
+  /// Returns the temperature of the last requested tangent [K]; NaN if there was none.
   [[nodiscard]] double last_temperature() const { return last_temperature_; }
 
  private:
-  /// Sliding, rolling and hysteresis at both races, drag: [N m], or [N m/K] of a slope.
+  /// Sliding, rolling and hysteresis at both races, and drag: [N m], or [N m/K] for a slope.
   using Parts = std::array<double, 7>;
   struct Known {
-    Balance balls;  // kept, so that no other balance has its address
+    Balance balls;  // kept alive so that no other equilibrium gets its address
     double viscosity_40C, viscosity_100C, temperature, viscosity;
-    std::vector<double> values;  // of the law
+    std::vector<double> values;  // parameter values of the law
     friction::contact::ContactResult result;
-    bool along_oil;      // viscosity is that of the oil at `temperature`
-    Parts slope{};       // by temperature, along ν(T)
-    double reach = 0.0;  // [K] to which the slope is good; 0: no slope yet
+    bool along_oil;      // true if the viscosity is that of the oil at `temperature`
+    Parts slope{};       // derivative by temperature, along ν(T)
+    double reach = 0.0;  // range in which the slope is valid [K]; 0: no slope yet
   };
   [[nodiscard]] static bool alike(const Known& known, const Balance& balls,
                                   const friction::BearingState<double>& s,
@@ -62,7 +62,7 @@ class ContactMemory {
                   std::span<const double> values, const friction::contact::ContactResult& result);
   void find_slope(Known& known, friction::BearingState<double> s);
 
-  std::vector<Known> known_;  // the newest first; a vector, as many rows never remember
+  std::vector<Known> known_;  // newest first; a vector, because many rows store nothing
   double last_temperature_ = unset;
 };
 

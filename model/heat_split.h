@@ -5,15 +5,15 @@
 
 namespace raceway::model {
 
-/// Heat of a predicted friction by ring: an effect of spin heats where the balls spin, all other
-/// effects as film shear. `equilibrium` belongs to the prediction. The sum over the rings is torque
-/// times speed, to rounding.
+/// Splits the heat of a predicted friction between the rings. Effects of spin heat the contacts in
+/// which the balls spin; all other effects are split like film shear. `equilibrium` is that of the
+/// prediction. The sum over the rings is torque times speed, to rounding.
 [[nodiscard]] friction::HeatSplit heat_split(const Model& model,
                                              const bearing::OperatingPoint& point,
                                              const bearing::BearingEquilibrium& equilibrium,
                                              const FrictionPrediction& prediction);
 
-/// Heat by ring, with the balls or rollers in balance in the prediction.
+/// Returns the heat by ring, with balls or rollers from the prediction.
 [[nodiscard]] friction::HeatSplit heat_split(const Model& model,
                                              const bearing::OperatingPoint& point,
                                              const FrictionPrediction& prediction);

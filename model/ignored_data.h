@@ -8,13 +8,13 @@
 
 namespace raceway::model {
 
-/// Keys of a model file, all of bearings or of the solver, that do not change the friction torque:
-/// neither the base law (friction::bearing_data()) nor an active effect uses them. An effect that
-/// looks at the balls uses all.
+/// Returns the keys of a model file, for bearing and solver, that do not change the friction
+/// torque: neither the base law (friction::bearing_data()) nor an active effect uses them. An
+/// effect that uses the balls uses all keys.
 [[nodiscard]] std::vector<std::string> ignored_by_friction(const Model& model,
                                                            std::span<const std::string> keys);
 
-/// Keys among these that the law uses.
+/// Returns those of these keys that the law uses.
 [[nodiscard]] std::vector<std::string> taken_in(friction::FrictionLaw law,
                                                 std::span<const std::string> keys);
 

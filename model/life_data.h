@@ -4,10 +4,10 @@
 
 namespace raceway::model {
 
-/// Life data of a bearing; unset ratings follow from its geometry.
+/// Life data of a bearing; missing ratings follow from its geometry.
 struct LifeData {
-  double dynamic_load_rating = unset;  ///< C [N]; unset: by ISO 281
-  double fatigue_load = unset;         ///< C_u [N]; unset: by ISO 281
+  double dynamic_load_rating = unset;  ///< C [N]; unset: from ISO 281
+  double fatigue_load = unset;         ///< C_u [N]; unset: from ISO 281
   double contamination = 0.6;          ///< e_C, from 0 (dirt) to 1 (clean) [1]
   double reliability = 90.0;           ///< [%]
   [[nodiscard]] bool operator==(const LifeData&) const = default;

@@ -21,71 +21,73 @@
 
 namespace raceway::model {
 
-/// Data of the test rig, used where a record has none.
+/// Data of the test rig, used if a record does not contain them.
 struct Rig {
-  double inertia = unset;           ///< of all that coasts down [kg m²]; NaN: not given
-  bool unknown_inertia = false;     ///< said to be unknown: torques up to a common factor
-  int bearings = 1;                 ///< equal bearings whose torque the rig sees [1]
-  double axial_load = unset;        ///< per bearing, for rows without that column [N]
-  double radial_load = 0.0;         ///< per bearing [N]
+  double inertia = unset;        ///< inertia of all parts that coast down [kg m²]; NaN: not given
+  bool unknown_inertia = false;  ///< declared as unknown: torques have an unknown common factor
+  int bearings = 1;              ///< number of equal bearings whose torque the rig measures [1]
+  double axial_load = unset;     ///< per bearing, for rows without a load column [N]
+  double radial_load = 0.0;      ///< per bearing [N]
   double temperature = kelvin(40);  ///< [K]
-  double room_temperature = unset;  ///< [K]; NaN: the coldest row of a record
-  double minimum_speed = 0.0;       ///< slower coast-down rows are left out [rad/s]
+  double room_temperature = unset;  ///< [K]; NaN: the coldest row of a record is used
+  double minimum_speed = 0.0;       ///< coast-down rows below it are left out [rad/s]
 
-  /// True where friction slows down the shaft, with all that turns on it.
+  /// Returns true if friction slows down the shaft and all parts on it.
   [[nodiscard]] bool coasts_down() const { return inertia > 0.0 || unknown_inertia; }
 };
 
-/// The shaft that a model stands for, where it is more than one bearing on a rig.
+/// Shaft with its sets of bearings; a model without it is one bearing on a rig.
 struct Shaft {
   bearing::Arrangement arrangement;
-  double external_load = 0.0;  ///< axial, positive towards the tool [N]
-  /// Temperatures that are not measured stay at the mounting temperature.
+  double external_load = 0.0;  ///< axial load, positive towards the tool [N]
+  /// Parts without a measured temperature have the mounting temperature.
   std::optional<bearing::SetTemperatures> temperatures = {};
-  /// A set has bearings of its own: what the model says of its bearing is not of all.
+  /// True if a set has its own bearings, which differ from the bearing of the model.
   bool own_bearings = false;
 };
 
-/// Speeds that a catalogue prints for a bearing [rad/s]; NaN where it prints none.
+/// Catalogue speeds of a bearing [rad/s]; NaN if not in the catalogue.
 struct PrintedSpeed {
   double oil = unset, grease = unset;
 };
 
-/// Model of a bearing on a rig, or of the sets on a shaft, as the user has it. rig::RigSubject and
-/// shaft::ShaftSubject present it to the loop.
+/// Model of a bearing on a rig, or of sets on a shaft, as entered by the user. rig::RigSubject and
+/// shaft::ShaftSubject adapt it to the loop.
 struct Model {
   std::string name;
-  /// Temperature range of the rows of the record in use [K]; NaN without a record.
+  /// Temperature range of the rows in use [K]; NaN without a record.
   double coldest = unset, hottest = unset;
   ModelBearing bearing;
   friction::Lubricant lubricant;
-  std::optional<friction::Supply> supply = {};  ///< rules out effects; empty if not given
+  std::optional<friction::Supply> supply = {};  ///< rules out some effects; empty if not given
   friction::FrictionLaw law = friction::FrictionLaw::palmgren;
-  friction::F1Load f1_load = friction::F1Load::P0;  ///< of the palmgren law; of rollers of all
-  std::vector<double> law_values;                   ///< in the order of friction::parameters(law)
-  friction::contact::ContactData contact = {};      ///< of the contact law
-  /// Torque of the law `table`, under another law of its candidate; null where the model names
-  /// none.
+  /// used by the palmgren law, and by all laws for rollers
+  friction::F1Load f1_load = friction::F1Load::P0;
+  std::vector<double> law_values;               ///< in the order of friction::parameters(law)
+  friction::contact::ContactData contact = {};  ///< data of the contact law
+  /// Table for the law `table`, which may be a candidate for a model with another law; null if the
+  /// model names no table.
   std::shared_ptr<const friction::TorqueTable> table = nullptr;
-  std::vector<effects::Effect> effects;  ///< added so far, in order
+  std::vector<effects::Effect> effects;  ///< effects in the order in which they were added
   bearing::EquilibriumOptions solver;
-  /// No race holds the balls: traction turns them. Of the contact law alone; see solve_balls().
+  /// True if traction turns the balls and no race controls them. Only for the contact law; see
+  /// solve_balls().
   bool balanced_balls = false;
   LifeData life = {};
-  PrintedSpeed printed_speed = {};  ///< none where the bearings of the sets are not one kind
+  PrintedSpeed printed_speed = {};  ///< empty if the sets have different bearings
   Rig rig;
-  /// Names of what may be re-fitted, as parameters() has them; default_free() where empty.
+  /// Names of the parameters that may be refitted, as in parameters(); empty means default_free().
   std::vector<std::string> free;
-  /// The first bearing of its front set is `bearing`.
+  /// Shaft of the model; its `bearing` is the first bearing of the front set.
   std::optional<Shaft> shaft = {};
-  /// Surroundings of the sets in a model of a whole spindle; `shaft` is then set too.
+  /// Surroundings of the sets in a model of a whole spindle; `shaft` is then present too.
   std::optional<Spindle> spindle = {};
-  /// Errors acceptable to the user, by the name of the measured channel [SI].
+  /// Acceptable errors of measured channels, by name [SI].
   std::vector<record::NamedValue> tolerances = {};
-  /// Covariance of fitted parameters, at their values here.
+  /// Covariance of the fitted parameters at their current values.
   std::optional<fit::Covariance> covariance = {};
 
-  /// The form of the effects that it may have.
+  /// Returns the form of effects that the model accepts.
   [[nodiscard]] effects::Form form() const {
     if (spindle) return effects::Form::spindle;
     return shaft ? effects::Form::shaft : effects::Form::rig;

@@ -10,21 +10,21 @@
 
 namespace raceway::model {
 
-/// The bearing of a model: one with balls, or one with cylindrical rollers.
+/// Bearing of a model: a ball bearing or a cylindrical roller bearing.
 ///
-/// Code for ball bearings takes it as a bearing::Bearing. For rollers this throws
-/// std::invalid_argument, so that no ball result is ever given for rollers.
+/// Code for ball bearings converts it to a bearing::Bearing. This conversion throws
+/// std::invalid_argument for rollers, so no ball result is ever computed for them.
 class ModelBearing {
  public:
-  // Either kind is the bearing of a model.
+  // Implicit conversions from both kinds of bearing.
   ModelBearing(bearing::Bearing balls) : kind_(std::move(balls)) {}            // NOLINT
   ModelBearing(bearing::RollerBearing rollers) : kind_(std::move(rollers)) {}  // NOLINT
 
-  /// Null where it has balls.
+  /// Returns null for a ball bearing.
   [[nodiscard]] const bearing::RollerBearing* rollers() const {
     return std::get_if<bearing::RollerBearing>(&kind_);
   }
-  /// Null where it has rollers.
+  /// Returns null for a roller bearing.
   [[nodiscard]] const bearing::Bearing* ball_bearing() const {
     return std::get_if<bearing::Bearing>(&kind_);
   }
@@ -37,11 +37,11 @@ class ModelBearing {
     return rollers() ? rollers()->rings() : with_balls().rings();
   }
 
-  // Of either kind.
+  // Functions for both kinds of bearing.
   [[nodiscard]] double pitch_diameter() const {
     return rollers() ? rollers()->geometry().pitch_diameter : geometry().pitch_diameter;
   }
-  /// C0 [N]; NaN if it is not given for balls.
+  /// Returns C0 [N]; NaN if a ball bearing does not give it.
   [[nodiscard]] double static_load_rating() const {
     return rollers() ? life::static_load_rating(rollers()->geometry())
                      : geometry().static_load_rating;

@@ -7,24 +7,24 @@
 
 namespace raceway::model {
 
-/// A number of a model that the one before it has otherwise, or has not.
+/// A parameter that differs from the previous model or is new.
 struct ChangedNumber {
-  std::string name;       ///< as parameters() has it
-  std::string unit;       ///< as written in files
-  double before = unset;  ///< NaN where it has not
+  std::string name;       ///< name as in parameters()
+  std::string unit;       ///< unit as in files
+  double before = unset;  ///< NaN if the previous model lacks it
   double after = unset;
 };
 
-/// Changes of effects, base law and arrangement from one model to the next: all that calibrate and
-/// add write. Bearing, lubricant and rig are not compared.
+/// Changes of effects, base law and arrangement between two models: everything that calibrate and
+/// add can change. Bearing, lubricant and rig are not compared.
 struct ModelChanges {
-  std::vector<std::string> added, removed;  ///< ids of effects
+  std::vector<std::string> added, removed;  ///< ids of the effects
   std::vector<ChangedNumber> numbers;       ///< in the order of parameters()
 };
 
 [[nodiscard]] ModelChanges model_changes(const Model& before, const Model& after);
 
-/// From each of them to the next.
+/// Returns the changes from each model to the next.
 [[nodiscard]] std::vector<ModelChanges> changes_between(const std::vector<Model>& models);
 
 }  // namespace raceway::model

@@ -8,21 +8,21 @@
 
 namespace raceway::model {
 
-/// Why an effect cannot be at work in a model whatever data say, in a sentence: another supply of
-/// lubricant. Empty if it can.
+/// Explains in one sentence why an effect cannot act in a model, for any data: the model has
+/// another lubricant supply. The text is empty if the effect can act.
 [[nodiscard]] std::string ruled_out(const effects::Description& effect, const Model& model);
 
-/// Why the base law of a model takes no such effect, in words: it has that effect itself, or
-/// cylindrical rollers have none. Empty if it does.
+/// Explains why the base law of a model excludes an effect: the law already contains it, or
+/// cylindrical rollers do not have it. The text is empty if the effect is allowed.
 [[nodiscard]] std::string refused_by_law(const effects::Description& effect, const Model& model);
 
-/// Input that an effect needs and the model or the record lacks, in words; empty if none. A need
-/// for several levels is not included: the data themselves show whether base parameters act alike.
+/// Names the input that an effect needs and the model or the record lacks; empty if none. Missing
+/// levels are not included, because the data themselves show whether base parameters act alike.
 [[nodiscard]] std::string missing_need(const effects::Description& effect, const Model& model,
                                        const record::Record& record);
 
-/// The levels an effect wants and the record does not have: without them base parameters do nearly
-/// the same; empty if there is nothing.
+/// Names the levels that an effect needs and the record lacks. Without them, base parameters act
+/// almost alike. The text is empty if no levels are missing.
 [[nodiscard]] std::string missing_levels(const effects::Description& effect, const Model& model,
                                          const record::Record& record);
 

@@ -8,15 +8,15 @@
 
 namespace raceway::model {
 
-/// One row of a record as predictions look at it.
+/// One row of a record, as input of predictions.
 struct Row {
-  bearing::OperatingPoint
-      point;               ///< radial load along y; of a shaft: axial load is the external one
-  effects::Record record;  ///< looks into the record, which must outlive it
-  double preload = unset;  ///< of the sets at standstill [N]
+  bearing::OperatingPoint point;  ///< radial load along y; for a shaft the axial load is external
+  effects::Record record;         ///< refers to the record, which must live longer
+  double preload = unset;         ///< preload force of the sets at standstill [N]
 };
 
-/// All rows. NaN where the record has no such column, but a temperature of 40 °C.
+/// Returns all rows of a record. Values without a column are NaN, but the default temperature is 40
+/// °C.
 [[nodiscard]] std::vector<Row> rows_of(const record::Record& record);
 
 }  // namespace raceway::model

@@ -14,43 +14,44 @@
 
 namespace raceway::model {
 
-/// One row that is predicted again and again with other numbers of the same model. It remembers the
-/// equilibrium, solved again only where the condition has moved, and whatever else a number leaves
-/// alone. See predict_friction() for the steps on the way.
+/// Predicts one row repeatedly with different parameters of one model. It stores the equilibrium,
+/// which is solved again only after a change of the condition, and all other results that a
+/// parameter does not change. See predict_friction() for the steps.
 class RowPredictor {
  public:
   using Rollers = std::shared_ptr<const bearing::RollerEquilibrium>;
 
-  /// `known`: the balance under the condition `given`, if available: as entered, or for a bearing
-  /// in its set on a shaft. `given`: a condition in addition to the changes by the effects in
-  /// `steps`. `bearing`: the bearing of that balance, if not the model's. `rollers`: the balance as
-  /// entered of a bearing with cylindrical rollers, if available.
+  /// `known` is the equilibrium under the condition `given`, if available: of the original bearing,
+  /// or of a bearing in its set on a shaft. `given` is a condition in addition to the changes by
+  /// effects in `steps`. `bearing` is the bearing of that equilibrium if it differs from the
+  /// model's. `rollers` is the equilibrium of the original cylindrical roller bearing, if
+  /// available.
   RowPredictor(const Model& model, const Steps& steps, const bearing::OperatingPoint& point,
                const effects::Record& record, Balance known = nullptr,
                const effects::Condition& given = {},
                std::shared_ptr<const bearing::Bearing> bearing = nullptr,
                Rollers rollers = nullptr);
 
-  /// Reading of the rig [N m], NaN without a prediction. What is computed is remembered; values of
-  /// the model that act before `from` must be unchanged since the last call.
+  /// Returns the reading of the rig [N m]; NaN without a prediction. Results are stored. Values of
+  /// the model that act before `from` must not have changed since the last call.
   double predict(const Model& model, const Steps& steps, Stage from = Stage::entry);
 
-  /// The balance that predict() will need, for callers that solve many at once and answer() before
-  /// they call it; nothing where it needs none, remembers it, or needs one
-  /// at an imposed tilt or with balls that no race holds.
+  /// Returns the equilibrium that predict() will need, so that a caller can solve many together and
+  /// pass the results to answer(). The result is empty if no equilibrium is needed, if it is
+  /// already stored, or if it has an imposed tilt or traction-controlled balls.
   [[nodiscard]] std::optional<bearing::BearingCase> ask(const Model& model, const Steps& steps);
   void answer(bearing::BearingEquilibrium&& equilibrium);
-  /// Finds the balance alone, as predict() would.
+  /// Solves only the equilibrium, as predict() would.
   void balance(const Model& model, const Steps& steps);
 
-  /// State of the contacts in a known balance, for callers that then answer with their friction,
-  /// which predict() reuses. Empty under other laws, without a balance, on a bearing that the
-  /// condition has changed, or where effects act on the film.
+  /// Returns the state of the contacts in a known equilibrium. A caller can compute their friction
+  /// and pass it back, and predict() uses it. The result is empty for other laws, without an
+  /// equilibrium, for a bearing changed by the condition, and if effects act on the film.
   [[nodiscard]] std::optional<friction::BearingState<double>> ask_contacts(const Model& model,
                                                                            const Steps& steps);
   void answer_contacts(const Model& model, const friction::contact::ContactResult& contacts);
 
-  /// All that the last predict() found.
+  /// Returns all results of the last predict().
   [[nodiscard]] FrictionPrediction prediction(const Model& model) const;
   [[nodiscard]] const Balance& equilibrium() const { return equilibrium_; }
   [[nodiscard]] const Rollers& rollers() const { return rollers_; }
@@ -70,7 +71,7 @@ class RowPredictor {
     return oil_ ? *oil_ : model.lubricant;
   }
   void correct(const Model& model, const Steps& steps);
-  // The steps; each from what those before it have left in the members below.
+  // Steps of the prediction; each uses the results of the steps before it in the members below.
   [[nodiscard]] bool find_balance(const Model& model, const Steps& steps);
   [[nodiscard]] bool warm_by_tangents(const Model& model, const effects::Effect& effect,
                                       const effects::LubricantInputs& in);
@@ -85,10 +86,11 @@ class RowPredictor {
   effects::Condition given_;
   double radial_load_;
 
-  double temperature_, viscosity_;          // of the row, as corrected
-  std::optional<friction::Lubricant> oil_;  // where it is not that of the model
+  double temperature_, viscosity_;          // values of the row after corrections
+  std::optional<friction::Lubricant> oil_;  // set if it differs from the oil of the model
 
-  /// Balance solved under another condition: fits return to points where they took differences.
+  /// Stored equilibrium for another condition. Fits return to points at which they took
+  /// differences.
   struct KnownBalance {
     effects::Condition condition;
     BallTurning turning;
@@ -97,42 +99,42 @@ class RowPredictor {
     bearing::SolveReport report;
     HoldingMoments held;
   };
-  std::vector<KnownBalance> known_balances_;  // the newest first
-  Balance entered_;                           // balls at the load as entered, where a step asked
+  std::vector<KnownBalance> known_balances_;  // newest first
+  Balance entered_;                           // balls at the original load, if a step needed them
   BallTurning entered_turning_;
 
   effects::Condition condition_;
-  std::shared_ptr<const bearing::Bearing> bearing_;  // null: as entered
+  std::shared_ptr<const bearing::Bearing> bearing_;  // null: original bearing
   Balance equilibrium_;
-  Rollers rollers_;      // no number of a model moves it
-  BallTurning turning_;  // of that balance
+  Rollers rollers_;      // no parameter of a model changes it
+  BallTurning turning_;  // ball rotation inputs of that equilibrium
   bearing::SolveReport report_;
-  HoldingMoments held_;  // of a tilt that is imposed; no numbers without
+  HoldingMoments held_;  // for an imposed tilt; otherwise NaN
   effects::Film film_;
   friction::BaseMoments<double> base_{unset, unset};
   std::optional<friction::contact::ContactResult> contacts_;
   ContactMemory known_contacts_;
-  bool predicted_ = false;     // once, without anything from before
-  std::vector<double> units_;  // unit moments of Steps::moment, NaN where it has none
+  bool predicted_ = false;     // true once all members are valid
+  std::vector<double> units_;  // unit moments of Steps::moment; NaN where undefined
   double torque_ = unset, reading_ = unset;
 };
 
-/// Solves the balances that rows ask for side by side.
+/// Solves the equilibria that several rows need, several at a time.
 void solve_balances(const Model& model, const Steps& steps, std::span<RowPredictor> rows);
 
-/// Finds the friction of the contacts that rows ask for side by side (friction/contact/
-/// many_contacts.h), after their balances.
+/// Computes the contact friction that several rows need, several at a time
+/// (friction/contact/many_contacts.h), after their equilibria.
 void solve_contacts(const Model& model, const Steps& steps, std::span<RowPredictor> rows);
 
-/// predict() for all rows, the balances they need solved side by side and the rows shared among
-/// threads: each row is predicted by itself, so that the number of threads changes no digit.
+/// Calls predict() for all rows. Equilibria are solved several at a time, and rows are shared among
+/// threads. Each row is independent, so the number of threads does not change a digit.
 void predict_all(const Model& model, const Steps& steps, std::span<RowPredictor> rows,
                  std::span<double> readings, Stage from = Stage::entry);
 
-/// Balances of points as entered, without any effect.
+/// Returns the equilibria of points for the original bearing without effects.
 [[nodiscard]] std::vector<Balance> entered_balances(
     const Model& model, std::span<const bearing::OperatingPoint> points);
-/// Balances of a bearing with cylindrical rollers, as entered, without any effect.
+/// Returns the equilibria of a cylindrical roller bearing without effects.
 [[nodiscard]] std::vector<RowPredictor::Rollers> entered_rollers(
     const Model& model, std::span<const bearing::OperatingPoint> points);
 

@@ -6,9 +6,9 @@
 
 namespace raceway::model {
 
-/// Positions along the axis, behind the nose face [m], between which a thermometer stays in its
-/// part at its radius: rows of segments of shaft or housing, the width of a bearing for a ring.
-/// Both are its own position where it lies in no such part, or in the coolant.
+/// Returns the axial range behind the nose face [m] in which a thermometer stays in its part at its
+/// radius: adjacent segments of shaft or housing, or the width of a ring. If it is in no such part,
+/// or in the coolant, both limits are its own position.
 [[nodiscard]] std::pair<double, double> reach_of(const Model& model,
                                                  const ThermometerPlace& sensor);
 

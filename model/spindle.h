@@ -43,25 +43,25 @@ inline constexpr SolidMaterial iron_of_housings{.conductivity = 48.0,
                                                 .elastic_modulus = 120e9,
                                                 .poissons_ratio = 0.26};
 
-/// A piece of a shaft or a housing between two planes, from the nose to the rear.
+/// A piece of a shaft or housing between two planes, from the nose to the rear.
 struct Segment {
   double length = unset;    ///< [m]
   double diameter = unset;  ///< outer [m]
-  double bore = unset;      ///< [m]; 0 for a solid one. Of a housing: NaN follows the bearings
+  double bore = unset;      ///< [m]; 0: solid. For a housing, NaN follows the bearings
   SolidMaterial material = steel_of_shafts;
 };
 
-/// A stiff body on the shaft: pulley, rotor, tool.
+/// A rigid body on the shaft: pulley, rotor, tool.
 struct Disk {
-  double position = unset;           ///< behind the nose face [m]
+  double position = unset;           ///< distance behind the nose face [m]
   double mass = unset;               ///< [kg]
-  double diametral_inertia = unset;  ///< about a radial axis through it [kg m²]
-  double polar_inertia = unset;      ///< about the shaft [kg m²]
+  double diametral_inertia = unset;  ///< about a radial axis through the disk [kg m²]
+  double polar_inertia = unset;      ///< about the shaft axis [kg m²]
 };
 
-/// A spring from shaft to housing: a bearing of which only the stiffness is known.
+/// A spring between shaft and housing, for a bearing with only its stiffness known.
 struct Support {
-  double position = unset;          ///< behind the nose face [m]
+  double position = unset;          ///< distance behind the nose face [m]
   double radial_stiffness = unset;  ///< [N/m]
   double tilt_stiffness = 0.0;      ///< [N m/rad]
 };
@@ -73,50 +73,54 @@ struct ShaftBody {
 };
 
 struct Housing {
-  double start = unset;  ///< front face, behind the nose face [m]
-  /// From the front face on; bored to the outer diameter of the bearings where they leave it open.
+  double start = unset;  ///< front face, distance behind the nose face [m]
+  /// Segments from the front face. A segment without a bore has the outer diameter of the bearings
+  /// as its bore.
   std::vector<Segment> segments;
-  double flange = unset;            ///< centre of where it is bolted to the machine [m]
+  double flange = unset;            ///< centre of the bolted connection to the machine [m]
   double flange_length = 20 * mm;   ///< [m]
-  double flange_conductance = 4.0;  ///< into the machine [W/K]
+  double flange_conductance = 4.0;  ///< conductance into the machine [W/K]
 };
 
-/// Seats of the rings, and what they touch sideways.
+/// Seats of the rings, and contacts at their side faces.
 struct Seat {
-  double inner_interference = 6 * um;    ///< diametral, as mounted and still [m]
-  double outer_clearance = 4 * um;       ///< diametral [m]
-  double roughness = 0.8 * um;           ///< Ra [m]
-  double slope = 0.15;                   ///< mean, of the surfaces [1]
-  double hardness = 3e9;                 ///< of the softer one [Pa]
-  double shoulder_conductance = 8000.0;  ///< ring against shoulder or next ring [W/(m² K)]
-  /// Conductance of a face of an outer ring that a collar of the shaft runs against [W/(m² K)]. As
-  /// a shoulder, an assumption: over an open gap of 0.1 mm air conducts 270.
+  double inner_interference = 6 * um;  ///< diametral, as mounted and at standstill [m]
+  double outer_clearance = 4 * um;     ///< diametral [m]
+  double roughness = 0.8 * um;         ///< Ra [m]
+  double slope = 0.15;                 ///< mean asperity slope of the surfaces [1]
+  double hardness = 3e9;               ///< hardness of the softer surface [Pa]
+  /// contact of a ring with a shoulder or another ring [W/(m² K)]
+  double shoulder_conductance = 8000.0;
+  /// Conductance from a side face of an outer ring to a collar of the shaft that runs against it
+  /// [W/(m² K)]. The default assumes a contact as at a shoulder. An open gap of 0.1 mm with air
+  /// would conduct 270.
   double collar_conductance = 8000.0;
-  double outer_conductance = unset;  ///< of the outer seats, whatever the rest says [W/(m² K)]
+  /// of the outer seats; replaces the other data if given [W/(m² K)]
+  double outer_conductance = unset;
 };
 
 enum class Fluid { water, oil };
 
-/// A cylindrical roller bearing on the shaft in addition to the sets, free along the axis. Its
-/// friction follows Palmgren.
+/// A cylindrical roller bearing on the shaft in addition to the sets, free to move axially. Its
+/// friction follows Palmgren's formulas.
 struct RollerOnShaft {
-  std::string name;         ///< gives the columns NAME_clearance_um and so on
-  double position = unset;  ///< behind the nose face [m]
-  /// With bore, outer diameter and width.
+  std::string name;         ///< gives the columns NAME_clearance_um and others
+  double position = unset;  ///< distance behind the nose face [m]
+  /// Bore, outer diameter and width must be given.
   bearing::RollerBearing bearing;
   double f0 = unset, f1 = unset;  ///< [1]
   friction::F1Load counted = friction::F1Load::rollers;
-  /// Fits of its own seats, diametral [m]; NaN: as Seat has them.
+  /// Diametral fits of its own seats [m]; NaN: values of Seat.
   double inner_interference = unset, outer_clearance = unset;
-  /// Beside the contacts [W/K]; NaN: as of the ball bearings.
+  /// Conductance in addition to the contacts [W/K]; NaN: value of the ball bearings.
   double lubricant_conductance = unset;
 };
 
-/// A belt that pulls at the shaft.
+/// A belt that pulls on the shaft.
 struct Belt {
   double force = 0.0;       ///< [N]
-  double angle = 0.0;       ///< of its pull, from +y towards +z [rad]
-  double position = unset;  ///< behind the nose face [m]
+  double angle = 0.0;       ///< direction of the pull, from +y towards +z [rad]
+  double position = unset;  ///< distance behind the nose face [m]
 };
 
 /// A helical channel around the housing.
@@ -124,54 +128,55 @@ struct Coolant {
   Fluid fluid = Fluid::water;
   double flow = unset;                ///< [m³/s]
   double inlet_temperature = unset;   ///< [K]
-  double diameter = unset;            ///< mean, of the helix [m]
-  double channel_width = unset;       ///< along the axis [m]
+  double diameter = unset;            ///< mean diameter of the helix [m]
+  double channel_width = unset;       ///< width along the axis [m]
   double channel_depth = unset;       ///< radial [m]
-  double pitch = unset;               ///< of the turns [m]
-  double start = unset, end = unset;  ///< behind the nose face [m]
+  double pitch = unset;               ///< pitch of the turns [m]
+  double start = unset, end = unset;  ///< distances behind the nose face [m]
   double stagnant = 25.0;             ///< film of the standing fluid [W/(m² K)]
-  double throttle_diameter = unset;   ///< of an orifice at the outlet [m]; NaN: none
+  double throttle_diameter = unset;   ///< orifice at the outlet [m]; NaN: none
 };
 
 enum class RotatingConvection { becker, kendoush, anderson_saunders };
 
 struct Ambient {
   double temperature = kelvin(20);     ///< [K]
-  double machine_temperature = unset;  ///< at the flange [K]; NaN: the ambient's
-  double emissivity = 0.85;            ///< of the housing [1]
-  double convection_factor = 1.0;      ///< on free convection of the housing [1]
+  double machine_temperature = unset;  ///< at the flange [K]; NaN: ambient temperature
+  double emissivity = 0.85;            ///< emissivity of the housing [1]
+  double convection_factor = 1.0;      ///< factor on free convection of the housing [1]
   RotatingConvection rotating_convection = RotatingConvection::becker;
 };
 
-/// Heat that is none of the bearings' own, and where it arises.
+/// A heat source other than bearing friction, and its place.
 struct HeatSource {
-  /// shaft, housing: a span of it. motor: shaft and housing between the sets. pulley: the shaft
-  /// behind the last bearing. seal: the shaft between the housing's front face and the first
-  /// bearing. bearing: the raceways of one. Of motor, pulley and seal a span may say otherwise.
+  /// Places: shaft and housing heat a span of the part. motor heats shaft and housing between the
+  /// sets. pulley heats the shaft behind the last bearing. seal heats the shaft between the front
+  /// face of the housing and the first bearing. bearing heats the raceways of one bearing. A given
+  /// span replaces the place of motor, pulley and seal.
   enum class Place { shaft, housing, motor, pulley, seal, bearing };
-  std::string name = {};                                   ///< "motor", "drive" or its own
-  double watts = unset;                                    ///< [W]; NaN: by the formula
-  std::shared_ptr<const record::Expression> formula = {};  ///< [W], of heat_variables
-  double factor = 1.0;                                     ///< on the formula [1]
+  std::string name = {};                                   ///< "motor", "drive" or its own name
+  double watts = unset;                                    ///< [W]; NaN: from the formula
+  std::shared_ptr<const record::Expression> formula = {};  ///< formula for [W] with heat_variables
+  double factor = 1.0;                                     ///< factor on the formula [1]
   Place place = Place::shaft;
-  std::size_t bearing = 0;        ///< in the order of rings_of()
-  double position = unset;        ///< middle of the span, behind the nose face [m]
-  double length = unset;          ///< of the span [m]
-  double radius = unset;          ///< of cells of shaft or housing; NaN: from bore to surface [m]
+  std::size_t bearing = 0;        ///< index in the order of rings_of()
+  double position = unset;        ///< middle of the span, distance behind the nose face [m]
+  double length = unset;          ///< length of the span [m]
+  double radius = unset;          ///< radius of the heated cells; NaN: bore to surface [m]
   double rotor_diameter = unset;  ///< [m]
-  /// Share of a motor's heat into the shaft, the rest into the housing; of the heat at a bearing
-  /// into the inner ring, the rest into the outer one [1].
+  /// Share of a motor's heat that enters the shaft, with the remainder in the housing. For heat at
+  /// a bearing: share of the inner ring, with the remainder in the outer ring [1].
   double rotor_share = 1.0;
 };
 
-/// Variables of a formula of heat, in units of the files.
+/// Variables of a heat formula, in the units of files.
 inline const std::vector<std::string> heat_variables{"speed_rpm", "axial_load_N", "radial_load_N",
                                                      "moment_Nm", "belt_force_N", "motor_power_W"};
 
-/// Air between shaft and housing.
+/// Air gap between shaft and housing.
 struct Gap {
   double inner_diameter = unset, outer_diameter = unset;  ///< [m]
-  double start = unset, end = unset;                      ///< behind the nose face [m]
+  double start = unset, end = unset;                      ///< distances behind the nose face [m]
 };
 
 /// Place of a thermometer.
@@ -179,7 +184,8 @@ struct ThermometerPlace {
   enum class Part { shaft, ring, housing, coolant };
   std::string name;  ///< gives the column NAME_temperature_C
   Part part = Part::housing;
-  /// Behind the nose face [m]. Coolant flows from the start of its channel to the end; NaN: outlet.
+  /// Distance behind the nose face [m]. In the coolant, it lies between start and end of the
+  /// channel; NaN: outlet.
   double position = unset;
   double radius = unset;  ///< [m]
 };
@@ -188,12 +194,12 @@ struct ThermometerPlace {
 struct Network {
   struct Node {
     std::string name;
-    double capacity = unset;     ///< [J/K]; 0 or NaN where `temperature` is given
-    double temperature = unset;  ///< held at this [K]
+    double capacity = unset;     ///< [J/K]; 0 or NaN if `temperature` is given
+    double temperature = unset;  ///< fixed temperature [K]
     double heat = 0.0;           ///< [W]
   };
   struct Link {
-    std::size_t from = 0, to = 0;  ///< places in `nodes`
+    std::size_t from = 0, to = 0;  ///< indices in `nodes`
     double conductance = unset;    ///< [W/K]
   };
   std::vector<Node> nodes;
@@ -202,19 +208,21 @@ struct Network {
 
 enum class Cells { coarse, medium, fine };
 
-/// All of a spindle that is not its bearings, their lubricant and their arrangement. Positions are
-/// behind the nose face, displacements of the nose against the flange, positive towards the tool.
+/// All parts of a spindle except its bearings, their lubricant and their arrangement. Positions are
+/// distances behind the nose face. Displacements are those of the nose relative to the flange,
+/// positive towards the tool.
 struct Spindle {
   std::string name = {};
-  /// Friction by the forces of the warm set, or else of the cold set at that speed.
+  /// True: friction follows the forces of the warm sets; false: the forces of the cold sets at that
+  /// speed.
   bool preload_feedback = true;
-  std::vector<double> front_positions = {}, rear_positions = {};  ///< of the bearings' centres [m]
-  double bearing_width = unset;                                   ///< [m]
+  std::vector<double> front_positions = {}, rear_positions = {};    ///< centres of the bearings [m]
+  double bearing_width = unset;                                     ///< [m]
   double inner_ring_shoulder = unset, outer_ring_shoulder = unset;  ///< diameters [m]
-  /// Conductance of oil film, lubricant and balls that carry heat, in addition to the contacts, of
-  /// one bearing [W/K].
+  /// Conductance of one bearing through oil film, lubricant and rolling balls, in addition to the
+  /// contacts [W/K].
   double lubricant_conductance = unset;
-  /// Share of a bearing's friction power that arises at its inner ring; NaN: split_heat().
+  /// Share of a bearing's friction power at its inner ring; NaN: split_heat().
   double inner_heat_share = unset;
   ShaftBody shaft = {};
   std::vector<RollerOnShaft> rollers = {};
@@ -224,14 +232,14 @@ struct Spindle {
   Ambient ambient = {};
   std::optional<HeatSource> motor = {};
   std::optional<HeatSource> drive = {};
-  std::vector<HeatSource> heat = {};  ///< further sources
+  std::vector<HeatSource> heat = {};  ///< further heat sources
   std::optional<Belt> belt = {};
   std::optional<Gap> gap = {};
   std::vector<ThermometerPlace> sensors = {};
-  std::optional<Network> network = {};  ///< then there is no geometry
+  std::optional<Network> network = {};  ///< replaces the geometry
   Cells cells = Cells::medium;
   double step = unset;  ///< longest time step [s]; NaN: adaptive
-  /// Up to these what the model leaves is its own coarseness: [K], [m].
+  /// Residuals up to these values count as coarseness of the model: [K], [m].
   double model_floor_temperature = 0.5, model_floor_displacement = 1 * um;
 };
 

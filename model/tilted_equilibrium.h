@@ -4,15 +4,15 @@
 
 namespace raceway::model {
 
-/// Moments that hold a bearing at a tilt [N m].
+/// Moments that keep a bearing at a given tilt [N m].
 struct HoldingMoments {
   double y = unset, z = unset;
 };
 
-/// Balance of a bearing as solve_balls() has it, whose inner ring the shaft holds at a tilt about z
-/// [rad], under the forces of a point; its moments are found. Newton's method for the two moments
-/// that hold it, started from `neighbour`, which may be null, and the moments that hold that one
-/// where they are known. `moments` are those found.
+/// Solves the equilibrium of a bearing like solve_balls(), with an inner ring that the shaft keeps
+/// at a tilt about z [rad], under the forces of a point. The moments are found. Newton's method
+/// solves for the two moments. It starts from `neighbour`, which may be null, and from its moments,
+/// if they are known. `moments` receives the result.
 ///
 /// Accuracy: tilt to 1e-10 rad.
 [[nodiscard]] bearing::BearingEquilibrium solve_tilted(const Model& model,

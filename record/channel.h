@@ -14,42 +14,42 @@ namespace raceway::record {
 /// Role of a column.
 enum class Role {
   setting,    ///< set by the operator; may explain a reading
-  recorded,   ///< recorded as well; may explain a reading
-  measured,   ///< what a model predicts
-  deviation,  ///< standard deviation of a measured one
+  recorded,   ///< recorded in addition; may explain a reading
+  measured,   ///< predicted by a model
+  deviation,  ///< standard deviation of a measured channel
   time,
-  run,   ///< index of the run that a row belongs to
-  part,  ///< index of the record that a row comes from, where several were joined
-  kept   ///< recorded as well, with a name of its own; explains nothing yet
+  run,   ///< index of the run of a row
+  part,  ///< index of the original record of a row, after several were joined
+  kept   ///< recorded under its own name; not used as an explanation
 };
 
-/// A quantity that can stand in a column. All that reads, shows or sorts by columns looks here, so
-/// that a new one is a line of the table below.
+/// A quantity that a column can contain. All code that reads, shows or sorts columns uses this
+/// description, so a new quantity needs only one line in the table below.
 struct Channel {
-  std::string_view name;             ///< of the column, its unit at the end: "speed_rpm"
-  std::string_view variable = name;  ///< without unit, as in results: "speed"
-  std::string_view words = name;     ///< for people: "axial load"
-  std::string_view unit = {};        ///< for people: "N mm"
+  std::string_view name;             ///< name of the column with its unit at the end: "speed_rpm"
+  std::string_view variable = name;  ///< name without unit, as in results: "speed"
+  std::string_view words = name;     ///< readable name: "axial load"
+  std::string_view unit = {};        ///< readable unit: "N mm"
   double factor = 1.0;               ///< SI = factor * value + offset
   double offset = 0.0;
-  double lower = 0.0, upper = 0.0;  ///< what a cell may be, closed, in the unit of the column
+  double lower = 0.0, upper = 0.0;  ///< closed range of a cell in the unit of the column
   Role role = Role::setting;
-  /// Values closer than this are one level: a share of the largest of them where `ratio`, otherwise
-  /// in SI.
+  /// Values closer than this belong to one level: a share of the largest value if `ratio` is set,
+  /// otherwise in SI.
   double step = 0.0;
-  bool ratio = false;               ///< a scale on which differences count against the size
+  bool ratio = false;               ///< true: differences are relative to the size of the values
   std::string_view kind = {};       ///< channels of one kind are compared with the largest of them
-  std::string_view place = {};      ///< how a place on it is named: "rpm", "N axial load"
-  std::string_view of = {};         ///< of a deviation: the measured channel
-  std::string_view direction = {};  ///< of a measured one, where its sign means something
+  std::string_view place = {};      ///< name of a position on it: "rpm", "N axial load"
+  std::string_view of = {};         ///< measured channel to which a deviation belongs
+  std::string_view direction = {};  ///< meaning of the sign of a measured channel
 
   [[nodiscard]] constexpr double to_SI(double value) const { return value * factor + offset; }
   [[nodiscard]] constexpr double in_unit(double si) const { return (si - offset) / factor; }
-  /// The unit as names of columns and keys have it: "Nmm".
+  /// Returns the unit as in column names and keys: "Nmm".
   [[nodiscard]] constexpr std::string_view key_unit() const {
     return name.size() > variable.size() ? name.substr(variable.size() + 1) : std::string_view();
   }
-  /// True if it may explain a reading.
+  /// Returns true if the channel may explain a reading.
   [[nodiscard]] constexpr bool is_input() const {
     return role == Role::setting || role == Role::recorded;
   }
@@ -58,7 +58,7 @@ struct Channel {
 
 inline constexpr double endless = std::numeric_limits<double>::max();
 
-/// The table of quantities. The first setting is the one that records sweep.
+/// The table of quantities. The first setting is the input that records usually sweep.
 inline constexpr std::array channels{Channel{.name = "speed_rpm",
                                              .variable = "speed",
                                              .words = "speed",
@@ -157,7 +157,8 @@ inline constexpr std::array channels{Channel{.name = "speed_rpm",
                                              .upper = 1e6,
                                              .role = Role::measured,
                                              .direction = "positive towards the tool"},
-                                     // A reading without any scatter would outweigh all others.
+                                     // A reading with zero standard deviation would outweigh all
+                                     // others.
                                      Channel{.name = "std_Nmm",
                                              .variable = "std",
                                              .words = "standard deviation",
@@ -177,14 +178,14 @@ inline constexpr std::array channels{Channel{.name = "speed_rpm",
                                              .role = Role::deviation,
                                              .of = "axial_displacement_um"}};
 
-/// The channel of that name in the table; null if there is none.
+/// Returns the channel with this name in the table; null if there is none.
 [[nodiscard]] constexpr const Channel* find_channel(std::string_view name) {
   for (const Channel& channel : channels)
     if (channel.name == name) return &channel;
   return nullptr;
 }
 
-// Those that code asks for by name.
+// Channels that the code uses by name.
 inline constexpr const Channel& speed = *find_channel("speed_rpm");
 inline constexpr const Channel& axial_load = *find_channel("axial_load_N");
 inline constexpr const Channel& radial_load = *find_channel("radial_load_N");
@@ -199,7 +200,7 @@ inline constexpr const Channel& axial_displacement = *find_channel("axial_displa
 inline constexpr const Channel& torque_deviation = *find_channel("std_Nmm");
 inline constexpr const Channel& displacement_deviation = *find_channel("std_um");
 
-/// Which of several joined records a row comes from. No file has such a column.
+/// Index of the original record of a row, after several were joined. Files do not have this column.
 inline constexpr Channel part{.name = "record", .words = "record", .role = Role::part, .step = 0.5};
 
 }  // namespace raceway::record

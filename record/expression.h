@@ -8,26 +8,27 @@
 
 namespace raceway::record {
 
-/// Error in a formula, and its position.
+/// Error in a formula, with its position.
 struct FormulaError : std::invalid_argument {
   FormulaError(const std::string& what, std::size_t where, std::string which)
       : std::invalid_argument(what), position(where), unknown_name(std::move(which)) {}
-  std::size_t position;      ///< byte in the formula
-  std::string unknown_name;  ///< empty unless a name is not known
+  std::size_t position;      ///< position as a byte in the formula
+  std::string unknown_name;  ///< empty unless the error is an unknown name
 };
 
-/// A formula that a user wrote, in operators and functions of muParser. May be evaluated by several
-/// threads at once.
+/// A user-defined formula with operators and functions of muParser. Several threads may evaluate it
+/// at once.
 class Expression {
  public:
-  /// Throws FormulaError: no formula, or a name that is none of these.
+  /// Throws FormulaError for an invalid formula and for an unknown name.
   Expression(std::string text, std::vector<std::string> names);
   ~Expression();
 
   [[nodiscard]] const std::string& text() const { return text_; }
-  /// Indices of the names that occur in it, rising.
+  /// Returns the indices of the names that the formula uses, rising.
   [[nodiscard]] const std::vector<std::size_t>& used() const { return used_; }
-  /// At values of the names that are used, in that order; NaN where there is no number.
+  /// Evaluates the formula for values of the used names, in their order; NaN if the result is not a
+  /// number.
   [[nodiscard]] double operator()(std::span<const double> values) const;
 
  private:

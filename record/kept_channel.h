@@ -6,9 +6,9 @@
 
 namespace raceway::record {
 
-/// A quantity of a file that this program does not know, as the position of an axis or the power
-/// of a motor: under its header, in the unit of its file, which is empty where it states none.
-/// Made once each. May be called by several threads at once.
+/// Returns a channel for a quantity unknown to the program, such as the position of an axis or the
+/// power of a motor. It has the header as its name and the unit from the file, which is empty if
+/// none is given. Each channel is created once. Several threads may call it at once.
 [[nodiscard]] const Channel& kept_channel(std::string_view header, std::string_view unit);
 
 }  // namespace raceway::record

@@ -8,14 +8,14 @@
 
 namespace raceway::record {
 
-/// The lowest value of each level, rising: a new one where sorted values step by more than `width`.
-/// NaN is passed over.
+/// Returns the lowest value of each level, rising. A new level begins if sorted values differ by
+/// more than `width`. NaN values are skipped.
 [[nodiscard]] std::vector<double> level_starts(std::span<const double> values, double width);
 
-/// Index of the level of a value, by the level starts.
+/// Returns the index of the level of a value from the starts of all levels.
 [[nodiscard]] std::size_t level_of(double value, std::span<const double> starts);
 
-/// The step of a channel over these values [SI].
+/// Returns the step of a channel for these values [SI].
 [[nodiscard]] double step_of(const Channel& channel, std::span<const double> values);
 
 }  // namespace raceway::record

@@ -8,8 +8,8 @@
 
 namespace raceway::record {
 
-/// The value in the middle of an odd number, the upper one of the middle two of an even number; NaN
-/// of none.
+/// Returns the median. For an even number of values it is the upper of the two middle values; NaN
+/// without values.
 inline double median(std::vector<double> values) {
   if (values.empty()) return unset;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

@@ -7,11 +7,11 @@
 
 namespace raceway::record {
 
-/// Changes (insert, delete, replace, swap neighbours) that turn one name into the other [1];
-/// upper and lower case are alike. A text of more than 200 characters is no name: all of it counts.
+/// Returns the number of changes (insert, delete, replace, swap neighbours) from one name to
+/// another [1], ignoring case. Texts of more than 200 characters count with their full length.
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The known names with the fewest changes from `name`, nearest first: "z, f0, y".
+/// Returns the known names with the fewest changes from `name`, nearest first: "z, f0, y".
 [[nodiscard]] std::string nearest_names(std::string_view name, std::span<const std::string> known,
                                         std::size_t most);
 

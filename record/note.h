@@ -7,36 +7,36 @@
 
 namespace raceway::record {
 
-/// Place in the user's input; unknown parts are empty or 0.
+/// Place in the user's input. Unknown parts are empty or 0.
 struct Place {
   std::string file = {};
-  int line = 0;          ///< from 1
-  std::string key = {};  ///< of a model file, column, or flag
+  int line = 0;          ///< line number, starting at 1
+  std::string key = {};  ///< key of a model file, column, or flag
 
   [[nodiscard]] std::string text() const { return file + ":" + std::to_string(line); }
 };
 
 enum class NoteKind {
-  note,     ///< good to know
+  note,     ///< for information
   doubt,    ///< an input that may be wrong
-  warning,  ///< makes a result doubtful
+  warning,  ///< a result that is doubtful
 };
 
 [[nodiscard]] std::string_view name(NoteKind kind);
 
 struct Note;
 
-/// Subject of a note. Programs recognise a note by the name of its code, never by its words.
+/// Kind of a note. Programs should identify a note by the name of its code, not by its text.
 struct NoteCode {
   std::string_view name;
   NoteKind kind;
   std::string_view meaning;
 
-  /// A note with this code; `text` is complete.
+  /// Returns a note with this code; `text` is complete.
   [[nodiscard]] Note operator()(std::string text, Place place = {}) const;
 };
 
-/// A message that accompanies an answer. Its words are for people and may change.
+/// A message that accompanies an answer. Its text is for the reader and may change.
 struct Note {
   const NoteCode* code = nullptr;
   std::string text;
@@ -45,7 +45,7 @@ struct Note {
   [[nodiscard]] NoteKind kind() const { return code->kind; }
 };
 
-/// All codes; `raceway::record::note::left_out("3 rows ...")` makes a note.
+/// All codes. `raceway::record::note::left_out("3 rows ...")` creates a note.
 namespace note {
 
 inline constexpr NoteCode read_as{"read-as", NoteKind::note,
@@ -115,10 +115,10 @@ inline constexpr NoteCode limits{"limits", NoteKind::warning,
 
 }  // namespace note
 
-/// The codes in the order above.
+/// Returns the codes in the order above.
 [[nodiscard]] std::span<const NoteCode* const> note_codes();
 
-/// Each of `texts` with this code and place.
+/// Returns a note with this code and place for each of `texts`.
 [[nodiscard]] std::vector<Note> notes_of(const NoteCode& code, std::vector<std::string> texts,
                                          const Place& place = {});
 [[nodiscard]] std::vector<std::string> texts(const std::vector<Note>& notes);

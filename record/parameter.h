@@ -12,13 +12,14 @@ namespace raceway::record {
 /// and by the ending of `name`.
 struct NumberCard {
   std::string_view name;
-  std::string_view unit;  ///< "1" where dimensionless
-  double initial;         ///< default and start of a fit
-  double lower, upper;    ///< bounds of a fit and of what a file may say, closed
-  double plausible_lower = lower, plausible_upper = upper;  ///< range met in practice
-  /// With this value an effect changes nothing; NaN for a number that only gives it its shape.
+  std::string_view unit;                                    ///< "1" if dimensionless
+  double initial;                                           ///< default value and start of a fit
+  double lower, upper;                                      ///< closed bounds for fits and files
+  double plausible_lower = lower, plausible_upper = upper;  ///< range seen in practice
+  /// Value at which the effect has no influence; NaN for a parameter that only changes its shape.
   double neutral = 0.0;
-  /// A temperature that occurred: a fit keeps it within the temperatures of the record.
+  /// True for a temperature that must occur in the record: a fit keeps it within the temperatures
+  /// of the record.
   bool of_the_record = false;
 };
 
@@ -28,49 +29,51 @@ struct Interval {
   double lower = unset, upper = unset;
 };
 
-/// Knowledge of a number without the record of a fit: what a computation or another measurement
-/// gave, and its standard uncertainty.
+/// Prior knowledge of a parameter from a computation or another measurement, with its standard
+/// uncertainty.
 struct Prior {
   double value = unset, std = unset;
 
   [[nodiscard]] bool is_known() const { return std > 0.0; }
 };
 
-/// A number of a model, before and after a fit, in the unit of the files.
+/// A parameter of a model before and after a fit, in the unit of the files.
 struct Parameter {
-  std::string name;  ///< as people write it: "f0", "my-effect.c"
-  std::string unit;  ///< "1" where dimensionless
-  /// Addresses in the model file: "friction.f0", "effect.2.c" of the third effect. More than one
-  /// where a parameter stands for several equal numbers.
+  std::string name;  ///< readable name: "f0", "my-effect.c"
+  std::string unit;  ///< "1" if dimensionless
+  /// Addresses in the model file: "friction.f0", "effect.2.c" of the third effect. A parameter that
+  /// represents several equal values has several addresses.
   std::vector<std::string> addresses{};
-  double start = unset;                 ///< as the model has it, and where a fit begins
+  double start = unset;                 ///< value in the model and start of a fit
   double value = unset;                 ///< fitted value; the start if not fitted
-  double initial = unset;               ///< default of its law
+  double initial = unset;               ///< default value of its law
   double lower = unset, upper = unset;  ///< closed bounds
-  double plausible_lower = unset, plausible_upper = unset;  ///< range met in practice
-  double neutral = unset;  ///< with it an effect changes nothing; NaN for a shape
-  /// With all others held, readings change in proportion to it; with all of these together too.
+  double plausible_lower = unset, plausible_upper = unset;  ///< range seen in practice
+  double neutral = unset;  ///< value without influence; NaN for a shape
+  /// True if readings are proportional to the parameter while all others are fixed. Several such
+  /// parameters are jointly linear.
   bool proportional = false;
   double scale = 1.0;   ///< typical size, > 0
-  double std = unset;   ///< standard error; NaN at a bound and where the data do not fix it
-  Interval interval{};  ///< 95 %, by profile likelihood, where it was asked for
+  double std = unset;   ///< standard error; NaN at a bound and if the data do not determine it
+  Interval interval{};  ///< 95 % interval by profile likelihood, if requested
   Bound at_bound = Bound::none;
-  bool identifiable = true;  ///< false: the data do not fix it, alone or against another one
-  Prior prior{};             ///< weighs against the readings of what only approximates
-  /// Left at its start, because another parameter does the same, or at its prior, because the
-  /// record cannot tell it.
+  /// false: the data do not determine it, or not separately from another one
+  bool identifiable = true;
+  Prior prior{};  ///< prior for models that only approximate
+  /// True if it stays at its start because another parameter acts alike, or at its prior because
+  /// the record does not determine it.
   bool held = false;
-  bool plausible = true;  ///< within the range met in practice, widened
+  bool plausible = true;  ///< true if within the widened range seen in practice
 };
 
-/// A number of a model by the name of its parameter.
+/// A value with the name of its parameter.
 struct NamedValue {
   std::string name;
   double value = unset;
 };
 
-/// A typical size of a number that starts at `start`, so that a fit works with numbers of order
-/// one.
+/// Returns a typical size of a parameter that starts at `start`, which scales fits to numbers of
+/// order one.
 [[nodiscard]] double typical_size(double start, double initial, double lower, double upper);
 
 }  // namespace raceway::record

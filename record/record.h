@@ -13,82 +13,85 @@ namespace raceway::record {
 /// Values of one channel, one for each row of a record.
 struct Column {
   const Channel* channel = nullptr;
-  std::vector<double> values;  ///< SI; NaN where nothing was read
-  /// True for a deviation from a regression over many more samples than rows: it counts as known.
+  std::vector<double> values;  ///< [SI]; NaN without a reading
+  /// True if the deviation comes from a regression over many more samples than rows; it then counts
+  /// as known.
   bool known = false;
 };
 
-/// One of several records that were joined to one.
+/// One of several joined records.
 struct Part {
-  std::string name;    ///< "monday" of data/monday.csv
+  std::string name;    ///< "monday" for data/monday.csv
   std::string source;  ///< file name, for messages
 };
 
-/// Rows between which a setting of a record over time holds: a speed, a load, the coolant.
+/// Rows between which a setting of a time record is valid: a speed, a load, or the coolant.
 enum class SettingsHold {
-  sampled,    ///< from its row until the next; a reading in its row was taken with it
-  from_row,   ///< from its row until the next; a reading in its row was taken just before it
-  until_row,  ///< from the row before until its own
+  sampled,    ///< from its row to the next; its reading was taken with it
+  from_row,   ///< from its row to the next; its reading was taken just before it
+  until_row,  ///< from the previous row to its own
 };
 
-/// Measured data: columns over rows. Rows are identified by their index; lines of the file are kept
-/// for messages only.
+/// Measured data: columns over rows. Rows are identified by their index; line numbers of the file
+/// are only for messages.
 struct Record {
   std::string source{};             ///< file name, for messages
-  std::vector<Column> columns{};    ///< all of one length
-  std::vector<std::string> runs{};  ///< names of the runs, to which the column `run` has indices
-  std::vector<int> lines{};         ///< of the file, by row; empty where rows come from no file
-  std::vector<Note> notes{};        ///< actions of the reader, for the user
-  /// True if the readings share one unknown factor.
+  std::vector<Column> columns{};    ///< columns of equal length
+  std::vector<std::string> runs{};  ///< names of the runs; the column `run` contains their indices
+  std::vector<int> lines{};         ///< line of each row in the file; empty if there is no file
+  std::vector<Note> notes{};        ///< notes of the reader for the user
+  /// True if all readings share one unknown factor.
   bool up_to_a_factor = false;
-  SettingsHold settings_hold = SettingsHold::sampled;  ///< of a record over time
-  /// Parts of a record made by joined(), indexed by the column `part`; otherwise empty.
+  SettingsHold settings_hold = SettingsHold::sampled;  ///< for a time record
+  /// Parts of a record from joined(), with indices in the column `part`; otherwise empty.
   std::vector<Part> parts{};
 
   [[nodiscard]] std::size_t rows() const {
     return columns.empty() ? 0 : columns.front().values.size();
   }
-  /// The column of a channel, null where there is none.
+  /// Returns the column of a channel; null if there is none.
   [[nodiscard]] const Column* find(const Channel& channel) const;
   [[nodiscard]] Column* find(const Channel& channel);
   [[nodiscard]] bool has(const Channel& channel) const { return find(channel) != nullptr; }
-  /// [SI] by row; empty where there is no such column.
+  /// Returns the values by row [SI]; empty without such a column.
   [[nodiscard]] std::span<const double> values(const Channel& channel) const;
-  /// [SI]; NaN where there is no such column or nothing was read.
+  /// Returns the value of a row [SI]; NaN without such a column or without a reading.
   [[nodiscard]] double value(const Channel& channel, std::size_t row) const;
-  /// Index of the run of a row, -1 without.
+  /// Returns the index of the run of a row; -1 without runs.
   [[nodiscard]] int run_of(std::size_t row) const;
-  /// Index of the part of a row; 0 where nothing was joined.
+  /// Returns the index of the part of a row; 0 if the record was not joined.
   [[nodiscard]] std::size_t part_of(std::size_t row) const;
 
-  /// Adds a column, or replaces the column of its channel. Throws std::invalid_argument where its
+  /// Adds a column or replaces the column of the same channel. Throws std::invalid_argument if its
   /// length differs from the others.
   Column& set(const Channel& channel, std::vector<double> values);
 
-  /// True if rows differ on a channel by more than its step, absolute or as a share of the largest.
+  /// Returns true if rows differ on a channel by more than its step, absolute or relative to the
+  /// largest.
   [[nodiscard]] bool varies(const Channel& channel) const;
-  /// The deviation of a measured channel that the record has, null where it has none.
+  /// Returns the deviation of a measured channel; null if the record has none.
   [[nodiscard]] const Column* deviation_of(const Channel& measured) const;
-  /// True where every one of these rows has a number on that channel.
+  /// Returns true if every row has a value on that channel.
   [[nodiscard]] bool complete(const Channel& channel) const;
 
-  /// These rows, in this order.
+  /// Returns these rows, in this order.
   [[nodiscard]] Record picked(std::span<const std::size_t> rows) const;
-  /// Columns without any row.
+  /// Returns the columns without rows.
   [[nodiscard]] Record without_rows() const;
 
-  /// "line 12" of a file, otherwise "row 3", counted from 1; "line 12 of monday" of a part.
+  /// Returns "line 12" of a file, or "row 3" counted from 1; for a part "line 12 of monday".
   [[nodiscard]] std::string place(std::size_t row) const;
-  /// The line of a row, or its number counted from 1.
+  /// Returns the line of a row, or its number counted from 1.
   [[nodiscard]] int line(std::size_t row) const;
 };
 
-/// Records of one kind as one, in the order of their sources, whatever the order they come in: rows
-/// one record after the other, all columns that any of them has (NaN where one has none), the runs
-/// of each for themselves. A part is named by its source without folder and ending; where two would
-/// be alike, with the folder. A deviation is as good as known where it is so in all. Notes of all
-/// are kept. Throws std::invalid_argument: less than two records, two of one source, one of which
-/// the readings are known up to a factor alone.
+/// Joins records of one kind, ordered by their sources and independent of their order in the
+/// argument. The result has all rows, record by record, all columns of any record (NaN if a record
+/// lacks one), and separate runs for each record. A part has the name of its source without folder
+/// and extension, or with the folder if names would be equal. A deviation counts as known only if
+/// it is known in all records. Notes of all records are kept. Throws std::invalid_argument for
+/// fewer than two records, for two records of one source, and for a record whose readings have an
+/// unknown factor.
 [[nodiscard]] Record joined(std::vector<Record> records);
 
 }  // namespace raceway::record

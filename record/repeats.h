@@ -6,18 +6,18 @@
 
 namespace raceway::record {
 
-/// Rows that measure the same: indices into a record.
+/// Indices of rows that repeat one measurement.
 using RepeatGroup = std::vector<std::size_t>;
 
-/// Limits within which two rows are at the same point: no input differs by more.
+/// Tolerances within which two rows belong to the same point, for all inputs.
 struct SamePoint {
-  double relative = 1e-3;    ///< for inputs compared by ratio [1]
-  double temperature = 0.1;  ///< otherwise [K]; 0.3 % of a viscosity
+  double relative = 1e-3;    ///< for inputs that are compared by ratio [1]
+  double temperature = 0.1;  ///< for other inputs [K]; 0.3 % of a viscosity
 };
 
-/// Groups of two or more rows at the same point, of those in `rows` (all where empty). A speed that
-/// falls all the time differs from row to row: then there are none. Rows of two joined records are
-/// none: what differs from day to day is no scatter.
+/// Returns groups of two or more rows at the same point, among `rows` (all rows if empty). If the
+/// speed falls continuously, all rows differ and there are no groups. Rows of different joined
+/// records never form a group, because differences between days are not scatter.
 [[nodiscard]] std::vector<RepeatGroup> find_repeats(const Record& record,
                                                     const SamePoint& same = {},
                                                     std::span<const std::size_t> rows = {});

@@ -7,42 +7,42 @@
 
 namespace raceway::record {
 
-/// Course of an input between two rows of a record over time.
+/// Shape of an input between two rows of a time record.
 enum class Course {
-  straight,  ///< along a straight line, as temperatures do
-  held       ///< as it was, as what a control has set
+  straight,  ///< straight line, suitable for temperatures
+  held       ///< constant, suitable for settings of a control
 };
 
-/// The quantity of a column of a record over time, null for a name that is none. A machine has as
-/// many of them as it has sensors, so that they are made as they are met, once each:
+/// Returns the quantity of a column of a time record; null for an unknown name. Channels are
+/// created when they are first needed, because a machine may have any number of sensors. Names:
 /// NAME_temperature_C, NAME_feed_m_min, NAME_speed_rpm, coolant_on, setup_id, displacement_NAME_um
 /// and _urad, offset_NAME_um and _urad, NAME_position_mm, NAME_current_A, NAME_voltage_V, NAME in
-/// W, N, Nm, l_min, bar or percent, and of the table time_s, speed_rpm, run_id. May be called by
-/// several threads at once.
+/// W, N, Nm, l_min, bar or percent, and from the table time_s, speed_rpm, run_id. Several threads
+/// may call it at once.
 [[nodiscard]] const Channel* series_channel(std::string_view name);
 
 [[nodiscard]] Course course_of(const Channel& channel);
 [[nodiscard]] bool is_temperature(const Channel& channel);
-/// True for inputs that act by their amount, whatever their sign: speeds, feeds, coolant. All else
-/// acts as it stands.
+/// Returns true for inputs that act by their absolute value: speeds, feeds, coolant. All other
+/// inputs act with their sign.
 [[nodiscard]] bool acts_by_amount(const Channel& channel);
 [[nodiscard]] bool is_position(const Channel& channel);
-/// Kind of offset_NAME_um, the offset that a control added while the record was taken. The reader
-/// subtracts it from the displacement; a record does not keep it.
+/// Kind of offset_NAME_um, the offset that a control applied during the record. The reader
+/// subtracts it from the displacement, and the record does not contain it.
 inline constexpr std::string_view offset_kind = "offset";
 
-/// Reading of one transducer, a length of the name NAME_um. No file has such a column by itself:
-/// the combination of transducers of a model names it.
+/// Returns the channel of one transducer, a length with the name NAME_um. Files have this column
+/// only if a model combines several transducers and names it.
 [[nodiscard]] const Channel* transducer_channel(std::string_view name);
 
 /// Returns true for a displacement that is an angle.
 [[nodiscard]] bool is_angle(const Channel& channel);
-/// Returns a name or a sentence with the unit of a displacement: as it stands for a length; for an
-/// angle every "um" in it becomes "urad". "gain_um_K" is gain_urad_K, "1.2 um/K" 1.2 urad/K. Both
-/// units are a millionth of SI, so numbers stay.
+/// Converts the unit in a name or a sentence to that of a displacement: unchanged for a length; for
+/// an angle every "um" becomes "urad". Thus "gain_um_K" becomes gain_urad_K and "1.2 um/K" becomes
+/// 1.2 urad/K. Both units are a millionth of the SI unit, so numbers do not change.
 [[nodiscard]] std::string in_unit_of(const Channel& displacement, std::string_view text);
 
-/// True for a room temperature: the name has the word "ambient", "room" or "air".
+/// Returns true for an ambient temperature: the name contains the word "ambient", "room" or "air".
 [[nodiscard]] bool is_ambient(const Channel& channel);
 
 }  // namespace raceway::record

@@ -5,10 +5,10 @@
 
 namespace raceway {
 
-/// A physical value that was never given; validation names it.
+/// Value that was not given; validation reports it.
 inline constexpr double unset = std::numeric_limits<double>::quiet_NaN();
 
-// Factors to SI: `12.7 * mm` is a length in m, `length / mm` the number of millimetres.
+// Factors to SI: `12.7 * mm` is a length in m, and `length / mm` is the number of millimetres.
 inline constexpr double pi = std::numbers::pi;
 inline constexpr double mm = 1e-3;              ///< [m]
 inline constexpr double um = 1e-6;              ///< [m]
@@ -23,9 +23,9 @@ inline constexpr double N_per_um = 1e6;         ///< [N/m]
 inline constexpr double per_million_K = 1e-6;   ///< [1/K]
 inline constexpr double celsius_zero = 273.15;  ///< 0 °C [K]
 
-/// [K] from [°C]; temperatures have an offset, so a factor will not do.
+/// Converts [°C] to [K]; temperatures have an offset, so a factor is not enough.
 inline constexpr double kelvin(double celsius) { return celsius + celsius_zero; }
-/// [°C] from [K].
+/// Converts [K] to [°C].
 inline constexpr double celsius(double kelvin) { return kelvin - celsius_zero; }
 
 }  // namespace raceway

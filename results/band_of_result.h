@@ -5,12 +5,12 @@
 
 namespace raceway::results {
 
-/// Uncertainty of the rows of a result from fitted parameters: half widths of 95 % bands
-/// (model::Band), next to the numbers that they belong to.
+/// Uncertainty of result rows from fitted parameters: half widths of 95 % bands (model::Band), for
+/// the columns to which they belong.
 struct BandOfResult {
-  std::vector<std::string> parameters;  ///< that were fitted
-  std::vector<std::string> names;       ///< with unit: "friction_torque_band_Nmm"
-  std::vector<double> half_widths;      ///< row by row, each in the order of the names [SI]
+  std::vector<std::string> parameters;  ///< names of the fitted parameters
+  std::vector<std::string> names;       ///< names with unit: "friction_torque_band_Nmm"
+  std::vector<double> half_widths;      ///< row by row, in the order of the names [SI]
 };
 
 }  // namespace raceway::results

@@ -14,50 +14,53 @@
 #include "spindle/sets_at_speed.h"
 #include "spindle/unbalance.h"
 
-/// Results of the shaft as a beam on its bearings, as CSV and as JSON, keys with their units
-/// (docs/files.md). What has no balance is empty or null.
+/// Writes results of the shaft as a beam on its bearings as CSV and JSON, with units in the keys
+/// (docs/files.md). Values without an equilibrium are empty or null.
 namespace raceway::results {
 
-/// Modes at one speed, and the sets that hold the shaft there.
+/// Modes at one speed, and the sets that support the shaft there.
 struct ModesAtSpeed {
   double speed = unset;  ///< [rad/s]
   spindle::SetsAtSpeed sets;
   std::vector<spindle::Spring> springs;
-  std::optional<spindle::LoadedShaft> shaft = {};  ///< as DeflectionResult::unloaded
+  /// shaft under its constant loads, as DeflectionResult::unloaded
+  std::optional<spindle::LoadedShaft> shaft = {};
   std::vector<std::string> roller_names = {};
   spindle::Modes modes;
-  /// Frequencies of all bearings, by name, per turn of the shaft.
+  /// Frequencies of all bearings by name, per revolution of the shaft.
   std::vector<std::pair<std::string, bearing::BearingFrequencies>> rolling = {};
-  double damping_ratio = unset;             ///< as it was stated [1]
-  std::optional<spindle::Orbit> nose = {};  ///< under the unbalance that was asked about
+  double damping_ratio = unset;             ///< damping ratio as entered [1]
+  std::optional<spindle::Orbit> nose = {};  ///< path of the nose under the requested unbalance
   [[nodiscard]] bool converged() const { return sets.converged() && modes.converged(); }
-  /// "converged", or how sets or modes ended.
+  /// Returns "converged", or the reason why sets or modes failed.
   [[nodiscard]] std::string status() const;
 };
 
-/// Meeting of a mode and an excitation that goes with the speed.
+/// Intersection of a mode with an excitation proportional to the speed.
 struct Crossing {
   std::string
       excitation;        ///< "1x", "2x", "front_1 cage", "front_1 outer race", "rear_1 inner race"
-  std::size_t mode = 0;  ///< of its sense, the lowest is 1
+  std::size_t mode = 0;  ///< number of the mode in its direction; the lowest is 1
   spindle::Whirl whirl = spindle::Whirl::forward;
   double speed = unset, frequency = unset;  ///< [rad/s]
 };
 
-/// Crossings of once and twice per turn, and of the cage, the outer and the inner race of every
-/// bearing, with every mode, straight between the speeds; rising in speed. Of modes that
-/// stand every other one counts as backward, the rest as forward.
+/// Returns the intersections of every mode with the excitations once and twice per revolution, and
+/// with the frequencies of cage, outer and inner race of every bearing. They are interpolated
+/// linearly between the speeds and rise in speed. Standing modes count alternately as backward and
+/// forward.
 [[nodiscard]] std::vector<Crossing> crossings(const std::vector<ModesAtSpeed>& speeds);
 
-/// A Campbell diagram: speed_rpm, mode, frequency_Hz, whirl, damping_ratio (as stated, else empty),
-/// front_force_N, rear_force_N and, of each side as sums and of each bearing, stiffness; the
-/// frequencies of each bearing; with an unbalance the path of the nose; status. A row for each
-/// mode, one without mode where there is none.
+/// Returns a Campbell diagram with the columns speed_rpm, mode, frequency_Hz, whirl, damping_ratio
+/// (as entered, otherwise empty), front_force_N, rear_force_N, stiffness of each side and each
+/// bearing, frequencies of each bearing, with an unbalance the path of the nose, and status. It has
+/// one row for each mode, and one row without a mode for a speed without modes.
 [[nodiscard]] std::string campbell_text(const bearing::Arrangement& arrangement,
                                         const std::vector<ModesAtSpeed>& speeds,
                                         std::string_view source, std::string_view model_text);
 
-/// speed_rpm, mode, frequency_Hz, whirl, position_mm, y_amplitude, z_amplitude; the largest is 1.
+/// Returns the columns speed_rpm, mode, frequency_Hz, whirl, position_mm, y_amplitude, z_amplitude;
+/// the largest amplitude is 1.
 [[nodiscard]] std::string mode_shapes_text(const spindle::Beam& beam,
                                            const std::vector<ModesAtSpeed>& speeds,
                                            std::string_view source, std::string_view model_text);
@@ -67,39 +70,39 @@ struct Crossing {
                                         std::string_view source,
                                         const model::Findings& findings = {});
 
-/// The shaft under a force.
+/// Result for the shaft under a force.
 struct DeflectionResult {
-  double speed = 0.0, force = unset, at = 0.0;  ///< [rad/s], [N], [m]
+  double speed = 0.0, force = unset, at = 0.0;  ///< units [rad/s], [N], [m]
   bool axial = false;
-  double axial_force = 0.0;  ///< with a radial one, towards the tool [N]
-  /// In the plane of a radial force, at its place, in the sense of the same force further in front
-  /// [N m].
+  double axial_force = 0.0;  ///< in addition to a radial force, positive towards the tool [N]
+  /// Moment in the plane of the radial force, at its place, positive like this force further
+  /// forward [N m].
   double moment = 0.0;
-  spindle::SetsAtSpeed sets;   ///< without the force
-  spindle::LoadedShaft shaft;  ///< under it; not run where the sets have no balance
-  /// Without the force, where a belt bends the shaft or rollers hold it.
+  spindle::SetsAtSpeed sets;   ///< state without the force
+  spindle::LoadedShaft shaft;  ///< state under the force; not run if the sets have no equilibrium
+  /// State without the force, if a belt bends the shaft or rollers support it.
   std::optional<spindle::LoadedShaft> unloaded = {};
   std::vector<std::string> roller_names = {};
-  double displacement = unset;  ///< where the force acts, in its direction [m]
+  double displacement = unset;  ///< at the force, in its direction [m]
   double nose = unset;          ///< of the nose face in that direction [m]
-  double slope = unset;         ///< of the section at the nose [rad]
-  double tangent = unset;  ///< displacement where the force acts, by the unloaded stiffness [m]
+  double slope = unset;         ///< slope of the section at the nose [rad]
+  double tangent = unset;       ///< displacement at the force from the unloaded stiffness [m]
   [[nodiscard]] bool converged() const { return sets.converged() && shaft.report.converged(); }
   [[nodiscard]] std::string status() const;
-  /// For one force alone; NaN for several loads together [N/m].
+  /// Returns the stiffness for a single force [N/m]; NaN for several loads.
   [[nodiscard]] double stiffness() const {
     return axial_force == 0.0 && moment == 0.0 ? force / displacement : unset;
   }
 };
 
-/// "1000 N radial, -200 N axial, 50 N m".
+/// Returns "1000 N radial, -200 N axial, 50 N m".
 [[nodiscard]] std::string load_words(const DeflectionResult& result);
 
 [[nodiscard]] std::string deflection_json(const bearing::Arrangement& arrangement,
                                           const DeflectionResult& result, std::string_view source,
                                           const model::Findings& findings = {});
 
-/// The line of the bent shaft: position_mm, radial_displacement_um, slope_urad.
+/// Returns the bending line of the shaft: position_mm, radial_displacement_um, slope_urad.
 [[nodiscard]] std::string deflection_text(const spindle::Beam& beam, const DeflectionResult& result,
                                           std::string_view source, std::string_view model_text);
 

@@ -13,27 +13,28 @@
 
 namespace raceway::results {
 
-/// Errors of a model on a record that it did not see.
+/// Errors of a model on a record that its fit did not use.
 struct Validation {
   std::string data{};             ///< file of the record
-  correction::Metrics metrics{};  ///< one constant removed
-  double uncorrected = unset;     ///< RMS of the readings themselves, one constant removed [m]
+  correction::Metrics metrics{};  ///< errors after subtracting one constant
+  double uncorrected = unset;     ///< rms of the readings after subtracting one constant [m]
   std::size_t rows_beyond_range = 0;
 };
 
-/// The document of `raceway identify --json`, of one displacement or several. `validations`: of
-/// each of them, or empty.
+/// Returns the document of `raceway identify --json` for one or several displacements.
+/// `validations` has one entry for each displacement or is empty.
 [[nodiscard]] std::string identification_json(const std::string& model_file,
                                               const record::Record& record,
                                               const std::vector<correction::Identification>& found,
                                               const std::vector<Validation>& validations);
 
-/// The document of `raceway identify --baseline arx --json`, of one displacement or several.
+/// Returns the document of `raceway identify --baseline arx --json` for one or several
+/// displacements.
 [[nodiscard]] std::string arx_json(
     const std::string& model_file, const record::Record& record,
     const std::vector<std::pair<const record::Channel*, correction::ArxBaseline>>& found);
 
-/// The errors of a comparison by the definitions of papers.
+/// Returns the errors of a comparison by the definitions of papers.
 [[nodiscard]] correction::Metrics metrics_of(const verdict::Comparison& comparison);
 
 /// Result of a correction on a record.
@@ -42,19 +43,20 @@ struct Corrected {
   correction::InitialState initial_state = correction::InitialState::rest;
   std::vector<double> predicted{};  ///< [m]
   std::vector<correction::Contribution> parts{};
-  correction::Metrics metrics{};  ///< one constant removed; empty where nothing was read
+  correction::Metrics metrics{};  ///< errors after subtracting one constant; empty without readings
   correction::Beyond beyond{};
-  std::vector<double> band{};  ///< half its width [m]; empty where none is known
-  double noise = unset;        ///< of a single reading [m]
-  /// Share of the readings that lie within it and their noise, one constant removed as in the
-  /// metrics.
+  std::vector<double> band{};  ///< half width of the band [m]; empty if unknown
+  double noise = unset;        ///< noise of a single reading [m]
+  /// Share of the readings within the band widened by their noise, after subtracting one constant
+  /// as in the metrics.
   double readings_in_band = unset;
   correction::Trust trust{};
 };
 
-/// time_s, predicted_um (of several displacements predicted_COLUMN), band_low_um and band_high_um
-/// where a band is known, what each channel adds (of several displacements CHANNEL_COLUMN), and
-/// where it was read the residual_um. An angle has urad in the place of um.
+/// Returns the columns time_s, predicted_um, band_low_um and band_high_um (if the band is known),
+/// the contribution of each channel, and residual_um where there is a reading. For several
+/// displacements, the names are predicted_COLUMN and CHANNEL_COLUMN. The columns of an angle have
+/// urad in place of um.
 [[nodiscard]] std::string corrected_text(const record::Record& record,
                                          const std::vector<Corrected>& corrected);
 [[nodiscard]] std::string corrected_json(const std::string& model_file,

@@ -5,7 +5,7 @@
 #include "verdict/add.h"
 #include "verdict/diagnosis.h"
 
-/// Results of diagnose and add as JSON documents (docs/files.md); see results.h.
+/// Writes results of diagnose and add as JSON documents (docs/files.md); see results.h.
 namespace raceway::results {
 
 [[nodiscard]] std::string diagnosis_json(const std::string& model_file,

@@ -5,10 +5,10 @@
 
 #include "shaft/fit_kinematic_law.h"
 
-/// The fit of the kinematic law as a JSON document (docs/files.md); see results.h.
+/// Writes the fit of the kinematic law as a JSON document (docs/files.md); see results.h.
 namespace raceway::results {
 
-/// The law at one speed that was asked for.
+/// Value of the law at one requested speed.
 struct LawAtSpeed {
   double speed;  ///< [rad/s]
   shaft::KinematicDisplacement value;

@@ -14,12 +14,12 @@ struct Learnt {
   correction::Learning learning{};
 };
 
-/// time_s, predicted_um and std_um of every row from readings before it, residual_um where it was
-/// read, and what became of a reading that was offered; of several displacements predicted_COLUMN
-/// and so on.
+/// Returns time_s, predicted_um and std_um of every row from earlier readings, residual_um where
+/// there is a reading, and the result of every offered reading. For several displacements, the
+/// names are predicted_COLUMN and so on.
 [[nodiscard]] std::string learnt_text(const record::Record& record,
                                       const std::vector<Learnt>& learnt);
-/// The document of `raceway correct --learn --json`.
+/// Returns the document of `raceway correct --learn --json`.
 [[nodiscard]] std::string learnt_json(const std::string& model_file, const record::Record& record,
                                       const std::vector<Learnt>& learnt,
                                       const std::vector<record::Note>& messages);

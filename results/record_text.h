@@ -6,9 +6,9 @@
 
 namespace raceway::results {
 
-/// A record as CSV, as the program has understood it: our columns in our units, one header line.
-/// Of a coast-down these are the torques that were made of it, with their standard deviations.
-/// read_record() reads it back. A cell that was not read is empty. Accuracy: 12 digits.
+/// Returns a record as CSV as the program has read it: with its column names and units and one
+/// header line. For a coast-down, it contains the computed torques with their standard deviations.
+/// read_record() can read the text. Cells without a reading are empty. Accuracy: 12 digits.
 [[nodiscard]] std::string record_text(const record::Record& record);
 
 }  // namespace raceway::results

@@ -24,15 +24,16 @@
 #include "verdict/calibrate.h"
 #include "verdict/compare.h"
 
-/// Results as JSON documents, two blanks of indent, keys with their units (docs/files.md).
-/// What is not known, or has no balance, is null; numbers have 15 digits.
+/// Writes results as JSON documents with two blanks of indentation and units in the keys
+/// (docs/files.md). Unknown values and values without an equilibrium are null; numbers have 15
+/// digits.
 ///
-/// Where a record has several measured channels, a document of fit results shows the first, and
+/// If a record has several measured channels, a document of fit results shows the first one, and
 /// `channels` lists all.
 namespace raceway::results {
 
-/// `band`, of one row, may be null: then there is none in the document. `findings` stand in the
-/// member `judgement`, as in all documents that take them.
+/// `band` has one row; if it is null, the document contains no band. `findings` appear in the
+/// member `judgement`, as in all documents with findings.
 [[nodiscard]] std::string solve_json(const model::Model& model,
                                      const bearing::OperatingPoint& point,
                                      const bearing::BearingEquilibrium& equilibrium,
@@ -41,41 +42,42 @@ namespace raceway::results {
                                      const BandOfResult* band = nullptr,
                                      const model::Findings& findings = {});
 
-/// The columns of the band stand in the table; `band` gives its parameters, and may be null.
+/// The table contains the columns of the band; `band` gives its parameters and may be null.
 [[nodiscard]] std::string table_json(const model::Model& model,
                                      const friction::StribeckTable& table,
                                      const BandOfResult* band = nullptr,
                                      const model::Findings& findings = {});
 
-/// `record`: the record of the fit.
+/// `record` is the record of the fit.
 [[nodiscard]] std::string calibration_json(const verdict::Calibration& calibration,
                                            const record::Record& record);
 
-/// One document for one model; for several `{"models": [...]}` in the order given. It has the
-/// comparisons of the measured channels of each model, and for corrections the departures of the
-/// record from the range of the fit.
+/// Returns one document for one model; for several `{"models": [...]}` in the given order. It
+/// contains the comparison of each measured channel for each model, and for corrections the
+/// departures of the record from the range of the fit.
 [[nodiscard]] std::string comparison_json(
     const std::vector<std::string>& model_files,
     const std::vector<std::vector<verdict::Comparison>>& comparisons, const record::Record& record,
     const std::vector<correction::Beyond>& beyond = {});
 
-/// `defaults` of the model and `notes` on the data, as people read them.
+/// `defaults` of the model and `notes` on the data are readable texts.
 [[nodiscard]] std::string check_json(const std::string& model_name, const loop::Check& check,
                                      const std::vector<files::UsedDefault>& defaults,
                                      const std::vector<record::Note>& notes,
                                      const correction::RecordCheck* over_time = nullptr);
 
-/// The document of a check of a model without data.
+/// Returns the document of a check of a model without data.
 [[nodiscard]] std::string model_check_json(const std::string& model_name,
                                            const std::vector<files::UsedDefault>& defaults,
                                            const std::vector<record::Note>& notes);
 
-/// The document of an error: `{"error": {"message", "file", "line", "key"}}`, null where not known.
+/// Returns the document of an error: `{"error": {"message", "file", "line", "key"}}`, with null for
+/// unknown members.
 [[nodiscard]] std::string error_json(const std::string& message, const text::Place& place);
 
 [[nodiscard]] std::string bearings_json(const std::vector<files::CatalogueBearing>& rows);
 
-/// The page of one effect, or `{"effects": [...]}` of all.
+/// Returns the page of one effect, or `{"effects": [...]}` for all.
 [[nodiscard]] std::string effect_json(const effects::Description& effect);
 [[nodiscard]] std::string effects_json(std::span<const effects::Description> effects,
                                        std::span<const correction::EffectCard> of_records);

@@ -10,8 +10,8 @@
 
 namespace raceway::results {
 
-/// A cylindrical roller bearing at one operating point, as `raceway solve --json` writes it.
-/// Numbers are null where the point has no balance.
+/// Returns the results of a cylindrical roller bearing at one operating point, as in `raceway solve
+/// --json`. Values are null if the point has no equilibrium.
 [[nodiscard]] std::string roller_solve_json(const model::Model& model,
                                             const bearing::OperatingPoint& point,
                                             const model::FrictionPrediction& friction,

@@ -11,62 +11,63 @@
 #include "spindle/film.h"
 #include "spindle/spindle.h"
 
-/// Results of a spindle simulation as CSV and JSON; keys and columns carry their units.
+/// Writes results of a spindle simulation as CSV and JSON; keys and columns carry their units.
 namespace raceway::results {
 
-/// Difference between the results of the chosen cells and of other ones.
+/// Difference between results with the chosen cells and with other cells.
 struct MeshEstimate {
   std::size_t cells = 0, other_cells = 0;
-  double speed = unset;  ///< of the steady state compared [rad/s]
+  double speed = unset;  ///< speed of the compared steady state [rad/s]
   double displacement = unset,
-         inner_ring_rise = unset;  ///< minus the value of the other cells [m], [K]
+         inner_ring_rise = unset;  ///< minus the value with the other cells [m], [K]
   double front_force = unset;      ///< [N]
   [[nodiscard]] bool known() const { return other_cells > 0; }
 };
 
-/// A number that a model file leaves to its default, and what its usual spread does to the nose.
+/// A default value of a model, and the influence of its usual spread on the nose.
 struct Assumption {
   std::string name;                  ///< "bearing.lubricant_conductance_W_K"
   double value = unset;              ///< in the unit of its name
-  double spread = unset;             ///< either way
+  double spread = unset;             ///< in either direction
   double low = unset, high = unset;  ///< displacement at value - spread and + spread [m]; NaN: none
 };
 
-/// The assumed numbers that matter most for a steady state of a spindle.
+/// Default values with the largest influence on a steady state of a spindle.
 struct Assumptions {
   double speed = unset;            ///< [rad/s]
-  double displacement = unset;     ///< of the nose there [m]
-  std::size_t assumed = 0;         ///< numbers that were varied
+  double displacement = unset;     ///< displacement of the nose at this speed [m]
+  std::size_t assumed = 0;         ///< number of default values that were varied
   std::vector<Assumption> most{};  ///< at most five, the largest change first
   [[nodiscard]] bool known() const { return !most.empty(); }
 };
 
-/// A steady state, or why there is none.
+/// A steady state, or the reason why there is none.
 struct SteadyState {
   spindle::Inputs inputs;
   spindle::Moment moment;
   spindle::Report report;
-  double axial_stiffness = unset;  ///< of the warm sets [N/m]
-  /// Values of each bearing, front set first; empty where there is none.
+  double axial_stiffness = unset;  ///< axial stiffness of the warm sets [N/m]
+  /// Values of each bearing, front set first; empty if there are none.
   std::vector<bearing::BearingInSet> bearings = {};
-  std::optional<spindle::ChannelFlow> coolant = {};  ///< none where it stands
-  std::vector<spindle::SeatsOfBearing> seats = {};   ///< as Moment::bearings; none in a network
-  std::vector<spindle::ShaftPlace> shaft = {};       ///< from the nose to the rear end
+  std::optional<spindle::ChannelFlow> coolant = {};  ///< empty if the coolant does not flow
+  /// in the order of Moment::bearings; empty for a network
+  std::vector<spindle::SeatsOfBearing> seats = {};
+  std::vector<spindle::ShaftPlace> shaft = {};  ///< from the nose to the rear end
 };
 
-/// A column of a run with its value, in the unit of its name.
+/// A column of a run with its value in the unit of its name.
 struct RunColumn {
   std::string name;
   double value;
 };
 
-/// Data of one moment in files and pages; all names, whatever the moment has.
+/// Returns all columns of one moment for files and pages, including those without a value.
 [[nodiscard]] std::vector<RunColumn> run_columns(const model::Model& model,
                                                  const spindle::Inputs& inputs,
                                                  const spindle::Moment& moment);
 
-/// `run.csv`: a row for each row of the programme that was reached, and one where the run ended
-/// early. `model_text` is the text of the file.
+/// Returns `run.csv`: one row for each completed row of the programme, and one row for an early
+/// end. `model_text` is the text of the model file.
 [[nodiscard]] std::string spindle_run_text(const model::Model& model,
                                            std::span<const spindle::ProfileRow> profile,
                                            const spindle::Run& run, std::string_view model_text);
@@ -75,7 +76,7 @@ struct RunColumn {
                                            const spindle::Run& run, const MeshEstimate& mesh,
                                            const model::Findings& findings = {},
                                            const Assumptions& assumptions = {});
-/// Rows of several speeds, with the same columns.
+/// Returns the rows of several speeds with the same columns.
 [[nodiscard]] std::string spindle_steady_text(const model::Model& model,
                                               std::span<const SteadyState> states,
                                               std::string_view model_text);
@@ -84,21 +85,22 @@ struct RunColumn {
                                               const MeshEstimate& mesh,
                                               const model::Findings& findings = {},
                                               const Assumptions& assumptions = {});
-/// `field.csv`: middle of each cell, its part and temperature.
+/// Returns `field.csv`: middle, part and temperature of each cell.
 [[nodiscard]] std::string spindle_field_text(std::span<const spindle::FieldCell> cells,
                                              std::string_view name);
 
-/// Temperatures to go on from.
+/// Returns temperatures from which a simulation can continue.
 [[nodiscard]] std::string spindle_state_json(const model::Model& model,
                                              const spindle::State& state);
-/// Throws InputError: no JSON, no state of a spindle, or one that is not all numbers.
+/// Throws InputError if the file is not JSON, if it is not a state of a spindle, or if a value is
+/// not a number.
 [[nodiscard]] spindle::State read_spindle_state(const std::string& path);
-/// As above, from text; `source` stands in messages.
+/// Reads a state from text; `source` appears in messages.
 [[nodiscard]] spindle::State parse_spindle_state(const std::string& text,
                                                  const std::string& source);
 
-/// "front_1": a bearing as columns name it, counted from the nose in each set; the name of a roller
-/// bearing.
+/// Returns the name of a bearing in columns: "front_1", counted from the nose in each set, or the
+/// name of a roller bearing.
 [[nodiscard]] std::string bearing_label(const model::Model& model, std::size_t bearing);
 
 }  // namespace raceway::results

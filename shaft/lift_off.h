@@ -27,7 +27,7 @@ struct UnloadedRange {
 /// Returns the ranges of speed in which bearings of a shaft lose their inner contacts, then the
 /// ranges in which they fall below their minimum load, by bearing and speed. Start and end are
 /// interpolated between the points to half an rpm; the points must rise in speed. A range between
-/// two points is not found. `predictions` belong to the points.
+/// two points is not found. `predictions` are the results at `points`, in order.
 [[nodiscard]] std::vector<UnloadedRange> unloaded_ranges(
     const Model& model, std::span<const ShaftPoint> points,
     std::span<const ShaftPrediction> predictions);

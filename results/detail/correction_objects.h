@@ -4,16 +4,15 @@
 #include "record/channel.h"
 #include "text/detail/json_text.h"
 
-/// Results of corrections as JSON objects, shared by the writers of results.
+/// Builds JSON objects for results of corrections, shared by the writers of results.
 namespace raceway::results {
 
-/// `rmse_um`, `fit_percent` and the other metrics, each by its own definition; of an angle
-/// `rmse_urad` ...
+/// Returns `rmse_um`, `fit_percent` and the other metrics; for an angle `rmse_urad` and so on.
 [[nodiscard]] text::json metrics_object(const correction::Metrics& metrics,
                                         const record::Channel& displacement);
 
-/// The object of a displacement that is a length, for what it is: names of an angle end in urad,
-/// and so do the values of "unit".
+/// Converts an object from the names of a length to those of the displacement: for an angle, names
+/// and the values of "unit" end in urad.
 [[nodiscard]] text::json in_unit_of(const record::Channel& displacement, const text::json& object);
 
 }  // namespace raceway::results
