@@ -1,7 +1,7 @@
 """Friction, kinematics and heat of spindle bearings, and the effect that a model lacks.
 
-A model is a TOML file of the command ``raceway``. Units stand in the names of arguments and results.
-Its numbers and messages equal the output of the command.
+A model is a TOML file of the command ``raceway``. Names of arguments and results include the unit.
+Numbers and messages equal the output of the command.
 
 >>> import raceway
 >>> model = raceway.Model.new("S 6014 C")

@@ -22,8 +22,8 @@ FORMATS = ("python", "c", "csv", "linuxcnc")
 class Correction(LoopModel):
     """Model of the displacement of a machine: lags of temperatures, power, speed and feeds.
 
-    One file may have several displacements, each with its model. A correction never changes; what a
-    fit finds is another one. `read` and `from_text` make one.
+    One file may have several displacements, each with its model. A correction never changes: a
+    fit returns another one. `read` and `from_text` make one.
 
     Examples
     --------
@@ -55,18 +55,18 @@ class Correction(LoopModel):
     def new(cls, record: Record) -> Correction:
         """Make a correction for the displacements of a record over time, for `identify` to begin with.
 
-        It has a channel for each temperature, and its `text` marks what is assumed. Columns whose names
-        are not ours are proposed as its ``[columns]``; a `Record` with a map of columns has its own.
+        It has a channel for each temperature, and its `text` marks each assumption. Columns whose names
+        raceway does not know are proposed as ``[columns]``. A `Record` with a map of columns keeps this map.
 
         Warns
         -----
         Doubt
-            Of units that look wrong.
+            Units look wrong.
 
         Raises
         ------
         InputError
-            A record without a displacement.
+            The record has no displacement.
         """
         data, options = asked(one_record(record))
         text, notes, doubts = _engine.new_correction(data[0], **options)
@@ -82,19 +82,19 @@ class Correction(LoopModel):
 
     @property
     def displacements(self) -> list[str]:
-        """Columns that it predicts, such as ``"displacement_z_um"`` or, of an angle, ``"displacement_b_urad"``."""
+        """Columns that the correction predicts, such as ``"displacement_z_um"``, or ``"displacement_b_urad"`` for an angle."""
         return self._engine.displacements
 
     @property
     def inputs(self) -> list[str]:
-        """Columns that a record needs to drive it."""
+        """Columns that a record needs as inputs."""
         return self._engine.inputs
 
     @property
     def parameters(self) -> dict[str, dict[str, Any]]:
         """Numbers that a fit may change: value, unit, lower and upper bound.
 
-        With several displacements their names stand in front: ``"displacement_ch1_um.offset"``.
+        With several displacements each name begins with its displacement: ``"displacement_ch1_um.offset"``.
         """
         several = len(self.displacements) > 1
         hidden = ("name", "displacement")
@@ -105,10 +105,10 @@ class Correction(LoopModel):
 
     @property
     def trust(self) -> dict[str, str]:
-        """Trust in each displacement, judged by readings that no fit saw.
+        """Trust in each displacement, judged by readings that no fit used.
 
-        ``"good"``, ``"inside its range only: ..."``, ``"do not use, because ..."`` or, of a file
-        that does not say it, ``"not known: ..."``.
+        ``"good"``, ``"inside its range only: ..."``, ``"do not use, because ..."``, or
+        ``"not known: ..."`` if the file does not say it.
         """
         return self._engine.trust()
 
@@ -126,36 +126,36 @@ class Correction(LoopModel):
         time_limit_s: float | None = None,
         progress: Callable[[float, str], None] | None = None,
     ) -> Identification:
-        """Find how many lags each channel needs, and their numbers, from a record over time.
+        """Find the number of lags of each channel, with their gains and time constants, from a record over time.
 
         Parameters
         ----------
         record : Record
             With ``time_s``, the inputs and the displacement, whose cells may be empty.
         inputs : str or iterable of str, optional
-            Columns that may drive channels of their own, or ``"all"``: taken up as long as the error
-            on parts held out falls.
+            Columns that may become channels, or ``"all"``. A column is added as long as the
+            held-out error falls.
         order : int or (int, int)
-            Sections of each channel, from 1 to 6, or the fewest and the most.
+            Number of lags of each channel, from 1 to 6, or the smallest and the largest number.
         lags_s : "auto" or iterable of float, optional
-            A bank instead: every input through each of these lags [s] (0: at once; ``"auto"``: by the
-            length of the record), gains by ridge, for machines with many sensors.
+            Fit a bank of lags for machines with many sensors: every input passes through each of these
+            lags [s], and ridge regression finds the gains. 0 acts at once, ``"auto"`` follows the length of the record.
         baseline : {"regression", "arx"}, optional
-            Instead of sections: regression on the inputs as they are; ARX, transfer functions by
-            least squares of one step, shown next to their simulation.
+            Method in place of lags. ``"regression"`` uses the inputs as they are. ``"arx"`` fits transfer functions
+            by least squares of one step and shows them next to their simulation.
         validate : Record, optional
-            Another record, to judge what was found by.
+            Another record, which judges the result.
         from_s, until_s : float, optional
-            Readings that count, by the time since the first row [s]; all rows drive the model.
+            Readings that count, by the time since the first row [s]. All rows drive the model.
         time_limit_s : float, optional
-            After which it gives up with TimeoutError.
+            Time after which the call raises TimeoutError.
         progress : callable, optional
-            Called with the share that is done and the step, some ten times a second.
+            Function that is called with the finished share and the step, some ten times a second.
 
         Raises
         ------
         InputError
-            No such input, an order or lags that are none, a record that does not carry the numbers.
+            An input is missing, the order or lags are wrong, or the record does not determine the numbers.
         KeyboardInterrupt
             Stops it; nothing is left half done.
         """
@@ -189,19 +189,19 @@ class Correction(LoopModel):
         from_s: float | None = None,
         until_s: float | None = None,
     ) -> CorrectionRun:
-        """Run it over a record: predictions with their band, and the residuals.
+        """Run the correction over a record and return predictions with their band, and the residuals.
 
         Parameters
         ----------
         record : Record
-            With ``time_s`` and the inputs; readings of the displacement may be missing.
+            Record with ``time_s`` and the inputs. Readings of the displacement may be missing.
         learn : bool
-            Take readings as they come: zero, states and gains are learnt, and a row is predicted from
-            readings before it alone.
+            Learn zero, states and gains from the readings in their order. A row is predicted only from
+            earlier readings.
         every_s : float, optional
-            With `learn`: at least between two readings that are learnt [s]; the others judge.
+            Shortest time between two readings of `learn` [s]. The other readings judge the result.
         forget_s : float, optional
-            With `learn`: time in which gains return to those of the model [s]; 7 days without.
+            Time in which learned gains return to the gains of the model [s], by default 7 days.
         from_s, until_s : float, optional
             Readings that count, by the time since the first row [s].
         """
@@ -218,15 +218,15 @@ class Correction(LoopModel):
         return CorrectionRun(answer, self._fitted(answer, ", learnt").get(""))
 
     def join(self, *others: Correction) -> Correction:
-        """Return the sum of this correction and `others`, all of one displacement.
+        """Return the sum of this correction and `others`, which describe the same displacement.
 
-        Channels, laws and effects stand in it as they are written; offsets are added. Parameters that the files fit stay free, but for delay elements and laws of step responses.
+        The sum keeps channels, laws and effects as written, and adds the offsets. Free parameters stay free, except for delay elements and laws of step responses.
 
         Raises
         ------
         InputError
-            Another displacement, two channels of one name, two laws of instant displacement, ranges
-            that have nothing in common.
+            The displacements differ, two channels have one name, two laws of instant displacement exist,
+            or the ranges have no common part.
         """
         text, files, _ = _engine.joined([self._engine, *(other._engine for other in others)])
         return Correction(" and ".join([self.source, *(other.source for other in others)]), text, files)
@@ -240,24 +240,24 @@ class Correction(LoopModel):
         accept_untrusted: bool = False,
         overwrite: bool = False,
     ) -> Program:
-        """Return it as a program that runs on a control without this package, and write that to `path`.
+        """Return a program that runs on a control without this package, and write it to `path`.
 
         Parameters
         ----------
         format : {"python", "c", "csv", "linuxcnc"}
-            One file of Python with the standard library alone; one header of C99; a table of numbers
-            with units; a component of LinuxCNC's HAL in Python, whose file has its name, and its HAL files.
+            ``"python"`` is one file that needs only the standard library, ``"c"`` one header of C99, ``"csv"`` a table of
+            numbers with units, and ``"linuxcnc"`` a HAL component in Python with its HAL files.
         path : path, optional
-            By its name functions of C and components are called.
+            File to write. Its name is the prefix of C functions and the name of a component.
         record : Record, optional
-            Of which the first run is stored in the file, for its own check; without it one that is made up.
+            Record whose first run is stored in the file as a check. Without it the check record is synthetic.
         accept_untrusted : bool
-            Export a correction that is not to be used, too: see `trust`.
+            Export a correction even if `trust` says not to use it.
 
         Raises
         ------
         InputError
-            A displacement whose `trust` is "do not use, because ...", unless it is accepted.
+            The `trust` of a displacement is "do not use, because ...", and it is not accepted.
         """
         if format not in FORMATS:
             raise ValueError(f"format = {format!r}: must be python, c, csv or linuxcnc")
@@ -292,7 +292,7 @@ def _restored(source: str, text: str, files: Sequence[tuple[str, str, str]]) -> 
 
 
 def read(path: str | os.PathLike[str]) -> Model | Correction:
-    """Read a model file of either kind: a `Correction` where it has [correction] and no [bearing].
+    """Read a model file of either kind, as a `Correction` if it has [correction] and no [bearing].
 
     Examples
     --------

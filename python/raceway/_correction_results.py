@@ -1,4 +1,4 @@
-"""What corrections answer."""
+"""Results of corrections."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Identification(_Answer):
         Raises
         ------
         ValueError
-            Of an ARX model of which no order is stable.
+            No order of the ARX model is stable.
         """
         if self._found is None:
             raise ValueError("no order of the ARX model is stable: its simulation grows without end; sections, without baseline, are")
@@ -38,7 +38,7 @@ class Identification(_Answer):
 
     @property
     def parameters(self) -> dict[str, dict[str, Any]]:
-        """Value, standard error (None without one) and unit of each, by names as `Correction.parameters`."""
+        """Value, standard error (or None) and unit of each parameter, by the names of `Correction.parameters`."""
         axes = self.data.get("axes", [self.data])
         found = {}
         for axis in axes:
@@ -72,25 +72,25 @@ class CorrectionRun(_Answer):
 
     @property
     def correction(self) -> Correction:
-        """With the zero and the gains that were learnt, as they stand at the end.
+        """Correction with the learned zero and gains at the end of the record.
 
         Raises
         ------
         ValueError
-            Where nothing was to be learnt.
+            The run did not learn.
         """
         if self._learnt is None:
             raise ValueError("nothing was learnt: correct(record, learn=True) does")
         return self._learnt
 
     def to_frame(self) -> pandas.DataFrame:
-        """Return one row per row of the record, as ``raceway correct -o`` writes it; see also `course`."""
+        """Return one row per row of the record, as ``raceway correct -o`` writes it. See also `course`."""
         return _frame(self._answer.csv())
 
     def course(self) -> pandas.DataFrame:
-        """Return the record as it was understood, with what is predicted and what that leaves of it.
+        """Return the record as the program reads it, with the prediction and the residual.
 
-        Columns ``predicted_...`` and, where something was read, ``residual_...`` (reading minus prediction).
+        The columns are ``predicted_...`` and, for each reading, ``residual_...`` (reading minus prediction).
         """
         import pandas
 
@@ -118,9 +118,9 @@ class Program:
     format : str
     text : str
     notes : list of Note
-        What its control has to know.
+        Facts that the user of the control needs.
     hal, hal_shutdown : str
-        Of LinuxCNC: the lines of HAL that load it and connect the axes, and those that end it; else empty.
+        HAL files of LinuxCNC that load the component and end it. Other formats have an empty text.
     """
 
     def __init__(self, format: str, text: str, notes: list[Note], hal: str = "", hal_shutdown: str = "") -> None:
@@ -131,7 +131,7 @@ class Program:
         self.hal_shutdown = hal_shutdown
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Write the program; for LinuxCNC also the HAL files."""
+        """Write the program, and for LinuxCNC also the HAL files."""
         stem = os.path.splitext(os.fspath(path))[0]
         files = [(os.fspath(path), self.text)]
         if self.hal:

@@ -1,4 +1,4 @@
-"""Effects of the user's own as functions of Python."""
+"""Effects that you write as Python functions."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ class Number:
     Attributes
     ----------
     value : float
-        To begin with; an effect whose first number is 0 waits to be tried.
+        Start value. An effect whose first number is 0 is a candidate of `diagnose`.
     unit : str
     lower, upper : float
-        Bounds; NaN where there is none.
+        Bounds, or NaN for no bound.
     """
 
     value: float = 0.0
@@ -34,8 +34,8 @@ class Number:
 class State:
     """Inputs of a torque: one array per column of the record, row by row.
 
-    ``speed_rpm``, ``axial_load_N``, ``radial_load_N``, ``temperature_C``, ``time_s`` and whatever
-    else was recorded beside, with its unit; of the bearing, single numbers: ``pitch_diameter_mm``,
+    ``speed_rpm``, ``axial_load_N``, ``radial_load_N``, ``temperature_C``, ``time_s`` and all
+    other recorded columns with their unit. The bearing has single numbers: ``pitch_diameter_mm``,
     ``ball_diameter_mm``, ``ball_count``, ``contact_angle_deg``. Measured columns are not among them.
     """
 
@@ -53,20 +53,20 @@ class State:
 
 
 class Effect:
-    """A friction torque of your own, to be tried and added like an effect of the catalogue.
+    """A friction torque of your own, which you try and add like an effect of the catalogue.
 
     Parameters
     ----------
     id : str
-        Its name: no blanks, dots or commas.
+        Name without blanks, dots or commas.
     torque : callable
         ``torque(state, **numbers)`` gives the torque that it adds for every row [N mm], as an array or
         one number. `State` has the columns. Its value for a row must depend on that row alone,
         and be 0 where the first number is 0. It may be called from several threads.
     numbers : mapping of str to Number, dict or float
-        What a fit may find; the first is the size of the effect.
+        Numbers that a fit may find. The first is the size of the effect.
     title : str
-        In reports.
+        Title in reports.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""What can be wrong with a question."""
+"""Errors and warnings of the package."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from ._note import Note
 
 
 class InputError(ValueError):
-    """An input is wrong; the message is the complete message of the command.
+    """Error for a wrong input, with the complete message of the command.
 
     Attributes
     ----------
     file : str or None
-        Where it stands.
+        File with the wrong input.
     line : int or None
-        Of the file, from 1.
+        Line of the file, from 1.
     key : str or None
         Key of a model, column of a record, or argument.
     """
@@ -26,7 +26,7 @@ class InputError(ValueError):
 
 
 class NotConverged(RuntimeError):
-    """A fit that found no values, or a state without balance where one was needed."""
+    """Error for a fit that found no values, or for a needed state without balance."""
 
 
 class Doubt(UserWarning):

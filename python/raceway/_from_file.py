@@ -1,4 +1,4 @@
-"""What models and corrections have of the file that they stand for."""
+"""Common part of models and corrections: the file that they come from."""
 
 from __future__ import annotations
 
@@ -28,28 +28,28 @@ class FromFile:
         Raises
         ------
         InputError
-            With file, line, key, value and allowed range, as the command says it.
+            The file is wrong. The error has file, line, key, value and allowed range.
         """
         return cls(os.fspath(path), _engine.read_text(os.fspath(path)))
 
     @classmethod
     def from_text(cls, text: str, name: str | None = None) -> Self:
-        """Take the text of a file; `name` stands in messages, and files that it names are in the same folder."""
+        """Read a model from the text of a file. Messages use `name`, and files that the text names are in the same folder."""
         return cls(cls._called if name is None else name, text)
 
     @property
     def source(self) -> str:
-        """File that it was read from, and what was fitted since."""
+        """File of the model, and the fits since then."""
         return self._engine.source
 
     @property
     def text(self) -> str:
-        """The file, as `save` writes it; names of further files lead to them from anywhere."""
+        """Text of the file, as `save` writes it. Names of further files are valid from any folder."""
         return self._engine.text_for("")
 
     @property
     def defaults(self) -> list[str]:
-        """Defaults that it rests on."""
+        """Defaults that the model uses."""
         return self._engine.defaults
 
     @property

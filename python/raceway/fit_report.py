@@ -295,12 +295,12 @@ def _diagnosis(data: dict[str, Any]) -> list[str]:
 
 
 def conf_interval(result: Any) -> pandas.DataFrame:
-    """95 % intervals by profile likelihood of a Calibration, one row per parameter.
+    """Return the 95 % intervals of a Calibration by profile likelihood, one row per parameter.
 
     Raises
     ------
     ValueError
-        The document has none: they were not asked for.
+        The document has no intervals, because they were not asked for.
     """
     import pandas
 
@@ -328,7 +328,7 @@ def fit_report(result: Any) -> str:
     Parameters
     ----------
     result : Calibration, Addition or Diagnosis
-        Its document ``data`` is all that is used.
+        Result whose document ``data`` is reported.
 
     Returns
     -------
@@ -341,7 +341,7 @@ def fit_report(result: Any) -> str:
     TypeError
         Something else.
     ValueError
-        A Calibration of catalogue rigidities, which is of no readings.
+        The Calibration fits catalogue rigidities and has no readings.
 
     Examples
     --------

@@ -1,8 +1,8 @@
-"""Pictures of results, for papers: matplotlib axes with quantities and units at them.
+"""Pictures of results for papers, as matplotlib axes with quantities and units.
 
-Every function takes ``ax=None`` and returns the Axes it drew into. Without ``ax`` a new figure of
-pyplot is made, which a notebook shows; ``ax.figure.savefig("name.pdf")`` writes it. Curves differ in
-line style and marker, not in colour alone; there are no titles.
+Every function takes ``ax=None`` and returns the Axes it drew into. Without ``ax`` it makes a new figure of
+pyplot, which a notebook shows. ``ax.figure.savefig("name.pdf")`` writes the figure. Curves differ in
+line style and marker, not only in colour. Figures have no titles.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Many items, one after the other or over many machines: a fleet of corrections, samples of a model.
 
-An item is asked of one function; its value does not depend on who worked on it, so that a sweep over
-the workers of Dask or over the tasks of Slurm is the serial one, to the last bit. What one item raises
-is kept with its name, and the others go on. docs/scale.md has both ways and what things cost.
+One function computes the value of each item, which does not depend on the worker. So a sweep over
+the workers of Dask or the tasks of Slurm equals the serial sweep to the last bit. If an item raises an
+exception, the sweep keeps it with the name of the item and continues. docs/scale.md describes both ways and their cost.
 
 >>> import raceway
 >>> from raceway import sweep
@@ -18,7 +18,7 @@ is kept with its name, and the others go on. docs/scale.md has both ways and wha
 1    2       293.7  None
 2    3       322.6  None
 
-``python3 -m raceway.sweep --help`` has the same for job arrays.
+``python3 -m raceway.sweep --help`` describes job arrays.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ class Failure:
     Attributes
     ----------
     name : str
-        Of the item.
+        Name of the item.
     kind : str
         Class of the error, such as ``"InputError"``.
     message : str
@@ -78,7 +78,7 @@ class Failure:
 
 @dataclass(frozen=True)
 class ItemDoubt:
-    """A warning that was said while an item was worked on."""
+    """A warning that an item gave."""
 
     name: str
     message: str
@@ -90,15 +90,15 @@ class ItemDoubt:
 class Sweep(Mapping[str, Any]):
     """Outcome of every item, by its name and in the order of the items.
 
-    ``sweep[name]`` raises for an item that failed; `values` has None there.
+    ``sweep[name]`` raises an error for an item that failed, and `values` has None for it.
 
     Attributes
     ----------
     names : list of str
     failures : list of Failure
-        Items that raised something, in their order.
+        Items that raised an exception, in their order.
     doubts : list of ItemDoubt
-        What was warned of, in the order of the items.
+        Warnings in the order of the items.
     """
 
     def __init__(self, names: Sequence[str], outcomes: Sequence[Outcome]) -> None:
@@ -137,7 +137,7 @@ class Sweep(Mapping[str, Any]):
         Raises
         ------
         InputError
-            Where a value is neither a number or text nor a dict of them.
+            A value is neither a number or text nor a dict of them.
         """
         rows = []
         for name, value in self.items():
@@ -173,44 +173,44 @@ def run(
     threads: int | None = None,
     progress: Callable[[float, str], None] | None = None,
 ) -> Sweep:
-    """Ask `function` of every item.
+    """Call `function` for every item.
 
     Parameters
     ----------
     function : callable
-        Of one item, giving numbers, arrays, text, or lists and dicts of them. It must give the same
-        for the same item: a random number needs a seed that comes from the item.
+        Function of one item that returns numbers, arrays, text, or lists and dicts of them. It must return
+        the same value for the same item, so a random number needs a seed from the item.
     items : iterable, or mapping of names to items
         Anything that can be pickled: models, corrections, records, numbers, paths.
     names : iterable of str, optional
-        One of each item, all different; ``"1"``, ``"2"``, ... without.
+        Names of the items, all different. The default is ``"1"``, ``"2"``, ...
     client : distributed.Client or str, optional
         Workers of Dask (`workers` makes some), or the address of their scheduler
-        (``"tcp://10.0.0.1:8786"``); this process without. Each worker process works on one item at a time: one process per core is best.
+        (``"tcp://10.0.0.1:8786"``). Without it the sweep runs in this process. Each worker process works on one item at a time: one process per core is best.
     folder : path, optional
-        Where every slab is kept as soon as it is done, as data: values are numbers, arrays, text, or
+        Folder that keeps every finished slab as data: numbers, arrays, text, or
         lists and dicts of them. A repeated sweep begins with the finished parts, also after KeyboardInterrupt or a power cut.
     slabs : int, optional
-        Parts that go to a worker and to a file as a whole. Without: as many as `folder` has already, else
-        32, for more than four workers 8 each, and no more than there are items.
+        Number of parts, each of which goes to one worker and one file. By default it is the number in `folder`,
+        else 32, or 8 for each of more than four workers, and no more than the items.
     threads : int, optional
-        Cores for one item: all in this process, 1 in a worker of Dask, if it is not said.
+        Cores for one item. The default is all cores in this process, and 1 in a worker of Dask.
     progress : callable, optional
-        Called with the share that is done and a few words, as slabs (in this process: items) are done.
+        Function that is called with the finished share and a few words, after each slab (in this process: item).
 
     Returns
     -------
     Sweep
-        In the order of the items. A `raceway.Doubt` says how many failed and were doubtful.
+        Outcomes in the order of the items. A `raceway.Doubt` says how many failed or are doubtful.
 
     Raises
     ------
     InputError
-        A folder with slabs of other input, no scheduler at the address, another version there.
+        The folder has slabs of another input, or the address has no scheduler or another version.
     ImportError
-        With `client`, where Dask is not installed.
+        `client` is given, but Dask is not installed.
     KeyboardInterrupt
-        Stops it. Slabs that are done are in `folder`.
+        The sweep stops. Finished slabs are in `folder`.
     """
     names, items = _named(names, items)
     return _said(_run(function, names, items, client, folder, slabs, threads, progress))
@@ -290,7 +290,7 @@ def solve(
     threads: int | None = None,
     progress: Callable[[float, str], None] | None = None,
 ) -> Solution:
-    """`raceway.Model.solve` for more states than one machine likes: the same numbers, to the last bit.
+    """Solve any number of states in slabs, with the numbers of `raceway.Model.solve` to the last bit.
 
     Parameters
     ----------
@@ -298,14 +298,14 @@ def solve(
     speed_rpm, axial_load_N, radial_load_N, temperature_C, moment_y_Nmm, moment_z_Nmm, columns
         As `raceway.Model.solve` takes them.
     states : int
-        Of one slab; no number depends on it.
+        Number of states of one slab. No result depends on it.
     client, folder, threads, progress
         As `run` takes them.
 
     Raises
     ------
     InputError
-        As of `raceway.Model.solve`; a place is counted within its slab.
+        The errors of `raceway.Model.solve`. A place counts within its slab.
 
     Examples
     --------
@@ -372,24 +372,24 @@ class _States:
 
 @contextlib.contextmanager
 def workers(count: int | None = None, *, dashboard: bool = False) -> Iterator[Any]:
-    """Worker processes of Dask on this computer, for `client` of `run` and `solve`, ended behind.
+    """Worker processes of Dask on this computer, for `client` of `run` and `solve`. They end with the block.
 
-    A script that uses it stands behind ``if __name__ == "__main__":``, since each worker reads it.
-    The processes listen on the loopback alone, take work from this process alone (TLS with keys of their
-    own) and keep their files in a private folder.
+    Put the script behind ``if __name__ == "__main__":``, because each worker reads it.
+    The processes listen on the loopback interface only, accept work from this process only (TLS with their
+    own keys) and keep their files in a private folder.
 
     Parameters
     ----------
     count : int, optional
-        As many as this process may use cores, if it is not said.
+        Number of workers. The default is the number of cores of this process.
     dashboard : bool
-        Whether the scheduler shows its pages, at ``client.dashboard_link``; other users of this computer
+        Show the pages of the scheduler at ``client.dashboard_link``. Other users of this computer
         can read them.
 
     Raises
     ------
     ImportError
-        Where Dask is not installed.
+        Dask is not installed.
 
     Examples
     --------
@@ -407,13 +407,12 @@ def workers(count: int | None = None, *, dashboard: bool = False) -> Iterator[An
 
 
 def load(folder: str | os.PathLike[str]) -> Sweep:
-    """Join the slabs of a folder. Slabs hold data only: reading them runs no code.
+    """Join the slabs of a folder. Slabs contain data only, so reading them runs no code.
 
     Raises
     ------
     InputError
-        A slab is missing, is there twice, was cut off, holds anything but data, or was made from other
-        input than the others.
+        A slab is missing, double, cut off or from another input, or contains more than data.
     """
     slabs = read_all(folder)
     return Sweep([n for slab in slabs for n in slab.names], [o for slab in slabs for o in slab.outcomes])
