@@ -12,6 +12,7 @@
 
 // Last: see text/detail/toml_text.h.
 #include "files/detail/correction_trust.h"
+#include "files/detail/marked_values.h"
 #include "files/detail/model_tables.h"
 #include "files/detail/table_lines.h"
 
@@ -66,6 +67,7 @@ class Editor {
     const std::size_t begin = text::byte_of(text_, node.source().begin),
                       end = text::byte_of(text_, node.source().end);
     text_.replace(begin, end - begin, by);
+    text_ = without_mark(std::move(text_), begin + by.size());
   }
 
   /// A block of lines behind all of the model of that index: at the end of the file, or before the

@@ -23,6 +23,7 @@
 #include "files/detail/export_section.h"
 #include "files/detail/formula_section.h"
 #include "files/detail/loop_section.h"
+#include "files/detail/marked_values.h"
 #include "files/detail/model_tables.h"
 
 namespace raceway::files {
@@ -765,7 +766,8 @@ CorrectionFile parse_correction(std::string text, const std::string& source,
   }
   file.columns = read_columns(tables);
   file.control = read_export(tables, file.models);
-  file.defaults = tables.defaults();
+  file.defaults = marked_values(tables.root(), text);
+  file.defaults.insert(file.defaults.end(), tables.defaults().begin(), tables.defaults().end());
   file.files = tables.files().list();
   file.text = std::move(text);
   return file;

@@ -113,6 +113,13 @@ void find_places(const text::CsvTable& table, const ReadOptions& options,
     const bool of_fall = !columns.falls.empty() && *source.channel == record::time;
     if (!of_fall && record::find_channel(source.channel->name)) columns.places.push_back(source);
   }
+  for (const Recognised::Constant& c : found.constants)
+    if (!record::find_channel(c.channel->name))
+      throw text::InputError(
+          fmt::format("{}: {} = {:.6g}: one number for all rows is possible for a column of the "
+                      "model alone; name the column of the file, or remove the line",
+                      c.from, c.channel->name, c.channel->in_unit(c.value)),
+          {.key = std::string(c.channel->name)});
   columns.constants = std::move(found.constants);
   columns.notes = std::move(found.notes);
   find_signal(table, found, options, expected, columns);

@@ -87,7 +87,8 @@ void collect(const toml::node& node, Path& path, std::vector<Leaf>& leaves) {
 
 /// A default by its path; nothing where it is no number of its own.
 std::optional<Leaf> number_of_default(const UsedDefault& one) {
-  if (one.origin == UsedDefault::Origin::derived) return std::nullopt;
+  if (one.origin == UsedDefault::Origin::derived || one.origin == UsedDefault::Origin::marked)
+    return std::nullopt;
   Leaf leaf{.path = {}, .value = unset};
   const char* const last = one.value.data() + one.value.size();
   const auto [end, error] = std::from_chars(one.value.data(), last, leaf.value);

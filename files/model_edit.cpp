@@ -17,6 +17,7 @@
 #include "text/number_text.h"
 
 // Last: see text/detail/toml_text.h.
+#include "files/detail/marked_values.h"
 #include "text/detail/toml_text.h"
 
 // Changes a model file and leaves all else as the user wrote it.
@@ -139,7 +140,8 @@ std::string with_value(std::string text, const KeyValue& change) {
         fmt::format("{} = {}: is not a number", change.key, text::shown(*table->get(path.key))),
         {.key = change.key});
   const std::size_t begin = text::byte_of(text, node->source().begin);
-  return text.replace(begin, text::byte_of(text, node->source().end) - begin, value);
+  text.replace(begin, text::byte_of(text, node->source().end) - begin, value);
+  return without_mark(std::move(text), begin + value.size());
 }
 
 /// Writes the comment of a change whose value stands already.

@@ -17,6 +17,7 @@
 #include "files/detail/effect_section.h"
 #include "files/detail/friction_section.h"
 #include "files/detail/loop_section.h"
+#include "files/detail/marked_values.h"
 #include "files/detail/model_reader.h"
 #include "files/detail/rig_section.h"
 #include "files/detail/roller_section.h"
@@ -243,7 +244,10 @@ ModelFile model_of_tables(ModelTables& tables, std::string text) {
 ModelFile parse_model(std::string text, const std::string& source, std::vector<NamedFile> held) {
   ModelTables tables(text, source, std::move(held));
   try {
-    return model_of_tables(tables, std::move(text));
+    const std::vector<UsedDefault> marked = marked_values(tables.root(), text);
+    ModelFile file = model_of_tables(tables, std::move(text));
+    file.defaults.insert(file.defaults.begin(), marked.begin(), marked.end());
+    return file;
   } catch (const MissingKey& first) {
     Names missing = missing_keys_of_bearing(tables);
     for (std::string& one : missing_keys_of_friction(tables)) missing.push_back(std::move(one));

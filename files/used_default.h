@@ -8,9 +8,11 @@
 
 namespace raceway::files {
 
-/// A value that the reader of a model file took where the file says nothing.
+/// A value that a model assumes: the reader took it where the file says nothing, or the file marks
+/// it as a guess.
 struct UsedDefault {
   enum class Origin {
+    marked,     ///< stands in the file, marked in the comment `why`
     key,        ///< the default of its key
     catalogue,  ///< of the bearing that the file names
     derived,    ///< of other values, as `why` says

@@ -90,6 +90,14 @@ time_s = "Zeit"
               Contains("column Zeit has dates: time_s counts from 2024-03-12T08:15:00"));
 }
 
+TEST(ColumnMap, ANumberNeedsAColumnOfTheModel) {
+  for (const std::string key : {"belt_force_N", "speed_to_rpm"})
+    EXPECT_THAT(
+        map_error("n,M\n1000,25\n",
+                  "[columns]\nspeed_rpm = \"n\"\nfriction_torque_Nmm = \"M\"\n" + key + " = 3\n"),
+        HasSubstr("[columns] of map.toml: " + key + " = 3: one number for all rows"));
+}
+
 TEST(ColumnMap, UnitAndFactorOfARuleComeBeforeTheHeader) {
   const Record r =
       read("n,M [Nm]\n1000,-25\n",

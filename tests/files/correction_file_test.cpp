@@ -214,7 +214,7 @@ TEST(CorrectionFile, WhatIsWrongIsSaidWithItsPlace) {
 /// All else of a file stays as it was written.
 TEST(CorrectionFile, NumbersAreChangedWhereTheyStand) {
   const std::string text = "# mine\n" + head + "tolerance_um = 2  # on parts held out\n" +
-                           channel_text + "\n[calibration]\nfree = [\"gains\"]  # no more\n";
+                           "offset_um = 1.0  # assumed\n" + channel_text + "\n[calibration]\nfree = [\"gains\"]  # no more\n";
   const CorrectionFile file = parse_correction(text, "z.toml");
   std::vector<correction::Model> models = file.models;
   models[0].channels[0].sections = {{4e-6, 1000}, {1e-6, 9000}};
@@ -227,6 +227,7 @@ TEST(CorrectionFile, NumbersAreChangedWhereTheyStand) {
   const std::string now = with_corrections(file, models);
   for (const char* kept : {"# mine\n", "# on parts held out", "free = [\"gains\"]  # no more"})
     EXPECT_THAT(now, HasSubstr(kept));
+  EXPECT_THAT(now, HasSubstr("offset_um = 2.5\n"));  // a guess no more
   const correction::Model back = parse_correction(now, "z.toml").models[0];
   ASSERT_EQ(back.channels[0].sections.size(), 2U);
   EXPECT_NEAR(back.channels[0].sections[1].gain, 1e-6, 1e-18);

@@ -206,6 +206,17 @@ TEST(WithModel, AnotherLawReadsBackAndLeavesAllElseAsItStood) {
     }
 }
 
+/// A number that was fitted is no guess any more; the mark of another one stays.
+TEST(WithModel, AFittedNumberLosesItsMark) {
+  const ModelFile file = file_of(bearing_of_edit + "\n[friction]\nf0 = 1.5  # assumed: oil-air\n" +
+                                 "z = 0.001  # of load\ny = 0.33 # estimated\n");
+  model::Model fitted = file.model;
+  fitted.law_values[0] = 2.5;
+  fitted.law_values[1] = 0.002;
+  const std::string text = with_model(file, fitted);
+  EXPECT_THAT(text, HasSubstr("f0 = 2.5\nz = 0.002  # of load\ny = 0.33 # estimated\n"));
+}
+
 TEST(WithModel, TheSupplyStays) {
   const ModelFile file = file_of(bearing_of_edit + "supply = \"jet\" # 2 l/min\n" + palmgren);
   model::Model fitted = file.model;

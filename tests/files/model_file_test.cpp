@@ -133,6 +133,16 @@ TEST(ModelFile, EveryDefaultUsedIsNamed) {
   EXPECT_THAT(lines(file.defaults), Contains(StartsWith("bearing.bore_mm = 72.141 (default: ")));
 }
 
+TEST(ModelFile, ValuesThatTheFileMarksAsGuessesAreAssumptions) {
+  std::string text = changed("f0 = 1.5", "f0 = 1.5  # Assumed by others; estimated: 1 to 2");
+  text.replace(text.find("[rig]"), 5, "[rig]   # assumed by the builder");
+  const ModelFile file = parse_model(text, "m.toml");
+  EXPECT_THAT(lines(file.defaults),
+              IsSupersetOf({"friction.f0 = 1.5 (Assumed by others; estimated: 1 to 2)",
+                            "rig.bearings = 2 (assumed by the builder)"}));
+  EXPECT_THAT(lines(file.defaults), testing::Not(Contains(StartsWith("friction.z"))));
+}
+
 TEST(ModelFile, SkfTakesItsPublishedConstantsByDefault) {
   std::string text = changed("f0 = 1.5\nz = 0.001\ny = 0.33", "law = \"skf\"\nmu_bl = 0.12");
   text.replace(text.find("[\"z\""), 4, "[\"mu_bl\"");
@@ -451,7 +461,8 @@ TEST(ModelFile, UnknownCatalogueBearingsAreAnsweredWithTheNearest) {
 TEST(ModelFile, ANewModelReadsBackWithoutDefaultsExceptCommentedOnes) {
   for (const auto& row : read_catalogues()) {
     const ModelFile file = parse_model(new_model_text(row), "new.toml");
-    EXPECT_TRUE(file.defaults.empty()) << row.full_name() << ": " << file.defaults.front().line();
+    for (const UsedDefault& one : file.defaults)
+      EXPECT_EQ(one.origin, UsedDefault::Origin::marked) << row.full_name() << ": " << one.line();
     EXPECT_EQ(file.model.name, row.full_name());
     EXPECT_DOUBLE_EQ(file.model.bearing.geometry().ball_diameter, row.geometry.ball_diameter);
   }
@@ -465,7 +476,10 @@ TEST(ModelFile, ANewModelOfEachLawSaysWhatItTakes) {
     EXPECT_EQ(file.model.law, law);
     EXPECT_EQ(file.model.free, model::default_free(law));
     // Of the contact law what follows from the type of the oil stands there as remarks.
-    EXPECT_EQ(file.defaults.size(), law == friction::FrictionLaw::contact ? 5U : 0U);
+    EXPECT_EQ(std::count_if(
+                  file.defaults.begin(), file.defaults.end(),
+                  [](const UsedDefault& one) { return one.origin != UsedDefault::Origin::marked; }),
+              law == friction::FrictionLaw::contact ? 5 : 0);
   }
 }
 
