@@ -444,7 +444,7 @@ test('a spindle is designed: its cross-section follows the model; steady state, 
   await page.click('summary:has-text("Text of the programme")');
   await page.fill('#programme', 'time_s,speed_rpm\n0,0\n600,x\n');
   await click(page, '#run-programme');
-  assert.match((await errors(page)).join(), /programme\.csv:3: /);
+  assert.match((await errors(page)).join(), /^day\.csv:3: /);
   await page.fill('#programme', 'time_s,speed_rpm\n0,0\n600,3000\n');
   await click(page, '#run-programme');
   assert.match(await sentence(page), /nose from 0 µm/);
