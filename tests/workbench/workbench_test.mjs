@@ -36,6 +36,7 @@ async function open(options = {}) {
   return opened;
 }
 
+/// A path, files, or a name with its text.
 async function drop(page, name, text) {
   await page.setInputFiles('#file', text === undefined ? name : { name, mimeType: 'text/csv', buffer: Buffer.from(text) });
   await idle(page);
@@ -120,14 +121,68 @@ test('from a file and a designation to the improved model, which the command run
   const { rmse } = JSON.parse(raceway('compare', join(folder, 'improved.toml'), data, '--json'));
   assert.ok(Math.abs(rmse - shown) < 0.01 * shown, `${rmse} ${shown}`);
   assert.match(readFileSync(join(folder, 'report.html'), 'utf8'), /<title>raceway report/);
-  // The commands of the page write the same model, from the files of the page.
+  // The commands of the page write the same models, from the data and the map of columns.
   const again = file('again');
   mkdirSync(again);
-  for (const name of ['model.toml', 'columns.toml']) writeFileSync(join(again, name), readFileSync(join(folder, name)));
+  writeFileSync(join(again, 'columns.toml'), readFileSync(join(folder, 'columns.toml')));
   writeFileSync(join(again, 'train.csv'), readFileSync(data));
-  const commands = (await page.textContent('#shell')).split('\n').filter((line) => !line.startsWith('raceway new'));
-  execFileSync('bash', ['-ec', commands.join('\n')], { cwd: again, stdio: 'pipe', env: { ...process.env, PATH: `${dirname(RACEWAY)}:${process.env.PATH}` } });
-  assert.equal(readFileSync(join(again, 'improved.toml'), 'utf8'), readFileSync(join(folder, 'improved.toml'), 'utf8'));
+  execFileSync('bash', ['-ec', await page.textContent('#shell')], { cwd: again, stdio: 'pipe', env: { ...process.env, PATH: `${dirname(RACEWAY)}:${process.env.PATH}` } });
+  for (const name of ['model.toml', 'improved.toml']) assert.equal(readFileSync(join(again, name), 'utf8'), readFileSync(join(folder, name), 'utf8'));
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('the bearing is typed beside the columns; a name that is none gets the words of the command and can be mended', async () => {
+  const { page, faults, close } = await open();
+  await drop(page, join(rigs, 'dev-05/train.csv'));
+  assert.equal(await page.getAttribute('#panel', 'data-panel'), 'data');
+  await designate(page, 'nothing', 'VG 32');
+  assert.match((await errors(page)).join(), /nothing/);
+  assert.equal(await page.inputValue('#designation'), 'nothing');
+  await designate(page, '7014 AC', 'VG 32');
+  assert.deepEqual(await errors(page), []);
+  assert.match(await sentence(page), /is missing|explains/);
+  // Values that a model leaves to the program are named.
+  raceway('new', '7014 AC', '--law', 'contact', '-o', file('contact.toml'));
+  await drop(page, file('contact.toml'));
+  await click(page, '#step-model');
+  assert.match(await page.textContent('#defaults'), /their defaults hold.*lubricant\.supply/s);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('several files are one record: their rows are counted, drawn and checked together', async () => {
+  const { page, faults, close } = await open();
+  const [head, ...rows] = readFileSync(join(rigs, 'dev-05/train.csv'), 'utf8').trim().split('\n');
+  const part = (name, from, to) => ({ name, mimeType: 'text/csv', buffer: Buffer.from([head, ...rows.slice(from, to), ''].join('\n')) });
+  await drop(page, [part('a.csv', 0, 40), part('b.csv', 40)]);
+  assert.match(await page.textContent('#step-data'), new RegExp(`a\\.csv, b\\.csv, ${rows.length} rows`));
+  assert.equal(await page.locator('.spark').first().locator('circle').count(), rows.length);
+  await drop(page, [part('a.csv', 0, 40), { name: 'b.csv', mimeType: 'text/csv', buffer: Buffer.from(`${head}\n${rows[0].replace(/[^,]*$/, 'x')}\n`) }]);
+  assert.match((await errors(page)).join(), /b\.csv:2: /);
+  assert.match(await sentence(page), /cannot be read/);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('the bar moves with the click, before the answers that follow are drawn', async () => {
+  const { page, faults, close } = await open();
+  await click(page, '#candidate-lubricant-drag');
+  const once = () =>
+    page.evaluate(async () => {
+      const bar = document.querySelector('#error-bars .bar-now');
+      const before = bar.style.width;
+      const since = performance.now();
+      document.getElementById('candidate-lubricant-drag').click();
+      while (bar.style.width === before) await new Promise(requestAnimationFrame);
+      return { ms: performance.now() - since, idle: document.documentElement.dataset.idle };
+    });
+  for (let k = 0; k < 3; ++k) {
+    const { ms, idle: rests } = await once();
+    assert.equal(rests, 'no');
+    assert.ok(ms < 1000, `${ms} ms`);
+    await idle(page);
+  }
   assert.deepEqual(faults, []);
   await close();
 });
@@ -202,6 +257,10 @@ test('a number is dragged: the error as entered follows, and is a step when it i
 test('wrong files get the words of the command, and hostile names, cells and texts inject nothing', async () => {
   const { page, faults, close } = await open();
   const hostile = '<img src=x onerror=alert(1)>';
+  await page.setInputFiles('#file', { name: 'mine.toml', mimeType: 'text/plain', buffer: Buffer.from('no model') });
+  await idle(page);
+  assert.match((await errors(page)).join(), /^mine\.toml:1:/);
+  await click(page, '#example-rig');
   const cases = [
     ['empty.csv', '', /the file is empty/],
     ['words.csv', 'hello\n', /no data rows/],
@@ -385,7 +444,7 @@ test('a spindle is designed: its cross-section follows the model; steady state, 
   await page.click('summary:has-text("Text of the programme")');
   await page.fill('#programme', 'time_s,speed_rpm\n0,0\n600,x\n');
   await click(page, '#run-programme');
-  assert.match((await errors(page)).join(), /programme\.csv:3: /);
+  assert.match((await errors(page)).join(), /^day\.csv:3: /);
   await page.fill('#programme', 'time_s,speed_rpm\n0,0\n600,3000\n');
   await click(page, '#run-programme');
   assert.match(await sentence(page), /nose from 0 µm/);
@@ -505,6 +564,15 @@ for (const [width, colorScheme] of [[1300, 'light'], [1300, 'dark'], [390, 'ligh
       assert.deepEqual(await page.evaluate(faint), [], step);
       const nameless = await page.$$eval('input, select, textarea, button', (all) => all.filter((c) => !(c.getAttribute('aria-label') || c.labels?.length || c.textContent.trim())).map((c) => c.outerHTML));
       assert.deepEqual(nameless, [], step);
+    }
+    // Data of their own, with points to measure next.
+    await drop(page, join(rigs, 'dev-03/train.csv'));
+    for (const step of ['data', 'missing', 'compare']) {
+      if (step === 'missing') await designate(page, '7014 AC', 'VG 32');
+      await click(page, `#step-${step}`);
+      assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width, step);
+      const [at, list] = await page.$$eval('.steps [aria-current], .steps', ([nav, current]) => [current.getBoundingClientRect(), nav.getBoundingClientRect()].map(({ left, right }) => ({ left, right })));
+      assert.ok(at.left >= list.left - 1 && at.right <= list.right + 1, `${step} is seen in the list of steps`);
     }
     assert.deepEqual(faults, []);
     await close();

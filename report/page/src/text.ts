@@ -123,5 +123,10 @@ export function shortPaths(paths: string[]): string[] {
 /// A small table of text under a title.
 export function valueList(title: string, columns: string[], rows: string[][]): HTMLElement {
   const body = el('tbody', {}, ...rows.map((row) => el('tr', {}, ...row.map((cell) => el('td', {}, cell)))));
-  return el('div', { class: rows.length > 8 ? 'list' : 'list short' }, el('h3', {}, title), el('div', { class: 'scroll' }, el('table', {}, el('thead', {}, el('tr', {}, ...columns.map((c) => el('th', { scope: 'col' }, c)))), body)));
+  return el(
+    'div',
+    { class: rows.length > 8 ? 'list' : 'list short' },
+    ...(title ? [el('h3', {}, title)] : []),
+    el('div', { class: 'scroll', tabindex: '0' }, el('table', {}, el('thead', {}, el('tr', {}, ...columns.map((c) => el('th', { scope: 'col' }, c)))), body)),
+  );
 }

@@ -1,6 +1,6 @@
 // What a user does. Each action replaces the case and asks the engine anew; answers of an earlier case are dropped.
 import { Asking, documentOf, Refused, refusal, reportOf } from './asking';
-import { decoded, numbersOf, preview, readMap, thinned, writeMap, type Mapped } from './columns';
+import { decoded, joined, numbersOf, preview, readMap, thinned, writeMap, type Mapped } from './columns';
 import { Stopped, type Engine } from './engine';
 import { examples } from './example';
 import * as ask from './questions';
@@ -54,15 +54,24 @@ export function heldOut(list: { rmse_before: number }[]): number | undefined {
   return list.length ? Math.sqrt(list.reduce((sum, h) => sum + h.rmse_before ** 2, 0) / list.length) : undefined;
 }
 
-/// Where in the page the words of a refusal belong.
-function placeOf(error: unknown): Problem {
+/// Where in the page the words of a refusal belong. The engine knows model and programme by other names than the user.
+function placeOf(error: unknown, { model, programme }: Case): Problem {
   const text = error instanceof Error ? error.message : String(error);
   if (!(error instanceof Refused)) return { at: 'missing', text };
   const file = error.file ?? '';
-  if (/^(model|start|refitted|improved)\.toml$/.test(file) || /^(model|start|refitted|improved)\.toml\b/.test(text)) return { at: 'model', text };
-  if (file === 'programme.csv' || text.startsWith('programme.csv')) return { at: 'programme', text };
+  const begins = (pattern: RegExp) => pattern.test(file) || pattern.test(text);
+  const named = (name: string | undefined) => (name ? text.replace(/^(model\.toml|programme\.csv)/, () => name) : text);
+  if (begins(/^(model|start|refitted|improved)\.toml\b/)) return { at: 'model', text: named(model?.name) };
+  if (begins(/^programme\.csv\b/)) return { at: 'programme', text: named(programme?.name) };
   return { at: file ? 'data' : 'missing', text };
 }
+
+/// The next picture is on the screen; of a page that is hidden there is none.
+const painted = (): Promise<void> =>
+  new Promise((done) => {
+    setTimeout(done, 200);
+    requestAnimationFrame(() => setTimeout(done));
+  });
 
 export class Actions {
   private readonly asking: Asking;
@@ -125,7 +134,7 @@ export class Actions {
     try {
       await this.open(open(), label);
     } catch (error) {
-      this.store.change({ problem: placeOf(error) });
+      this.store.change({ problem: placeOf(error, this.state) });
     }
   }
 
@@ -212,7 +221,7 @@ export class Actions {
       if (generation !== this.generation) return;
       const { panel } = this.state;
       const here: Panel = alone(of) && (panel === 'programme' || panel === 'modes') ? panel : alone(of) ? 'steady' : 'missing';
-      const problem = error instanceof Stopped ? { at: here, text: 'Stopped. Results may be incomplete: change something, or ask again.' } : placeOf(error);
+      const problem = error instanceof Stopped ? { at: here, text: 'Stopped. Results may be incomplete: change something, or ask again.' } : placeOf(error, of);
       this.store.change({ problem: problem.at === 'missing' ? { ...problem, at: here } : problem });
     }
   }
@@ -310,25 +319,29 @@ export class Actions {
   private async read(of: Case, model: string, tell: (part: Partial<State>) => void): Promise<void> {
     const [first] = of.data as [TextFile];
     // Of a large file as many rows are proposed from and drawn as can be seen; all of them are checked.
-    const few = { ...first, text: thinned(first.text) };
     if (!this.state.proposal) {
-      const proposed = await this.asking.ask('Looking at the columns', ask.suggest(model, few));
+      const proposed = await this.asking.ask('Looking at the columns', ask.suggest(model, { ...first, text: thinned(first.text) }));
       if (proposed.status === 0) tell({ proposal: proposed.out });
     }
-    const whole = few.text === first.text;
-    const answer = await this.asking.ask('Reading the data', ask.check(of, model, whole));
-    const document = documentOf<Omit<Reading, 'numbers'>>(answer);
-    const drawn = whole ? answer : await this.asking.ask('Drawing the columns', ask.check({ ...of, data: [few] }, model, true));
-    tell({ reading: { ...document, numbers: numbersOf(drawn.files['rows.csv'] ?? '') } });
+    const readings: Reading[] = [];
+    for (const file of of.data) {
+      const few = { ...file, text: thinned(file.text) };
+      const whole = few.text === file.text;
+      const answer = await this.asking.ask(`Reading ${of.data.length > 1 ? file.name : 'the data'}`, ask.check({ ...of, data: [file] }, model, whole));
+      const document = documentOf<Omit<Reading, 'numbers'>>(answer);
+      const drawn = whole ? answer : await this.asking.ask('Drawing the columns', ask.check({ ...of, data: [few] }, model, true));
+      readings.push({ ...document, numbers: numbersOf(drawn.files['rows.csv'] ?? '') });
+    }
+    tell({ reading: joined(readings) });
   }
 
   // ---- data and columns
 
   drop(files: Promise<{ name: string; bytes: ArrayBuffer }[]>): Promise<void> {
-    return this.doing(async () => this.take(await files));
+    return this.doing(async () => this.takeFiles(await files));
   }
 
-  private async take(files: { name: string; bytes: ArrayBuffer }[]): Promise<void> {
+  private async takeFiles(files: { name: string; bytes: ArrayBuffer }[]): Promise<void> {
     const texts = files.map(({ name, bytes }): TextFile => ({ name, text: decoded(bytes) }));
     const isMap = (t: TextFile) => /^\s*\[columns\]/m.test(t.text) && !/^\s*\[(bearing|arrangement|correction)/m.test(t.text);
     const tomls = texts.filter((t) => /\.toml$/i.test(t.name));
@@ -388,7 +401,7 @@ export class Actions {
       const ours = named || (await this.asking.ask('Reading the data', ask.check(caseOf(this.state), reader, few === first.text))).status === 0;
       this.store.change({ proposal: answer.out, map: ours ? '' : answer.out, confirmed: ours });
     } catch (error) {
-      if (!(error instanceof Stopped)) this.store.change({ problem: placeOf(error), confirmed: true });
+      if (!(error instanceof Stopped)) this.store.change({ problem: placeOf(error, this.state), confirmed: true });
     }
   }
 
@@ -445,7 +458,7 @@ export class Actions {
         this.store.change({ model: { name: of.model.name, text }, start: of.start ?? of.model, bank, on: [], law: '', forced: false, modelNotes: [], panel: 'missing' });
         await this.evaluate(bank ? 'lags of all sensors' : 'lags of the channels');
       } catch (error) {
-        this.store.change({ problem: error instanceof Stopped ? { at: 'model', text: 'Stopped.' } : { ...placeOf(error), at: 'model' } });
+        this.store.change({ problem: error instanceof Stopped ? { at: 'model', text: 'Stopped.' } : { ...placeOf(error, of), at: 'model' } });
       }
     });
   }
@@ -526,16 +539,23 @@ export class Actions {
   async toggle(id: string): Promise<void> {
     const { on } = this.state;
     const off = on.includes(id);
-    this.store.change({ on: off ? on.filter((e) => e !== id) : [...on, id], forced: false });
-    await this.evaluate(`${off ? '−' : '+'} ${inWords(id)}`);
+    await this.turn({ on: off ? on.filter((e) => e !== id) : [...on, id] }, `${off ? '−' : '+'} ${inWords(id)}`);
+  }
+
+  /// The bar moves before anything else is asked or drawn: answers that are known make many pictures at once.
+  private turn(part: Partial<Case>, label: string): Promise<void> {
+    this.store.change({ ...part, forced: false });
+    return this.doing(async () => {
+      await painted();
+      await this.asked(label);
+    });
   }
 
   /// All of an explanation at once; a base law of it is taken, not added.
   async turnOn(ids: string[]): Promise<void> {
     const law = ids.find((id) => id.startsWith('law:'));
     const effects = ids.filter((id) => !id.startsWith('law:') && !this.state.on.includes(id));
-    this.store.change({ on: [...this.state.on, ...effects], forced: false, ...(law ? { law: law.slice(4) } : {}) });
-    await this.evaluate(`+ ${ids.map(inWords).join(' and ')}`);
+    await this.turn({ on: [...this.state.on, ...effects], ...(law ? { law: law.slice(4) } : {}) }, `+ ${ids.map(inWords).join(' and ')}`);
   }
 
   /// A number of the model while it is dragged: of many in a row the last is compared, nothing is refitted.
@@ -556,7 +576,7 @@ export class Actions {
         if (this.state.result) this.store.change({ result: { ...this.state.result, ...compared } });
       }
     } catch (error) {
-      if (!(error instanceof Stopped)) this.store.change({ problem: placeOf(error) });
+      if (!(error instanceof Stopped)) this.store.change({ problem: placeOf(error, this.state) });
     } finally {
       this.dragging = false;
     }

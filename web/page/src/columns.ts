@@ -1,4 +1,5 @@
 // The map of columns: which column of the file is which quantity, as `check --suggest-columns` writes it.
+import type { Reading } from './state';
 import { entries, plainValue, quoted } from './toml';
 
 export interface Mapped {
@@ -104,6 +105,22 @@ export function numbersOf(text: string, most = 500): Map<string, Float64Array> {
     columns.forEach((column, c) => (column[k] = line[c] === '' || line[c] === undefined ? NaN : Number(line[c])));
   }
   return new Map(names.map((name, c) => [name, columns[c] as Float64Array]));
+}
+
+/// Several files as one record: all rows, in their order. The noise of each is its own and stands with none.
+export function joined(readings: Reading[]): Reading {
+  const [first, ...others] = readings as [Reading, ...Reading[]];
+  if (!others.length) return first;
+  const parts = (name: string) => readings.flatMap((r) => r.columns.filter((c) => c.name === name));
+  const known = (values: (number | null)[]) => values.filter((v): v is number => v !== null);
+  const names = [...new Set(readings.flatMap((r) => r.columns.map((c) => c.name)))];
+  const columns = names.map((name) => {
+    const [from, to] = [known(parts(name).map((c) => c.from)), known(parts(name).map((c) => c.to))];
+    return { name, from: from.length ? Math.min(...from) : null, to: to.length ? Math.max(...to) : null, levels: Math.max(...parts(name).map((c) => c.levels)) };
+  });
+  const numbers = new Map([...new Set(readings.flatMap((r) => [...r.numbers.keys()]))].map((name) => [name, Float64Array.from(readings.flatMap((r) => [...(r.numbers.get(name) ?? [])]))]));
+  const said = readings.flatMap((r) => r.said).filter((s, k, all) => all.findIndex((other) => other.text === s.text) === k);
+  return { ...first, said, rows: readings.reduce((sum, r) => sum + r.rows, 0), columns, noise: { rms: null, source: '' }, numbers };
 }
 
 /// The text of a file: UTF-8 or UTF-16 where it is that, else Windows-1252, as spreadsheets of the West save.

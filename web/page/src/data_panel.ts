@@ -3,7 +3,7 @@ import { inWords, type Actions } from './actions';
 import { preview, readMap, type Mapped } from './columns';
 import { exampleButtons, filePicker } from './frame';
 import { axisTitle, el, number, plain, printed, quantity } from './report';
-import type { State } from './state';
+import type { Reading, State } from './state';
 import { button, callout, type Panelled } from './view';
 import { isCorrection } from './toml';
 
@@ -30,7 +30,7 @@ function spark(values: Float64Array | undefined, label: string): Element {
     const dot = document.createElementNS(svg, 'circle');
     dot.setAttribute('cx', String(3 + ((plotWidth - 6) * k) / Math.max(1, values.length - 1)));
     dot.setAttribute('cy', String(high === low ? plotHeight / 2 : plotHeight - 3 - ((plotHeight - 6) * (v - low)) / (high - low)));
-    dot.setAttribute('r', '1.4');
+    dot.setAttribute('r', known.length < 60 ? '2.4' : '1.4');
     picture.append(dot);
   }
   return picture;
@@ -98,6 +98,11 @@ function untilField(s: State, actions: Actions): HTMLElement {
   );
 }
 
+/// The noise of rows; that of means over dwells, which the verdict compares with, is another.
+function noiseWords({ rms, source, estimated_rms }: Reading['noise'], unit: string): string {
+  return `; noise ${number(rms, 3)} ${unit} from ${inWords(source)}${estimated_rms === undefined ? '' : `; a fit finds ${number(estimated_rms, 3)} ${unit}`}`;
+}
+
 export function dataPanel(actions: Actions): Panelled {
   return {
     needs: (s) => [s.data, s.map, s.proposal, s.reading, s.confirmed, s.problem, s.model, s.until, s.example, s.dropNan, s.rows],
@@ -137,12 +142,7 @@ export function dataPanel(actions: Actions): Panelled {
           ? el(
               'section',
               { class: 'list' },
-              el(
-                'div',
-                { class: 'head' },
-                el('h3', {}, 'Columns'),
-                el('span', { class: 'note' }, s.reading ? `${s.reading.rows} rows${noise?.rms ? `; noise ${number(noise.rms, 3)} ${quantity(`x_${s.reading.unit}`).unit} from ${inWords(noise.source)}` : ''}` : ''),
-              ),
+              el('div', { class: 'head' }, el('h3', {}, 'Columns'), el('span', { class: 'note' }, s.reading ? `${s.reading.rows} rows${noise?.rms ? noiseWords(noise, quantity(`x_${s.reading.unit}`).unit) : ''}` : '')),
               el(
                 'div',
                 { class: 'scroll wide', tabindex: '0' },

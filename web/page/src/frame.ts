@@ -126,6 +126,13 @@ export function frame(root: HTMLElement, actions: Actions, state: () => State, c
     if (job) clock.textContent = `${job.share === undefined ? '' : `${Math.round(100 * job.share)} %, `}${((performance.now() - job.since) / 1000).toFixed(1)} s`;
   }, 100);
 
+  // On a narrow page the list of steps is scrolled sideways.
+  const showStep = () => {
+    const current = nav.querySelector('[aria-current]')?.getBoundingClientRect();
+    const box = nav.getBoundingClientRect();
+    if (current && (current.left < box.left || current.right > box.right)) nav.scrollLeft += current.left + current.width / 2 - box.left - box.width / 2;
+  };
+
   return [
     new Part(
       status,
@@ -139,26 +146,29 @@ export function frame(root: HTMLElement, actions: Actions, state: () => State, c
     new Part(
       nav,
       (s) => [s.panel, s.data, s.model, s.law, s.on, s.result, s.history, s.reading, s.problem, s.speed, s.coolantOff, s.programme],
-      (s) => [
-        el(
-          'ol',
-          {},
-          ...stepsOf(s).map((name, k) => {
-            const wrong = s.problem?.at === name;
-            const b = button(
-              el(
-                'span',
-                { class: 'step' },
-                el('span', { class: 'numeral', 'aria-hidden': 'true' }, String(k + 1)),
-                el('span', { class: 'words' }, el('b', {}, names[name]), el('span', { class: 'summary' }, wrong ? 'needs a look' : summary(name, s))),
-              ),
-              () => actions.show(name),
-              { id: `step-${name}`, ...(s.panel === name ? { 'aria-current': 'step' } : {}), class: wrong ? 'wrong' : '' },
-            );
-            return el('li', {}, b);
-          }),
-        ),
-      ],
+      (s) => {
+        requestAnimationFrame(showStep);
+        return [
+          el(
+            'ol',
+            {},
+            ...stepsOf(s).map((name, k) => {
+              const wrong = s.problem?.at === name;
+              const b = button(
+                el(
+                  'span',
+                  { class: 'step' },
+                  el('span', { class: 'numeral', 'aria-hidden': 'true' }, String(k + 1)),
+                  el('span', { class: 'words' }, el('b', {}, names[name]), el('span', { class: 'summary' }, wrong ? 'needs a look' : summary(name, s))),
+                ),
+                () => actions.show(name),
+                { id: `step-${name}`, ...(s.panel === name ? { 'aria-current': 'step' } : {}), class: wrong ? 'wrong' : '' },
+              );
+              return el('li', {}, b);
+            }),
+          ),
+        ];
+      },
     ),
     new Part(
       choice,
@@ -171,7 +181,7 @@ export function frame(root: HTMLElement, actions: Actions, state: () => State, c
       (s) => [s.panel, ...panels[s.panel].needs(s)],
       (s) => {
         panel.dataset.panel = s.panel;
-        return panels[s.panel].make(s);
+        return [el('h2', { class: 'visually-hidden' }, names[s.panel]), ...panels[s.panel].make(s)];
       },
     ),
   ];

@@ -98,7 +98,7 @@ function measureNext(d: Diagnosis): HTMLElement | undefined {
           valueList(
             'Measure next',
             [...inputs.map(axisTitle), 'repeats', 'tells apart'],
-            next.map((m: Suggested) => [...inputs.map((name) => plain(m[name] as number, 4)), String(m.repeats), m.separates]),
+            next.map((m: Suggested) => [...inputs.map((name) => plain(m[name] as number, 4)), String(m.repeats), m.separates.split(' / ').map(inWords).join(' or ')]),
           ),
         ]
       : []),
@@ -119,7 +119,7 @@ function curves(result: Result, s: State): HTMLElement | undefined {
 export function missingPanel(actions: Actions): Panelled {
   let all = false;
   return {
-    needs: (s) => [s.result, s.laws, s.effects, s.problem],
+    needs: (s) => [s.result, s.laws, s.effects, s.problem, !s.result && s.model !== undefined && s.data.length > 0],
     make: (s) => {
       const problem =
         s.problem?.at === 'missing'
@@ -130,7 +130,15 @@ export function missingPanel(actions: Actions): Panelled {
             )
           : undefined;
       const { result } = s;
-      if (!result) return [problem, el('p', { class: 'quiet' }, s.problem ? 'The verdict stands here when the question can be answered.' : 'The candidates stand here when the data and the bearing are known.')];
+      if (!result)
+        return [
+          problem,
+          el(
+            'p',
+            { class: 'quiet' },
+            s.problem ? 'The verdict stands here when the question can be answered.' : s.model && s.data.length ? 'The candidates stand here in a moment.' : 'The candidates stand here when the data and the bearing are known.',
+          ),
+        ];
       const d = (result.rest ?? result.base).results;
       const list = candidates(s, result);
       const rows = el('ol', { class: 'candidates' });

@@ -1,11 +1,11 @@
 // The model: a designation and an oil make it; each key has its field, and the text stays in step.
 import { alone, baseLaws, type Actions } from './actions';
-import { capital, el, plain } from './report';
+import { capital, el, plain, printed } from './report';
 import { doubled, pieces, withoutPiece, withPiece } from './shaft_pieces';
 import { crossSection } from './spindle_panels';
 import type { Key, State } from './state';
 import { assumedIn, channelsOf, entries, isCorrection, isSpindle, plainValue, quoted, valueOf, withValue, type Entry } from './toml';
-import { button, callout, type Panelled } from './view';
+import { button, callout, Part, type Panelled } from './view';
 
 /// ISO VG grades that the command takes.
 const grades = [5, 7, 10, 15, 22, 32, 46, 68, 100, 150, 220];
@@ -95,7 +95,7 @@ function field(key: Key, entry: Entry | undefined, assumed: boolean, s: State, a
 }
 
 /// Three answers make a model.
-function designation(s: State, actions: Actions): HTMLElement {
+export function designation(s: State, actions: Actions): HTMLElement {
   const spindle = alone(s);
   const name = el('input', { type: 'text', id: 'designation', autocomplete: 'off', spellcheck: 'false', placeholder: '7014 AC' });
   const oil = el('input', { type: 'text', id: 'oil', list: 'grades', autocomplete: 'off', placeholder: 'VG 32' });
@@ -154,6 +154,19 @@ function shaftTable(text: string, actions: Actions): HTMLElement | undefined {
   });
   const head = ['', ...columns.map(([, words]) => words), ''].map((words) => el('th', { scope: 'col', class: words ? '' : 'number' }, words));
   return el('div', { class: 'scroll wide', tabindex: '0' }, el('table', { class: 'pieces' }, el('thead', {}, el('tr', {}, ...head)), el('tbody', {}, ...rows)));
+}
+
+/// Values that the model does not give, as `check` lists them.
+function defaults(): Part {
+  return new Part(
+    el('div', { id: 'defaults' }),
+    (s) => [s.reading?.defaults],
+    (s) => {
+      const list = s.reading?.defaults ?? [];
+      if (!list.length) return [];
+      return [el('details', { class: 'list' }, el('summary', {}, `${list.length} more values are not in the model: their defaults hold`), el('ul', { class: 'said' }, ...list.map((line) => el('li', {}, printed(line)))))];
+    },
+  );
 }
 
 export function modelPanel(actions: Actions, change: (part: Partial<State>) => void): Panelled {
@@ -217,7 +230,14 @@ export function modelPanel(actions: Actions, change: (part: Partial<State>) => v
           el('div', { class: 'fields' }, ...fields),
           ...[table === 'shaft' ? shaftTable(text, actions) : undefined].filter((t) => t !== undefined),
           ...(others.length
-            ? [el('details', {}, el('summary', {}, `${others.length} more keys${here.length ? '' : ', all at their defaults'}`), el('div', { class: 'fields' }, ...others.map((k) => field(k, undefined, false, s, actions))))]
+            ? [
+                el(
+                  'details',
+                  {},
+                  el('summary', {}, `${others.length} more key${others.length === 1 ? '' : 's'}${here.length ? '' : ', all at their defaults'}`),
+                  el('div', { class: 'fields' }, ...others.map((k) => field(k, undefined, false, s, actions))),
+                ),
+              ]
             : []),
         );
       });
@@ -257,6 +277,7 @@ export function modelPanel(actions: Actions, change: (part: Partial<State>) => v
         ...s.modelNotes.map((note) => callout('doubt', note)),
         count ? callout('doubt', el('b', {}, `${count} values are assumed or estimated`), ': they are marked below. Put in what you know better.') : undefined,
         lags,
+        defaults(),
         toml,
         ...groups,
       ];

@@ -140,8 +140,7 @@ export function shellCommands(of: Case): string {
   const line = (...words: string[]) => ['raceway', ...words].map(forShell).join(' ');
   const lines: string[] = [];
   const spindle = of.model !== undefined && isSpindle(of.model.text);
-  if (of.designation) lines.push(line('new', of.designation, ...(spindle ? ['--spindle'] : ['--law', 'palmgren']), '-o', 'model.toml'));
-  if (of.designation) lines.push(`# Then put your values into model.toml${of.oil ? ` (oil ${of.oil.replace(/\s+/g, ' ')})` : ''}, or save the one of this page.`);
+  if (of.designation) lines.push(line(...newModel(of.designation, spindle, of.oil).arguments), '# Then put your other values into model.toml, or save the one of this page in its place.');
   lines.push(...(spindle && !of.data.length ? ofSpindle(of, line) : ofData(of, line)));
   return `${lines.join('\n')}\n`;
 }

@@ -93,6 +93,7 @@ export interface Reading {
   rows: number;
   columns: { name: string; from: number | null; to: number | null; levels: number }[];
   noise: { rms: number | null; source: string; estimated_rms?: number };
+  defaults?: string[]; // "lubricant.supply = limited (default)"
   unit: string; // of the readings: "Nmm"
   numbers: Map<string, Float64Array>;
 }

@@ -2,6 +2,7 @@
 import { alone, heldOut, inWords, judgedErrors, type Actions } from './actions';
 import { examples } from './example';
 import { el, field, number, printed, probability, unitOfKey, verdicts } from './report';
+import { designation } from './model_panel';
 import { spindleHead } from './spindle_panels';
 import type { Result, State, Trust } from './state';
 import { isCorrection } from './toml';
@@ -47,9 +48,10 @@ class ErrorBars implements Shown {
     this.seen = [result, on];
     const { fit, held, noise, unit } = errors(result, until);
     // What was clicked a moment ago: the diagnosis knows the error with one effect, and without any.
-    const clicked = problem || result.before !== undefined || on === result.on ? undefined : on.length === 0 ? fit.before : on.length === 1 ? result.base.results.effects.find((e) => e.id === on[0])?.rmse : undefined;
+    const added = on.length === 1 ? result.base.results.effects.find((e) => e.id === on[0]) : undefined;
+    const clicked = problem || result.before !== undefined || on === result.on ? undefined : on.length === 0 ? fit.before : added?.rmse;
     if (clicked !== undefined) fit.now = clicked;
-    if (clicked !== undefined && held && on.length === 0 && !until) held.now = held.before;
+    if (clicked !== undefined && held && !until) held.now = added?.rmse_cross_validated ?? held.before;
     const most = 1.08 * Math.max(fit.before, held?.before ?? 0, fit.now, held?.now ?? 0, noise);
     const share = (value: number) => `${(100 * value) / most}%`;
     [fit, held].forEach((e, k) => {
@@ -75,10 +77,14 @@ export function trustLine(trust: Trust): HTMLElement {
   return el('p', { class: 'trust', id: 'trust' }, el('span', {}, 'Trust in this correction '), el('span', { class: `badge ${kind}` }, words), ...(trust.because ? [el('span', { class: 'note' }, printed(trust.because))] : []));
 }
 
+/// Data without a model: the step Model has the same fields.
+const asksBearing = (s: State): boolean => s.reading !== undefined && s.confirmed && !s.model && s.problem?.at !== 'data' && s.panel !== 'model';
+
 export function verdict(head: HTMLElement, actions: Actions): Shown[] {
   const words = el('div', { class: 'words' });
   const bars = el('div', { class: 'bars', id: 'error-bars' });
-  head.append(words, bars);
+  const bearing = el('div', { class: 'asked-bearing' });
+  head.append(words, bearing, bars);
   const part = new Part(
     words,
     (s) => [s.result, s.on, s.problem, s.stale, s.job === undefined, s.model, s.data, s.example, s.confirmed, s.panel === 'data' || s.panel === 'model', s.at > 0, s.machine, alone(s) && s.panel],
@@ -98,22 +104,14 @@ export function verdict(head: HTMLElement, actions: Actions): Shown[] {
           ? 'Drop a file with measured friction torque: CSV, or a table pasted from a spreadsheet.'
           : !s.confirmed
             ? 'Look through the columns.'
-            : !s.model
-              ? 'Which bearing was measured? Type its designation.'
-              : s.problem
-                ? 'No verdict yet.'
+            : s.problem
+              ? s.problem.at === 'data'
+                ? 'The data cannot be read as they are.'
+                : 'No verdict yet.'
+              : !s.model
+                ? 'Which bearing was measured? Type its designation.'
                 : 'Asking the engine …';
-        return [
-          problem,
-          el('h1', { id: 'sentence' }, next),
-          !s.model && s.data.length && s.confirmed && s.panel !== 'model' && s.panel !== 'data'
-            ? el(
-                'p',
-                { class: 'actions' },
-                button('Next: the bearing', () => actions.show('model'), { class: 'primary', id: 'next-model' }),
-              )
-            : undefined,
-        ];
+        return [problem, el('h1', { id: 'sentence' }, next)];
       }
       const shown = s.on.length ? result.rest : result.base;
       const d = (shown ?? result.base).results;
@@ -167,5 +165,10 @@ export function verdict(head: HTMLElement, actions: Actions): Shown[] {
       ];
     },
   );
-  return [part, new ErrorBars(bars)];
+  const asked = new Part(
+    bearing,
+    (s) => [asksBearing(s)],
+    (s) => (asksBearing(s) ? [designation(s, actions)] : []),
+  );
+  return [part, asked, new ErrorBars(bars)];
 }
