@@ -214,7 +214,8 @@ TEST(CorrectionFile, WhatIsWrongIsSaidWithItsPlace) {
 /// All else of a file stays as it was written.
 TEST(CorrectionFile, NumbersAreChangedWhereTheyStand) {
   const std::string text = "# mine\n" + head + "tolerance_um = 2  # on parts held out\n" +
-                           "offset_um = 1.0  # assumed\n" + channel_text + "\n[calibration]\nfree = [\"gains\"]  # no more\n";
+                           "offset_um = 1.0  # assumed\n" + channel_text +
+                           "\n[calibration]\nfree = [\"gains\"]  # no more\n";
   const CorrectionFile file = parse_correction(text, "z.toml");
   std::vector<correction::Model> models = file.models;
   models[0].channels[0].sections = {{4e-6, 1000}, {1e-6, 9000}};
