@@ -49,9 +49,9 @@ struct TorqueSensor {
 struct SensedTorque {
   double torque;  ///< M with V(M) = V, or V(M) - V(0) = V - zero [N m]
   double std;     ///< sqrt(scatter²/V'(M)² + common²) [N m]
-  /// Standard deviation of the error from the calibration and the zero of the day [N m]: gᵀ C g
-  /// with g = -∂V/∂b / V'. All readings of a record share this error, and averaging does not reduce
-  /// it.
+  /// Standard deviation of the error from the calibration and the zero of the day [N m]:
+  /// sqrt(gᵀ C g + s²) / |V'| with g = ∂V/∂b and s of that zero, 0 without one. All readings of a
+  /// record share this error, and averaging does not reduce it.
   double common;
 };
 
