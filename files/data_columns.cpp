@@ -116,9 +116,10 @@ void find_places(const text::CsvTable& table, const ReadOptions& options,
   for (const Recognised::Constant& c : found.constants)
     if (!record::find_channel(c.channel->name))
       throw text::InputError(
-          fmt::format("{}: {} = {:.6g}: one number for all rows is possible for a column of the "
-                      "model alone; name the column of the file, or remove the line",
-                      c.from, c.channel->name, c.channel->in_unit(c.value)),
+          fmt::format(
+              "{}: {} = {:.6g}: only a column that the model uses can be one number for all "
+              "rows; name a column of the file instead, or remove the line",
+              c.from, c.channel->name, c.channel->in_unit(c.value)),
           {.key = std::string(c.channel->name)});
   columns.constants = std::move(found.constants);
   columns.notes = std::move(found.notes);

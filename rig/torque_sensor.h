@@ -50,7 +50,8 @@ struct SensedTorque {
   double torque;  ///< M with V(M) = V, or V(M) - V(0) = V - zero [N m]
   double std;     ///< sqrt(scatter²/V'(M)² + common²) [N m]
   /// Standard deviation of the error from the calibration and the zero of the day [N m]:
-  /// sqrt(gᵀ C g + s²) / |V'| with g = ∂V/∂b and s of that zero, 0 without one. All readings of a
+  /// sqrt(gᵀ C g + s²) / |V'|. Without a zero of the day, g = ∂V/∂b at M and s = 0. With a zero, g
+  /// is ∂V/∂b at M less ∂V/∂b at 0, and s is the standard deviation of the zero. All readings of a
   /// record share this error, and averaging does not reduce it.
   double common;
 };

@@ -49,7 +49,7 @@ class FromFile:
 
     @property
     def defaults(self) -> list[str]:
-        """Defaults that the model uses."""
+        """Assumptions of the model: defaults that it uses, and values marked as assumed in its file."""
         return self._engine.defaults
 
     @property

@@ -95,7 +95,7 @@ TEST(ColumnMap, ANumberNeedsAColumnOfTheModel) {
     EXPECT_THAT(
         map_error("n,M\n1000,25\n",
                   "[columns]\nspeed_rpm = \"n\"\nfriction_torque_Nmm = \"M\"\n" + key + " = 3\n"),
-        HasSubstr("[columns] of map.toml: " + key + " = 3: one number for all rows"));
+        HasSubstr("[columns] of map.toml: " + key + " = 3: only a column that the model uses"));
 }
 
 TEST(ColumnMap, UnitAndFactorOfARuleComeBeforeTheHeader) {

@@ -146,7 +146,9 @@ test('the bearing is typed beside the columns; a name that is none gets the word
   raceway('new', '7014 AC', '--law', 'contact', '-o', file('contact.toml'));
   await drop(page, file('contact.toml'));
   await click(page, '#step-model');
-  assert.match(await page.textContent('#defaults'), /their defaults hold.*lubricant\.supply/s);
+  const defaults = await page.textContent('#defaults');
+  assert.match(defaults, /their defaults hold.*lubricant\.supply/s);
+  assert.doesNotMatch(defaults, /inner_conformity/); // the model has it, marked as estimated
   assert.deepEqual(faults, []);
   await close();
 });
@@ -172,15 +174,12 @@ test('the bar moves with the click, before the answers that follow are drawn', a
     page.evaluate(async () => {
       const bar = document.querySelector('#error-bars .bar-now');
       const before = bar.style.width;
-      const since = performance.now();
       document.getElementById('candidate-lubricant-drag').click();
       while (bar.style.width === before) await new Promise(requestAnimationFrame);
-      return { ms: performance.now() - since, idle: document.documentElement.dataset.idle };
+      return document.documentElement.dataset.idle;
     });
   for (let k = 0; k < 3; ++k) {
-    const { ms, idle: rests } = await once();
-    assert.equal(rests, 'no');
-    assert.ok(ms < 1000, `${ms} ms`);
+    assert.equal(await once(), 'no');
     await idle(page);
   }
   assert.deepEqual(faults, []);

@@ -156,13 +156,14 @@ function shaftTable(text: string, actions: Actions): HTMLElement | undefined {
   return el('div', { class: 'scroll wide', tabindex: '0' }, el('table', { class: 'pieces' }, el('thead', {}, el('tr', {}, ...head)), el('tbody', {}, ...rows)));
 }
 
-/// Values that the model does not give, as `check` lists them.
+/// Values that the model does not give: `check` lists them with those that the model marks as assumed, whose fields show it.
 function defaults(): Part {
   return new Part(
     el('div', { id: 'defaults' }),
-    (s) => [s.reading?.defaults],
+    (s) => [s.reading?.defaults, s.model],
     (s) => {
-      const list = s.reading?.defaults ?? [];
+      const marked = assumedIn(s.model?.text ?? '');
+      const list = (s.reading?.defaults ?? []).filter((line) => !marked.has((line.split(' = ')[0] as string).replace(/\[\d+\]/g, '')));
       if (!list.length) return [];
       return [el('details', { class: 'list' }, el('summary', {}, `${list.length} more values are not in the model: their defaults hold`), el('ul', { class: 'said' }, ...list.map((line) => el('li', {}, printed(line)))))];
     },
