@@ -74,6 +74,7 @@ struct Candidate {
   bool of_the_user = false;  ///< true: the user defined it, and its size is unknown
   bool empirical = false;    ///< true: a shape without a physical law; it only describes the misfit
   bool of_each_record = false;  ///< true: a datum that may differ between several records
+  bool of_time = false;         ///< true: depends on the time of a row
   /// Allowed values of each parameter, rising. An empty list, or an empty entry for one parameter,
   /// allows all values within its bounds. In a model that only approximates, such a parameter is
   /// the place of the preceding linear parameter. Places after the first are used only as needed.

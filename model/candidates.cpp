@@ -48,6 +48,8 @@ std::optional<fit::Candidate> candidate_of(const effects::Description& effect, c
   c.datum = effect.datum;
   c.of_the_user = effect.user_made != nullptr;
   c.of_each_record = effect.of_each_record;
+  c.of_time = std::find(effect.needs.begin(), effect.needs.end(), effects::Need::time) !=
+              effect.needs.end();
   for (const effects::Parameter& p : effect.parameters) {
     const auto [lower, upper] = bounds_of(p, model);
     const auto [usual_lower, usual_upper] = plausible_range(effect, p, model);

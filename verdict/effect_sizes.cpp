@@ -3,10 +3,15 @@
 #include <fmt/format.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "algebra/detail/decompositions.h"
+#include "fit/distributions.h"
 #include "fit/profile_interval.h"
+#include "fit/row_order.h"
+#include "fit/subspace.h"
 #include "verdict/verdict_text.h"
 
 namespace raceway::verdict {
@@ -14,6 +19,8 @@ namespace raceway::verdict {
 namespace {
 
 constexpr double plausible_factor = 3.0;
+constexpr double seen_within_blocks = 6.63;  // of -2 ln L: 1 % of one parameter
+constexpr double collinear = 1e-9;           // of a squared length
 
 /// `factor`: how far beyond the range met in practice.
 bool is_plausible(const record::Parameter& p, double factor) {
@@ -39,6 +46,23 @@ std::size_t begin_of(const fit::Problem& problem, const Explanation& e, std::siz
     at += problem.candidates[k].candidate.parameters.size();
   }
   return at;
+}
+
+/// One column for each block of rows that may be an undeclared run: 1 at its readings.
+Eigen::MatrixXd block_offsets(const fit::Problem& problem) {
+  const fit::Observations& observed = problem.observed;
+  std::vector<Eigen::VectorXd> offsets;
+  for (std::size_t c = 0; c < observed.channels.size(); ++c) {
+    const std::vector<bool> new_block = fit::row_order(*problem.record, observed.rows(c)).new_block;
+    for (std::size_t i = 0; i < new_block.size(); ++i) {
+      if (new_block[i]) offsets.emplace_back(Eigen::VectorXd::Zero(observed.size()));
+      offsets.back()[observed.first[c] + static_cast<Eigen::Index>(i)] = 1.0;
+    }
+  }
+  Eigen::MatrixXd columns(observed.size(), static_cast<Eigen::Index>(offsets.size()));
+  for (std::size_t k = 0; k < offsets.size(); ++k)
+    columns.col(static_cast<Eigen::Index>(k)) = offsets[k];
+  return columns;
 }
 
 std::vector<double> list(const Eigen::VectorXd& v) { return {v.data(), v.data() + v.size()}; }
@@ -122,6 +146,39 @@ record::Interval size_interval(const Evidence& evidence, const Explanation& e, s
       e.response, e.fit, evidence.whitening, problem.measured(),
       begin_of(problem, e, member) + problem.candidates[member].candidate.size);
   return {found.lower, found.upper};
+}
+
+double chance_of_block_offsets(const Evidence& evidence, const Explanation& e, std::size_t member) {
+  const fit::Problem& problem = evidence.problem;
+  const Eigen::MatrixXd offsets = block_offsets(problem);
+  if (offsets.cols() == 0 || e.elastic) return unset;
+  const auto size = static_cast<Eigen::Index>(begin_of(problem, e, member) +
+                                              problem.candidates[member].candidate.size);
+  const Eigen::MatrixXd slope = evidence.whitening(e.fit.slope);
+  const double neutral = problem.candidates[member].size().neutral;
+  const Eigen::VectorXd change = slope.col(size);
+  const Eigen::VectorXd without =
+      e.fit.residual + (e.fit.values[size] - (std::isnan(neutral) ? 0.0 : neutral)) * change;
+  const auto columns = slope.cols(), blocks = offsets.cols();
+  Eigen::MatrixXd others(slope.rows(), columns - 1 + blocks);
+  others << slope.leftCols(size), slope.rightCols(columns - size - 1), evidence.whitening(offsets);
+  Eigen::MatrixXd both(slope.rows(), 2);
+  both << change, without;
+  /// Gain of the change, and the square that it leaves, beside the first `count` other columns.
+  const auto gain_beside = [&](Eigen::Index count) {
+    const Eigen::MatrixXd left = fit::project_off(others.leftCols(count), both);
+    const double length = left.col(0).squaredNorm();
+    const double gain = length > collinear * change.squaredNorm()
+                            ? std::pow(left.col(0).dot(left.col(1)), 2) / length
+                            : 0.0;
+    return std::pair{gain, left.col(1).squaredNorm() - gain};
+  };
+  const auto [gain, left] = gain_beside(columns - 1);
+  const auto [within, left_by_blocks] = gain_beside(columns - 1 + blocks);
+  if (within > seen_within_blocks) return 0.0;
+  // The first offset and the change itself are fitted.
+  const auto degrees = static_cast<double>(blocks - 2);
+  return fit::f_above(1.0, degrees, gain / std::max(1.0, (left - left_by_blocks) / degrees));
 }
 
 std::vector<record::Parameter> base_with(const Evidence& evidence, const Explanation& e) {

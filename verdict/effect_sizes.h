@@ -29,6 +29,12 @@ namespace raceway::verdict {
 [[nodiscard]] record::Interval size_interval(const Evidence& evidence, const Explanation& e,
                                              std::size_t member);
 
+/// Returns the probability that offsets of blocks of rows, set at random, follow one candidate as
+/// closely as these do. It is 0 if the candidate is also seen within blocks, and NaN without blocks
+/// that may be undeclared runs (RowOrder::new_block).
+[[nodiscard]] double chance_of_block_offsets(const Evidence& evidence, const Explanation& e,
+                                             std::size_t member);
+
 /// Returns the base parameters without the explanation (start) and with it (value).
 [[nodiscard]] std::vector<record::Parameter> base_with(const Evidence& evidence,
                                                        const Explanation& e);

@@ -19,9 +19,10 @@ namespace raceway::verdict {
 
 namespace {
 
-constexpr std::size_t ranked = 6;           // effects with a hold-out of their own
-constexpr std::size_t most_rivals = 4;      // between which points are chosen
-constexpr double fall_of_an_effect = 0.01;  // of the error, below which an effect is not shown
+constexpr std::size_t ranked = 6;            // effects with a hold-out of their own
+constexpr std::size_t most_rivals = 4;       // between which points are chosen
+constexpr double fall_of_an_effect = 0.01;   // of the error, below which an effect is not shown
+constexpr double chance_of_offsets = 0.001;  // of blocks that follow a change over time by luck
 constexpr double worth_an_offer = 0.5;   // of the misfit, which another base model must take away
 constexpr double worth_measuring = 0.5;  // predicted lambda_sep: less is none
 
@@ -350,6 +351,24 @@ std::string Investigation::doubt_about(const Explanation& best) const {
                      reading_text(first.channel(), rms_of(best).front(), 4));
 }
 
+/// True if zeros that were set anew before each block of rows may look like the change over time.
+bool Investigation::may_be_block_offsets(const Explanation& e) const {
+  // Of many partners the one was chosen that leaves the best line.
+  const double partners = e.members.size() > 1 ? result_.candidates_tried : 1.0;
+  return std::any_of(e.members.begin(), e.members.end(), [&](std::size_t k) {
+    return problem_.candidates[k].candidate.of_time &&
+           partners * chance_of_block_offsets(evidence_, e, k) > chance_of_offsets;
+  });
+}
+
+std::string Investigation::doubt_about_time(const Set& set) const {
+  const bool doubtful = std::all_of(
+      set.begin(), set.end(), [this](const Explanation* e) { return may_be_block_offsets(*e); });
+  return doubtful ? "but a zero that was set anew before each block of rows may look the same "
+                    "(run_id says which rows are a run)"
+                  : "";
+}
+
 /// Nothing in the set explains the misfit by its own law but shapes that stand for none.
 bool Investigation::is_a_shape_alone(const Set& set) const {
   return std::all_of(set.begin(), set.end(), [this](const Explanation* e) {
@@ -373,6 +392,7 @@ void Investigation::confirm_single() {
   hold_out(*set.front());
   fill(set, *set.front());
   doubt_ = doubt_about(*set.front());
+  if (doubt_.empty()) doubt_ = doubt_about_time(set);
   if (doubt_.empty() && is_a_shape_alone(set))
     doubt_ = "a shape without a law of physics behind it";
   if (!plausible_ || !holds_ || !doubt_.empty()) {
@@ -387,6 +407,7 @@ void Investigation::confirm_several() {
   hold_out(*finding_.set.front());
   fill(finding_.set, *finding_.set.front());
   doubt_ = doubt_about(*finding_.set.front());
+  if (doubt_.empty()) doubt_ = doubt_about_time(finding_.set);
   result_.verdict = !holds_          ? Verdict::not_in_catalogue
                     : doubt_.empty() ? Verdict::several_effects
                                      : Verdict::effect_like;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <functional>
@@ -155,6 +156,37 @@ TEST(Diagnose, BlocksThatNobodyDeclaredAreRunsWhereNothingTells) {
     }));
   }
   EXPECT_LE(alarms, 1);
+}
+
+/// Two passes through four loads, ten minutes from row to row, no runs in the file; the zero of the
+/// sensor is set before each load.
+DataSet two_passes(const std::array<double, 8>& zeros, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> gauss;
+  DataSet data = factorial_plan({600, 900, 1360, 2060, 3100, 4670, 7040, 10600, 16000},
+                                {250, 570, 1310, 3000}, {40}, 2);
+  for (std::size_t i = 0; i < data.rows.size(); ++i) {
+    data.rows[i].time = 600.0 * static_cast<double>(i);
+    data.rows[i].point.temperature += 2.0 * static_cast<double>(i % 9) + gauss(random);
+  }
+  measure(synthetic_model(), 0.0, random, data);
+  for (std::size_t i = 0; i < data.rows.size(); ++i) {
+    data.rows[i].measured *= 1.0 + 0.01 * gauss(random);
+    data.rows[i].measured += zeros[i / 9] * N_mm;
+  }
+  return data;
+}
+
+TEST(Diagnose, ZerosThatAreSetAnewAreNoDriftOverTime) {
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    const verdict::Diagnosis steady =
+        diagnose(belief(), two_passes({0, 2, 4, 6, 8, 10, 12, 14}, seed));
+    EXPECT_EQ(steady.verdict, verdict::Verdict::effect) << steady.sentence;
+    EXPECT_THAT(named(steady), testing::Contains("torque-time-drift"));
+    const verdict::Diagnosis steps =
+        diagnose(belief(), two_passes({0, 5, 2, 4, 11, 13, 7, 11}, seed));
+    EXPECT_NE(steps.verdict, verdict::Verdict::effect) << steps.sentence;
+  }
 }
 
 TEST(Diagnose, WouldRaiseManyWithoutItsModelOfTheNoise) {

@@ -51,6 +51,8 @@ class Investigation {
   void confirm_single();
   [[nodiscard]] bool is_a_shape_alone(const Set& set) const;
   [[nodiscard]] std::string doubt_about(const Explanation& best) const;
+  [[nodiscard]] bool may_be_block_offsets(const Explanation& e) const;
+  [[nodiscard]] std::string doubt_about_time(const Set& set) const;
   void confirm_several();
   void hold_out(const Explanation& best);
   void fill(const Set& set, const Explanation& best);
