@@ -145,6 +145,19 @@ std::string name_of(const Path& path, const std::vector<std::string>& effects) {
   return fmt::format("{}", fmt::join(path, "."));
 }
 
+/// True of a number, or of a list of them, that the file marks as a guess.
+bool is_marked(const std::vector<UsedDefault>& defaults, const Path& path) {
+  const std::string name = fmt::format("{}.", fmt::join(path, "."));
+  return std::any_of(defaults.begin(), defaults.end(), [&](const UsedDefault& one) {
+    if (one.origin != UsedDefault::Origin::marked) return false;
+    // segment[0] is written segment.0 in names.
+    std::string marked = fmt::format("{}.{}.", one.table, one.key);
+    std::replace(marked.begin(), marked.end(), '[', '.');
+    std::erase(marked, ']');
+    return name.starts_with(marked);
+  });
+}
+
 std::vector<std::string> ids_of_effects(const toml::table& root) {
   std::vector<std::string> ids;
   if (const toml::array* const list = root["effect"].as_array())
@@ -212,11 +225,13 @@ ModelData::ModelData(const ModelFile& file) {
   const std::vector<std::string> effects = ids_of_effects(root);
   for (auto& [leaf, origin] : found) {
     Path& at = leaf.path;
+    const bool marked = is_marked(file.defaults, at);
     if (is_one_of(not_predicting, at.front()) || is_choice(at) || is_bound_of_effect(at)) continue;
     data_.push_back({.name = name_of(at, effects),
                      .value = leaf.value,
                      .origin = origin,
-                     .whole = is_count(at.back())});
+                     .whole = is_count(at.back()),
+                     .marked = marked});
     tables->paths.push_back(std::move(at));
   }
   for (const std::string_view name : left_out) root.erase(name);

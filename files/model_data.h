@@ -21,7 +21,8 @@ struct ModelDatum {
   std::string name;
   double value;  ///< in the unit of its name
   Origin origin = Origin::file;
-  bool whole = false;  ///< a count
+  bool whole = false;   ///< a count
+  bool marked = false;  ///< its comment in the file marks it as a guess
 };
 
 /// All numbers that a model rests on: numbers of its file, defaults that were used, and numbers of

@@ -32,6 +32,7 @@ constexpr std::array usual_spreads{UsualSpread{"bearing.inner_conformity", "0.01
                                    UsualSpread{"friction.f0", "50%"},
                                    UsualSpread{"friction.z", "50%"},
                                    UsualSpread{"friction.y", "10%"},
+                                   UsualSpread{"arrangement.preload_N", "20%"},
                                    UsualSpread{"ambient.temperature_C", "2"},
                                    UsualSpread{"ambient.emissivity", "0.1"},
                                    UsualSpread{"ambient.convection_factor", "30%"},
@@ -84,9 +85,10 @@ Assumptions influential_assumptions(const files::ModelFile& file, const spindle:
   const files::ModelData all(file);
   for (const files::ModelDatum& d : all.data()) {
     // A load of nothing is no assumption, and how many bearings a rig has no number of a spindle.
-    if (d.origin != files::ModelDatum::Origin::by_default || d.whole || d.value == 0.0 ||
-        d.name.starts_with("rig."))
-      continue;
+    // Dimensions are read from a drawing: a guess among them stands for the shaft to be entered.
+    const bool marked = d.marked && d.name.find("_mm") == d.name.npos;
+    const bool assumed = d.origin == files::ModelDatum::Origin::by_default || marked;
+    if (!assumed || d.whole || d.value == 0.0 || d.name.starts_with("rig.")) continue;
     question.data.push_back(d.name);
     question.spreads.push_back({d.name, std::string(spread_of_default(d.name))});
   }
@@ -98,7 +100,6 @@ Assumptions influential_assumptions(const files::ModelFile& file, const spindle:
   const results::PredictionSensitivity& nose = s.predictions.front();
   found.displacement = nose.value * um;
   for (std::size_t k = 0; k < s.data.size(); ++k) {
-    if (s.data[k].origin != "default") continue;
     found.most.push_back({.name = s.data[k].name,
                           .value = s.data[k].value,
                           .spread = s.data[k].spread,

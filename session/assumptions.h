@@ -5,12 +5,13 @@
 #include "files/model_file.h"
 #include "results/spindle_results.h"
 
-/// Ranks the default values of a spindle by their influence on its steady state.
+/// Ranks the assumed numbers of a spindle by their influence on its steady state.
 namespace raceway::session {
 
-/// Returns the five default values that move the nose most. The function changes every number that
-/// the file leaves to its default by its usual spread, one at a time, as sensitivity() does. The
-/// result is empty for a network and for a spindle without a steady state.
+/// Returns the five assumed numbers that move the nose most: numbers that the file leaves to their
+/// defaults, and numbers but dimensions that it marks as a guess. The function changes each by its
+/// usual spread, one at a time, as sensitivity() does. The result is empty for a network and for a
+/// spindle without a steady state.
 ///
 /// Source:   the spreads are judgements: films and contacts are known to a factor of 1.5 to 2, fits
 ///           to 3 um, and properties of steel and iron to 3 to 10 % (session/assumptions.cpp).

@@ -200,6 +200,24 @@ TEST_F(SpindleCommand, TheAssumptionsThatMatterMostAreToldWithTheirSpread) {
   EXPECT_THAT(spindle("--speed 6000 --steady").out, HasSubstr("these move the nose most"));
 }
 
+TEST_F(SpindleCommand, NumbersMarkedAsAGuessAreAssumptions) {
+  const auto assumed = [&](const std::string& comment) {
+    const std::string text = replaced(base_spindle, "lubricant_conductance_W_K = 1.5",
+                                      "lubricant_conductance_W_K = 1.5" + comment) +
+                             coarse_cells;
+    return parsed(spindle("--speed 6000 --steady --assumptions --json", text))["assumptions"];
+  };
+  const json stated = assumed(""), marked = assumed("  # assumed: that of a ball bearing");
+  EXPECT_EQ(marked["assumed"].get<int>(), stated["assumed"].get<int>() + 1);
+  const auto named = [](const json& of) {
+    std::vector<std::string> names;
+    for (const json& one : of["most"]) names.push_back(one["name"]);
+    return names;
+  };
+  EXPECT_THAT(named(marked), testing::Contains("bearing.lubricant_conductance_W_K"));
+  EXPECT_THAT(named(stated), testing::Not(testing::Contains("bearing.lubricant_conductance_W_K")));
+}
+
 TEST_F(SpindleCommand, TheFlowOfTheCoolantIsTold) {
   const std::string throttled =
       replaced(base_spindle, "flow_l_min", "throttle_diameter_mm = 3\nflow_l_min");
