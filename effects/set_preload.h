@@ -8,20 +8,23 @@
 #include <string>
 #include <string_view>
 
+#include "bearing/rigid_preload.h"
 #include "effects/effect.h"
 
 namespace raceway::effects {
 
 /// Preload of a pair that shares the entered load [N].
 ///
-///   F1 - F2 = F_a,   F2 = P - (1 - s) F_a,  not below zero
+///   F1 = F2 + F_a,   F2 = P (u - 1)(u - 2)/2 - F_rigid(0) u (u - 2) + F_rigid(n) u (u - 1)/2
 ///   F_a -> (F1^(4/3) + F2^(4/3))^(3/4)
 ///
-/// Source:   two springs that press against each other [Harris2006, vol. 1, ch. 9], derived: s is
-///           1/2 for equally stiff bearings, 1 where a soft spring preloads the
-///           second one. The 4/3 belongs to Palmgren's load moment with y = 1/3.
-/// Domain:   P >= 0, 1/2 <= s <= 1. From F_a = P/(1 - s) on the second bearing is free of load. A
-///           rigid pair, whose displacement goes with F^(2/3), is met by s of about 0.6.
+/// F_rigid is the thrust on the relieved bearing of a rigid pair (bearing/rigid_preload.h). The
+/// mounting u leads smoothly through three states: 0 is a soft spring on the second bearing, 1 a
+/// rigid pair whose preload does not grow with speed, and 2 a rigid pair whose preload grows.
+///
+/// Source:   two bearings that press against each other [Harris2006, vol. 1, ch. 9], derived. The
+///           4/3 belongs to Palmgren's load moment with y = 1/3.
+/// Domain:   P >= 0, 0 <= u <= 2. Two equal bearings under pure thrust.
 /// Accuracy: exact for the sum of both load moments with y = 1/3, of other laws and of effects that
 ///           use ball loads an average over both bearings.
 /// Trap:     z counts every bearing at the load of the set, as without this effect: it is half of
@@ -35,9 +38,11 @@ struct SetPreload {
       "Not physics but a datum: the bearings press against each other, and the recorded load is "
       "shared between them. It shows where the recorded load is smaller than the preload.";
   static constexpr std::string_view formula =
-      "F_a = F1 - F2 with F2 = P - (1 - s) F_a; (F1^(4/3) + F2^(4/3))^(3/4) in place of F_a";
+      "F1 = F2 + F_a with F2 between P (springs), F_rigid(0) and F_rigid(n) (a rigid pair at "
+      "speed); "
+      "(F1^(4/3) + F2^(4/3))^(3/4) in place of F_a";
   static constexpr std::string_view source =
-      "two springs that press against each other (Harris, vol. 1, ch. 9), derived";
+      "two bearings that press against each other (Harris, vol. 1, ch. 9), derived";
   static constexpr std::array<std::string_view, 4> confused_with{"torque-offset", "seal-friction",
                                                                  "load-offset", "load-exponent"};
   static constexpr std::string_view settled_by =
@@ -49,21 +54,30 @@ struct SetPreload {
                                                    .upper = 1e5,
                                                    .plausible_lower = 20.0,
                                                    .plausible_upper = 1500.0},
-                                         Parameter{.name = "share_on_the_first",
+                                         Parameter{.name = "mounting",
                                                    .unit = "1",
-                                                   .initial = 0.75,
-                                                   .lower = 0.5,
-                                                   .upper = 1.0,
-                                                   .plausible_lower = 0.5,
-                                                   .plausible_upper = 1.0,
+                                                   .initial = 2.0,
+                                                   .lower = 0.0,
+                                                   .upper = 2.0,
+                                                   .plausible_lower = 0.0,
+                                                   .plausible_upper = 2.0,
                                                    .neutral = unset}};
   static constexpr double size_power = 2.0;
   static constexpr std::array needs{Need::several_bearings, Need::load_levels};
+  static constexpr std::array<std::string_view, 8> bearing_data{
+      "ball_count",       "ball_diameter",    "pitch_diameter", "contact_angle",
+      "inner_conformity", "outer_conformity", "ball_material",  "ring_material"};
 
   static void condition(const ConditionInputs& in, std::span<const double> values, Condition& c) {
+    const double preload = values[0], u = values[1];
+    if (!(preload > 0.0)) return;
     const double load = std::abs(in.point.axial_load);
-    const double relieved = values[0] - (1.0 - values[1]) * load;
-    if (!(relieved > 0.0)) return;
+    const auto rigid = [&](double speed) {
+      return bearing::relieved_thrust(in.bearing, preload, load, speed);
+    };
+    const double relieved = 0.5 * (u - 1.0) * (u - 2.0) * preload - u * (u - 2.0) * rigid(0.0) +
+                            0.5 * u * (u - 1.0) * rigid(std::abs(in.point.speed));
+    if (relieved <= 0.0) return;
     const double both = std::pow(load + relieved, 4.0 / 3.0) + std::pow(relieved, 4.0 / 3.0);
     c.extra_axial_load += std::pow(both, 0.75) - load;
   }

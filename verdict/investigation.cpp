@@ -383,7 +383,9 @@ void Investigation::confirm_single() {
   std::stable_partition(set.begin(), set.end(),
                         [this](const Explanation* e) { return !search_->raises_the_error(*e); });
   const auto is_plausible = [this](const Explanation* e) { return sizes_plausible(problem_, *e); };
-  plausible_ = std::any_of(set.begin(), set.end(), is_plausible);
+  // Nor does a law that had to be bent rule out such a size.
+  plausible_ = std::any_of(set.begin(), set.end(),
+                           [&](const Explanation* e) { return !e->elastic && is_plausible(e); });
   if (plausible_) std::erase_if(set, [&](const Explanation* e) { return !is_plausible(e); });
   if (set.front()->elastic) {
     finding_.kind = Finding::Kind::bent;

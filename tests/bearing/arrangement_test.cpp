@@ -5,10 +5,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
 #include "bearing/arrangement_equilibrium.h"
+#include "bearing/rigid_preload.h"
 #include "tests/bearing/expect.h"
 #include "tests/reference_table.h"
 
@@ -70,6 +72,22 @@ TEST(Arrangement, MovesTheShaftAsOtherProgramsComputed) {
                             row["speed_rpm"] * rpm);
     EXPECT_NEAR(e.position / um, row["axial_displacement_um"], row["tolerance_um"]);
   }
+}
+
+// The solver of sets, which other programs' numbers hold, has the same pair with all its balls.
+TEST(Arrangement, ThrustOnTheRelievedBearingOfARigidPair) {
+  ArrangementDesign pair = spindle(1, 1);
+  for (const double preload : {150.0, 600.0})
+    for (const double speed : {0.0, 6000 * rpm, 15000 * rpm})
+      for (const double load : {0.0, 200.0}) {
+        pair.preload = PreloadForce{preload};
+        const ArrangementEquilibrium e = at_speed(pair, speed, load);
+        const double expected = std::min(e.front_force, e.rear_force);
+        EXPECT_NEAR(relieved_thrust(*pair.front[0].bearing, preload, load, speed), expected,
+                    1e-3 * std::max(expected, preload))
+            << preload << " N, " << load << " N, " << speed / rpm << " rpm";
+      }
+  EXPECT_EQ(relieved_thrust(*pair.front[0].bearing, 100.0, 600.0, 0.0), 0.0);
 }
 
 // The other solver finds the displacement for a load; here the loads follow from displacements.

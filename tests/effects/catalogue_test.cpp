@@ -618,19 +618,24 @@ TEST(Catalogue, ConditionsGoThroughTheEquilibrium) {
       model::correction_text(fit::synthetic_model(),
                              {.description = effects::find("load-calibration"), .values = {0.8}}),
       "axial loads are 1.25 times those of the record");
-  // A preload of 900 N, of which 600 N relieve a quarter of themselves: 750 N and 1350 N. z counts
-  // the sum of both load moments as that of one bearing.
+  // A preload of 900 N on springs: 900 N and 1500 N. z counts the sum of both load moments as that
+  // of one bearing.
   const auto load_moment = [&](double load) {
     bearing::OperatingPoint alone = p;
     alone.axial_load = load;
     return model::predict_friction(fit::synthetic_model(), alone).load;
   };
-  const auto pair_of = [&](double preload) {
-    return model::predict_friction(model_with(*effects::find("set-preload"), {preload, 0.75}), p)
+  const auto pair_of = [&](double preload, double mounting) {
+    return model::predict_friction(model_with(*effects::find("set-preload"), {preload, mounting}),
+                                   p)
         .load;
   };
-  EXPECT_NEAR(pair_of(900.0), load_moment(750.0) + load_moment(1350.0), 0.005 * pair_of(900.0));
-  EXPECT_EQ(pair_of(150.0), plain.load);  // 600 N have lifted the other off
+  EXPECT_NEAR(pair_of(900.0, 0.0), load_moment(900.0) + load_moment(1500.0),
+              0.005 * pair_of(900.0, 0.0));
+  EXPECT_EQ(pair_of(150.0, 1.0), plain.load);  // 600 N have lifted the other off
+  // A rigid pair: the load relieves the second bearing, and the speed presses both.
+  EXPECT_LT(pair_of(900.0, 1.0), pair_of(900.0, 0.0));
+  EXPECT_GT(pair_of(900.0, 2.0), pair_of(900.0, 1.0));
   // The cell is right at 20 C, and 0.4 % per kelvin off from there.
   EXPECT_NEAR(with("load-cell-drift", 100.0 / 600.0 / 0.2).torque, direct.torque, 1e-12);
   EXPECT_EQ(

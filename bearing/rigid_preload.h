@@ -1,0 +1,22 @@
+#pragma once
+
+#include "bearing/bearing.h"
+
+namespace raceway::bearing {
+
+/// Thrust on the relieved bearing of two equal ones at a fixed distance [N]; 0 where it is lifted
+/// off.
+///
+///   δ(F2 + F_a, n) + δ(F2, n) = 2 δ(P, 0)
+///
+/// δ is the axial displacement of the inner ring under pure thrust, with outer race control. The
+/// load F_a moves both inner rings alike. Centrifugal forces push the balls outwards, so that the
+/// thrust at speed exceeds P.
+///
+/// preload > 0 and load >= 0 [N], speed in rad/s. All rings have one temperature. The
+/// displacements are those of thrust_start.h: the result is right to 1e-3 of the preload. It is NaN
+/// where a bearing has no balance.
+[[nodiscard]] double relieved_thrust(const Bearing& bearing, double preload, double load,
+                                     double speed);
+
+}  // namespace raceway::bearing
