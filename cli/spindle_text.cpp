@@ -68,6 +68,40 @@ void print_seats(const model::Model& model, const std::vector<spindle::SeatsOfBe
   fmt::print("{}\n", table.text(terminal_width()));
 }
 
+/// Prints the largest von Mises stress of each part, and the components of the largest of all.
+void print_stresses(const model::Model& model, const std::vector<spindle::SectionStress>& all) {
+  if (all.empty()) return;
+  using Part = spindle::SectionStress::Part;
+  const auto largest_of = [&](Part part, int bearing) {
+    std::vector<spindle::SectionStress> some;
+    for (const spindle::SectionStress& s : all)
+      if (s.part == part && s.bearing == bearing) some.push_back(s);
+    const spindle::SectionStress* const most = results::largest_stress(some);
+    return most ? number(most->largest().von_mises() / MPa, 3) : std::string("-");
+  };
+  TextTable table(
+      {{"stress", "", true}, {"shaft", "MPa"}, {"inner ring", "MPa"}, {"outer ring", "MPa"}});
+  int bearings = 0;
+  for (const spindle::SectionStress& s : all) bearings = std::max(bearings, s.bearing + 1);
+  for (int k = 0; k < bearings; ++k)
+    table.add({results::bearing_label(model, static_cast<std::size_t>(k)),
+               largest_of(Part::shaft, k), largest_of(Part::inner_ring, k),
+               largest_of(Part::outer_ring, k)});
+  table.add({"elsewhere", largest_of(Part::shaft, -1), "-", "-"});
+  const spindle::SectionStress& most = *results::largest_stress(all);
+  const spindle::Stress& s = most.largest();
+  const std::string part = most.part == Part::shaft        ? "shaft"
+                           : most.part == Part::inner_ring ? "inner ring"
+                                                           : "outer ring";
+  fmt::print(
+      "{}\nlargest stress: {} MPa von Mises in the {} at {:.4g} mm, on the diameter {:.4g} mm: "
+      "axial "
+      "{}, hoop {}, radial {} MPa\n",
+      table.text(terminal_width()), number(s.von_mises() / MPa, 3), part,
+      0.5 * (most.start + most.end) / mm, 2.0 * s.radius / mm, number(s.axial / MPa, 3),
+      number(s.hoop / MPa, 3), number(s.radial / MPa, 3));
+}
+
 void print_heat(const spindle::HeatBalance& heat) {
   fmt::print(
       "heat: {} W friction and {} W of drives; {} W to the coolant, {} W to the air, {} W to the "
@@ -94,6 +128,7 @@ void print_one(const model::Model& model, const results::SteadyState& s) {
   if (!s.report.converged()) return;
   print_temperatures(model, s.moment);
   print_seats(model, s.seats);
+  print_stresses(model, s.stress);
   print_heat(s.moment.heat);
   if (s.coolant) print_coolant(*s.coolant);
   if (model.spindle->network) return;

@@ -80,6 +80,42 @@ text::json shaft_json(std::span<const spindle::ShaftPlace> shaft) {
   return list;
 }
 
+text::json stress_json(const spindle::Stress& s) {
+  return {{"radius_mm", s.radius / mm},
+          {"axial_MPa", s.axial / MPa},
+          {"hoop_MPa", s.hoop / MPa},
+          {"radial_MPa", s.radial / MPa},
+          {"von_mises_MPa", s.von_mises() / MPa}};
+}
+
+text::json section_json(const model::Model& model, const spindle::SectionStress& s) {
+  using Part = spindle::SectionStress::Part;
+  const bool of_bearing = s.bearing >= 0;
+  return {
+      {"part", s.part == Part::shaft        ? "shaft"
+               : s.part == Part::inner_ring ? "inner_ring"
+                                            : "outer_ring"},
+      {"bearing", of_bearing ? text::json(bearing_label(model, static_cast<std::size_t>(s.bearing)))
+                             : text::json(nullptr)},
+      {"start_mm", s.start / mm},
+      {"end_mm", s.end / mm}};
+}
+
+text::json stresses_json(const model::Model& model,
+                         std::span<const spindle::SectionStress> sections) {
+  const spindle::SectionStress* const most = largest_stress(sections);
+  text::json largest = section_json(model, *most);
+  largest.update(stress_json(most->largest()));
+  text::json list = text::json::array();
+  for (const spindle::SectionStress& s : sections) {
+    text::json section = section_json(model, s), at = text::json::array();
+    for (const spindle::Stress& place : s.at) at.push_back(stress_json(place));
+    section["at"] = std::move(at);
+    list.push_back(std::move(section));
+  }
+  return {{"largest", std::move(largest)}, {"sections", std::move(list)}};
+}
+
 text::json json_of(const Assumptions& assumptions) {
   text::json most = text::json::array();
   for (const Assumption& a : assumptions.most)
@@ -102,6 +138,14 @@ void put_row(fmt::memory_buffer& out, const std::vector<RunColumn>& columns) {
 }
 
 }  // namespace
+
+const spindle::SectionStress* largest_stress(std::span<const spindle::SectionStress> sections) {
+  const auto most =
+      std::max_element(sections.begin(), sections.end(), [](const auto& a, const auto& b) {
+        return a.largest().von_mises() < b.largest().von_mises();
+      });
+  return most == sections.end() ? nullptr : &*most;
+}
 
 std::vector<RunColumn> run_columns(const model::Model& model, const Inputs& inputs,
                                    const Moment& m) {
@@ -233,6 +277,7 @@ std::string spindle_steady_json(const model::Model& model, std::span<const Stead
     if (!s.seats.empty()) {
       row["seats"] = seats_json(model, s.seats);
       row["shaft"] = shaft_json(s.shaft);
+      row["stress"] = stresses_json(model, s.stress);
     }
     row["report"] = report_of(
         s.report, mesh.speed == s.inputs.speed ? mesh : MeshEstimate{.cells = mesh.cells});

@@ -52,8 +52,13 @@ struct SteadyState {
   std::optional<spindle::ChannelFlow> coolant = {};  ///< empty if the coolant does not flow
   /// in the order of Moment::bearings; empty for a network
   std::vector<spindle::SeatsOfBearing> seats = {};
-  std::vector<spindle::ShaftPlace> shaft = {};  ///< from the nose to the rear end
+  std::vector<spindle::ShaftPlace> shaft = {};      ///< from the nose to the rear end
+  std::vector<spindle::SectionStress> stress = {};  ///< stress of shaft and rings
 };
+
+/// Returns the section with the largest von Mises stress; null for an empty list.
+[[nodiscard]] const spindle::SectionStress* largest_stress(
+    std::span<const spindle::SectionStress> sections);
 
 /// A column of a run with its value in the unit of its name.
 struct RunColumn {

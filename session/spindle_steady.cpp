@@ -52,6 +52,7 @@ results::SteadyState steady_state(spindle::Simulator& simulator, const spindle::
   if (s.report.converged() && simulator.sets()) {
     s.seats = simulator.seats();
     s.shaft = simulator.along_shaft(s.moment);
+    s.stress = simulator.stresses(inputs.speed);
     s.axial_stiffness = simulator.sets()->axial_stiffness;
     s.bearings = simulator.sets()->bearings;
     const auto mounted = simulator.arrangement()->bearings();

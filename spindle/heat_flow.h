@@ -45,6 +45,8 @@ class HeatFlow {
 
   [[nodiscard]] const Vector& temperatures() const { return temperatures_; }
   [[nodiscard]] const Vector& felt() const { return felt_; }
+  /// Returns the heat of the raceways in the order of BearingCoupling [W].
+  [[nodiscard]] const Vector& given() const { return given_; }
   [[nodiscard]] const HeatPaths& paths() const { return system_ ? system_->paths() : network_; }
   [[nodiscard]] const ThermalSystem* system() const { return system_.get(); }
   [[nodiscard]] BearingCoupling* coupling() { return coupling_.get(); }

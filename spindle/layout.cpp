@@ -159,7 +159,7 @@ class Joiner {
   void add_open(const OpenFace& face) {
     using FaceSide = OpenFace::Side;
     const Cell& c = cell(face.cell);
-    const Joint joint{face.cell, -1, face.area, face.half};
+    const Joint joint{face.cell, -1, face.area, face.half, !face.radial()};
     const double place = face.side == FaceSide::front  ? c.start
                          : face.side == FaceSide::rear ? c.end
                                                        : 0.5 * (c.start + c.end);

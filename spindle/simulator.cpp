@@ -11,6 +11,7 @@
 #include "spindle/expansion_rows.h"
 #include "spindle/heat_flow.h"
 #include "spindle/spindle.h"
+#include "spindle/stress.h"
 #include "spindle/thermometer.h"
 
 namespace raceway::spindle {
@@ -468,6 +469,13 @@ std::vector<ShaftPlace> Simulator::along_shaft(const Moment& moment) const {
   for (const double place : places)
     list.push_back({place, front + longer(Body::shaft, place, layout.front_centre)});
   return list;
+}
+
+std::vector<SectionStress> Simulator::stresses(double speed) const {
+  const HeatFlow& flow = parts_->flow;
+  if (!flow.system() || !flow.coupling()) return {};
+  return spindle::stresses(*flow.system(), flow.temperatures(),
+                           flow.coupling()->given() * flow.given(), speed);
 }
 
 std::vector<FieldCell> Simulator::field(const State& state) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cmath>
 #include <memory>
 #include <span>
 #include <string>
@@ -142,6 +143,26 @@ struct ShaftPlace {
   double displacement = unset;  ///< positive towards the tool [m]
 };
 
+/// Stress at a radius, positive in tension [Pa].
+struct Stress {
+  double radius = unset;                               ///< [m]
+  double axial = unset, hoop = unset, radial = unset;  ///< [Pa]
+  [[nodiscard]] double von_mises() const {
+    const double a = axial - hoop, b = hoop - radial, c = radial - axial;
+    return std::sqrt(0.5 * (a * a + b * b + c * c));
+  }
+};
+
+/// Stress of the shaft or of a ring in one column of cells.
+struct SectionStress {
+  enum class Part { shaft, inner_ring, outer_ring } part = Part::shaft;
+  int bearing = -1;  ///< bearing of the ring or of the seat on the shaft; -1: shaft elsewhere
+  double start = unset, end = unset;  ///< distance behind the nose face [m]
+  std::vector<Stress> at = {};        ///< from the bore to the surface
+  /// Returns the stress at the radius of the largest von Mises stress.
+  [[nodiscard]] const Stress& largest() const;
+};
+
 /// A spindle prepared for simulation: cells, conductances and mounted sets. Several threads must
 /// not use one object at once; copies are cheap.
 class Simulator {
@@ -185,6 +206,9 @@ class Simulator {
   /// Returns the displacement along the shaft, from nose to rear end, at the end of the last call,
   /// whose result was `moment`; empty for a network.
   [[nodiscard]] std::vector<ShaftPlace> along_shaft(const Moment& moment) const;
+  /// Returns the stresses of shaft and rings at the end of the last call, which had this speed;
+  /// empty for a network.
+  [[nodiscard]] std::vector<SectionStress> stresses(double speed) const;
   [[nodiscard]] std::vector<FieldCell> field(const State& state) const;
   [[nodiscard]] std::size_t cells() const;
 

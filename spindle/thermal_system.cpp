@@ -333,6 +333,31 @@ void ThermalSystem::update_coolant(const Vector& temperatures, const Inputs& inp
       inputs.coolant_on ? 2.0 * c.flow * fluid.density * fluid.heat_capacity : 0.0;
 }
 
+CylinderHeat ThermalSystem::through_cylinders(const Vector& temperatures) const {
+  const auto cells = static_cast<Eigen::Index>(layout_.mesh.size());
+  CylinderHeat heat{Vector::Zero(cells), Vector::Zero(cells)};
+  for (const HeatPaths::Link& link : paths_.links) {
+    if (link.first >= cells || link.second >= cells) continue;
+    const Cell& a = layout_.mesh.cells[static_cast<std::size_t>(link.first)];
+    const Cell& b = layout_.mesh.cells[static_cast<std::size_t>(link.second)];
+    if (a.column != b.column) continue;
+    const int low = a.row < b.row ? link.first : link.second;
+    const int high = a.row < b.row ? link.second : link.first;
+    const double outward = link.conductance * (temperatures[low] - temperatures[high]);
+    heat.outer[low] += outward;
+    heat.inner[high] -= outward;
+  }
+  const double room = paths_.temperature[static_cast<std::size_t>(Reservoir::air)];
+  for (const Group* const group : {&nose_, &rear_})
+    for (std::size_t k = 0; k < group->joints.size(); ++k) {
+      const Joint& j = group->joints[k];
+      if (!j.axial)
+        heat.outer[j.first] +=
+            paths_.outlets[group->first + k].conductance * (temperatures[j.first] - room);
+    }
+  return heat;
+}
+
 double ThermalSystem::ambient(const Inputs& inputs) const {
   return std::isnan(inputs.ambient_temperature) ? spindle_.ambient.temperature
                                                 : inputs.ambient_temperature;

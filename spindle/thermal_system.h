@@ -12,6 +12,11 @@
 
 namespace raceway::spindle {
 
+/// Heat that leaves each cell radially, inwards and outwards [W].
+struct CylinderHeat {
+  Vector inner, outer;
+};
+
 /// Cells of a spindle with their heat paths, except the bearings. Friction and conduction of the
 /// bearings depend on the sets (BearingCoupling).
 ///
@@ -39,6 +44,8 @@ class ThermalSystem {
   [[nodiscard]] double ambient(const Inputs& inputs) const;
   /// Returns the seats after the last update(), bearing by bearing as in Layout.
   [[nodiscard]] const std::vector<SeatsOfBearing>& seats() const { return seats_; }
+  /// Returns the radial heat flow in shaft and rings, without the heat that enters at raceways.
+  [[nodiscard]] CylinderHeat through_cylinders(const Vector& temperatures) const;
 
  private:
   /// A group of heat paths with one conductance per area.

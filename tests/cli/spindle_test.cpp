@@ -70,6 +70,15 @@ TEST_F(SpindleCommand, TextAndJsonOfASteadyStateAgree) {
   EXPECT_THAT(text.out,
               HasSubstr(fmt::format("{:.4g} N in front", s["front_force_N"].get<double>())));
   EXPECT_THAT(text.out, HasSubstr("cells; "));
+  const json& most = s["stress"]["largest"];
+  EXPECT_THAT(text.out,
+              HasSubstr(fmt::format("largest stress: {:.1f} MPa von Mises in the inner ring",
+                                    most["von_mises_MPa"].get<double>())));
+  double largest = 0.0;
+  for (const json& section : s["stress"]["sections"])
+    for (const json& at : section["at"])
+      largest = std::max(largest, at["von_mises_MPa"].get<double>());
+  EXPECT_EQ(largest, most["von_mises_MPa"].get<double>());
 }
 
 TEST_F(SpindleCommand, ListOfSpeedsHasARowForEach) {

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "model/spindle.h"
+#include "spindle/spindle.h"
+
+namespace raceway::spindle {
+
+/// Temperature at a radius of a round part.
+struct RadialTemperature {
+  double radius = unset;       ///< [m]
+  double temperature = unset;  ///< [K]
+};
+
+/// Shaft or ring between two planes, free at both planes.
+struct RoundPart {
+  model::SolidMaterial material = {};
+  /// At least two places from the bore to the surface, with rising radii. The first radius of a
+  /// full cylinder is 0. The temperature is linear in ln r between two places, and even next to the
+  /// axis.
+  std::vector<RadialTemperature> profile = {};
+  double bore_pressure = 0.0, surface_pressure = 0.0;  ///< [Pa]
+  double speed = 0.0;                                  ///< [rad/s]
+};
+
+/// Returns the stresses of a part in generalised plane strain without axial force, at the radii of
+/// its profile.
+///
+///   heat      J(r) = ∫ T r dr from a,   k = E α/(1 - ν)
+///             σr = k ((r² - a²)/(b² - a²) J(b) - J(r))/r²
+///             σθ = k (((r² + a²)/(b² - a²) J(b) + J(r))/r² - T),   σz = k (2 J(b)/(b² - a²) - T)
+///   fit       σr, σθ = (p_a a² - p_b b² -/+ (p_a - p_b) a² b²/r²)/(b² - a²),   σz = 0
+///   rotation  σr = c (a² + b² - a² b²/r² - r²),   c = ρ ω² (3 - 2ν)/(8 (1 - ν))
+///             σθ = c (a² + b² + a² b²/r² - (1 + 2ν)/(3 - 2ν) r²)
+///             σz = ρ ω² ν/(2 (1 - ν)) ((a² + b²)/2 - r²)
+///
+/// with a < r < b. The sum is exact, because the axial stress without resultant does not change the
+/// growth of the surfaces in press_fit().
+/// Source:   Timoshenko and Goodier, Theory of Elasticity, 3rd ed., art. 150 to 152 (heat), Lamé
+///           (fit), the rotating disc in plane strain (rotation).
+/// Domain:   places several wall thicknesses away from ends, steps and grooves of the part.
+/// Accuracy: exact to rounding for a wall with steady heat flow; else as the temperatures.
+[[nodiscard]] std::vector<Stress> stresses_of(const RoundPart& part);
+
+}  // namespace raceway::spindle

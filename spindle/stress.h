@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "spindle/thermal_system.h"
+
+namespace raceway::spindle {
+
+/// Returns the stresses of shaft and rings in each column of cells: temperature across the wall,
+/// pressure of the seat and rotation, by stresses_of().
+///
+/// The temperature of a surface follows from its cell and the heat flow through half the cell, so
+/// a ring of one cell has a gradient too. Left out: bending, axial preload and clamping, balls in
+/// their grooves, steps and keys, and the restraint by neighbouring columns.
+/// `raceways` is the heat that enters each cell at its raceway [W].
+[[nodiscard]] std::vector<SectionStress> stresses(const ThermalSystem& system,
+                                                  const Vector& temperatures,
+                                                  const Vector& raceways, double speed);
+
+}  // namespace raceway::spindle
