@@ -119,6 +119,28 @@ void print_coolant(const spindle::ChannelFlow& flow) {
                                       : std::string());
 }
 
+/// Prints all circuits of a spindle with more than one.
+void print_circuits(const model::Model& model, const results::SteadyState& s) {
+  TextTable table({{"circuit", "", true},
+                   {"inlet", "C"},
+                   {"outlet", "C"},
+                   {"heat", "W"},
+                   {"velocity", "m/s"},
+                   {"film", "W/(m2 K)"},
+                   {"channel", "bar"},
+                   {"throttle", "bar"}});
+  for (std::size_t k = 0; k < s.channels.size(); ++k) {
+    const spindle::CircuitState& now = s.moment.circuits[k];
+    const spindle::ChannelFlow flow = s.channels[k].value_or(spindle::ChannelFlow{
+        .film = model.spindle->channels()[k].stagnant, .throttle_drop = unset});
+    table.add({results::circuit_name(model, k), number(celsius(now.inlet)),
+               number(celsius(now.outlet)), number(now.heat), number(flow.velocity, 3),
+               number(flow.film, 3), number(flow.pressure_drop / spindle::bar, 3),
+               number(flow.throttle_drop / spindle::bar, 3)});
+  }
+  fmt::print("\n{}\n", table.text(terminal_width()));
+}
+
 void print_one(const model::Model& model, const results::SteadyState& s) {
   fmt::print("{} at {:.6g} rpm, coolant {}: {}\n\n", model.spindle->name, s.inputs.speed / rpm,
              !model.spindle->coolant ? "none"
@@ -130,7 +152,10 @@ void print_one(const model::Model& model, const results::SteadyState& s) {
   print_seats(model, s.seats);
   print_stresses(model, s.stress);
   print_heat(s.moment.heat);
-  if (s.coolant) print_coolant(*s.coolant);
+  if (s.channels.size() > 1)
+    print_circuits(model, s);
+  else if (!s.channels.empty() && s.channels.front())
+    print_coolant(*s.channels.front());
   if (model.spindle->network) return;
   const spindle::Moment& m = s.moment;
   fmt::print("forces of the sets: {} N in front, {} N at the rear; {:.4g} N as mounted\n",

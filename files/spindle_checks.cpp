@@ -213,9 +213,30 @@ class SpindleCheck {
 
   void check_coolant() const {
     if (!spindle_.coolant) return;
-    const model::Coolant& c = *spindle_.coolant;
+    check_channel(tables_.section("coolant"), *spindle_.coolant);
+    const std::vector<Section> sections = circuit_sections(tables_);
+    const std::vector<model::Coolant> channels = spindle_.channels();
+    for (std::size_t k = 0; k < sections.size(); ++k) {
+      const model::Coolant& c = channels[k + 1];
+      check_channel(sections[k], c);
+      for (std::size_t j = 0; j <= k; ++j)
+        if (std::min(c.end, channels[j].end) > std::max(c.start, channels[j].start) + rounding)
+          sections[k].fail(
+              "start_mm",
+              fmt::format("start_mm = {}, end_mm = {}: circuit {} reaches from {} to {}; circuits "
+                          "must not overlap",
+                          in_mm(c.start), in_mm(c.end),
+                          j == 0 ? "[coolant]" : '"' + spindle_.circuits[j - 1].name + '"',
+                          in_mm(channels[j].start), in_mm(channels[j].end)));
+    }
+  }
+
+  void check_channel(const Section& table, const model::Coolant& c) const {
+    const auto outside = [&](const char* key, double length, const std::string& why) {
+      table.fail(key, fmt::format("{} = {}: {}", key, in_mm(length), why));
+    };
     for (const auto& [key, at] : {std::pair{"start_mm", c.start}, {"end_mm", c.end}})
-      if (!housing_.holds(at, at)) fail("coolant", key, at, housing_reach());
+      if (!housing_.holds(at, at)) outside(key, at, housing_reach());
     for (double from = housing_.start; const Segment& s : housing_.segments) {
       const double to = from + s.length, middle = 0.5 * (from + to);
       from = to;
@@ -223,11 +244,11 @@ class SpindleCheck {
       const double bore = bore_at(middle), inner = c.diameter - c.channel_depth,
                    outer = c.diameter + c.channel_depth;
       if (inner <= bore || outer >= s.diameter)
-        fail("coolant", "diameter_mm", c.diameter,
-             fmt::format("with channel_depth_mm = {} the channel reaches from {} to {} in "
-                         "diameter, outside the wall of the housing, {} to {}",
-                         in_mm(c.channel_depth), in_mm(inner), in_mm(outer), in_mm(bore),
-                         in_mm(s.diameter)));
+        outside("diameter_mm", c.diameter,
+                fmt::format("with channel_depth_mm = {} the channel reaches from {} to {} in "
+                            "diameter, outside the wall of the housing, {} to {}",
+                            in_mm(c.channel_depth), in_mm(inner), in_mm(outer), in_mm(bore),
+                            in_mm(s.diameter)));
     }
   }
 
@@ -313,10 +334,15 @@ class SpindleCheck {
         return;
       case ThermometerPlace::Part::coolant:
         if (!spindle_.coolant) s.fail("part", "part = \"coolant\": the model has no [coolant]");
-        if (place.position < spindle_.coolant->start - rounding ||
-            place.position > spindle_.coolant->end + rounding)
-          outside(fmt::format("the channel reaches from {} to {}", in_mm(spindle_.coolant->start),
-                              in_mm(spindle_.coolant->end)));
+        if (std::isnan(place.position)) return;
+        std::string reach;
+        for (const model::Coolant& c : spindle_.channels()) {
+          if (place.position >= c.start - rounding && place.position <= c.end + rounding) return;
+          reach += fmt::format("{} {} to {}",
+                               reach.empty() ? "the channel reaches from" : ", another from",
+                               in_mm(c.start), in_mm(c.end));
+        }
+        outside(reach);
     }
   }
 

@@ -229,6 +229,7 @@ model::Spindle read_spindle(ModelTables& tables, const NamedBearing& bearing,
   spindle.housing = read_housing(tables);
   spindle.seat = read_seat(tables);
   spindle.coolant = read_coolant(tables, spindle.ambient);
+  if (spindle.coolant) spindle.circuits = read_circuits(tables, *spindle.coolant);
   spindle.motor = read_heat_source(tables, "motor");
   spindle.drive = read_heat_source(tables, "drive");
   spindle.heat = read_heat_sources(tables, names_of_bearings(spindle));

@@ -27,8 +27,19 @@ constexpr Key ambient_keys[]{
 
 constexpr Key coolant_keys[]{
     {"fluid", one_of("water|oil"), "water", "what flows"},
-    {"flow_l_min", between(0, 1e4, "l/min"), is_required, "volume in a minute"},
     {"inlet_temperature_C", between(-50, 150, "C"), "as the ambient", "where it enters"},
+    {"circuit", a_list, unset,
+     "further circuits around other parts of the housing, [[coolant.circuit]]"},
+};
+constexpr Key circuit_keys[]{
+    {"name", a_text, is_required,
+     "letters, digits and _; gives the columns NAME_outlet_temperature_C and heat_to_NAME_W"},
+    {"fluid", one_of("water|oil"), "as in [coolant]", "what flows"},
+    {"inlet_temperature_C", between(-50, 150, "C"), "as in [coolant]",
+     "where it enters; without it the circuit follows [coolant] and coolant_inlet_temperature_C"},
+};
+constexpr Key channel_keys[]{
+    {"flow_l_min", between(0, 1e4, "l/min"), is_required, "volume in a minute"},
     {"diameter_mm", between(1, 10000, "mm"), is_required, "of the helix of the channel"},
     {"channel_width_mm", between(0.1, 1000, "mm"), is_required, "along the spindle"},
     {"channel_depth_mm", between(0.1, 1000, "mm"), is_required, "radial"},
@@ -206,6 +217,43 @@ void read_heated_place(ModelTables& tables, const Section& s, std::size_t index,
                         fmt::format("{:.10g}", source.rotor_share));
 }
 
+model::Fluid fluid_of(std::string_view word) {
+  return word == "water" ? model::Fluid::water : model::Fluid::oil;
+}
+
+void require_liquid(const Section& s, model::Fluid fluid, double inlet) {
+  if (fluid == model::Fluid::water &&
+      !(inlet >= model::water_freezes && inlet <= model::water_boils))
+    s.fail("inlet_temperature_C",
+           fmt::format("inlet_temperature_C = {:.6g} C: must be from {:g} to {:g} C for fluid = "
+                       "\"water\", which freezes below and boils above it",
+                       celsius(inlet), celsius(model::water_freezes), celsius(model::water_boils)));
+}
+
+/// Reads flow and channel of a circuit. `address` names its table in notes.
+void read_channel(ModelTables& tables, const Section& s, const std::string& address,
+                  model::Coolant& coolant) {
+  coolant.flow = s.required("flow_l_min") * litre_per_minute;
+  coolant.diameter = s.required("diameter_mm") * mm;
+  coolant.channel_width = s.required("channel_width_mm") * mm;
+  coolant.channel_depth = s.required("channel_depth_mm") * mm;
+  coolant.pitch = s.required("pitch_mm") * mm;
+  coolant.start = s.required("start_mm") * mm;
+  coolant.end = s.required("end_mm") * mm;
+  coolant.stagnant = s.value("stagnant_W_m2K");
+  if (!s.find("stagnant_W_m2K"))
+    tables.note_default(address, "stagnant_W_m2K", fmt::format("{:.10g}", coolant.stagnant));
+  if (const auto throttle = s.number("throttle_diameter_mm"))
+    coolant.throttle_diameter = *throttle * mm;
+  if (coolant.pitch < coolant.channel_width)
+    s.fail("pitch_mm", fmt::format("pitch_mm = {:.10g} mm: must be at least channel_width_mm = "
+                                   "{:.10g} mm, or the turns of the channel run into each other",
+                                   coolant.pitch / mm, coolant.channel_width / mm));
+  if (coolant.end <= coolant.start)
+    s.fail("end_mm", fmt::format("end_mm = {:.10g} mm: must be above start_mm = {:.10g} mm",
+                                 coolant.end / mm, coolant.start / mm));
+}
+
 ThermometerPlace::Part part_of(const Section& s) {
   const auto part = s.choice("part");
   if (!part) s.fail("part", "[sensor] part is missing: must be shaft, ring, housing or coolant");
@@ -241,8 +289,15 @@ bool names_a_column(std::string_view name) {
 }
 
 std::vector<KeyTable> surroundings_tables() {
-  return {{"ambient", ambient_keys}, {"coolant", coolant_keys}, {"motor", motor_keys},
-          {"drive", drive_keys},     {"heat", heat_keys},       {"sensor", sensor_keys}};
+  return {{"ambient", ambient_keys},
+          {"coolant", coolant_keys},
+          {"coolant", channel_keys},
+          {"coolant.circuit", circuit_keys},
+          {"coolant.circuit", channel_keys},
+          {"motor", motor_keys},
+          {"drive", drive_keys},
+          {"heat", heat_keys},
+          {"sensor", sensor_keys}};
 }
 
 model::Ambient read_ambient(ModelTables& tables) {
@@ -264,37 +319,53 @@ model::Ambient read_ambient(ModelTables& tables) {
 }
 
 std::optional<model::Coolant> read_coolant(ModelTables& tables, const model::Ambient& ambient) {
-  const Section s = tables.section("coolant", {coolant_keys});
+  const Section s = tables.section("coolant", {coolant_keys, channel_keys});
   if (!s.given()) return std::nullopt;
   model::Coolant coolant;
-  coolant.fluid = tables.choice(s, "fluid") == "water" ? model::Fluid::water : model::Fluid::oil;
-  coolant.flow = s.required("flow_l_min") * litre_per_minute;
+  coolant.fluid = fluid_of(tables.choice(s, "fluid"));
   coolant.inlet_temperature =
       kelvin(tables.number(s, "inlet_temperature_C", celsius(ambient.temperature)));
-  if (coolant.fluid == model::Fluid::water && !(coolant.inlet_temperature >= model::water_freezes &&
-                                                coolant.inlet_temperature <= model::water_boils))
-    s.fail("inlet_temperature_C",
-           fmt::format("inlet_temperature_C = {:.6g} C: must be from {:g} to {:g} C for fluid = "
-                       "\"water\", which freezes below and boils above it",
-                       celsius(coolant.inlet_temperature), celsius(model::water_freezes),
-                       celsius(model::water_boils)));
-  coolant.diameter = s.required("diameter_mm") * mm;
-  coolant.channel_width = s.required("channel_width_mm") * mm;
-  coolant.channel_depth = s.required("channel_depth_mm") * mm;
-  coolant.pitch = s.required("pitch_mm") * mm;
-  coolant.start = s.required("start_mm") * mm;
-  coolant.end = s.required("end_mm") * mm;
-  coolant.stagnant = tables.number(s, "stagnant_W_m2K");
-  if (const auto throttle = s.number("throttle_diameter_mm"))
-    coolant.throttle_diameter = *throttle * mm;
-  if (coolant.pitch < coolant.channel_width)
-    s.fail("pitch_mm", fmt::format("pitch_mm = {:.10g} mm: must be at least channel_width_mm = "
-                                   "{:.10g} mm, or the turns of the channel run into each other",
-                                   coolant.pitch / mm, coolant.channel_width / mm));
-  if (coolant.end <= coolant.start)
-    s.fail("end_mm", fmt::format("end_mm = {:.10g} mm: must be above start_mm = {:.10g} mm",
-                                 coolant.end / mm, coolant.start / mm));
+  require_liquid(s, coolant.fluid, coolant.inlet_temperature);
+  read_channel(tables, s, "coolant", coolant);
   return coolant;
+}
+
+std::vector<Section> circuit_sections(const ModelTables& tables) {
+  return tables_in(tables.section("coolant"), "circuit", {circuit_keys, channel_keys});
+}
+
+std::vector<model::Circuit> read_circuits(ModelTables& tables, const model::Coolant& first) {
+  std::vector<model::Circuit> list;
+  for (const Section& s : circuit_sections(tables)) {
+    const auto name = s.text("name");
+    if (!name) s.fail("name", "[coolant.circuit] name is missing: it names columns of the result");
+    const auto fail = [&](const char* why) {
+      s.fail("name", fmt::format("name = \"{}\": {}", *name, why));
+    };
+    if (!names_a_column(*name)) fail("must be letters, digits and _");
+    for (const char* taken : {"coolant", "air", "machine"})
+      if (*name == taken) fail("heat_to_NAME_W is a column of its own; take another name");
+    for (const model::Circuit& other : list)
+      if (other.name == *name) fail("another circuit has this name");
+    const std::string address = fmt::format("coolant.circuit[{}]", list.size());
+    model::Circuit circuit{.name = *name, .channel = {.fluid = first.fluid}};
+    if (const auto fluid = s.choice("fluid"))
+      circuit.channel.fluid = fluid_of(*fluid);
+    else
+      tables.note_default(address, "fluid",
+                          first.fluid == model::Fluid::water ? "\"water\"" : "\"oil\"",
+                          "as in [coolant]");
+    double inlet = first.inlet_temperature;
+    if (const auto given = s.number("inlet_temperature_C"))
+      circuit.channel.inlet_temperature = inlet = kelvin(*given);
+    else
+      tables.note_default(address, "inlet_temperature_C", fmt::format("{:.10g}", celsius(inlet)),
+                          "as in [coolant]");
+    require_liquid(s, circuit.channel.fluid, inlet);
+    read_channel(tables, s, address, circuit.channel);
+    list.push_back(std::move(circuit));
+  }
+  return list;
 }
 
 std::optional<model::HeatSource> read_heat_source(ModelTables& tables, std::string_view table) {

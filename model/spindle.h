@@ -137,6 +137,12 @@ struct Coolant {
   double throttle_diameter = unset;   ///< orifice at the outlet [m]; NaN: none
 };
 
+/// A further coolant circuit, with a channel around another span of the housing.
+struct Circuit {
+  std::string name;  ///< gives the columns NAME_outlet_temperature_C and heat_to_NAME_W
+  Coolant channel;   ///< an inlet temperature of NaN is that of the first circuit
+};
+
 enum class RotatingConvection { becker, kendoush, anderson_saunders };
 
 struct Ambient {
@@ -228,7 +234,8 @@ struct Spindle {
   std::vector<RollerOnShaft> rollers = {};
   Housing housing = {};
   Seat seat = {};
-  std::optional<Coolant> coolant = {};
+  std::optional<Coolant> coolant = {};  ///< first circuit
+  std::vector<Circuit> circuits = {};   ///< further circuits; they need a first one
   Ambient ambient = {};
   std::optional<HeatSource> motor = {};
   std::optional<HeatSource> drive = {};
@@ -241,6 +248,14 @@ struct Spindle {
   double step = unset;  ///< longest time step [s]; NaN: adaptive
   /// Residuals up to these values count as coarseness of the model: [K], [m].
   double model_floor_temperature = 0.5, model_floor_displacement = 1 * um;
+
+  /// Returns the channels of all circuits, `coolant` first.
+  [[nodiscard]] std::vector<Coolant> channels() const {
+    std::vector<Coolant> list;
+    if (coolant) list.push_back(*coolant);
+    for (const Circuit& c : circuits) list.push_back(c.channel);
+    return list;
+  }
 };
 
 }  // namespace raceway::model

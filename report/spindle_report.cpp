@@ -99,13 +99,15 @@ text::json section_json(const model::Model& model, std::span<const DrawnField> f
                       {{"position_mm", drawn_mm(s.housing.flange)},
                        {"length_mm", drawn_mm(s.housing.flange_length)}}},
                      {"moments", std::move(moments)}};
-  if (s.coolant)
-    section["channel"] = {{"start_mm", drawn_mm(s.coolant->start)},
-                          {"end_mm", drawn_mm(s.coolant->end)},
-                          {"diameter_mm", drawn_mm(s.coolant->diameter)},
-                          {"width_mm", drawn_mm(s.coolant->channel_width)},
-                          {"depth_mm", drawn_mm(s.coolant->channel_depth)},
-                          {"pitch_mm", drawn_mm(s.coolant->pitch)}};
+  text::json channels = text::json::array();
+  for (const model::Coolant& c : s.channels())
+    channels.push_back({{"start_mm", drawn_mm(c.start)},
+                        {"end_mm", drawn_mm(c.end)},
+                        {"diameter_mm", drawn_mm(c.diameter)},
+                        {"width_mm", drawn_mm(c.channel_width)},
+                        {"depth_mm", drawn_mm(c.channel_depth)},
+                        {"pitch_mm", drawn_mm(c.pitch)}});
+  if (!channels.empty()) section["channels"] = std::move(channels);
   return section;
 }
 

@@ -72,6 +72,28 @@ text::json seats_json(const model::Model& model, std::span<const spindle::SeatsO
   return list;
 }
 
+text::json flow_json(const spindle::ChannelFlow& flow) {
+  return {{"velocity_m_s", flow.velocity},
+          {"reynolds_number", flow.reynolds},
+          {"film_W_m2K", flow.film},
+          {"pressure_drop_bar", flow.pressure_drop / spindle::bar},
+          {"throttle_pressure_drop_bar", flow.throttle_drop / spindle::bar}};
+}
+
+text::json circuits_json(const model::Model& model, const SteadyState& s) {
+  text::json list = text::json::array();
+  for (std::size_t k = 0; k < s.channels.size(); ++k) {
+    const spindle::CircuitState& now = s.moment.circuits[k];
+    text::json circuit{{"name", circuit_name(model, k)},
+                       {"inlet_temperature_C", celsius(now.inlet)},
+                       {"outlet_temperature_C", celsius(now.outlet)},
+                       {"heat_W", now.heat}};
+    if (s.channels[k]) circuit.update(flow_json(*s.channels[k]));
+    list.push_back(std::move(circuit));
+  }
+  return list;
+}
+
 text::json shaft_json(std::span<const spindle::ShaftPlace> shaft) {
   text::json list = text::json::array();
   for (const spindle::ShaftPlace& place : shaft)
@@ -186,14 +208,28 @@ std::vector<RunColumn> run_columns(const model::Model& model, const Inputs& inpu
     list.push_back({label + "_clearance_um", b.clearance / um});
     list.push_back({label + "_friction_W", b.power});
   }
-  const bool measured = std::any_of(sensors.begin(), sensors.end(),
-                                    [](const auto& s) { return s.name == "coolant_outlet"; });
+  const auto is_sensor = [&](std::string_view name) {
+    return std::any_of(sensors.begin(), sensors.end(),
+                       [&](const auto& s) { return s.name == name; });
+  };
   for (std::size_t k = 0; k < model.spindle->heat.size(); ++k)
     list.push_back(
         {model.spindle->heat[k].name + "_heat_W", k < m.sources.size() ? m.sources[k] : unset});
-  if (model.spindle->coolant && !measured)
+  if (model.spindle->coolant && !is_sensor("coolant_outlet"))
     list.push_back({"coolant_outlet_temperature_C", celsius(m.coolant_outlet)});
+  for (std::size_t k = 0; k < model.spindle->circuits.size(); ++k) {
+    const std::string& name = model.spindle->circuits[k].name;
+    const spindle::CircuitState now =
+        k + 1 < m.circuits.size() ? m.circuits[k + 1] : spindle::CircuitState{.heat = unset};
+    if (!is_sensor(name + "_outlet"))
+      list.push_back({name + "_outlet_temperature_C", celsius(now.outlet)});
+    list.push_back({"heat_to_" + name + "_W", now.heat});
+  }
   return list;
+}
+
+std::string circuit_name(const model::Model& model, std::size_t circuit) {
+  return circuit == 0 ? "coolant" : model.spindle->circuits[circuit - 1].name;
 }
 
 std::string bearing_label(const model::Model& model, std::size_t bearing) {
@@ -268,12 +304,8 @@ std::string spindle_steady_json(const model::Model& model, std::span<const Stead
   for (const SteadyState& s : states) {
     text::json row = row_json(run_columns(model, s.inputs, s.moment));
     row["axial_stiffness_N_um"] = s.axial_stiffness / N_per_um;
-    if (s.coolant)
-      row["coolant"] = {{"velocity_m_s", s.coolant->velocity},
-                        {"reynolds_number", s.coolant->reynolds},
-                        {"film_W_m2K", s.coolant->film},
-                        {"pressure_drop_bar", s.coolant->pressure_drop / spindle::bar},
-                        {"throttle_pressure_drop_bar", s.coolant->throttle_drop / spindle::bar}};
+    if (!s.channels.empty() && s.channels.front()) row["coolant"] = flow_json(*s.channels.front());
+    if (s.channels.size() > 1) row["circuits"] = circuits_json(model, s);
     if (!s.seats.empty()) {
       row["seats"] = seats_json(model, s.seats);
       row["shaft"] = shaft_json(s.shaft);

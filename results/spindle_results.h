@@ -49,7 +49,8 @@ struct SteadyState {
   double axial_stiffness = unset;  ///< axial stiffness of the warm sets [N/m]
   /// Values of each bearing, front set first; empty if there are none.
   std::vector<bearing::BearingInSet> bearings = {};
-  std::optional<spindle::ChannelFlow> coolant = {};  ///< empty if the coolant does not flow
+  /// Flow of each circuit in the order of model::Spindle::channels(); empty if it does not flow.
+  std::vector<std::optional<spindle::ChannelFlow>> channels = {};
   /// in the order of Moment::bearings; empty for a network
   std::vector<spindle::SeatsOfBearing> seats = {};
   std::vector<spindle::ShaftPlace> shaft = {};      ///< from the nose to the rear end
@@ -104,6 +105,8 @@ struct RunColumn {
 [[nodiscard]] spindle::State parse_spindle_state(const std::string& text,
                                                  const std::string& source);
 
+/// Returns the name of a coolant circuit, "coolant" for the first one.
+[[nodiscard]] std::string circuit_name(const model::Model& model, std::size_t circuit);
 /// Returns the name of a bearing in columns: "front_1", counted from the nose in each set, or the
 /// name of a roller bearing.
 [[nodiscard]] std::string bearing_label(const model::Model& model, std::size_t bearing);

@@ -29,6 +29,18 @@ input = "front_temperature_C"
 numerator = [16.0005, -15.9975]
 denominator = [1, -0.99983]
 END
+sed 's/^end_mm = 300.0/end_mm = 180.0/' data/spindles/externally_driven.toml > circuits.toml
+cat >> circuits.toml <<'END'
+[[coolant.circuit]]
+name = "rear_jacket"
+flow_l_min = 4
+diameter_mm = 140
+channel_width_mm = 10
+channel_depth_mm = 4
+pitch_mm = 14
+start_mm = 190
+end_mm = 300
+END
 awk 'BEGIN { print "time_s,front_temperature_C,displacement_z_um"; for (k = 0; k < 400; k++) print k "," 20 + (k % 50) / 10 "," k / 10 }' > even.csv
 """
 # Commands whose documents together have the keys of a kind.
@@ -79,6 +91,7 @@ DOCUMENTS = {
     "spindle": [
         "spindle data/spindles/externally_driven.toml --speed 6000 --steady --assumptions",
         "spindle data/spindles/externally_driven.toml --speed-profile data/spindles/day.csv",
+        "spindle circuits.toml --speed 6000 --steady",
     ],
     "deflection": ["deflection data/spindles/externally_driven.toml --force 1000 --speed 8000"],
     "modes": ["modes data/spindles/externally_driven.toml --speed 6000 --unbalance 5 --damping 0.03"],
@@ -191,6 +204,7 @@ MEANINGS = {
     "calibrate-sensor": {"hysteresis.largest_percent": "of the signal of the whole range, as all per cents here"},
     "spindle": {
         "steady[].coolant.velocity_m_s": "of a steady state",
+        "steady[].circuits[].heat_W": "of each circuit where [[coolant.circuit]] adds one; heat_to_coolant_W is the sum",
         "steady[].seats[].on_shaft.pressure_MPa": "0 of a loose seat, null where its conductance is given",
         "steady[].shaft[].axial_displacement_um": "against the flange, from the nose to the rear end",
         "steady[].stress.largest.part": "shaft, inner_ring or outer_ring; place of the largest von Mises stress; tension is positive",

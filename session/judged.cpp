@@ -404,9 +404,13 @@ void require_possible(const model::Model& model, const record::Record& record) {
   look(record::speed, [&](double v) { require_possible_speed(model, v, "speed_rpm"); });
   look(record::temperature,
        [&](double v) { require_possible_temperature(model, v, "temperature_C"); });
-  if (!model.spindle || !model.spindle->coolant ||
-      model.spindle->coolant->fluid != model::Fluid::water)
-    return;
+  if (!model.spindle) return;
+  const std::vector<model::Coolant> channels = model.spindle->channels();
+  const bool water = std::any_of(channels.begin(), channels.end(), [&](const model::Coolant& c) {
+    const bool follows = &c == channels.data() || std::isnan(c.inlet_temperature);
+    return follows && c.fluid == model::Fluid::water;
+  });
+  if (!water) return;
   for (const record::Column& column : record.columns)
     if (column.channel->name == "coolant_inlet_temperature_C")
       look(*column.channel, [&](double v) {

@@ -34,15 +34,18 @@ double hottest_inner_ring(const spindle::Moment& m) {
   return hottest;
 }
 
-/// The flow of the coolant at the mean of its inlet and its outlet; none where it stands.
-std::optional<spindle::ChannelFlow> coolant_at(const model::Model& model,
-                                               const results::SteadyState& s) {
-  const std::optional<model::Coolant>& coolant = model.spindle->coolant;
-  if (!coolant || !s.inputs.coolant_on || !(coolant->flow > 0.0) || !s.report.converged())
-    return std::nullopt;
-  const double inlet =
-      std::isnan(s.inputs.coolant_inlet) ? coolant->inlet_temperature : s.inputs.coolant_inlet;
-  return spindle::channel_flow(*coolant, 0.5 * (inlet + s.moment.coolant_outlet));
+/// Returns the flow of each circuit at the mean of its inlet and its outlet; empty if it stands.
+std::vector<std::optional<spindle::ChannelFlow>> flows_at(const model::Model& model,
+                                                          const results::SteadyState& s) {
+  std::vector<std::optional<spindle::ChannelFlow>> list;
+  if (!s.report.converged()) return list;
+  for (const model::Coolant& c : model.spindle->channels()) {
+    const spindle::CircuitState& now = s.moment.circuits[list.size()];
+    list.emplace_back();
+    if (s.inputs.coolant_on && c.flow > 0.0)
+      list.back() = spindle::channel_flow(c, 0.5 * (now.inlet + now.outlet));
+  }
+  return list;
 }
 
 results::SteadyState steady_state(spindle::Simulator& simulator, const spindle::Inputs& inputs) {
@@ -189,7 +192,7 @@ SteadySpindle steady_spindle(const files::ModelFile& file, const SteadyQuestion&
     } catch (const std::invalid_argument& e) {
       throw text::InputError(fmt::format("{}: {}", file.source, e.what()), {.file = file.source});
     }
-    answer.states.back().coolant = coolant_at(file.model, answer.states.back());
+    answer.states.back().channels = flows_at(file.model, answer.states.back());
     note_rollers(file.model, simulator, answer);
   }
   answer.findings = judge(file.model, answer.states);

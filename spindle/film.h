@@ -249,6 +249,15 @@ struct Channel {
   return std::max(c.stagnant, channel_of(c).film(c.flow, fluid_properties(c.fluid, temperature)));
 }
 
+/// Returns the conductance from the mean of a coolant to its inlet, 2 V ρ c [W/K]; zero if the
+/// coolant is off. The mean lies halfway between inlet and outlet.
+[[nodiscard]] inline double coolant_conductance(const model::Coolant& c, double temperature,
+                                                bool on) {
+  if (!on) return 0.0;
+  const FluidProperties fluid = fluid_properties(c.fluid, temperature);
+  return 2.0 * c.flow * fluid.density * fluid.heat_capacity;
+}
+
 inline constexpr double bar = 1e5;  ///< [Pa]
 
 /// Flow of a coolant through its channel.

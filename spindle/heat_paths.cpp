@@ -6,17 +6,15 @@ namespace raceway::spindle {
 
 std::array<double, reservoirs> HeatPaths::outflow(const Vector& temperatures) const {
   std::array<double, reservoirs> sum{};
-  for (const Outlet& way : outlets) {
-    const auto r = static_cast<std::size_t>(way.reservoir);
-    sum[r] += way.conductance * (temperatures[way.node] - temperature[r]);
-  }
+  for (const Outlet& way : outlets)
+    sum[static_cast<std::size_t>(way.reservoir)] +=
+        way.conductance * (temperatures[way.node] - way.outside(temperature));
   return sum;
 }
 
 Vector HeatPaths::constant_inflow() const {
   Vector sum = source;
-  for (const Outlet& way : outlets)
-    sum[way.node] += way.conductance * temperature[static_cast<std::size_t>(way.reservoir)];
+  for (const Outlet& way : outlets) sum[way.node] += way.conductance * way.outside(temperature);
   return sum;
 }
 
@@ -28,8 +26,7 @@ Vector HeatPaths::inflow(const Vector& temperatures) const {
     sum[way.second] -= flow;
   }
   for (const Outlet& way : outlets)
-    sum[way.node] += way.conductance * (temperature[static_cast<std::size_t>(way.reservoir)] -
-                                        temperatures[way.node]);
+    sum[way.node] += way.conductance * (way.outside(temperature) - temperatures[way.node]);
   return sum;
 }
 

@@ -31,6 +31,10 @@ struct HeatPaths {
     int node;
     Reservoir reservoir;
     double conductance;  ///< [W/K]
+    double above = 0.0;  ///< temperature above that of the reservoir [K]
+    [[nodiscard]] double outside(const std::array<double, reservoirs>& temperature) const {
+      return temperature[static_cast<std::size_t>(reservoir)] + above;
+    }
   };
   Vector capacity;  ///< [J/K], > 0
   Vector source;    ///< heat sources that do not depend on temperatures [W]

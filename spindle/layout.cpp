@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <stdexcept>
 
 #include "model/rings.h"
@@ -53,14 +54,17 @@ double length_of(const std::vector<model::Segment>& segments) {
                          [](double sum, const model::Segment& s) { return sum + s.length; });
 }
 
-void add_housing_piece(const Region& whole, const std::optional<model::Coolant>& coolant,
+void add_housing_piece(const Region& whole, std::span<const model::Coolant> channels,
                        std::vector<Region>& regions) {
-  const double low = coolant ? std::max(whole.start, coolant->start) : 0.0;
-  const double high = coolant ? std::min(whole.end, coolant->end) : 0.0;
-  if (!coolant || high - low < same_place) {
+  const auto coolant = std::find_if(channels.begin(), channels.end(), [&](const auto& c) {
+    return std::min(whole.end, c.end) - std::max(whole.start, c.start) >= same_place;
+  });
+  if (coolant == channels.end()) {
     regions.push_back(whole);
     return;
   }
+  const double low = std::max(whole.start, coolant->start);
+  const double high = std::min(whole.end, coolant->end);
   const auto part = [&](double start, double end, double inner, double outer, double share) {
     if (end - start < same_place || outer - inner < same_place) return;
     Region r = whole;
@@ -76,11 +80,30 @@ void add_housing_piece(const Region& whole, const std::optional<model::Coolant>&
         "housing, {:.6g} to {:.6g} mm",
         2e3 * (middle - half), 2e3 * (middle + half), 2e3 * whole.inner_radius,
         2e3 * whole.outer_radius));
-  part(whole.start, low, whole.inner_radius, whole.outer_radius, 1.0);
-  part(high, whole.end, whole.inner_radius, whole.outer_radius, 1.0);
+  const auto outside = [&](double start, double end) {
+    Region r = whole;
+    r.start = start, r.end = end;
+    if (end - start >= same_place) add_housing_piece(r, channels, regions);
+  };
+  outside(whole.start, low);
+  outside(high, whole.end);
   part(low, high, whole.inner_radius, middle - half, 1.0);
   part(low, high, middle - half, middle + half, 1.0 - coolant->channel_width / coolant->pitch);
   part(low, high, middle + half, whole.outer_radius, 1.0);
+}
+
+/// Circuits share no part of the housing. Throws std::invalid_argument otherwise.
+void require_separate(const Spindle& s) {
+  if (!s.coolant && !s.circuits.empty())
+    throw std::invalid_argument("coolant: further circuits need a first one");
+  const std::vector<model::Coolant> channels = s.channels();
+  for (std::size_t k = 1; k < channels.size(); ++k)
+    for (std::size_t j = 0; j < k; ++j)
+      if (std::min(channels[j].end, channels[k].end) -
+              std::max(channels[j].start, channels[k].start) >=
+          same_place)
+        throw std::invalid_argument(
+            fmt::format("coolant: circuit {} overlaps another circuit", s.circuits[k - 1].name));
 }
 
 /// Sleeves that keep the inner rings of one set apart.
@@ -104,7 +127,9 @@ void add_spacers(const Spindle& s, const std::vector<double>& set, double seat,
 /// Sorts the joints of different bodies.
 class Joiner {
  public:
-  Joiner(const Spindle& s, Layout& layout) : s_(s), layout_(layout) {}
+  Joiner(const Spindle& s, Layout& layout) : s_(s), layout_(layout), channels_(s.channels()) {
+    layout_.coolant_walls.resize(channels_.size());
+  }
 
   void sort() {
     for (const Touch& t : layout_.mesh.touches) {
@@ -152,7 +177,11 @@ class Joiner {
   void add_wet_wall(const Touch& t, const Cell& a, const Cell& b) {
     const bool outward = a.solid_share == 1.0;  // the channel lies outside
     const double share = 1.0 - std::min(a.solid_share, b.solid_share);
-    layout_.coolant_walls.push_back(
+    const double middle = 0.5 * (a.start + a.end);
+    const auto channel = std::find_if(channels_.begin(), channels_.end(), [&](const auto& c) {
+      return middle > c.start && middle < c.end;
+    });
+    layout_.coolant_walls[static_cast<std::size_t>(channel - channels_.begin())].push_back(
         {outward ? t.first : t.second, -1, share * t.area, outward ? t.first_half : t.second_half});
   }
 
@@ -230,6 +259,7 @@ class Joiner {
 
   const Spindle& s_;
   Layout& layout_;
+  std::vector<model::Coolant> channels_;
 };
 
 /// Cells of a body between two planes.
@@ -328,6 +358,7 @@ std::vector<Region> regions_of(const model::Model& model) {
   const auto bearings = model.shaft->arrangement.bearings();
   const double bored = 0.5 * bearings.front().bearing->geometry().outer_diameter;
   start = s.housing.start;
+  const std::vector<model::Coolant> channels = s.channels();
   for (const model::Segment& piece : s.housing.segments) {
     Region r;
     r.body = Body::housing;
@@ -335,7 +366,7 @@ std::vector<Region> regions_of(const model::Model& model) {
     r.inner_radius = std::isnan(piece.bore) ? bored : 0.5 * piece.bore;
     r.outer_radius = 0.5 * piece.diameter;
     r.material = piece.material;
-    add_housing_piece(r, s.coolant, regions);
+    add_housing_piece(r, channels, regions);
   }
   int k = 0;
   for (const model::Rings& rings : model::rings_of(s, model.shaft->arrangement)) {
@@ -359,6 +390,7 @@ Layout make_layout(const model::Model& model, model::Cells cells) {
   if (!model.spindle || !model.shaft || model.spindle->network)
     throw std::invalid_argument("the model is no spindle with [shaft] and [housing]");
   const Spindle& s = *model.spindle;
+  require_separate(s);
   Layout layout;
   layout.housing_start = s.housing.start;
   layout.housing_end = s.housing.start + length_of(s.housing.segments);
@@ -379,9 +411,8 @@ Layout make_layout(const model::Model& model, model::Cells cells) {
   const CellSize size = size_of(cells, length_of(s.shaft.segments));
   const std::vector<Region> regions = regions_of(model);
   layout.mesh = make_mesh(regions, size.axial, size.radial, lines);
-  if (s.coolant)
-    layout.helix_length =
-        pi * s.coolant->diameter * (s.coolant->end - s.coolant->start) / s.coolant->pitch;
+  for (const model::Coolant& c : s.channels())
+    layout.helix_length.push_back(pi * c.diameter * (c.end - c.start) / c.pitch);
   Joiner(s, layout).sort();
   find_means(layout);
   return layout;

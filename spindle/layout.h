@@ -49,12 +49,12 @@ struct Layout {
   Joints clamped;  ///< spacers between rings, ground and clamped: no contact resistance
   Joints housing_cylinder, housing_ends, nose, rear, flange;
   Joints gap;
-  Joints coolant_walls;
+  std::vector<Joints> coolant_walls;  ///< for each of model::Spindle::channels()
   double first_bearing_front = unset, last_bearing_rear = unset;  ///< outermost faces [m]
   double housing_start = unset, housing_end = unset;              ///< [m]
   /// centres of the sets [m]; NaN without a rear set
   double front_centre = unset, rear_centre = unset;
-  double helix_length = 0.0;  ///< length of the coolant channel [m]
+  std::vector<double> helix_length;  ///< length of each coolant channel [m]
 
   /// Returns the material in the middle of a seat.
   [[nodiscard]] const model::SolidMaterial& material(const Shares& seat) const {

@@ -9,6 +9,7 @@
 #include "model/corrected_data.h"
 #include "spindle/detail/time_steps.h"
 #include "spindle/expansion_rows.h"
+#include "spindle/film.h"
 #include "spindle/heat_flow.h"
 #include "spindle/spindle.h"
 #include "spindle/stress.h"
@@ -37,7 +38,7 @@ struct Simulator::Parts {
   HeatFlow flow;
   State last;
   Eigen::Index felt = 0;
-  // Felt numbers, the nose's way by expansion [m], sensors, the coolant where there is one.
+  // Felt numbers, the nose's way by expansion [m], sensors, each coolant circuit.
   SparseMatrix watched;
   double nose_offset = 0.0;
   double tolerance = step_tolerance;  // of a step [K]
@@ -77,12 +78,22 @@ struct Simulator::Parts {
       for (const Share& s : shares) entries.emplace_back(row, s.cell, s.share);
       ++row;
     }
-    if (cooled()) entries.emplace_back(row++, flow.system()->coolant_node(), 1.0);
+    for (const ThermalSystem::Circuit& c : circuits()) entries.emplace_back(row++, c.node, 1.0);
     watched.resize(row, nodes);
     watched.setFromTriplets(entries.begin(), entries.end());
   }
 
-  [[nodiscard]] bool cooled() const { return flow.system() && flow.system()->coolant_node() >= 0; }
+  [[nodiscard]] std::span<const ThermalSystem::Circuit> circuits() const {
+    return flow.system() ? flow.system()->circuits() : std::span<const ThermalSystem::Circuit>{};
+  }
+
+  /// The circuit in which a thermometer sits: the first one at the outlet or outside all channels.
+  [[nodiscard]] std::size_t circuit_at(double position) const {
+    for (std::size_t k = 0; k < circuits().size(); ++k)
+      if (position >= circuits()[k].channel.start && position <= circuits()[k].channel.end)
+        return k;
+    return 0;
+  }
 
   /// Of a network: every node.
   [[nodiscard]] std::vector<Shares> sensors() const {
@@ -94,9 +105,9 @@ struct Simulator::Parts {
     }
     for (const model::ThermometerPlace& place : model.spindle->sensors) {
       if (place.part == model::ThermometerPlace::Part::coolant) {
-        if (!cooled())
+        if (circuits().empty())
           throw std::invalid_argument("sensor " + place.name + ": the spindle has no coolant");
-        list.push_back({{flow.system()->coolant_node(), 1.0}});
+        list.push_back({{circuits()[circuit_at(place.position)].node, 1.0}});
       } else {
         list.push_back(thermometer(flow.system()->layout().mesh, place));
       }
@@ -114,20 +125,29 @@ struct Simulator::Parts {
   }
 
   /// The node is the mean of inlet and outlet; along its channel the coolant warms evenly.
-  void follow_coolant(const Inputs& inputs, double mean, Moment& m) const {
-    const model::Coolant& c = *model.spindle->coolant;
-    const double inlet =
-        std::isnan(inputs.coolant_inlet) ? c.inlet_temperature : inputs.coolant_inlet;
-    const bool flows = inputs.coolant_on && c.flow > 0.0;
-    const auto at = [&](double share) {
-      return flows ? inlet + 2.0 * share * (mean - inlet) : mean;
-    };
-    m.coolant_outlet = at(1.0);
+  void follow_coolant(const Inputs& inputs, std::span<const double> means, Moment& m) const {
+    m.circuits.clear();
+    for (std::size_t k = 0; k < means.size(); ++k) {
+      const model::Coolant& c = circuits()[k].channel;
+      const double mean = means[k], inlet = flow.system()->inlet(circuits()[k], inputs);
+      const bool flows = inputs.coolant_on && c.flow > 0.0;
+      m.circuits.push_back(
+          {.inlet = inlet,
+           .outlet = flows ? inlet + 2.0 * (mean - inlet) : mean,
+           .heat = coolant_conductance(c, mean, inputs.coolant_on) * (mean - inlet)});
+    }
+    if (means.empty()) return;
+    m.coolant_outlet = m.circuits.front().outlet;
     for (std::size_t k = 0; k < model.spindle->sensors.size(); ++k) {
       const model::ThermometerPlace& place = model.spindle->sensors[k];
       if (place.part != model::ThermometerPlace::Part::coolant) continue;
+      const std::size_t circuit = circuit_at(place.position);
+      const model::Coolant& c = circuits()[circuit].channel;
+      const CircuitState& now = m.circuits[circuit];
       const double share = (place.position - c.start) / (c.end - c.start);
-      m.sensors[k] = at(std::isnan(share) ? 1.0 : std::clamp(share, 0.0, 1.0));
+      m.sensors[k] = !inputs.coolant_on || !(c.flow > 0.0) || std::isnan(share)
+                         ? now.outlet
+                         : now.inlet + std::clamp(share, 0.0, 1.0) * (now.outlet - now.inlet);
     }
   }
 
@@ -135,9 +155,9 @@ struct Simulator::Parts {
   bool moment_at(double time, const Inputs& inputs, const Vector& seen,
                  const std::array<double, reservoirs>& out, Moment& m) {
     m.time = time;
-    const Eigen::Index last_sensor = seen.size() - (cooled() ? 1 : 0);
+    const Eigen::Index last_sensor = seen.size() - std::ssize(circuits());
     m.sensors.assign(seen.data() + felt + 1, seen.data() + last_sensor);
-    if (cooled()) follow_coolant(inputs, seen[last_sensor], m);
+    follow_coolant(inputs, std::span(seen.data() + last_sensor, circuits().size()), m);
     m.heat.air = out[0], m.heat.machine = out[1], m.heat.coolant = out[2];
     m.heat.drive = flow.driven_heat();
     if (flow.system()) m.sources = flow.system()->source_heat();

@@ -70,6 +70,13 @@ struct HeatBalance {
   double stored = 0.0;  ///< stored heat per second
 };
 
+/// State of a coolant circuit.
+struct CircuitState {
+  double inlet = unset;   ///< [K]
+  double outlet = unset;  ///< temperature at the outlet, or of standing coolant [K]
+  double heat = 0.0;      ///< heat taken by the flow [W]
+};
+
 /// State of a spindle at one moment.
 struct Moment {
   double time = unset;          ///< [s]
@@ -85,6 +92,7 @@ struct Moment {
   /// Temperature of the coolant at the outlet, T_in + 2 (T_mean - T_in), or of standing coolant
   /// [K]; NaN without coolant.
   double coolant_outlet = unset;
+  std::vector<CircuitState> circuits = {};  ///< in the order of model::Spindle::channels()
   [[nodiscard]] double thermal_displacement() const {
     return displacement - kinematic_displacement;
   }

@@ -77,17 +77,18 @@ ThermalSystem::ThermalSystem(const model::Model& model, const effects::SpindleCo
                              model::Cells cells)
     : spindle_(*model.spindle), condition_(condition), layout_(make_layout(model, cells)) {
   const auto n = static_cast<Eigen::Index>(layout_.mesh.size());
-  const bool cooled = spindle_.coolant.has_value();
-  paths_.capacity.setZero(n + (cooled ? 1 : 0));
+  for (const model::Coolant& c : spindle_.channels())
+    circuits_.push_back({.channel = c, .node = static_cast<int>(n + std::ssize(circuits_))});
+  paths_.capacity.setZero(n + std::ssize(circuits_));
   for (Eigen::Index k = 0; k < n; ++k)
     paths_.capacity[k] = layout_.mesh.cells[static_cast<std::size_t>(k)].heat_capacity();
   paths_.source.setZero(paths_.size());
-  if (cooled) {
-    const model::Coolant& c = *spindle_.coolant;
-    const FluidProperties fluid = fluid_properties(c.fluid, c.inlet_temperature);
-    coolant_ = static_cast<int>(n);
-    paths_.capacity[n] = c.channel_width * c.channel_depth * layout_.helix_length * fluid.density *
-                         fluid.heat_capacity;
+  for (std::size_t k = 0; k < circuits_.size(); ++k) {
+    const model::Coolant& c = circuits_[k].channel;
+    const FluidProperties fluid = fluid_properties(c.fluid, inlet(circuits_[k], {}));
+    paths_.capacity[circuits_[k].node] = c.channel_width * c.channel_depth *
+                                         layout_.helix_length[k] * fluid.density *
+                                         fluid.heat_capacity;
   }
   add_fixed();
   for (const BearingPlace& b : layout_.bearings) {
@@ -104,12 +105,13 @@ ThermalSystem::ThermalSystem(const model::Model& model, const effects::SpindleCo
   if (flange.area > 0.0)
     set_outlets(flange, condition_.flange_conductance_factor * spindle_.housing.flange_conductance /
                             flange.area);
-  if (cooled) {
-    Joints walls = layout_.coolant_walls;
-    for (Joint& j : walls) j.second = coolant_;
-    coolant_walls_ = add_links(walls);
-    coolant_flow_ = paths_.outlets.size();
-    paths_.outlets.push_back({coolant_, Reservoir::coolant, 0.0});
+  for (std::size_t k = 0; k < circuits_.size(); ++k) {
+    Circuit& circuit = circuits_[k];
+    Joints walls = layout_.coolant_walls[k];
+    for (Joint& j : walls) j.second = circuit.node;
+    circuit.walls = add_links(walls);
+    circuit.flow = paths_.outlets.size();
+    paths_.outlets.push_back({circuit.node, Reservoir::coolant, 0.0});
   }
   add_sleeve(condition_);
   const auto diameter = [&](const Joints& joints) {
@@ -234,7 +236,7 @@ void ThermalSystem::add_sleeve(const effects::SpindleCondition& condition) {
 void ThermalSystem::update(const Vector& temperatures, const Inputs& inputs) {
   update_seats(temperatures, inputs.speed);
   update_room(temperatures, inputs.speed);
-  if (coolant_ >= 0) update_coolant(temperatures, inputs);
+  update_coolant(temperatures, inputs);
 }
 
 void ThermalSystem::update_seats(const Vector& temperatures, double speed) {
@@ -325,12 +327,20 @@ void ThermalSystem::update_room(const Vector& temperatures, double speed) {
 }
 
 void ThermalSystem::update_coolant(const Vector& temperatures, const Inputs& inputs) {
-  const model::Coolant& c = *spindle_.coolant;
-  const FluidProperties fluid = fluid_properties(c.fluid, temperatures[coolant_]);
-  set_links(coolant_walls_, coolant_film(c, temperatures[coolant_], inputs.coolant_on));
-  // The node is the mean of inlet and outlet.
-  paths_.outlets[coolant_flow_].conductance =
-      inputs.coolant_on ? 2.0 * c.flow * fluid.density * fluid.heat_capacity : 0.0;
+  for (const Circuit& c : circuits_) {
+    const double mean_temperature = temperatures[c.node];
+    set_links(c.walls, coolant_film(c.channel, mean_temperature, inputs.coolant_on));
+    paths_.outlets[c.flow].conductance =
+        coolant_conductance(c.channel, mean_temperature, inputs.coolant_on);
+  }
+}
+
+double ThermalSystem::inlet(const Circuit& circuit, const Inputs& inputs) const {
+  const bool first = &circuit == circuits_.data();
+  if (!first && !std::isnan(circuit.channel.inlet_temperature))
+    return circuit.channel.inlet_temperature;
+  return std::isnan(inputs.coolant_inlet) ? spindle_.coolant->inlet_temperature
+                                          : inputs.coolant_inlet;
 }
 
 CylinderHeat ThermalSystem::through_cylinders(const Vector& temperatures) const {
@@ -368,9 +378,10 @@ void ThermalSystem::set_inputs(const Inputs& inputs, double machine_rise) {
   double machine = inputs.machine_temperature;
   if (std::isnan(machine)) machine = spindle_.ambient.machine_temperature;
   if (std::isnan(machine)) machine = room;
-  double inlet = inputs.coolant_inlet;
-  if (std::isnan(inlet)) inlet = spindle_.coolant ? spindle_.coolant->inlet_temperature : room;
-  paths_.temperature = {room, machine + machine_rise, inlet};
+  double supply = inputs.coolant_inlet;
+  if (std::isnan(supply)) supply = spindle_.coolant ? spindle_.coolant->inlet_temperature : room;
+  paths_.temperature = {room, machine + machine_rise, supply};
+  for (const Circuit& c : circuits_) paths_.outlets[c.flow].above = inlet(c, inputs) - supply;
 
   paths_.source.setZero();
   driven_heat_ = 0.0;

@@ -24,13 +24,27 @@ struct CylinderHeat {
 /// step.
 class ThermalSystem {
  public:
+  /// A group of heat paths with one conductance per area.
+  struct Group {
+    std::size_t first = 0;  ///< place of the first path in links or outlets
+    Joints joints;
+    double area = 0.0;  ///< [m²]
+  };
   ThermalSystem(const model::Model& model, const effects::SpindleCondition& condition,
                 model::Cells cells);
 
   [[nodiscard]] const HeatPaths& paths() const { return paths_; }
   [[nodiscard]] const Layout& layout() const { return layout_; }
-  /// Returns the node of the coolant; -1 without coolant.
-  [[nodiscard]] int coolant_node() const { return coolant_; }
+  /// Coolant circuits in the order of model::Spindle::channels().
+  struct Circuit {
+    model::Coolant channel;
+    int node = -1;  ///< mean of inlet and outlet
+    Group walls = {};
+    std::size_t flow = 0;  ///< outlet of the coolant
+  };
+  [[nodiscard]] const std::vector<Circuit>& circuits() const { return circuits_; }
+  /// Returns the inlet temperature of a circuit for these inputs [K].
+  [[nodiscard]] double inlet(const Circuit& circuit, const Inputs& inputs) const;
 
   /// Updates the conductances for these temperatures and inputs.
   void update(const Vector& temperatures, const Inputs& inputs);
@@ -48,12 +62,6 @@ class ThermalSystem {
   [[nodiscard]] CylinderHeat through_cylinders(const Vector& temperatures) const;
 
  private:
-  /// A group of heat paths with one conductance per area.
-  struct Group {
-    std::size_t first = 0;  ///< place of the first path in links or outlets
-    Joints joints;
-    double area = 0.0;  ///< [m²]
-  };
   Group add_links(const Joints& joints);
   Group add_outlets(const Joints& joints, Reservoir reservoir);
   void set_links(const Group& group, double film);
@@ -76,11 +84,10 @@ class ThermalSystem {
   effects::SpindleCondition condition_;
   Layout layout_;
   HeatPaths paths_;
-  int coolant_ = -1;
   std::vector<Group> inner_seats_, outer_seats_;
   std::vector<SeatsOfBearing> seats_;
-  Group housing_, ends_, nose_, rear_, gap_, coolant_walls_;
-  std::size_t coolant_flow_ = 0;  ///< outlet of the coolant
+  Group housing_, ends_, nose_, rear_, gap_;
+  std::vector<Circuit> circuits_;
   double nose_diameter_ = unset, rear_diameter_ = unset;
   HeatedCells motor_, drive_, seal_, front_bearings_, rear_bearings_;
   std::vector<HeatedCells> sources_;  ///< in the order of model::Spindle::heat

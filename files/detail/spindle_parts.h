@@ -47,6 +47,10 @@ inline constexpr Form anywhere = between(-longest_mm, longest_mm, "mm"),
 [[nodiscard]] model::Ambient read_ambient(ModelTables& tables);
 [[nodiscard]] std::optional<model::Coolant> read_coolant(ModelTables& tables,
                                                          const model::Ambient& ambient);
+/// [[coolant.circuit]]
+[[nodiscard]] std::vector<Section> circuit_sections(const ModelTables& tables);
+[[nodiscard]] std::vector<model::Circuit> read_circuits(ModelTables& tables,
+                                                        const model::Coolant& first);
 /// [motor] or [drive].
 [[nodiscard]] std::optional<model::HeatSource> read_heat_source(ModelTables& tables,
                                                                 std::string_view table);

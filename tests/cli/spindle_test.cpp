@@ -8,6 +8,7 @@
 
 #include "tests/cli/sample.h"
 #include "tests/files/spindle_text.h"
+#include "text/number_text.h"
 
 namespace raceway::tests {
 namespace {
@@ -79,6 +80,32 @@ TEST_F(SpindleCommand, TextAndJsonOfASteadyStateAgree) {
     for (const json& at : section["at"])
       largest = std::max(largest, at["von_mises_MPa"].get<double>());
   EXPECT_EQ(largest, most["von_mises_MPa"].get<double>());
+}
+
+TEST_F(SpindleCommand, CircuitsHaveARowEachInTextJsonAndRun) {
+  const std::string model = with_circuit() + coarse_cells;
+  const json s = parsed(spindle("--speed 6000 --steady --json", model))["steady"][0];
+  ASSERT_EQ(s["circuits"].size(), 2u);
+  const json& jacket = s["circuits"][1];
+  EXPECT_EQ(s["circuits"][0]["name"], "coolant");
+  EXPECT_EQ(jacket["name"], "jacket");
+  EXPECT_EQ(jacket["inlet_temperature_C"], 25.0);
+  EXPECT_GT(jacket["velocity_m_s"].get<double>(), 1.0);
+  EXPECT_EQ(jacket["outlet_temperature_C"], s["jacket_outlet_temperature_C"]);
+  EXPECT_EQ(jacket["heat_W"], s["heat_to_jacket_W"]);
+  const Result shown = spindle("--speed 6000 --steady", model);
+  EXPECT_THAT(shown.out, testing::ContainsRegex(
+                             fmt::format("jacket +25.00 +{} +{} ",
+                                         text::number(jacket["outlet_temperature_C"].get<double>()),
+                                         text::number(jacket["heat_W"].get<double>()))));
+  const Result off = spindle("--speed 6000 --steady --coolant off", model);
+  EXPECT_THAT(off.out, testing::ContainsRegex("jacket +25.00 +[0-9.]+ +0 +- +25.0 +- +-"));
+  const std::string run_csv = scratch_.file("run.csv");
+  const Result run = spindle(profile() + " -o " + run_csv, model);
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(
+      file_text(run_csv),
+      HasSubstr("coolant_outlet_temperature_C,jacket_outlet_temperature_C,heat_to_jacket_W"));
 }
 
 TEST_F(SpindleCommand, ListOfSpeedsHasARowForEach) {

@@ -22,6 +22,7 @@ using testing::Not;
 using tests::base_spindle;
 using tests::shortest_spindle;
 using tests::with;
+using tests::with_circuit;
 
 ModelFile spindle_file(const std::string& text) { return parse_model(text, "s.toml"); }
 
@@ -350,6 +351,41 @@ TEST(SpindleSection, WhatCannotBeIsRefusedWithItsPlace) {
   for (const WrongSpindle& one : cases) {
     SCOPED_TRACE(one.to);
     const std::string message = spindle_error(with(base_spindle, one.from, one.to));
+    EXPECT_THAT(message, HasSubstr(one.message));
+    EXPECT_THAT(message, HasSubstr("s.toml:"));
+  }
+}
+
+TEST(SpindleSection, FurtherCircuitsAreReadWithTheirUnits) {
+  const model::Spindle s = spindle_of(with_circuit());
+  ASSERT_EQ(s.circuits.size(), 1u);
+  EXPECT_EQ(s.circuits[0].name, "jacket");
+  const model::Coolant& c = s.circuits[0].channel;
+  EXPECT_EQ(c.fluid, model::Fluid::water);
+  EXPECT_DOUBLE_EQ(c.flow, 4e-3 / 60);
+  EXPECT_DOUBLE_EQ(c.inlet_temperature, kelvin(25));
+  EXPECT_DOUBLE_EQ(c.channel_depth, 5e-3);
+  EXPECT_DOUBLE_EQ(c.start, 190e-3);
+  EXPECT_TRUE(std::isnan(spindle_of(with_circuit("inlet_temperature_C = 25\n", ""))
+                             .circuits[0]
+                             .channel.inlet_temperature));
+}
+
+TEST(SpindleSection, ACircuitThatCannotBeIsRefusedWithItsPlace) {
+  const std::vector<WrongSpindle> cases{
+      {"name = \"jacket\"\n", "", "[coolant.circuit] name is missing"},
+      {"\"jacket\"", "\"air\"", "heat_to_NAME_W is a column of its own"},
+      {"\"jacket\"", "\"my jacket\"", "must be letters, digits and _"},
+      {"inlet_temperature_C = 25", "inlet_temperature_C = 120", "must be from 0 to 100 C"},
+      {"pitch_mm = 12", "pitch_mm = 5", "must be at least channel_width_mm"},
+      {"end_mm = 300", "end_mm = 320", "the housing reaches from 40 mm to 315 mm"},
+      {"diameter_mm = 140", "diameter_mm = 178", "outside the wall of the housing"},
+      {"flow_l_min = 4", "flow = 4", "did you mean flow_l_min?"},
+      {"start_mm = 190", "start_mm = 170",
+       "start_mm = 170 mm, end_mm = 300 mm: circuit [coolant] reaches from 60 mm to 180 mm"}};
+  for (const WrongSpindle& one : cases) {
+    SCOPED_TRACE(one.to);
+    const std::string message = spindle_error(with_circuit(one.from, one.to));
     EXPECT_THAT(message, HasSubstr(one.message));
     EXPECT_THAT(message, HasSubstr("s.toml:"));
   }

@@ -140,4 +140,14 @@ inline std::string with(std::string text, std::string_view from, std::string_vie
   return text.replace(at, from.size(), to);
 }
 
+/// The base spindle with a further circuit behind a shorter first one. `from` in the circuit
+/// becomes `to`.
+inline std::string with_circuit(std::string_view from = "jacket", std::string_view to = "jacket") {
+  const std::string circuit =
+      "[[coolant.circuit]]\nname = \"jacket\"\nflow_l_min = 4\ninlet_temperature_C = 25\n"
+      "diameter_mm = 140\nchannel_width_mm = 8\nchannel_depth_mm = 5\npitch_mm = 12\n"
+      "start_mm = 190\nend_mm = 300\n";
+  return with(base_spindle, "end_mm = 300.0", "end_mm = 180.0") + with(circuit, from, to);
+}
+
 }  // namespace raceway::tests

@@ -70,7 +70,7 @@ TEST_F(SpindleReport, OfARunHasTheSectionAndTheColumnsOfItsCsv) {
   EXPECT_EQ(section["cells"]["part"].size(), cells);
   for (const Json& moment : section["moments"]) EXPECT_EQ(moment["temperature_C"].size(), cells);
   EXPECT_EQ(section["moments"].back()["time_s"], 3600.0);
-  EXPECT_FALSE(section.contains("channel")) << "it has no coolant";
+  EXPECT_FALSE(section.contains("channels")) << "it has no coolant";
   // Of an O: the front set presses rearwards, the rear one forwards.
   std::vector<bool> rearwards;
   for (const Json& b : section["bearings"]) rearwards.push_back(b["pressed_rearwards"]);

@@ -307,6 +307,94 @@ TEST(Simulator, CoolantWarmsEvenlyFromItsInletToItsOutlet) {
   EXPECT_TRUE(std::isnan(Simulator(m).steady(inputs, report).coolant_outlet));
 }
 
+/// The base spindle with two circuits, each around half of its housing.
+model::Model two_circuits() {
+  model::Model m = base_spindle();
+  model::Coolant& first = *m.spindle->coolant;
+  model::Coolant second = first;
+  first.end = second.start = 0.5 * (first.start + first.end);
+  second.inlet_temperature = unset;
+  m.spindle->circuits = {{.name = "rear_jacket", .channel = second}};
+  return m;
+}
+
+TEST(Simulator, EachCircuitCarriesItsOwnHeatFromItsOwnInlet) {
+  model::Model m = two_circuits();
+  m.spindle->circuits[0].channel.inlet_temperature = kelvin(26);
+  m.spindle->circuits[0].channel.flow *= 3.0;
+  const auto at = [](double position) {
+    return model::ThermometerPlace{.name = "coolant",
+                                   .part = model::ThermometerPlace::Part::coolant,
+                                   .position = position,
+                                   .radius = unset};
+  };
+  const model::Coolant& second = m.spindle->circuits[0].channel;
+  m.spindle->sensors = {at(unset), at(second.start + 0.25 * (second.end - second.start))};
+  Report report;
+  const Moment now =
+      Simulator(m).steady({.speed = 6000 * rpm, .coolant_inlet = kelvin(18)}, report);
+  ASSERT_TRUE(report.converged()) << report.message;
+  ASSERT_EQ(now.circuits.size(), 2u);
+  EXPECT_EQ(now.circuits[0].inlet, kelvin(18));
+  EXPECT_EQ(now.circuits[1].inlet, kelvin(26));
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    // V ρ c (T_out - T_in) with water between 18 and 27 °C.
+    const double expected = m.spindle->channels()[k].flow * 997.8 * 4182.0 *
+                            (now.circuits[k].outlet - now.circuits[k].inlet);
+    EXPECT_NEAR(now.circuits[k].heat, expected, 3e-3 * std::abs(expected));
+    sum += now.circuits[k].heat;
+  }
+  EXPECT_GT(now.circuits[0].heat, 100.0);
+  EXPECT_NEAR(now.heat.coolant, sum, 1e-4 * sum);
+  EXPECT_NEAR(now.heat.stored, 0.0, 1e-3 * sum);
+  EXPECT_EQ(now.sensors[0], now.coolant_outlet);
+  EXPECT_NEAR(now.sensors[1],
+              now.circuits[1].inlet + 0.25 * (now.circuits[1].outlet - now.circuits[1].inlet),
+              1e-9);
+}
+
+TEST(Simulator, ACircuitWithoutItsOwnInletFollowsTheFirstOne) {
+  Report report;
+  const Moment now =
+      Simulator(two_circuits()).steady({.speed = 6000 * rpm, .coolant_inlet = kelvin(18)}, report);
+  ASSERT_TRUE(report.converged());
+  EXPECT_EQ(now.circuits[1].inlet, kelvin(18));
+}
+
+TEST(Simulator, AChannelInTwoHalvesOfMuchFlowCoolsAsTheWholeDoes) {
+  // The outlet then is as cold as the inlet; the film of a shorter channel is a little higher.
+  model::Model whole = base_spindle(), halves = two_circuits();
+  whole.spindle->coolant->flow = halves.spindle->coolant->flow =
+      halves.spindle->circuits[0].channel.flow = 30.0 / 60000.0;
+  Report report;
+  const Moment one = Simulator(whole).steady({.speed = 6000 * rpm}, report);
+  ASSERT_TRUE(report.converged());
+  const Moment two = Simulator(halves).steady({.speed = 6000 * rpm}, report);
+  ASSERT_TRUE(report.converged());
+  EXPECT_NEAR(two.heat.coolant, one.heat.coolant, 2e-3 * one.heat.coolant);
+  EXPECT_NEAR(two.displacement, one.displacement, 2e-3 * one.displacement);
+}
+
+TEST(Simulator, AWarmCircuitHeatsASpindleAtRest) {
+  model::Model m = two_circuits();
+  m.spindle->circuits[0].channel.inlet_temperature = kelvin(35);
+  Report report;
+  const Moment now = Simulator(m).steady({}, report);
+  ASSERT_TRUE(report.converged());
+  EXPECT_LT(now.circuits[1].heat, -10.0);
+  EXPECT_LT(now.circuits[1].outlet, kelvin(35));
+  EXPECT_GT(now.circuits[0].heat, 10.0);
+}
+
+TEST(Simulator, CircuitsThatOverlapAreRefused) {
+  model::Model m = two_circuits();
+  m.spindle->circuits[0].channel.start -= 5 * mm;
+  EXPECT_THROW(Simulator{m}, std::invalid_argument);
+  m.spindle->coolant.reset();
+  EXPECT_THROW(Simulator{m}, std::invalid_argument);
+}
+
 // Trap 12: against another place of the housing the same run is another curve.
 TEST(Simulator, DisplacementIsThatAgainstTheFlange) {
   const auto steady_at = [](double flange) {

@@ -324,7 +324,7 @@ export interface Section {
   }[];
   sensors: { name: string; position_mm: number; radius_mm: number }[];
   flange: { position_mm: number; length_mm: number };
-  channel?: { start_mm: number; end_mm: number; diameter_mm: number; width_mm: number; depth_mm: number; pitch_mm: number };
+  channels?: { start_mm: number; end_mm: number; diameter_mm: number; width_mm: number; depth_mm: number; pitch_mm: number }[];
   moments: { time_s: number | null; speed_rpm: number | null; temperature_C: number[] }[];
 }
 

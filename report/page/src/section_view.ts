@@ -82,7 +82,7 @@ function bearing(b: Section['bearings'][number], api: Api, scale: number, l: Loo
 }
 
 /// Turns of the coolant's channel, cut through.
-function turns(c: NonNullable<Section['channel']>, api: Api): Shape[] {
+function turns(c: NonNullable<Section['channels']>[number], api: Api): Shape[] {
   const count = Math.max(1, Math.floor((c.end_mm - c.start_mm) / c.pitch_mm));
   const first = (c.start_mm + c.end_mm - count * c.pitch_mm) / 2 + c.pitch_mm / 2;
   return Array.from({ length: count }, (_, k) => {
@@ -157,7 +157,7 @@ export function sectionFigure(section: Section, what: string, labels: string[], 
           now().reduce((m, v) => Math.min(m, v), Infinity),
           4,
         )} to ${number(now()[hottest()], 4)} °C, hottest in the ${mesh.part[hottest()]} ${plain(((mesh.start_mm[hottest()] as number) + (mesh.end_mm[hottest()] as number)) / 2, 3)} mm behind the nose face.`,
-        `Half of it, cut along the axis, to scale: shaft below, housing above; thick on top: the flange${section.channel ? '; white: turns of the coolant' : ''}; dashed through the balls: the lines of contact.`,
+        `Half of it, cut along the axis, to scale: shaft below, housing above; thick on top: the flange${section.channels ? '; white: turns of the coolant' : ''}; dashed through the balls: the lines of contact.`,
         moments.length > 1 ? `Colours are the same for every ${what}.` : '',
         section.sensors.length ? `Sensors: ${section.sensors.map((s, k) => `${k + 1} ${s.name.replace(/_/g, ' ')}`).join(', ')}.` : '',
       ].join(' '),
@@ -215,7 +215,7 @@ export function sectionFigure(section: Section, what: string, labels: string[], 
         series: [
           cells(section, now(), [least, most]),
           shapes('outline', 4, (api) => faces.map(([a, p, b, q]) => segment(api.coord([a as number, p as number]), api.coord([b as number, q as number]), { stroke: l.ink, lineWidth: 1 }))),
-          ...(section.channel ? [shapes('coolant', 5, (api) => turns(section.channel as NonNullable<Section['channel']>, api))] : []),
+          ...(section.channels ? [shapes('coolant', 5, (api) => section.channels?.flatMap((c) => turns(c, api)) ?? [])] : []),
           shapes('bearings', 6, (api) => section.bearings.flatMap((b) => bearing(b, api, scale, l))),
           shapes('axis', 6, (api) => [segment(api.coord([from - 0.01 * (to - from), 0]), api.coord([to + 0.01 * (to - from), 0]), { stroke: l.muted, lineWidth: 1, lineDash: [12, 3, 2, 3] }), ...flange(section, api, l)]),
           {
