@@ -90,7 +90,11 @@ const Key housing_keys[]{
     {"flange_length_mm", between(0.1, longest_mm, "mm"), usual_housing.flange_length / mm,
      "of the flange"},
     {"flange_conductance_W_K", between(0, 1e4, "W/K"), usual_housing.flange_conductance,
-     "heat through the flange into the machine"},
+     "heat through the flange into the machine; with flange_screws, behind the joint"},
+    {"flange_screws", whole(1, 1000), unset,
+     "screws of the flange; its joint then conducts by their force"},
+    {"flange_screw_force_N", between(1, 1e7, "N"), unset, "clamping force of one screw"},
+    {"flange_contact_mm2", between(1, 1e8, "mm2"), unset, "contact area of the flange"},
 };
 constexpr Key housing_segment_keys[]{
     {"length_mm", a_length, is_required, "along the spindle"},
@@ -215,6 +219,16 @@ std::vector<model::Support> read_supports(ModelTables& tables, const Section& s)
   return list;
 }
 
+std::optional<model::ScrewedJoint> read_flange_joint(const Section& s) {
+  constexpr std::array keys{"flange_screws", "flange_screw_force_N", "flange_contact_mm2"};
+  const auto given = [&](const char* key) { return s.find(key) != nullptr; };
+  if (std::none_of(keys.begin(), keys.end(), given)) return std::nullopt;
+  if (!given(keys[0])) s.fail_missing(keys[0]);
+  return model::ScrewedJoint{.screws = *s.whole_number(keys[0]),
+                             .screw_force = s.required(keys[1]),
+                             .area = s.required(keys[2]) * mm * mm};
+}
+
 }  // namespace
 
 std::vector<KeyTable> body_tables() {
@@ -301,6 +315,7 @@ model::Housing read_housing(ModelTables& tables) {
   housing.flange = s.required("flange_mm") * mm;
   housing.flange_length = tables.number(s, "flange_length_mm") * mm;
   housing.flange_conductance = tables.number(s, "flange_conductance_W_K");
+  housing.flange_joint = read_flange_joint(s);
   return housing;
 }
 

@@ -16,6 +16,7 @@ using model::ThermometerPlace;
 
 constexpr double rounding = 1e-9;        ///< of positions that are sums [m]
 constexpr double other_size = 0.5 * mm;  ///< from here on a seat is not of that bearing [m]
+constexpr double highest_contact_pressure = 0.02;  ///< of a rough contact, in its hardness [1]
 
 /// Segments behind each other.
 struct Stack {
@@ -63,6 +64,7 @@ class SpindleCheck {
       check_outer_seat(k);
     }
     check_flange();
+    check_flange_joint();
     check_coolant();
     check_what_the_shaft_carries();
     check_gap();
@@ -203,6 +205,20 @@ class SpindleCheck {
       fail("housing", "flange_mm", h.flange,
            fmt::format("with flange_length_mm = {} it is not all on the housing: {}",
                        in_mm(h.flange_length), housing_reach()));
+  }
+
+  /// The formula of a rough contact ends at this share of the hardness.
+  void check_flange_joint() const {
+    if (!spindle_.housing.flange_joint) return;
+    const model::ScrewedJoint& joint = *spindle_.housing.flange_joint;
+    const double highest = highest_contact_pressure * spindle_.seat.hardness;
+    if (joint.pressure() > highest)
+      tables_.section("housing").fail(
+          "flange_screw_force_N",
+          fmt::format("flange_screw_force_N = {:.10g} N: {} screws press with {:.4g} MPa; with "
+                      "hardness_GPa = {:.4g} it must be at most {:.4g} MPa",
+                      joint.screw_force, joint.screws, joint.pressure() / MPa,
+                      spindle_.seat.hardness / GPa, highest / MPa));
   }
 
   /// Bore of the housing at a position; where it is open, that of the bearings.

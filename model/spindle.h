@@ -72,14 +72,25 @@ struct ShaftBody {
   std::vector<Support> supports = {};
 };
 
+/// Screws that press two faces together.
+struct ScrewedJoint {
+  int screws = 0;
+  double screw_force = unset;  ///< clamping force of one screw [N]
+  double area = unset;         ///< contact area of the faces [m²]
+  /// Returns the mean pressure of the faces [Pa].
+  [[nodiscard]] double pressure() const { return screws * screw_force / area; }
+};
+
 struct Housing {
   double start = unset;  ///< front face, distance behind the nose face [m]
   /// Segments from the front face. A segment without a bore has the outer diameter of the bearings
   /// as its bore.
   std::vector<Segment> segments;
-  double flange = unset;            ///< centre of the bolted connection to the machine [m]
-  double flange_length = 20 * mm;   ///< [m]
-  double flange_conductance = 4.0;  ///< conductance into the machine [W/K]
+  double flange = unset;           ///< centre of the bolted connection to the machine [m]
+  double flange_length = 20 * mm;  ///< [m]
+  /// Conductance into the machine [W/K]; with a joint, the part of the path behind the joint.
+  double flange_conductance = 4.0;
+  std::optional<ScrewedJoint> flange_joint = {};
 };
 
 /// Seats of the rings, and contacts at their side faces.

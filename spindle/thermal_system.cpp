@@ -103,8 +103,7 @@ ThermalSystem::ThermalSystem(const model::Model& model, const effects::SpindleCo
   rear_ = add_outlets(layout_.rear, Reservoir::air);
   const Group flange = add_outlets(layout_.flange, Reservoir::machine);
   if (flange.area > 0.0)
-    set_outlets(flange, condition_.flange_conductance_factor * spindle_.housing.flange_conductance /
-                            flange.area);
+    set_outlets(flange, condition_.flange_conductance_factor * flange_conductance() / flange.area);
   for (std::size_t k = 0; k < circuits_.size(); ++k) {
     Circuit& circuit = circuits_[k];
     Joints walls = layout_.coolant_walls[k];
@@ -237,6 +236,30 @@ void ThermalSystem::update(const Vector& temperatures, const Inputs& inputs) {
   update_seats(temperatures, inputs.speed);
   update_room(temperatures, inputs.speed);
   update_coolant(temperatures, inputs);
+}
+
+/// Conductance from the flange into the machine: the screwed joint and the path behind it in
+/// series.
+double ThermalSystem::flange_conductance() const {
+  const model::Housing& h = spindle_.housing;
+  return h.flange_joint ? in_series(1.0 / (joint_conductance() * h.flange_joint->area),
+                                    h.flange_conductance, 1.0)
+                        : h.flange_conductance;
+}
+
+/// Conductance of the screwed joint of the flange under its mean pressure [W/(m² K)]. The machine
+/// has the conductivity of the housing.
+double ThermalSystem::joint_conductance() const {
+  const model::Seat& seat = spindle_.seat;
+  const double conductivity =
+      layout_.mesh.cells[static_cast<std::size_t>(layout_.flange.front().first)]
+          .material.conductivity;
+  return seat_conductance({.roughness = seat.roughness,
+                           .slope = seat.slope,
+                           .hardness = seat.hardness,
+                           .first_conductivity = conductivity,
+                           .second_conductivity = conductivity},
+                          spindle_.housing.flange_joint->pressure(), 0.0);
 }
 
 void ThermalSystem::update_seats(const Vector& temperatures, double speed) {

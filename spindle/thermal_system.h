@@ -78,6 +78,8 @@ class ThermalSystem {
   };
   [[nodiscard]] HeatedCells cells_of(const model::HeatSource& source) const;
   void place_heat();
+  [[nodiscard]] double flange_conductance() const;
+  [[nodiscard]] double joint_conductance() const;
   void add_source(const HeatedCells& cells, double heat);
 
   model::Spindle spindle_;

@@ -391,6 +391,27 @@ TEST(SpindleSection, ACircuitThatCannotBeIsRefusedWithItsPlace) {
   }
 }
 
+TEST(SpindleSection, ScrewsOfTheFlangeAreReadWithTheirUnits) {
+  const std::string joint =
+      "flange_screws = 8\nflange_screw_force_N = 12000\nflange_contact_mm2 = 15000\n";
+  const auto with_joint = [&](const std::string& text) {
+    return with(base_spindle, "flange_mm = 120.0\n", "flange_mm = 120.0\n" + text);
+  };
+  const auto read = spindle_of(with_joint(joint)).housing.flange_joint;
+  ASSERT_TRUE(read);
+  EXPECT_DOUBLE_EQ(read->pressure(), 6.4 * MPa);
+  EXPECT_FALSE(spindle_of(base_spindle).housing.flange_joint);
+  EXPECT_THAT(spindle_error(with_joint(with(joint, "flange_contact_mm2 = 15000\n", ""))),
+              HasSubstr("flange_contact_mm2 is missing"));
+  EXPECT_THAT(spindle_error(with_joint(with(joint, "flange_screws = 8\n", ""))),
+              HasSubstr("flange_screws is missing"));
+  EXPECT_THAT(spindle_error(with_joint(with(joint, "= 8", "= 8.5"))),
+              HasSubstr("must be a whole number"));
+  EXPECT_THAT(
+      spindle_error(with_joint(with(joint, "15000", "1000"))),
+      HasSubstr("8 screws press with 96 MPa; with hardness_GPa = 3 it must be at most 60 MPa"));
+}
+
 TEST(SpindleSection, ShaftAloneIsNoSpindle) {
   const std::string text = shortest_spindle.substr(0, shortest_spindle.find("[housing]"));
   EXPECT_THAT(spindle_error(text), HasSubstr("a spindle has both [shaft] and [housing]"));

@@ -395,6 +395,27 @@ TEST(Simulator, CircuitsThatOverlapAreRefused) {
   EXPECT_THROW(Simulator{m}, std::invalid_argument);
 }
 
+TEST(Simulator, AScrewedFlangeConductsByItsForceInSeriesWithTheMachine) {
+  model::Model screwed = base_spindle(), given = screwed;
+  const model::Seat& seat = screwed.spindle->seat;
+  const model::ScrewedJoint joint{.screws = 8, .screw_force = 5000.0, .area = 0.02};
+  screwed.spindle->housing.flange_joint = joint;
+  screwed.spindle->housing.flange_conductance = 60.0;
+  // Brecher et al. 2021, eq. 4, at 2 MPa between two faces of iron, and air of 3 Ra.
+  const double spots =
+      std::pow(2e6 / seat.hardness, 0.93) * seat.slope * 48.0 / (0.46 * seat.roughness * 2.0);
+  const double film = spots + 0.027 / (3.0 * seat.roughness);
+  given.spindle->housing.flange_conductance = 1.0 / (1.0 / 60.0 + 1.0 / (film * joint.area));
+  Report report;
+  Simulator simulator(screwed);
+  const Moment a = simulator.steady({.speed = 6000 * rpm}, report);
+  const Moment b = Simulator(given).steady({.speed = 6000 * rpm}, report);
+  ASSERT_TRUE(report.converged());
+  EXPECT_GT(a.heat.machine, 5.0);
+  EXPECT_NEAR(a.heat.machine, b.heat.machine, 1e-9 * a.heat.machine);
+  EXPECT_NEAR(a.displacement, b.displacement, 1e-9 * b.displacement);
+}
+
 // Trap 12: against another place of the housing the same run is another curve.
 TEST(Simulator, DisplacementIsThatAgainstTheFlange) {
   const auto steady_at = [](double flange) {
