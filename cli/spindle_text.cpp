@@ -68,6 +68,20 @@ void print_seats(const model::Model& model, const std::vector<spindle::SeatsOfBe
   fmt::print("{}\n", table.text(terminal_width()));
 }
 
+/// Prints joints and surfaces with area, heat transfer coefficient, pressure and heat.
+void print_surfaces(const std::vector<spindle::SurfaceState>& surfaces) {
+  if (surfaces.empty()) return;
+  TextTable table({{"surface", "", true},
+                   {"area", "mm2"},
+                   {"conducts", "W/(m2 K)"},
+                   {"pressure", "MPa"},
+                   {"heat", "W"}});
+  for (const spindle::SurfaceState& s : surfaces)
+    table.add({s.name, number(s.area / (mm * mm), 3), number(s.conductance, 3),
+               number(s.pressure / MPa, 3), number(s.heat, 3)});
+  fmt::print("{}\n", table.text(terminal_width()));
+}
+
 /// Prints the largest von Mises stress of each part, and the components of the largest of all.
 void print_stresses(const model::Model& model, const std::vector<spindle::SectionStress>& all) {
   if (all.empty()) return;
@@ -150,6 +164,7 @@ void print_one(const model::Model& model, const results::SteadyState& s) {
   if (!s.report.converged()) return;
   print_temperatures(model, s.moment);
   print_seats(model, s.seats);
+  print_surfaces(s.surfaces);
   print_stresses(model, s.stress);
   print_heat(s.moment.heat);
   if (s.channels.size() > 1)

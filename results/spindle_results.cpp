@@ -72,6 +72,17 @@ text::json seats_json(const model::Model& model, std::span<const spindle::SeatsO
   return list;
 }
 
+text::json surfaces_json(std::span<const spindle::SurfaceState> surfaces) {
+  text::json list = text::json::array();
+  for (const spindle::SurfaceState& s : surfaces)
+    list.push_back({{"name", s.name},
+                    {"area_mm2", s.area / (mm * mm)},
+                    {"conductance_W_m2K", s.conductance},
+                    {"pressure_MPa", s.pressure / MPa},
+                    {"heat_W", s.heat}});
+  return list;
+}
+
 text::json flow_json(const spindle::ChannelFlow& flow) {
   return {{"velocity_m_s", flow.velocity},
           {"reynolds_number", flow.reynolds},
@@ -308,6 +319,7 @@ std::string spindle_steady_json(const model::Model& model, std::span<const Stead
     if (s.channels.size() > 1) row["circuits"] = circuits_json(model, s);
     if (!s.seats.empty()) {
       row["seats"] = seats_json(model, s.seats);
+      row["surfaces"] = surfaces_json(s.surfaces);
       row["shaft"] = shaft_json(s.shaft);
       row["stress"] = stresses_json(model, s.stress);
     }

@@ -53,8 +53,9 @@ struct SteadyState {
   std::vector<std::optional<spindle::ChannelFlow>> channels = {};
   /// in the order of Moment::bearings; empty for a network
   std::vector<spindle::SeatsOfBearing> seats = {};
-  std::vector<spindle::ShaftPlace> shaft = {};      ///< from the nose to the rear end
-  std::vector<spindle::SectionStress> stress = {};  ///< stress of shaft and rings
+  std::vector<spindle::SurfaceState> surfaces = {};  ///< joints and surfaces without the seats
+  std::vector<spindle::ShaftPlace> shaft = {};       ///< from the nose to the rear end
+  std::vector<spindle::SectionStress> stress = {};   ///< stress of shaft and rings
 };
 
 /// Returns the section with the largest von Mises stress; null for an empty list.

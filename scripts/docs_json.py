@@ -206,6 +206,8 @@ MEANINGS = {
         "steady[].coolant.velocity_m_s": "of a steady state",
         "steady[].circuits[].heat_W": "of each circuit where [[coolant.circuit]] adds one; heat_to_coolant_W is the sum",
         "steady[].seats[].on_shaft.pressure_MPa": "0 of a loose seat, null where its conductance is given",
+        "steady[].surfaces[].pressure_MPa": "of a screwed flange, else null",
+        "steady[].surfaces[].heat_W": "out of the spindle, or through the gap to the housing; null of shoulders and collars",
         "steady[].shaft[].axial_displacement_um": "against the flange, from the nose to the rear end",
         "steady[].stress.largest.part": "shaft, inner_ring or outer_ring; place of the largest von Mises stress; tension is positive",
         "steady[].stress.sections[].bearing": "bearing of the ring or of the seat on the shaft; null elsewhere",

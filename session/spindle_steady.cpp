@@ -54,6 +54,7 @@ results::SteadyState steady_state(spindle::Simulator& simulator, const spindle::
   s.moment = simulator.steady(inputs, s.report);
   if (s.report.converged() && simulator.sets()) {
     s.seats = simulator.seats();
+    s.surfaces = simulator.surfaces();
     s.shaft = simulator.along_shaft(s.moment);
     s.stress = simulator.stresses(inputs.speed);
     s.axial_stiffness = simulator.sets()->axial_stiffness;

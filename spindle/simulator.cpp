@@ -470,6 +470,11 @@ std::vector<SeatsOfBearing> Simulator::seats() const {
   return system ? system->seats() : std::vector<SeatsOfBearing>();
 }
 
+std::vector<SurfaceState> Simulator::surfaces() const {
+  const HeatFlow& flow = parts_->flow;
+  return flow.system() ? flow.system()->surfaces(flow.temperatures()) : std::vector<SurfaceState>{};
+}
+
 std::vector<ShaftPlace> Simulator::along_shaft(const Moment& moment) const {
   std::vector<ShaftPlace> list;
   const ThermalSystem* const system = parts_->flow.system();

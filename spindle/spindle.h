@@ -145,6 +145,17 @@ struct SeatsOfBearing {
   SeatState inner, outer;
 };
 
+/// State of a joint or a surface of the spindle; SeatsOfBearing has the seats of the rings.
+struct SurfaceState {
+  std::string name;
+  double area = unset;         ///< [m²]
+  double conductance = unset;  ///< heat transfer coefficient, mean over the area [W/(m² K)]
+  double pressure = unset;     ///< [Pa]; NaN for a surface, and for a joint with given conductance
+  /// Heat that leaves the spindle, or crosses the gap to the housing [W]; NaN for shoulders and
+  /// collars.
+  double heat = unset;
+};
+
 /// Position on the shaft with its axial displacement relative to the flange.
 struct ShaftPlace {
   double position = unset;      ///< distance behind the nose face [m]
@@ -211,6 +222,8 @@ class Simulator {
   /// Returns the seats at the end of the last call, in the order of Moment::bearings; empty for a
   /// network.
   [[nodiscard]] std::vector<SeatsOfBearing> seats() const;
+  /// Returns joints and surfaces at the end of the last call; empty for a network.
+  [[nodiscard]] std::vector<SurfaceState> surfaces() const;
   /// Returns the displacement along the shaft, from nose to rear end, at the end of the last call,
   /// whose result was `moment`; empty for a network.
   [[nodiscard]] std::vector<ShaftPlace> along_shaft(const Moment& moment) const;

@@ -101,9 +101,10 @@ ThermalSystem::ThermalSystem(const model::Model& model, const effects::SpindleCo
   ends_ = add_outlets(layout_.housing_ends, Reservoir::air);
   nose_ = add_outlets(layout_.nose, Reservoir::air);
   rear_ = add_outlets(layout_.rear, Reservoir::air);
-  const Group flange = add_outlets(layout_.flange, Reservoir::machine);
-  if (flange.area > 0.0)
-    set_outlets(flange, condition_.flange_conductance_factor * flange_conductance() / flange.area);
+  flange_ = add_outlets(layout_.flange, Reservoir::machine);
+  if (flange_.area > 0.0)
+    set_outlets(flange_,
+                condition_.flange_conductance_factor * flange_conductance() / flange_.area);
   for (std::size_t k = 0; k < circuits_.size(); ++k) {
     Circuit& circuit = circuits_[k];
     Joints walls = layout_.coolant_walls[k];
@@ -170,13 +171,15 @@ ThermalSystem::Group ThermalSystem::add_outlets(const Joints& joints, Reservoir 
   return group;
 }
 
-void ThermalSystem::set_links(const Group& group, double film) {
+void ThermalSystem::set_links(Group& group, double film) {
+  group.film = film;
   for (std::size_t k = 0; k < group.joints.size(); ++k)
     paths_.links[group.first + k].conductance =
         in_series(group.joints[k].half, film, group.joints[k].area);
 }
 
-void ThermalSystem::set_outlets(const Group& group, double film) {
+void ThermalSystem::set_outlets(Group& group, double film) {
+  group.film = film;
   for (std::size_t k = 0; k < group.joints.size(); ++k)
     paths_.outlets[group.first + k].conductance =
         in_series(group.joints[k].half, film, group.joints[k].area);
@@ -192,8 +195,10 @@ void ThermalSystem::add_fixed() {
     paths_.links.push_back({t.first, t.second, conductance_of(t)});
   }
   for (const Joint& j : layout_.clamped) paths_.links.push_back({j.first, j.second, 1.0 / j.half});
-  set_links(add_links(layout_.shoulders), spindle_.seat.shoulder_conductance);
-  set_links(add_links(layout_.collars), spindle_.seat.collar_conductance);
+  shoulders_ = add_links(layout_.shoulders);
+  set_links(shoulders_, spindle_.seat.shoulder_conductance);
+  collars_ = add_links(layout_.collars);
+  set_links(collars_, spindle_.seat.collar_conductance);
 }
 
 /// A sleeve that nobody told of: around the housing between the sets and as far over their bearings
@@ -319,7 +324,7 @@ void ThermalSystem::update_room(const Vector& temperatures, double speed) {
     set_outlets(ends_, free * free_plate(diameter, face - room, 0.5 * (face + room), air_at(face)) +
                            radiation(ambient.emissivity, face, room));
   }
-  const auto turning = [&](const Group& group, double diameter) {
+  const auto turning = [&](Group& group, double diameter) {
     if (!(group.area > 0.0)) return;
     const double t = surface(group.joints, temperatures);
     set_outlets(group, turning_shaft(ambient.rotating_convection, speed, diameter, t - room,
@@ -329,6 +334,7 @@ void ThermalSystem::update_room(const Vector& temperatures, double speed) {
   turning(nose_, nose_diameter_);
   turning(rear_, rear_diameter_);
   if (gap_.joints.empty()) return;
+  gap_.film = 0.0;
   const double inner = surface(gap_.joints, temperatures);
   double outer = 0.0;
   for (const Joint& j : gap_.joints) outer += j.area / gap_.area * temperatures[j.second];
@@ -346,11 +352,12 @@ void ThermalSystem::update_room(const Vector& temperatures, double speed) {
         annular_gap(low, high, speed, air) +
         radiation_of_gap(low, high, steel_emissivity, steel_emissivity, inner, outer);
     paths_.links[gap_.first + k].conductance = in_series(j.half, film, j.area);
+    gap_.film += film * j.area / gap_.area;
   }
 }
 
 void ThermalSystem::update_coolant(const Vector& temperatures, const Inputs& inputs) {
-  for (const Circuit& c : circuits_) {
+  for (Circuit& c : circuits_) {
     const double mean_temperature = temperatures[c.node];
     set_links(c.walls, coolant_film(c.channel, mean_temperature, inputs.coolant_on));
     paths_.outlets[c.flow].conductance =
@@ -364,6 +371,45 @@ double ThermalSystem::inlet(const Circuit& circuit, const Inputs& inputs) const 
     return circuit.channel.inlet_temperature;
   return std::isnan(inputs.coolant_inlet) ? spindle_.coolant->inlet_temperature
                                           : inputs.coolant_inlet;
+}
+
+/// Heat through a group from its cells to the reservoir, or to the second cells of its links [W].
+double ThermalSystem::heat_through(const Group& group, const Vector& temperatures,
+                                   bool outlets) const {
+  double sum = 0.0;
+  for (std::size_t k = group.first; k < group.first + group.joints.size(); ++k) {
+    const double to = outlets ? paths_.outlets[k].outside(paths_.temperature)
+                              : temperatures[paths_.links[k].second];
+    sum += outlets ? paths_.outlets[k].conductance * (temperatures[paths_.outlets[k].node] - to)
+                   : paths_.links[k].conductance * (temperatures[paths_.links[k].first] - to);
+  }
+  return sum;
+}
+
+std::vector<SurfaceState> ThermalSystem::surfaces(const Vector& temperatures) const {
+  std::vector<SurfaceState> list;
+  const auto add = [&](const std::string& name, const Group& group, double heat) {
+    if (group.area > 0.0)
+      list.push_back({.name = name, .area = group.area, .conductance = group.film, .heat = heat});
+  };
+  add("shoulders", shoulders_, unset);
+  add("collars", collars_, unset);
+  add("flange", flange_, heat_through(flange_, temperatures, true));
+  if (flange_.area > 0.0 && spindle_.housing.flange_joint) {
+    const model::ScrewedJoint& joint = *spindle_.housing.flange_joint;
+    list.back().area = joint.area;
+    list.back().conductance = joint_conductance();
+    list.back().pressure = joint.pressure();
+  }
+  add("gap", gap_, heat_through(gap_, temperatures, false));
+  add("nose", nose_, heat_through(nose_, temperatures, true));
+  add("shaft_rear", rear_, heat_through(rear_, temperatures, true));
+  add("housing", housing_, heat_through(housing_, temperatures, true));
+  add("housing_ends", ends_, heat_through(ends_, temperatures, true));
+  for (std::size_t k = 0; k < circuits_.size(); ++k)
+    add(k == 0 ? "coolant" : spindle_.circuits[k - 1].name, circuits_[k].walls,
+        heat_through(circuits_[k].walls, temperatures, false));
+  return list;
 }
 
 CylinderHeat ThermalSystem::through_cylinders(const Vector& temperatures) const {

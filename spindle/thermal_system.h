@@ -29,6 +29,7 @@ class ThermalSystem {
     std::size_t first = 0;  ///< place of the first path in links or outlets
     Joints joints;
     double area = 0.0;  ///< [m²]
+    double film = 0.0;  ///< heat transfer coefficient, mean over the area [W/(m² K)]
   };
   ThermalSystem(const model::Model& model, const effects::SpindleCondition& condition,
                 model::Cells cells);
@@ -58,14 +59,18 @@ class ThermalSystem {
   [[nodiscard]] double ambient(const Inputs& inputs) const;
   /// Returns the seats after the last update(), bearing by bearing as in Layout.
   [[nodiscard]] const std::vector<SeatsOfBearing>& seats() const { return seats_; }
+  /// Returns all joints and surfaces but the seats of the rings, after the last update().
+  [[nodiscard]] std::vector<SurfaceState> surfaces(const Vector& temperatures) const;
   /// Returns the radial heat flow in shaft and rings, without the heat that enters at raceways.
   [[nodiscard]] CylinderHeat through_cylinders(const Vector& temperatures) const;
 
  private:
   Group add_links(const Joints& joints);
   Group add_outlets(const Joints& joints, Reservoir reservoir);
-  void set_links(const Group& group, double film);
-  void set_outlets(const Group& group, double film);
+  void set_links(Group& group, double film);
+  void set_outlets(Group& group, double film);
+  [[nodiscard]] double heat_through(const Group& group, const Vector& temperatures,
+                                    bool outlets) const;
   void add_fixed();
   void add_sleeve(const effects::SpindleCondition& condition);
   void update_seats(const Vector& temperatures, double speed);
@@ -88,6 +93,7 @@ class ThermalSystem {
   HeatPaths paths_;
   std::vector<Group> inner_seats_, outer_seats_;
   std::vector<SeatsOfBearing> seats_;
+  Group shoulders_, collars_, flange_;
   Group housing_, ends_, nose_, rear_, gap_;
   std::vector<Circuit> circuits_;
   double nose_diameter_ = unset, rear_diameter_ = unset;

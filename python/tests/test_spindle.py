@@ -67,6 +67,33 @@ def test_steady_states_are_those_of_the_command(small, driven, document, csv):
     assert off.converged and off.status == ["converged"]
 
 
+def test_circuits_surfaces_and_stress_are_those_of_the_command(root, tmp_path, document):
+    text = (
+        (root / DRIVEN).read_text().replace("end_mm = 300.0", "end_mm = 180.0")
+        + """
+[[coolant.circuit]]
+name = "jacket"
+flow_l_min = 4
+inlet_temperature_C = 25
+diameter_mm = 140
+channel_width_mm = 10
+channel_depth_mm = 4
+pitch_mm = 14
+start_mm = 190
+end_mm = 300
+"""
+    )
+    path = tmp_path / "circuits.toml"
+    path.write_text(text)
+    states = raceway.Model.read(path).steady(6000)
+    assert states.data == document("spindle", str(path), "--steady", "--speed", "6000")
+    state = states.data["steady"][0]
+    assert [c["name"] for c in state["circuits"]] == ["coolant", "jacket"]
+    assert states.to_frame()["heat_to_jacket_W"][0] == pytest.approx(state["circuits"][1]["heat_W"], rel=1e-9)
+    assert {"flange", "housing", "jacket"} < {s["name"] for s in state["surfaces"]}
+    assert state["stress"]["largest"]["von_mises_MPa"] > 10
+
+
 def test_a_run_is_that_of_the_command(run_of_jump, driven, jump, document, csv):
     asked = ("spindle", DRIVEN, "--speed-profile", jump)
     assert run_of_jump.data == document(*asked)

@@ -71,6 +71,11 @@ TEST_F(SpindleCommand, TextAndJsonOfASteadyStateAgree) {
   EXPECT_THAT(text.out,
               HasSubstr(fmt::format("{:.4g} N in front", s["front_force_N"].get<double>())));
   EXPECT_THAT(text.out, HasSubstr("cells; "));
+  for (const json& surface : s["surfaces"])
+    EXPECT_THAT(text.out, testing::ContainsRegex(fmt::format(
+                              "\n{} +[0-9]+ +{} +- ", surface["name"].get<std::string>(),
+                              text::number(surface["conductance_W_m2K"].get<double>(), 3))));
+  EXPECT_GE(s["surfaces"].size(), 6u);
   const json& most = s["stress"]["largest"];
   EXPECT_THAT(text.out,
               HasSubstr(fmt::format("largest stress: {:.1f} MPa von Mises in the inner ring",

@@ -78,6 +78,17 @@ TEST_F(SpindleReport, OfARunHasTheSectionAndTheColumnsOfItsCsv) {
   EXPECT_EQ(section["bearings"][2]["position_mm"], 290.0);
 }
 
+TEST_F(SpindleReport, SectionHasTheChannelOfEachCircuit) {
+  of_.model = files::parse_model(tests::with_circuit(), "my.toml").model;
+  const Json d = document_of(page_of({{.time = 1800, .inputs = {.speed = 4000 * rpm}}}));
+  const Json& channels = d["section"]["channels"];
+  ASSERT_EQ(channels.size(), 2u);
+  EXPECT_EQ(channels[0]["end_mm"], 180.0);
+  EXPECT_EQ(channels[1]["start_mm"], 190.0);
+  EXPECT_EQ(channels[1]["depth_mm"], 5.0);
+  EXPECT_EQ(column_of_page(d, "heat_to_jacket_W")["values"].size(), d["rows"]["rows"]);
+}
+
 TEST_F(SpindleReport, IsTheSameForTheSameInput) {
   const std::vector<spindle::ProfileRow> profile{{.time = 600, .inputs = {.speed = 4000 * rpm}}};
   EXPECT_TRUE(page_of(profile) == page_of(profile)) << "other bytes";

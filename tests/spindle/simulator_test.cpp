@@ -416,6 +416,40 @@ TEST(Simulator, AScrewedFlangeConductsByItsForceInSeriesWithTheMachine) {
   EXPECT_NEAR(a.displacement, b.displacement, 1e-9 * b.displacement);
 }
 
+TEST(Simulator, SurfacesAndJointsCarryTheHeatOfTheBalance) {
+  model::Model m = two_circuits();
+  m.spindle->circuits[0].channel.inlet_temperature = kelvin(26);
+  m.spindle->housing.flange_joint = {.screws = 8, .screw_force = 5000.0, .area = 0.02};
+  Report report;
+  Simulator simulator(m);
+  const Moment now = simulator.steady({.speed = 6000 * rpm}, report);
+  ASSERT_TRUE(report.converged());
+  double air = 0.0, machine = 0.0;
+  std::vector<double> coolant;
+  for (const SurfaceState& s : simulator.surfaces()) {
+    EXPECT_GT(s.area, 0.0) << s.name;
+    EXPECT_GT(s.conductance, 0.0) << s.name;
+    if (s.name == "nose" || s.name == "shaft_rear" || s.name == "housing" ||
+        s.name == "housing_ends")
+      air += s.heat;
+    if (s.name == "flange") {
+      machine = s.heat;
+      EXPECT_DOUBLE_EQ(s.pressure, 2 * MPa);
+      EXPECT_DOUBLE_EQ(s.area, 0.02);
+    }
+    if (s.name == "coolant" || s.name == "rear_jacket") coolant.push_back(s.heat);
+    if (s.name == "shoulders") {
+      EXPECT_EQ(s.conductance, 8000.0);
+      EXPECT_TRUE(std::isnan(s.pressure) && std::isnan(s.heat));
+    }
+  }
+  EXPECT_NEAR(air, now.heat.air, 1e-6 * now.heat.air);
+  EXPECT_NEAR(machine, now.heat.machine, 1e-6 * now.heat.machine);
+  ASSERT_EQ(coolant.size(), 2u);
+  for (std::size_t k = 0; k < 2; ++k)
+    EXPECT_NEAR(coolant[k], now.circuits[k].heat, 1e-3 * std::abs(now.circuits[k].heat));
+}
+
 // Trap 12: against another place of the housing the same run is another curve.
 TEST(Simulator, DisplacementIsThatAgainstTheFlange) {
   const auto steady_at = [](double flange) {
