@@ -104,13 +104,14 @@ void print_effect_card(const correction::EffectCard& card) {
 
 void print_effect_card(const Description& d) {
   fmt::print("{}: {}\n\n", d.id, d.title);
-  std::string changed = d.of_spindles_alone() ? ""
-                        : d.for_rig && d.for_shaft
-                            ? d.moves(Form::shaft)
-                                  ? "friction torque of a bearing on a rig, displacement of a shaft"
-                                  : "friction torque"
-                        : d.for_rig ? "friction torque of a bearing on a rig"
-                                    : "displacement of a shaft with an [arrangement]";
+  std::string changed =
+      d.of_spindles_alone() ? ""
+      : d.for_rig && d.for_shaft
+          ? d.moves(Form::shaft) ? "friction torque, displacement of a shaft" : "friction torque"
+      : d.for_rig ? "friction torque of a bearing on a rig"
+      : d.reads(record::axial_displacement)
+          ? "displacement of a shaft with an [arrangement]"
+          : "displacement and friction torque of a shaft with an [arrangement]";
   if (d.moves(Form::spindle))
     changed += changed.empty() ? "temperatures and displacement of a spindle, with [shaft] and "
                                  "[housing]"

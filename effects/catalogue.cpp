@@ -52,7 +52,7 @@ constexpr Description describe() {
     d.reading = &E::reading;
     d.channel = &E::channel;
     d.for_rig = E::channel == record::friction_torque;
-    d.for_shaft = d.for_spindle = E::channel == record::axial_displacement;
+    d.for_spindle = !d.for_rig;
   }
   if constexpr (requires { &E::spindle; }) d.spindle = &E::spindle;
   if constexpr (requires { E::friction_alone; }) d.friction_alone = E::friction_alone;

@@ -255,11 +255,13 @@ struct Actions {
 struct Description : Card, Requirements, Nature, Actions {
   std::span<const Parameter> parameters = {};
 
-  /// True if it changes what is measured there. Friction of the bearings on a shaft is predicted,
-  /// with all its effects, but moves nothing; in a spindle its heat moves all.
-  [[nodiscard]] bool moves(Form form) const {
-    return belongs_to(form) && (form != Form::shaft || reads(record::axial_displacement) ||
-                                (condition && !friction_alone));
+  /// True if it changes what is measured there: of a shaft its position, which friction does not
+  /// move, or the friction torque of its sets. In a spindle the heat of friction moves all.
+  [[nodiscard]] bool moves(Form form,
+                           const record::Channel& measured = record::axial_displacement) const {
+    if (form != Form::shaft || !belongs_to(form)) return belongs_to(form);
+    if (measured == record::friction_torque) return !reads(record::axial_displacement);
+    return reads(record::axial_displacement) || (condition && !friction_alone);
   }
 };
 

@@ -38,7 +38,7 @@ struct LubricantViscosity {
                                                    .plausible_upper = 2.2,
                                                    .neutral = 1.0}};
   static constexpr std::array<Need, 0> needs{};
-  static constexpr Form form = Form::rig;
+  static constexpr bool for_spindle = false;  // f0 takes it up there
 
   static void entry(Entry& entry, std::span<const double> values) {
     entry.viscosity_40C *= values[0];
@@ -75,8 +75,6 @@ struct ViscositySlope {
                                                    .plausible_upper = 1.4,
                                                    .neutral = 1.0}};
   static constexpr std::array needs{Need::viscosity_levels};
-  static constexpr Form form = Form::rig;
-  static constexpr bool for_spindle = true;  // f0 takes up any other error of its oil
   static constexpr bool of_each_record = true;
 
   static void entry(Entry& entry, std::span<const double> values) {

@@ -35,7 +35,7 @@ struct TemperatureOffset {
                                                    .plausible_lower = -10.0,
                                                    .plausible_upper = 10.0}};
   static constexpr std::array needs{Need::viscosity_levels};
-  static constexpr Form form = Form::rig;
+  static constexpr bool for_spindle = false;
 
   static void entry(Entry& entry, std::span<const double> values) {
     entry.temperature -= values[0];
@@ -70,7 +70,7 @@ struct TemperatureGain {
                                                    .plausible_upper = 1.05,
                                                    .neutral = 1.0}};
   static constexpr std::array needs{Need::viscosity_levels};
-  static constexpr Form form = Form::rig;
+  static constexpr bool for_spindle = false;
 
   static void entry(Entry& entry, std::span<const double> values) {
     entry.temperature = entry.room + (entry.temperature - entry.room) / values[0];

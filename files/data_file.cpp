@@ -12,6 +12,7 @@
 #include "files/detail/data_columns.h"
 #include "files/detail/impossible_cells.h"
 #include "files/detail/kept_columns.h"
+#include "files/subject.h"
 #include "rig/coast_down.h"
 #include "rig/fall_times.h"
 #include "rig/torque_sensor.h"
@@ -308,7 +309,8 @@ class Reader {
       model::Rig assumed = subject_.model().rig;
       if (!assumed.unknown_inertia) return of(assumed);
       assumed.inertia = 1.0;
-      assumed.inertia = rig::matching_inertia(subject_, of(assumed));
+      const Record unit = of(assumed);
+      assumed.inertia = rig::matching_inertia(*make_subject(subject_.model(), unit), unit);
       Record result = of(assumed);
       result.notes.push_back(record::note::assumed(
           fmt::format(

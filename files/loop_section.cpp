@@ -199,7 +199,7 @@ std::vector<record::NamedValue> read_tolerances(const ModelTables& tables,
                                                 const model::Model& model) {
   const Section s = loop_section(tables);
   if (!s.given()) return {};
-  const std::vector<fit::Measured> measured = make_subject(model)->measured();
+  const std::vector<fit::Measured> measured = measurable(model);
   std::vector<record::NamedValue> tolerances;
   for (const Key& key : loop_keys) {
     const auto value = s.number(key);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "model/model_subject.h"
 
@@ -8,5 +9,12 @@ namespace raceway::files {
 
 /// Subject of a model: a bearing on a rig, or the sets on a shaft.
 [[nodiscard]] std::shared_ptr<const model::ModelSubject> make_subject(const model::Model& model);
+/// As above, for a record: of the sets on a shaft it has the axial displacement or the friction
+/// torque.
+[[nodiscard]] std::shared_ptr<const model::ModelSubject> make_subject(const model::Model& model,
+                                                                      const record::Record& record);
+
+/// All that records of a model may have, with its tolerances.
+[[nodiscard]] std::vector<fit::Measured> measurable(const model::Model& model);
 
 }  // namespace raceway::files

@@ -8,6 +8,7 @@
 
 #include "effects/catalogue.h"
 #include "effects/formula.h"
+#include "model/base_laws.h"
 #include "model/candidates.h"
 #include "model/corrected_data.h"
 #include "model/needs.h"
@@ -33,9 +34,9 @@ auto* find_effect(SomeModel& model, std::string_view id) {
 
 /// `known`: effects of the user's own.
 [[noreturn]] void refuse_unknown(const std::string& id, std::vector<std::string> known,
-                                 effects::Form form) {
+                                 effects::Form form, const record::Channel& measured) {
   for (const effects::Description& d : effects::catalogue(form))
-    if (d.moves(form)) known.emplace_back(d.id);
+    if (d.moves(form, measured)) known.emplace_back(d.id);
   throw std::invalid_argument(
       fmt::format("unknown effect \"{}\"; nearest: {}", id, record::nearest_names(id, known, 3)));
 }
@@ -52,6 +53,12 @@ std::unique_ptr<ModelSubject> ModelSubject::with(Model model,
   std::unique_ptr<ModelSubject> subject = make(std::move(model), std::move(waiting));
   subject->corrected_ = corrected_;
   return subject;
+}
+
+const record::Channel& ModelSubject::leading_channel() const { return *measured().front().channel; }
+
+bool ModelSubject::moves(const effects::Description& effect) const {
+  return effect.moves(model_.form(), leading_channel());
 }
 
 bool ModelSubject::waits(std::string_view id) const {
@@ -80,8 +87,10 @@ std::vector<fit::Parameter> ModelSubject::parameters() const {
 }
 
 std::vector<std::string> ModelSubject::free() const {
-  return model_.free.empty() ? default_free(model_) : model_.free;
+  return model_.free.empty() ? usual_free() : model_.free;
 }
+
+std::vector<std::string> ModelSubject::usual_free() const { return default_free(model_); }
 
 std::unique_ptr<fit::Subject> ModelSubject::with_values(
     std::span<const fit::NamedValue> values) const {
@@ -99,7 +108,7 @@ std::vector<fit::Candidate> ModelSubject::candidates() const {
   for (const effects::Effect& e : model_.effects)
     if (waits(e.description->id)) add(*e.description);
   for (const effects::Description& d : effects::catalogue(model_.form()))
-    if (d.moves(model_.form()) && !find_effect(model_, d.id)) add(d);
+    if (moves(d) && !find_effect(model_, d.id)) add(d);
   // A number is not wrong and free at once.
   const std::vector<fit::Parameter> free_already = fit::find_parameters(*this, free());
   for (const std::string& id : own_data(model_)) {
@@ -195,11 +204,11 @@ effects::Effect ModelSubject::from_catalogue(const std::string& id) const {
   if (!d) {
     std::vector<std::string> known = waiting_;
     for (fit::OtherBase& base : other_bases()) known.push_back(std::move(base.id));
-    refuse_unknown(id, std::move(known), form);
+    refuse_unknown(id, std::move(known), form, leading_channel());
   }
-  if (!d->moves(form))
-    throw std::invalid_argument(fmt::format("{}: does not change the {}, which is measured", id,
-                                            measured().front().channel->words));
+  if (!moves(*d))
+    throw std::invalid_argument(
+        fmt::format("{}: does not change the {}, which is measured", id, leading_channel().words));
   if (!candidate_of(*d, model_))
     throw std::invalid_argument("an effect without a size cannot be added");
   effects::Effect effect{.description = d, .values = effects::initial_values(*d)};
@@ -212,7 +221,7 @@ effects::Effect ModelSubject::from_catalogue(const std::string& id) const {
 
 std::string ModelSubject::rules_out(const std::string& id) const {
   const effects::Description* const d = description(id);
-  if (!d || !d->moves(model_.form())) return {};
+  if (!d || !moves(*d)) return {};
   if (std::string why = ruled_out(*d, model_); !why.empty()) return why;
   const std::string why = refused_by_law(*d, active_);
   return why.empty() ? why : "needs " + why;
@@ -248,6 +257,30 @@ fit::Measured ModelSubject::with_tolerance(fit::Measured measured) const {
   for (const record::NamedValue& t : model_.tolerances)
     if (t.name == measured.channel->name) measured.tolerance = t.value;
   return measured;
+}
+
+fit::Measured ModelSubject::measured_torque() const {
+  // Below this share of the rms, errors of a torque sensor no longer shrink with the reading.
+  constexpr double torque_floor = 0.05;
+  // Rigs scatter by 1 to 5 %.
+  constexpr double most_torque_scatter = 0.1;
+  return with_tolerance({.channel = &record::friction_torque,
+                         .floor = torque_floor,
+                         .most_scatter = most_torque_scatter});
+}
+
+std::vector<fit::OtherBase> ModelSubject::other_laws() const {
+  std::vector<fit::OtherBase> list;
+  for (const friction::FrictionLaw law : friction::laws_of_same_bearing(model_.law)) {
+    if (law == model_.law) continue;
+    if (law == friction::FrictionLaw::table && !model_.table) continue;  // it names none
+    const std::string name(friction::name(law));
+    fit::OtherBase base{
+        .id = "law:" + name, .words = "law = " + name, .lacks = lacks_for_law(model_, law)};
+    if (base.lacks.empty()) base.subject = with(with_law(model_, law), waiting_);
+    list.push_back(std::move(base));
+  }
+  return list;
 }
 
 const effects::Description* ModelSubject::description(const std::string& id) const {

@@ -92,14 +92,23 @@ class ModelSubject : public fit::Subject {
   [[nodiscard]] const Model& active() const { return active_; }
   /// Returns the places in active() of the named parameters. Throws like fit::find_parameters().
   [[nodiscard]] std::vector<ParameterPlace> places(const std::vector<std::string>& names) const;
+  /// Returns the free parameters of a model that names none. Default: default_free().
+  [[nodiscard]] virtual std::vector<std::string> usual_free() const;
   /// Returns the channel with the tolerance from the model.
   [[nodiscard]] fit::Measured with_tolerance(fit::Measured measured) const;
+  /// Returns the friction torque as sensors of rigs read it.
+  [[nodiscard]] fit::Measured measured_torque() const;
+  /// Returns the subject with each other law of its bearing, "law:skf" and so on.
+  [[nodiscard]] std::vector<fit::OtherBase> other_laws() const;
   /// Returns the ids of effects that are only candidates.
   [[nodiscard]] const std::vector<std::string>& waiting() const { return waiting_; }
   /// Returns the effect with this id, from the model or the catalogue; null if there is none.
   [[nodiscard]] const effects::Description* description(const std::string& id) const;
 
  private:
+  [[nodiscard]] const record::Channel& leading_channel() const;
+  /// True if the effect changes what is measured.
+  [[nodiscard]] bool moves(const effects::Description& effect) const;
   [[nodiscard]] bool waits(std::string_view id) const;
   /// Returns the effect with its initial values. Throws like with_candidates().
   [[nodiscard]] effects::Effect from_catalogue(const std::string& id) const;

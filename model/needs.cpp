@@ -50,6 +50,11 @@ bool has_levels(const record::Channel& channel, const record::Record& record) {
                        : vary(record.values(channel), 0.0, other_temperature);
 }
 
+bool has_torque_of_sets(const Model& model, const record::Record& record) {
+  return model.form() == effects::Form::shaft &&
+         measured_of_shaft(record) == record::friction_torque;
+}
+
 /// Whether rows of both directions are at least a tenth each.
 bool goes_both_ways(const record::Record& record) {
   std::size_t falling = 0, known = 0;
@@ -67,8 +72,9 @@ bool is_met(Need need, const Model& model, const record::Record& record) {
       return has_levels(record::speed, record);
     case Need::load_levels:
       return has_levels(record::axial_load, record) || has_levels(record::radial_load, record);
-    case Need::preload_levels:
-      return model.spindle || has_levels(record::preload, record);  // heat varies it
+    case Need::preload_levels:  // heat varies it, and an external load what the bearings carry
+      return model.spindle || has_levels(record::preload, record) ||
+             (has_torque_of_sets(model, record) && has_levels(record::axial_load, record));
     case Need::viscosity_levels:
       return has_levels(record::temperature, record);
     case Need::time:
@@ -100,9 +106,13 @@ bool is_met(Need need, const Model& model, const record::Record& record) {
 
 std::string first_unmet(const effects::Description& effect, const Model& model,
                         const record::Record& record, bool levels) {
-  for (const Need need : effect.needs)
-    if (is_for_levels(need) == levels && !is_met(need, model, record))
-      return std::string(effects::text(need));
+  for (const Need need : effect.needs) {
+    // What leaves the forces of the sets alone is seen by a law of ball loads alone.
+    const bool met = need == Need::ball_load_law && effect.friction_alone
+                         ? needs_equilibrium(model)
+                         : is_met(need, model, record);
+    if (is_for_levels(need) == levels && !met) return std::string(effects::text(need));
+  }
   return {};
 }
 
@@ -166,15 +176,25 @@ std::string refused_by_law(const effects::Description& effect, const Model& mode
   return {};
 }
 
+const record::Channel& measured_of_shaft(const record::Record& record) {
+  return record.has(record::friction_torque) && !record.has(record::axial_displacement)
+             ? record::friction_torque
+             : record::axial_displacement;
+}
+
 std::string missing_need(const effects::Description& effect, const Model& model,
                          const record::Record& record) {
-  if (!effect.moves(model.form())) {
+  if (!effect.moves(model.form(), measured_of_shaft(record))) {
     if (effect.of_spindles_alone())
       return "a model of a spindle, with [shaft] and [housing], in which alone it acts";
     if (model.form() == effects::Form::spindle && effect.condition && effect.follows_heat)
       return "a model without temperatures of its own: a spindle model has this effect already";
-    return model.form() == effects::Form::rig
-               ? "axial displacement of a shaft, on which alone it acts"
+    if (effect.reads(record::axial_displacement))
+      return "axial displacement of a shaft, on which alone it acts";
+    if (model.form() == effects::Form::rig)
+      return "the sets of an [arrangement], on which alone it acts";
+    return has_torque_of_sets(model, record)
+               ? "a single bearing on a rig, on which alone it acts: sets share the load"
                : "friction torque, on which alone it acts";
   }
   if (std::string unmet = first_unmet(effect, model, record, false); !unmet.empty()) return unmet;

@@ -34,13 +34,13 @@ text::json effect_page(const effects::Description& d) {
         {"usual_goes_with_pitch_diameter_to_the", std::isnan(p.neutral) ? 0.0 : d.size_power},
         {"no_effect_at", p.neutral}};
   text::json measured = text::json::array();
-  for (const auto& [form, channel] : {std::pair{effects::Form::rig, &record::friction_torque},
-                                      {effects::Form::shaft, &record::axial_displacement}})
-    if (d.moves(form) || (d.of_spindles_alone() && channel == &record::axial_displacement))
-      measured.push_back(channel->variable);
+  if (d.moves(effects::Form::rig) || d.moves(effects::Form::shaft, record::friction_torque))
+    measured.push_back(record::friction_torque.variable);
+  if (d.moves(effects::Form::shaft) || d.of_spindles_alone())
+    measured.push_back(record::axial_displacement.variable);
   text::json forms = text::json::array();
   for (const effects::Form form : effects::all_the_forms)
-    if (d.moves(form)) forms.push_back(effects::name(form));
+    if (d.belongs_to(form)) forms.push_back(effects::name(form));
   return {{"id", d.id},
           {"title", d.title},
           {"kind", d.datum.empty() ? "physics" : "data"},

@@ -59,7 +59,7 @@ std::span<const model::RowPredictor::Rollers> EnteredBalances::rollers_of(
 RigPredictor::RigPredictor(const model::Model& model, const record::Record& record,
                            std::vector<model::ParameterPlace> places,
                            const EnteredBalances* entered)
-    : model_(model), steps_(model_), places_(std::move(places)) {
+    : steps_(model), fitted_(model, steps_, std::move(places)) {
   const std::vector<model::Row> rows = model::rows_of(record);
   std::span<const model::Balance> balances;
   std::span<const model::RowPredictor::Rollers> rollers;
@@ -69,34 +69,21 @@ RigPredictor::RigPredictor(const model::Model& model, const record::Record& reco
   }
   rows_.reserve(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i)
-    rows_.emplace_back(model_, steps_, rows[i].point, rows[i].record,
+    rows_.emplace_back(fitted_.model(), steps_, rows[i].point, rows[i].record,
                        balances.empty() ? nullptr : balances[i], effects::Condition{}, nullptr,
                        rollers.empty() ? nullptr : rollers[i]);
-  for (const model::ParameterPlace& place : places_)
-    stages_.push_back(first_stage(model_, steps_, place.effect()));
-}
-
-void RigPredictor::set(std::span<const double> values, model::Stage& from) {
-  for (std::size_t k = 0; k < places_.size(); ++k) {
-    if (from != model::Stage::entry && values[k] == last_[k]) continue;
-    places_[k].set(model_, values[k]);
-    from = std::min(from, stages_[k]);
-  }
 }
 
 void RigPredictor::readings(std::span<const double> values, std::span<double> out) {
-  model::Stage from = known_ ? model::Stage::reading : model::Stage::entry;
-  known_ = false;
   try {
-    set(values, from);
-    predict_all(model_, steps_, rows_, out, from);
+    const model::Stage from = fitted_.set(values);
+    predict_all(fitted_.model(), steps_, rows_, out, from);
   } catch (const std::invalid_argument&) {
-    if (places_.empty()) throw;
+    if (fitted_.as_entered()) throw;
     std::fill(out.begin(), out.end(), unset);
     return;
   }
-  last_.assign(values.begin(), values.end());
-  known_ = true;
+  fitted_.keep(values);
 }
 
 }  // namespace raceway::rig

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fit/subject.h"
-#include "model/parameters.h"
+#include "model/fitted_model.h"
 #include "model/row.h"
 #include "model/row_predictor.h"
 
@@ -45,15 +45,9 @@ class RigPredictor : public fit::Predictor {
   void readings(std::span<const double> values, std::span<double> out) override;
 
  private:
-  void set(std::span<const double> values, model::Stage& from);
-
-  model::Model model_;
   model::Steps steps_;
+  model::FittedModel fitted_;
   std::vector<model::RowPredictor> rows_;
-  std::vector<model::ParameterPlace> places_;
-  std::vector<model::Stage> stages_;  // stage of each place
-  std::vector<double> last_;
-  bool known_ = false;  // true if all rows belong to the last values
 };
 
 }  // namespace raceway::rig

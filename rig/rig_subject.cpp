@@ -9,19 +9,14 @@
 
 #include "bearing/contact_pressure.h"
 #include "fit/grid.h"
-#include "model/base_laws.h"
 #include "model/candidates.h"
 #include "model/prediction.h"
 #include "model/row.h"
+#include "model/torque_surface.h"
 #include "rig/rig_predictor.h"
 
 namespace raceway::rig {
 namespace {
-
-// Below this share of the rms, errors of a torque sensor no longer shrink with the reading.
-constexpr double torque_floor = 0.05;
-// Rigs scatter by 1 to 5 %.
-constexpr double most_torque_scatter = 0.1;
 
 template <typename Value>
 std::vector<double> by_row(const fit::Record& record, const Value& value) {
@@ -51,15 +46,6 @@ void require_no_axial_load(const fit::Record& record) {
                       record.place(i), loads[i]));
 }
 
-/// Logarithm with a floor, as an unloaded or resting bearing has none.
-std::vector<double> logarithm(std::vector<double> values) {
-  double largest = 0.0;
-  for (const double v : values) largest = std::fmax(largest, std::abs(v));
-  const double floor = largest > 0.0 ? 1e-2 * largest : 1.0;
-  for (double& v : values) v = std::log(std::isnan(v) ? v : std::max(std::abs(v), floor));
-  return values;
-}
-
 /// Levels of an axis within what was measured.
 std::vector<double> levels(std::span<const double> values, int count) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -85,11 +71,7 @@ std::unique_ptr<model::ModelSubject> RigSubject::make(model::Model model,
   return std::unique_ptr<ModelSubject>(new RigSubject(model, std::move(waiting)));
 }
 
-std::vector<fit::Measured> RigSubject::measured() const {
-  return {with_tolerance({.channel = &record::friction_torque,
-                          .floor = torque_floor,
-                          .most_scatter = most_torque_scatter})};
-}
+std::vector<fit::Measured> RigSubject::measured() const { return {measured_torque()}; }
 
 void RigSubject::require(const fit::Record& record) const {
   if (model().bearing.rollers()) require_no_axial_load(record);
@@ -114,47 +96,18 @@ std::unique_ptr<fit::Predictor> RigSubject::predictor(
 }
 
 fit::Saturation RigSubject::saturation(const fit::Record& record) const {
-  fit::Saturation s{.levels_before_candidates = true, .proportional = true};
-  s.surface.inputs = {{logarithm(by_row(record, [](const auto& p) { return p.speed; })), 1e-3},
-                      {logarithm(main_loads(record, model())), 1e-3},
-                      {by_row(record, [](const auto& p) { return p.temperature; }), 0.5}};
-  // Exponents of speed, the main load and temperature.
-  std::vector<std::vector<int>> terms{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 0, 0},
-                                      {0, 2, 0}, {0, 0, 2}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1},
-                                      {3, 0, 0}, {0, 3, 0}, {0, 0, 3}, {2, 1, 0}, {2, 0, 1}};
-  s.levels = {&record::speed, &main_load(model())};
-  // Whatever else varies may be what the torque depends on.
-  const auto add = [&](const fit::Channel& channel, std::vector<double> values, double least) {
-    s.surface.inputs.push_back({std::move(values), least});
-    for (std::vector<int>& term : terms) term.push_back(0);
-    std::vector<int> exponents(s.surface.inputs.size(), 0);
-    for (const auto& [speed, load, own] : {std::array{0, 0, 1}, {0, 0, 2}, {1, 0, 1}, {0, 1, 1}}) {
-      exponents[0] = speed;
-      exponents[1] = load;
-      exponents.back() = own;
-      terms.push_back(exponents);
-    }
-    if (channel.role == record::Role::setting) s.levels.push_back(&channel);
-  };
+  std::vector<model::TorqueLoad> further;
   if (!model().bearing.rollers() && record.varies(record::radial_load))
-    add(record::radial_load, logarithm(by_row(record, [](const auto& p) { return p.radial_load; })),
-        1e-3);
-  for (const fit::Channel* channel :
-       {&record::preload, &record::inner_ring_temperature, &record::outer_ring_temperature}) {
-    if (!record.complete(*channel) || !record.varies(*channel)) continue;
-    const std::span<const double> column = record.values(*channel);
-    std::vector<double> values(column.begin(), column.end());
-    const bool load = *channel == record::preload;
-    if (load) values = logarithm(std::move(values));
-    add(*channel, std::move(values), load ? 1e-3 : 0.5);
-  }
-  s.surface.terms = std::move(terms);
-  return s;
+    further.push_back(
+        {&record::radial_load,
+         {model::logarithm(by_row(record, [](const auto& p) { return p.radial_load; })), 1e-3}});
+  return torque_saturation(
+      record, {&main_load(model()), {model::logarithm(main_loads(record, model())), 1e-3}},
+      std::move(further));
 }
 
 std::vector<const record::Channel*> RigSubject::scattering(const fit::Record& record) const {
-  if (!record.varies(record::temperature)) return {};
-  return {&record::temperature};
+  return model::scattering_temperature(record);
 }
 
 std::vector<fit::Factor> RigSubject::factors(const fit::Record& record) const {
@@ -211,19 +164,7 @@ std::vector<std::string> RigSubject::records_needed(
   return model::settling_records(model().form(), rivals);
 }
 
-std::vector<fit::OtherBase> RigSubject::other_bases() const {
-  std::vector<fit::OtherBase> list;
-  for (const friction::FrictionLaw law : friction::laws_of_same_bearing(model().law)) {
-    if (law == model().law) continue;
-    if (law == friction::FrictionLaw::table && !model().table) continue;  // it names none
-    const std::string name(friction::name(law));
-    fit::OtherBase base{
-        .id = "law:" + name, .words = "law = " + name, .lacks = model::lacks_for_law(model(), law)};
-    if (base.lacks.empty()) base.subject = with(model::with_law(model(), law), waiting());
-    list.push_back(std::move(base));
-  }
-  return list;
-}
+std::vector<fit::OtherBase> RigSubject::other_bases() const { return other_laws(); }
 
 std::string RigSubject::lacks(const std::string& id, const fit::Record& record) const {
   constexpr double thick_film = 2.0;  // film over roughness that no asperity reaches through

@@ -79,7 +79,8 @@ results::BandOfResult point_band(const model::Band& band, const bearing::Operati
 }
 
 std::vector<double> record_band(const model::Band& band, const record::Record& record) {
-  return band([&](const model::Model& m) { return fit::predict(*files::make_subject(m), record); });
+  return band(
+      [&](const model::Model& m) { return fit::predict(*files::make_subject(m, record), record); });
 }
 
 }  // namespace raceway::session

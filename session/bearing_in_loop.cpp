@@ -142,7 +142,7 @@ std::shared_ptr<const fit::Subject> subject_of(const model::Model& model,
         fmt::format(" {}: {} is one record, whose parameters are all its own; name two files of "
                     "measurements or more",
                     fmt::join(own, ","), data.source));
-  const std::shared_ptr<const fit::Subject> alone = files::make_subject(model);
+  const std::shared_ptr<const fit::Subject> alone = files::make_subject(model, data);
   if (model.spindle || data.parts.empty()) return alone;
   // Free in the model too, so that an effect of which a number is named counts as one to be learnt.
   model::Model wanted = with_named(model, *alone, own);
@@ -151,7 +151,7 @@ std::shared_ptr<const fit::Subject> subject_of(const model::Model& model,
     if (std::find(wanted.free.begin(), wanted.free.end(), name) == wanted.free.end())
       wanted.free.push_back(name);
   try {
-    const std::shared_ptr<const fit::Subject> subject = files::make_subject(wanted);
+    const std::shared_ptr<const fit::Subject> subject = files::make_subject(wanted, data);
     (void)fit::find_parameters(*subject, own);
     return std::make_shared<fit::SeveralRecords>(subject, data, own);
   } catch (const std::invalid_argument& e) {
@@ -173,6 +173,17 @@ std::vector<record::Note> tell_of_warm_starts(Messages& messages, const fit::Sub
 
 bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
+/// The model of a file. Where that names no free numbers, they are those that are usual for a
+/// record.
+model::Model with_usual_free(const files::ModelFile& file) {
+  model::Model model = file.model;
+  if (std::any_of(file.defaults.begin(), file.defaults.end(), [](const files::UsedDefault& d) {
+        return d.table == "calibration" && d.key == "free";
+      }))
+    model.free.clear();
+  return model;
+}
+
 class BearingInLoop final : public LoopModel {
  public:
   BearingInLoop(files::ModelFile file, Defaults defaults)
@@ -182,10 +193,12 @@ class BearingInLoop final : public LoopModel {
                    .notes = file.notes,
                    .files = file.files}),
         file_(std::move(file)),
-        written_(files::make_subject(file_.model)),
+        written_(files::make_subject(with_usual_free(file_))),
         defaults_(defaults) {}
 
-  std::shared_ptr<const fit::Subject> as_written() const override { return written_; }
+  std::shared_ptr<const fit::Subject> as_written(const record::Record& data) const override {
+    return files::make_subject(written_->model(), data);
+  }
 
   record::Record read(Messages& messages, const std::vector<Source>& data, const Reading& reading,
                       const LoopModels&) const override {
@@ -195,7 +208,7 @@ class BearingInLoop final : public LoopModel {
   std::shared_ptr<const fit::Subject> for_fit(Messages& messages, record::Record& data,
                                               const Names& per_record) const override {
     append(data.notes, tell_of_warm_starts(messages, *written_, data));
-    return subject_of(file_.model, data, per_record);
+    return subject_of(written_->model(), data, per_record);
   }
 
   Names meant(const Names& effects, const record::Record&) const override { return effects; }
@@ -218,7 +231,7 @@ class BearingInLoop final : public LoopModel {
     if (how.zero != "mean")
       throw text::InputError("--zero: belongs to corrections; all else is compared as it is",
                              {.key = "--zero"});
-    model::Model wanted = file_.model;
+    model::Model wanted = written_->model();
     Names names = how.refit;
     for (const std::string& own : per_record)
       if (std::find(names.begin(), names.end(), own) == names.end()) names.push_back(own);
@@ -323,8 +336,7 @@ std::unique_ptr<LoopModel> open_bearing(Messages& messages, const Source& source
   if (options.amend) options.amend(file, place);
   options.tolerance.set(file);
   Names known;
-  for (const fit::Measured& m : files::make_subject(file.model)->measured())
-    known.emplace_back(m.channel->name);
+  for (const fit::Measured& m : files::measurable(file.model)) known.emplace_back(m.channel->name);
   if (!options.channel.empty() &&
       std::find(known.begin(), known.end(), options.channel) == known.end())
     throw text::InputError(fmt::format("--channel {}: {} predicts {}", options.channel, file.source,

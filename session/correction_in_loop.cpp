@@ -36,7 +36,7 @@ class CorrectionInLoop final : public LoopModel {
         file_(std::move(file)),
         index_(index) {}
 
-  std::shared_ptr<const fit::Subject> as_written() const override {
+  std::shared_ptr<const fit::Subject> as_written(const record::Record&) const override {
     return std::make_shared<correction::CorrectionSubject>(model());
   }
 
@@ -61,11 +61,11 @@ class CorrectionInLoop final : public LoopModel {
                                               const Names& per_record) const override {
     refuse(per_record);
     prepare_fit(messages, model(), file_.source, data);
-    return as_written();
+    return as_written(data);
   }
 
   Names meant(const Names& effects, const record::Record& data) const override {
-    const auto informed = as_written()->informed_by(data);
+    const auto informed = as_written(data)->informed_by(data);
     const auto& on_this_record = dynamic_cast<const correction::CorrectionSubject&>(*informed);
     Names list;
     for (const std::string& name : effects) list.push_back(on_this_record.meant_by(name));

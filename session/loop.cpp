@@ -28,7 +28,7 @@ auto with_data(const std::string& model, const record::Record& data, const Ask& 
 
 /// The dwells of a record; none where a reading depends on the rows before it.
 fit::Averaged dwells_of(const LoopModel& model, const record::Record& data) {
-  const std::shared_ptr<const fit::Subject> subject = model.as_written();
+  const std::shared_ptr<const fit::Subject> subject = model.as_written(data);
   if (subject->has_memory() || subject->approximates()) return {};
   return fit::average_dwells(data);
 }
@@ -36,7 +36,7 @@ fit::Averaged dwells_of(const LoopModel& model, const record::Record& data) {
 /// Rows of a logger become dwells, unless `rows` are to stay apart; the record says so.
 void average(Messages& messages, const LoopModel& model, record::Record& data, bool rows) {
   if (rows) {
-    const std::shared_ptr<const fit::Subject> subject = model.as_written();
+    const std::shared_ptr<const fit::Subject> subject = model.as_written(data);
     if (subject->has_memory() || subject->approximates())
       messages.say(record::note::unused(
           "--rows changes nothing: rows of a record over time are never averaged",
@@ -204,7 +204,7 @@ CheckedModel check(Messages& messages, const Source& source, const Source& data,
   result.over_time = model->over_time(result.data);
   const fit::Averaged averaged = dwells_of(*model, result.data);
   result.check = with_data(result.model.source, result.data, [&] {
-    const std::shared_ptr<const fit::Subject> written = model->as_written();
+    const std::shared_ptr<const fit::Subject> written = model->as_written(result.data);
     const auto informed = result.over_time ? written->informed_by(result.data) : nullptr;
     return loop::check(informed ? *informed : *written, result.data,
                        averaged.any() ? &averaged.record : nullptr);

@@ -98,7 +98,9 @@ class LoopModel {
   virtual ~LoopModel() = default;
 
   [[nodiscard]] const About& about() const { return about_; }
-  [[nodiscard]] virtual std::shared_ptr<const fit::Subject> as_written() const = 0;
+  /// The subject of a record, as the file has it.
+  [[nodiscard]] virtual std::shared_ptr<const fit::Subject> as_written(
+      const record::Record& data) const = 0;
 
   /// Reads measurements for this model and the models compared with it, and adds notes on the data.
   /// Several files are joined to one record. Throws text::InputError for data that cannot be read.

@@ -10,6 +10,7 @@
 #include "files/doubts.h"
 #include "files/series_doubts.h"
 #include "files/spindle_record.h"
+#include "files/subject.h"
 #include "fit/isolated_readings.h"
 #include "model/ignored_data.h"
 #include "model/prediction.h"
@@ -172,7 +173,10 @@ record::Record open_one(Messages& messages, const Source& given, const model::Mo
   if (std::string note = shaft::note_on_standstill(data); !note.empty())
     data.notes.push_back(record::note::read_as(std::move(note)));
   put(messages, data, std::exchange(data.notes, {}), from);
-  put(messages, data, files::asked_about(files::doubts(subject, data), source, options), from);
+  put(messages, data,
+      files::asked_about(files::doubts(*files::make_subject(subject.model(), data), data), source,
+                         options),
+      from);
   require_possible(subject.model(), data);
   put(messages, data, said_of(judge(subject.model(), data)), from);
   put(messages, data, notes_on_table(subject.model(), data), from);
@@ -202,12 +206,12 @@ record::Record open_records(Messages& messages, const std::vector<Source>& data,
   for (const Source& source : data) {
     records.push_back(open_one(messages, source, subject, options, true));
     try {
-      subject.require(records.back());
+      files::make_subject(subject.model(), records.back())->require(records.back());
     } catch (const std::invalid_argument& e) {
       refuse_data(model, records.back(), e);
     }
   }
-  for (const fit::Measured& m : subject.measured()) {
+  for (const fit::Measured& m : files::measurable(subject.model())) {
     const auto declares = [&](const record::Record& r) { return r.deviation_of(*m.channel); };
     if (std::any_of(records.begin(), records.end(), declares) &&
         !std::all_of(records.begin(), records.end(), declares))

@@ -79,7 +79,7 @@ void Tolerance::set(const std::vector<fit::Measured>& measured, const std::strin
 
 void Tolerance::set(files::ModelFile& file) const {
   if (text.empty()) return;
-  set(files::make_subject(file.model)->measured(), file.source, "loop",
+  set(files::measurable(file.model), file.source, "loop",
       [&](const record::Channel& channel, double value) {
         file.model.tolerances.push_back({std::string(channel.name), value});
       });

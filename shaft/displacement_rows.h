@@ -1,23 +1,18 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "model/balance.h"
-#include "model/row.h"
-#include "shaft/shaft_balance.h"
+#include "shaft/balanced_rows.h"
 
 namespace raceway::shaft {
 
 /// Predicts the displacement of a shaft at the rows of a record, repeatedly with different
-/// parameters of one model. Each row stores its balance as the start for the next one. The balance
-/// is solved again only if the condition of the sets has changed.
+/// parameters of one model. BalancedRows solves the rows.
 class DisplacementRows {
  public:
-  /// The record must live longer than this object. Throws std::invalid_argument for a model without
-  /// a shaft, and like add_expansion().
+  /// The record must live longer than this object. Throws std::invalid_argument like BalancedRows.
   DisplacementRows(const Model& model, const record::Record& record);
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
@@ -26,38 +21,22 @@ class DisplacementRows {
   void predict(const Model& model, std::span<double> readings);
 
  private:
-  struct Known {
-    model::Row row;  ///< row with ring temperatures of the model if it has none of its own
-    std::optional<bearing::SetTemperatures> temperatures;
-    std::size_t balance = 0;  ///< index into balances_
-    bearing::ArrangementCondition condition{};
-    model::BallTurning turning{};
-    bearing::ArrangementEquilibrium equilibrium{};
-    int version = 0;          ///< version of the mounted sets for this balance
-    double standstill = 0.0;  ///< [m]
+  struct Standstill {
+    double position = 0.0;  ///< [m]
+    int version = 0;        ///< version of the mounted sets for this position
   };
-  [[nodiscard]] std::size_t balance_of(double preload);
-  /// Returns the position relative to standstill [m].
-  double displacement(const Model& model, Known& known,
-                      const bearing::ArrangementEquilibrium* neighbour);
+  /// Returns the position at standstill [m].
+  [[nodiscard]] double standstill(const Model& model, std::size_t i);
 
   Steps steps_;
-  std::vector<Known> rows_;
-  std::vector<double> preloads_;        // preloads that occur in rows
-  std::vector<ShaftBalance> balances_;  // one balance for each preload
-  ShaftCondition wanted_;
+  BalancedRows rows_;
+  std::vector<Standstill> standstills_;
 };
 
 /// Returns the displacement of the shaft at the rows of a record [m]: ShaftPrediction::displacement
 /// plus the contributions of effects on the reading. It is NaN if the sets have no balance or an
-/// effect has no value. The axial load of a row is the external load. Without a recorded load, the
-/// model gives it.
-///
-/// Recorded values replace values of the model: the preload force at standstill and ring
-/// temperatures. Balls, shaft and housing keep the temperatures of the model if it gives any.
-/// Otherwise, balls take the mean of the rings, the shaft takes the inner ring and the housing
-/// takes the outer ring. Throws std::invalid_argument for a model without a shaft, and like
-/// add_expansion().
+/// effect has no value. Loads, preload and temperatures of a row are those of BalancedRows. Throws
+/// std::invalid_argument for a model without a shaft, and like add_expansion().
 [[nodiscard]] std::vector<double> predict_displacement(const Model& model,
                                                        const record::Record& record);
 

@@ -2,47 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <stdexcept>
-#include <utility>
 
 #include "model/balance.h"
 #include "model/heat_split.h"
-#include "model/row_predictor.h"
+#include "shaft/set_friction.h"
 #include "shaft/shaft_balance.h"
 
 namespace raceway::shaft {
 namespace {
 
-using bearing::Arrangement;
 using bearing::ArrangementEquilibrium;
-using bearing::Bearing;
 
-/// Radial growth that changes the free contact angle as much as a shift does [m].
-double equal_growth(const Bearing& b, const bearing::RingShift& s) {
-  const double distance = b.geometry().groove_centre_distance();
-  const double radial = distance * std::cos(b.geometry().contact_angle);
-  const double length = distance + s.inner_length + s.outer_length;
-  return (radial + s.radial) * distance / length - radial;
-}
-
-/// The models of the single bearings of a shaft, and what it takes to balance them.
+/// The bearings of a shaft, and what it takes to balance them.
 class ShaftModels {
  public:
   explicit ShaftModels(const Model& model)
       : model_(model),
         steps_(model),
-        friction_(model),
-        temperatures_(set_temperatures(shaft(model))) {
-    friction_.condition.clear();  // the balance of the sets finds the conditions
+        bearings_(model),
+        friction_(bearings_.steps()),
+        temperatures_(set_temperatures(*model.shaft)) {
     if (temperatures_)
       record_ = {.inner_ring_temperature = temperatures_->inner_ring,
                  .outer_ring_temperature = temperatures_->outer_ring};
-    for (const bearing::MountedBearing& m : model.shaft->arrangement.bearings()) {
-      models_.push_back(model);
-      models_.back().shaft.reset();
-      models_.back().bearing = *m.bearing;
-    }
     (void)balance_.mount(model, steps_);
   }
 
@@ -64,7 +46,7 @@ class ShaftModels {
     if (!p.equilibrium.report.converged()) return p;
     p.displacement = p.equilibrium.position - standstill(point.external_load);
     p.torque = 0.0;
-    for (std::size_t i = 0; i < models_.size(); ++i) {
+    for (std::size_t i = 0; i < bearings_.bearings(); ++i) {
       add_friction(i, point, p);
       p.torque += p.friction[i].torque;
     }
@@ -73,11 +55,6 @@ class ShaftModels {
   }
 
  private:
-  static const Shaft& shaft(const Model& model) {
-    if (!model.shaft) throw std::invalid_argument("the model has no shaft");
-    return *model.shaft;
-  }
-
   double standstill(double external_load) {
     if (external_load != standstill_load_) {
       standstill_load_ = external_load;
@@ -88,53 +65,33 @@ class ShaftModels {
 
   void add_friction(std::size_t i, const ShaftPoint& point, ShaftPrediction& p) {
     const bearing::BearingInSet& b = p.equilibrium.bearings[i];
-    const bearing::OperatingPoint alone{
-        .speed = point.speed, .axial_load = b.axial_load, .temperature = point.temperature};
     friction_.equilibrium = friction_.needs_balls || !b.lost();
-    p.friction.push_back(condition_.bearings[i].tilt == 0.0 ? in_the_set(i, alone, p.equilibrium)
-                                                            : tilted(i, alone));
-    const model::FrictionPrediction& friction = p.friction.back();
+    model::RowPredictor row = bearings_.row(i,
+                                            {.mounted = balance_.arrangement(),
+                                             .equilibrium = p.equilibrium,
+                                             .bearings = condition_.bearings,
+                                             .temperatures = temperatures_,
+                                             .speed = point.speed,
+                                             .temperature = point.temperature,
+                                             .record = record_},
+                                            friction_);
+    const Model& alone = bearings_.model(i);
+    (void)row.predict(alone, friction_);
+    p.friction.push_back(row.prediction(alone));
+    model::FrictionPrediction& friction = p.friction.back();
+    friction.condition = condition_.bearings[i];
     const bool balanced = friction.equilibrium && friction.report.converged();
-    p.heat.push_back(balanced ? heat_split(models_[i], alone, friction) : friction::HeatSplit());
-  }
-
-  /// Friction of the balls as they stand in the set.
-  [[nodiscard]] model::FrictionPrediction in_the_set(std::size_t i,
-                                                     const bearing::OperatingPoint& alone,
-                                                     const ArrangementEquilibrium& sets) const {
-    model::Balance balls;
-    if (friction_.equilibrium)
-      balls = std::make_shared<const bearing::BearingEquilibrium>(
-          sets.bearing(i, balance_.arrangement()));
-    const auto& mounted = balance_.arrangement().bearings()[i].bearing;
-    const bool as_entered = mounted == model_.shaft->arrangement.bearings()[i].bearing;
-    model::RowPredictor row(models_[i], friction_, alone, record_, std::move(balls),
-                            condition_.bearings[i], as_entered ? nullptr : mounted);
-    (void)row.predict(models_[i], friction_);
-    return row.prediction(models_[i]);
-  }
-
-  /// Friction of a bearing solved by itself, since a set has no tilt.
-  [[nodiscard]] model::FrictionPrediction tilted(std::size_t i,
-                                                 const bearing::OperatingPoint& alone) const {
-    effects::Condition condition = condition_.bearings[i];
-    if (temperatures_)
-      condition.radial_growth +=
-          equal_growth(models_[i].bearing,
-                       thermal_shift(models_[i].bearing, *temperatures_,
-                                     model_.shaft->arrangement.design().mounting_temperature));
-    model::RowPredictor row(models_[i], friction_, alone, record_, nullptr, condition);
-    (void)row.predict(models_[i], friction_);
-    model::FrictionPrediction prediction = row.prediction(models_[i]);
-    prediction.condition = condition_.bearings[i];
-    return prediction;
+    const bearing::OperatingPoint at{
+        .speed = point.speed, .axial_load = b.axial_load, .temperature = point.temperature};
+    p.heat.push_back(balanced ? heat_split(alone, at, friction) : friction::HeatSplit());
   }
 
   const Model& model_;
-  Steps steps_, friction_;
+  Steps steps_;
+  SetFriction bearings_;
+  Steps friction_;
   std::optional<bearing::SetTemperatures> temperatures_;
   effects::Record record_;
-  std::vector<Model> models_;
   ShaftBalance balance_;
   ShaftCondition condition_;
   double standstill_load_ = 0.0, standstill_ = 0.0;

@@ -39,20 +39,10 @@ struct ShaftPrediction {
 /// previous one.
 ///
 /// Effects that change the condition of a bearing enter the balance of the sets (see ShaftBalance).
-/// The friction of each bearing comes from its own balls in this balance, with their share of the
-/// load and with rings that have grown, warmed and shifted. Two parts still treat a bearing on its
-/// own:
-///
-///   base law   Palmgren's and SKF's formulas use the bearing as entered, its catalogue angle and
-///              load rating, with the axial load that it carries in the set
-///   a tilt     the sets are solved without it; a bearing that an effect tilts is solved alone at
-///              this load, with the free contact angle from growth and temperatures
-///
-/// A bearing without inner contacts carries no load. It has the viscous moment of the base law and
-/// the contribution of effects from balls on the outer race. All other steps are the same as for a
-/// single bearing. The position contains no effects on the reading of a transducer;
-/// predict_displacement() adds them. Throws std::invalid_argument for a model without a shaft and
-/// for points that are not finite.
+/// SetFriction gives the friction of each bearing. The position contains no effects on the reading
+/// of a transducer, and the torque none on the reading of a torque sensor: predict_displacement()
+/// and predict_torque() add them. Throws std::invalid_argument for a model without a shaft and for
+/// points that are not finite.
 [[nodiscard]] std::vector<ShaftPrediction> predict_shaft(const Model& model,
                                                          std::span<const ShaftPoint> points);
 

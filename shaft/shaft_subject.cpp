@@ -72,13 +72,8 @@ std::vector<fit::Measured> ShaftSubject::measured() const {
 }
 
 void ShaftSubject::require(const fit::Record& record) const {
-  if (record.has(record::axial_displacement)) return;
-  if (record.has(record::friction_torque))
-    throw std::invalid_argument(
-        record.source +
-        ": holds friction torque, but the model has an [arrangement]: axial_displacement_um is "
-        "needed, or a model of a single bearing on a rig");
-  throw std::invalid_argument(record.source + ": holds no axial displacement");
+  if (!record.has(record::axial_displacement))
+    throw std::invalid_argument(record.source + ": holds no axial displacement");
 }
 
 std::unique_ptr<fit::Predictor> ShaftSubject::predictor(const fit::Record& record,
@@ -214,6 +209,8 @@ model::Expected ShaftSubject::expected() const {
   e.signed_inputs = {&record::axial_load};
   e.unused = {{&record::radial_load,
                "radial_load_N is not used: the sets on a shaft take axial load alone"}};
+  e.coast_down = model().rig.coasts_down();
+  e.minimum_speed = model().rig.minimum_speed;
   return e;
 }
 

@@ -4,7 +4,7 @@
 
 namespace raceway::shaft {
 
-/// Subject for sets on a shaft with measured axial displacement.
+/// Subject for sets on a shaft with measured axial displacement. SetTorqueSubject has their torque.
 class ShaftSubject : public model::ModelSubject {
  public:
   /// Throws std::invalid_argument for a model without a shaft.
@@ -34,8 +34,10 @@ class ShaftSubject : public model::ModelSubject {
 
   [[nodiscard]] model::Expected expected() const override;
 
- private:
+ protected:
   ShaftSubject(const model::Model& model, std::vector<std::string> waiting);
+
+ private:
   [[nodiscard]] std::unique_ptr<ModelSubject> make(model::Model model,
                                                    std::vector<std::string> waiting) const override;
   [[nodiscard]] std::vector<double> preload_levels(const fit::Record& record) const;

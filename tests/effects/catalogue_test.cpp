@@ -238,10 +238,15 @@ TEST(Catalogue, SaysWhatMovesAShaft) {
                         "ball-material", "displacement-offset", "displacement-temperature-drift"}));
   for (const auto* id : {"spin-friction", "viscous-exponent", "film-self-heating", "misalignment"})
     EXPECT_EQ(friction.count(id), 1u) << id;
-  for (const auto* id : {"torque-offset", "load-offset", "torque-gain"}) {
-    EXPECT_FALSE(effects::find(id, Form::shaft)->belongs_to(Form::shaft)) << id;
-    EXPECT_TRUE(effects::find(id)->moves(Form::rig)) << id;
+  EXPECT_FALSE(effects::find("load-offset", Form::shaft)->belongs_to(Form::shaft));
+  // Of the torque of its sets all but a displacement sensor.
+  for (const auto* id : {"torque-offset", "torque-gain", "temperature-offset", "seal-friction",
+                         "misalignment", "preload-calibration"}) {
+    const Description* const d = effects::find(id, Form::shaft);
+    EXPECT_TRUE(d->moves(Form::shaft, record::friction_torque)) << id;
   }
+  EXPECT_FALSE(effects::find("displacement-offset", Form::shaft)
+                   ->moves(Form::shaft, record::friction_torque));
   EXPECT_FALSE(effects::find("shaft-contraction")->belongs_to(Form::rig));
 }
 
