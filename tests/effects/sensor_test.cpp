@@ -38,9 +38,10 @@ TEST(Sensor, ChannelDecidesWhereItMayStand) {
     SCOPED_TRACE(std::string(d.id));
     EXPECT_EQ(d.reading != nullptr, d.channel != nullptr);
     EXPECT_EQ(d.reads(record::friction_torque), d.channel && d.for_rig);
-    EXPECT_EQ(d.reads(record::axial_displacement), d.channel && d.for_shaft);
+    EXPECT_EQ(d.reads(record::axial_displacement), d.channel && !d.for_rig);
     if (!d.channel) continue;
-    EXPECT_NE(d.for_rig, d.for_shaft);
+    EXPECT_TRUE(d.for_shaft);  // its sets have a displacement and a torque
+    EXPECT_NE(d.for_rig, d.for_spindle);
     EXPECT_EQ(d.step(), "reading");
   }
 }

@@ -83,9 +83,13 @@ TEST(Needs, OfAFormulaAreTheChannelsThatItUses) {
 }
 
 TEST(Needs, OfWhatActsOnTheOtherMeasurementAreThatOne) {
-  const DataSet data = factorial_plan({1000, 2000}, {200}, {40});
+  DataSet data = factorial_plan({1000, 2000}, {200}, {40});
   EXPECT_THAT(missing("shaft-contraction", synthetic_model(), data),
               HasSubstr("axial displacement of a shaft"));
+  EXPECT_THAT(missing("shaft-contraction", two_against_one(), data),
+              HasSubstr("axial displacement of a shaft"));
+  EXPECT_THAT(missing("seal-friction", two_against_one(), data), IsEmpty());
+  data.quantity = Quantity::axial_displacement;
   EXPECT_THAT(missing("seal-friction", two_against_one(), data), HasSubstr("friction torque"));
 }
 
