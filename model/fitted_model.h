@@ -8,19 +8,19 @@
 
 namespace raceway::model {
 
-/// A model of which a fit sets numbers again and again, and the first stage that they change.
+/// Sets parameters of a model repeatedly and finds the first stage that they change.
 class FittedModel {
  public:
-  /// `steps` of that model.
+  /// `steps` are those of the model.
   FittedModel(Model model, const Steps& steps, std::vector<ParameterPlace> places);
 
   [[nodiscard]] const Model& model() const { return model_; }
-  /// True where no number is ever set.
+  /// Returns true if there are no parameters to set.
   [[nodiscard]] bool as_entered() const { return places_.empty(); }
-  /// Sets the numbers, by place. Returns the first stage that differs from the last keep(). Throws
-  /// std::invalid_argument for values that the model cannot take.
+  /// Sets the values in the order of the places. Returns the first stage that differs from the last
+  /// keep(). Throws std::invalid_argument for values that the model cannot take.
   [[nodiscard]] Stage set(std::span<const double> values);
-  /// All predictions have these values, the last ones set.
+  /// Declares that all predictions have these values, which were set last.
   void keep(std::span<const double> values);
 
  private:

@@ -9,22 +9,23 @@
 
 namespace raceway::shaft {
 
-/// The sets of a model's shaft in balance at the rows of a record, asked for again and again with
-/// other numbers of one model. A row remembers its balance, from which the next one is found, and
-/// which is solved again only where something has moved the sets.
+/// Solves the balance of the sets on a shaft at the rows of a record, repeatedly with different
+/// parameters of one model. Each row stores its balance as the start for the next one. The balance
+/// is solved again only if the condition of the sets has changed.
 ///
-/// The axial load of a row is the external load; where none was recorded it comes from the model.
-/// Recorded values replace the values of the model: the preload as force at standstill, ring
-/// temperatures. Balls, shaft and housing keep the temperatures of the model where it has any;
-/// otherwise they follow the rings: balls their mean, the shaft the inner, the housing the outer.
+/// The axial load of a row is the external load. Without a recorded load, the model gives it.
+/// Recorded values replace values of the model: the preload force at standstill and ring
+/// temperatures. Balls, shaft and housing keep the temperatures of the model if it gives any.
+/// Otherwise, balls take the mean of the rings, the shaft takes the inner ring and the housing
+/// takes the outer ring.
 class BalancedRows {
  public:
   struct Row {
-    model::Row row;  ///< ring temperatures taken from the model where the row has none
+    model::Row row;  ///< row with ring temperatures of the model if it has none of its own
     std::optional<bearing::SetTemperatures> temperatures;
     std::vector<effects::Condition> bearings{};  ///< changes by effects, front set first
     bearing::ArrangementEquilibrium equilibrium{};
-    int solved = 0;  ///< how often
+    int solved = 0;  ///< number of solved balances
 
    private:
     friend class BalancedRows;
@@ -34,20 +35,20 @@ class BalancedRows {
     int version = 0;  // of the balance that it belongs to
   };
 
-  /// The record must outlive it. Throws std::invalid_argument for a model without shaft, and as
-  /// add_expansion() does.
+  /// The record must live longer than this object. Throws std::invalid_argument for a model without
+  /// a shaft, and like add_expansion().
   BalancedRows(const Model& model, const record::Record& record);
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
   [[nodiscard]] const Row& operator[](std::size_t i) const { return rows_[i]; }
-  /// The sets of a row.
+  /// Returns the sets of a row.
   [[nodiscard]] const ShaftBalance& sets(std::size_t i) const {
     return balances_[rows_[i].balance];
   }
 
-  /// Mounts the sets of a model; find() follows for the rows, in their order.
+  /// Mounts the sets of a model. find() then solves the rows, in their order.
   void mount(const Model& model, const Steps& steps);
-  /// Balances a row. False where the sets do not balance or an effect has no number.
+  /// Solves a row. Returns false if the sets have no balance or an effect has no value.
   [[nodiscard]] bool find(const Model& model, const Steps& steps, std::size_t i);
 
  private:

@@ -12,7 +12,7 @@ namespace raceway::shaft {
 using model::Model;
 using model::Steps;
 
-/// The sets of a shaft in balance at one point.
+/// State of the sets of a shaft at one point.
 struct SetState {
   const bearing::Arrangement& mounted;
   const bearing::ArrangementEquilibrium& equilibrium;
@@ -23,36 +23,37 @@ struct SetState {
   effects::Record record{};
 };
 
-/// Friction of every bearing in the sets of a shaft, from its own balls in their balance, under
-/// their share of the load, with rings grown, warmed and shifted as they are there. Two parts still
-/// treat a bearing by itself:
+/// Calculates the friction of each bearing in the sets of a shaft. The friction comes from the
+/// balls of the bearing in the balance of the sets, with their share of the load and with rings
+/// that have grown, warmed and shifted. Two parts still treat a bearing on its own:
 ///
-///   base law   Palmgren's and SKF's formulas know the entered bearing, its catalogue angle and
-///              load rating, under the axial load that it carries in the set
-///   a tilt     the sets are solved without one; a bearing that an effect tilts is solved alone at
-///              this load, with the free contact angle that growth and temperatures give it
+///   base law   Palmgren's and SKF's formulas use the bearing as entered, its catalogue angle and
+///              load rating, with the axial load that it carries in the set
+///   a tilt     the sets are solved without it; a bearing that an effect tilts is solved alone at
+///              this load, with the free contact angle from growth and temperatures
 ///
-/// A bearing that has lost its inner contacts carries nothing and has the viscous moment of the
-/// base law, and the share of the effects from balls on the outer race alone. All other steps act
-/// on every bearing as on a single one; effects on the reading are left out.
+/// A bearing without inner contacts carries no load. It has the viscous moment of the base law and
+/// the contribution of effects from balls on the outer race. All other steps are the same as for a
+/// single bearing. Effects on the reading are not included.
 class SetFriction {
  public:
-  /// Throws std::invalid_argument for a model without shaft.
+  /// Throws std::invalid_argument for a model without a shaft.
   explicit SetFriction(const Model& model);
 
   [[nodiscard]] std::size_t bearings() const { return models_.size(); }
-  /// The model of a single bearing, on a rig with as many bearings as the sets have: what drags on
-  /// the rotor is there once.
+  /// Returns the model of one bearing, on a rig with as many bearings as the sets have. Drag on the
+  /// rotor therefore counts once.
   [[nodiscard]] const Model& model(std::size_t i) const { return models_[i]; }
-  /// Steps of a bearing: the balance of the sets finds the conditions.
+  /// Returns the steps of a bearing. They contain no conditions, because the balance of the sets
+  /// gives them.
   [[nodiscard]] const Steps& steps() const { return steps_; }
-  /// Takes over the numbers of a model with the same effects.
+  /// Takes the numbers of a model with the same effects.
   void take(const Model& model);
 
-  /// Bearing i as it stands in the sets. With `steps.equilibrium` its balls are looked at.
+  /// Returns bearing i in this state of the sets; with its balls if `steps.equilibrium` is true.
   [[nodiscard]] model::RowPredictor row(std::size_t i, const SetState& sets,
                                         const Steps& steps) const;
-  /// A bearing of which nothing is known: it has no reading.
+  /// Returns bearing i without a state and without a reading.
   [[nodiscard]] model::RowPredictor nothing(std::size_t i) const;
 
  private:

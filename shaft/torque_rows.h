@@ -8,24 +8,25 @@
 
 namespace raceway::shaft {
 
-/// Friction torque of the sets on a model's shaft at the rows of a record, predicted again and
-/// again with other numbers of one model. The balance is BalancedRows', the friction SetFriction's.
+/// Predicts the friction torque of the sets on a shaft at the rows of a record, repeatedly with
+/// different parameters of one model. BalancedRows gives the balance and SetFriction the friction.
 class TorqueRows {
  public:
-  /// The record must outlive it. Throws std::invalid_argument as BalancedRows.
+  /// The record must live longer than this object. Throws std::invalid_argument like BalancedRows.
   TorqueRows(const Model& model, const record::Record& record);
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
-  /// Steps of the model, with those of the reading of the torque.
+  /// Returns the steps of the model and of the torque reading.
   [[nodiscard]] const Steps& steps() const { return steps_; }
-  /// Readings of all rows [N m], as predict_torque(). `model` has the effects of the one before and
-  /// its temperatures, with any other numbers; those that act before `from` are unchanged.
+  /// Writes the readings of all rows [N m], like predict_torque(). `model` has the effects and
+  /// temperatures of the previous model. Its other numbers may differ, except those that act before
+  /// the stage `from`.
   void predict(const Model& model, std::span<double> readings,
                model::Stage from = model::Stage::entry);
 
  private:
   struct Made {
-    int solved = 0;  ///< which balance of the row its bearings stand in; 0: none
+    int solved = 0;  ///< number of the balance that the bearings of the row have; 0 for none
     std::vector<effects::Condition> conditions{};
   };
   void place(std::size_t row);
@@ -38,10 +39,10 @@ class TorqueRows {
   std::vector<double> torques_;
 };
 
-/// Friction torque of the sets of the model's shaft at the rows of a record [N m]: the sum over all
-/// bearings, each in the balance of the sets, with the readings that effects add; NaN where the
-/// sets do not balance or an effect has no number. Loads, preload and temperatures as BalancedRows
-/// takes them. Throws std::invalid_argument as BalancedRows.
+/// Returns the friction torque of the sets on a shaft at the rows of a record [N m]: the sum over
+/// all bearings in their balance, plus the contributions of effects on the reading. It is NaN if
+/// the sets have no balance or an effect has no value. Loads, preload and temperatures of a row are
+/// those of BalancedRows. Throws std::invalid_argument like BalancedRows.
 [[nodiscard]] std::vector<double> predict_torque(const Model& model, const record::Record& record);
 
 }  // namespace raceway::shaft

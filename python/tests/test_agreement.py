@@ -60,6 +60,19 @@ def test_many_states_are_the_single_ones():
         assert many.axial_displacement_um[place] == pytest.approx(float(one.axial_displacement_um), rel=1e-12)
 
 
+def test_torque_of_sets(command, tmp_path):
+    sets = raceway.Model.new("S 6014 C").text + '\n[arrangement]\nlayout = "O"\nfront = 1\nrear = 1\npreload_N = {}\n'
+    truth = raceway.Model.from_text(sets.format(900))
+    frame = truth.table(range(1000, 16001, 3000), [0, 400, 1500]).to_frame()
+    record = frame[["speed_rpm", "axial_load_N", "temperature_C", "friction_torque_Nmm"]]
+    model = raceway.Model.from_text(sets.format(600) + '[calibration]\nfree = ["preload_N"]\n')
+    found = model.calibrate(record)
+    assert found.parameters["preload_N"].value == pytest.approx(900, rel=1e-3)
+    model.save(tmp_path / "my.toml")
+    record.to_csv(tmp_path / "rows.csv", index=False)
+    assert found.data == command("calibrate", str(tmp_path / "my.toml"), str(tmp_path / "rows.csv"))
+
+
 def test_table(command, tmp_path):
     model = raceway.Model.new("S 6014 C")
     file = tmp_path / "my.toml"

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <sstream>
 #include <string>
 #include <utility>
@@ -150,6 +152,28 @@ TEST(Calibrate, WritesNothingWhereItCannotFit) {
   refused("speed_rpm,axial_load_N,friction_torque_Nmm\n1000,100,92\n", "2 parameters are free");
   refused("speed_rpm,axial_load_N,axial_displacement_um\n1,100,1\n2,100,2\n3,100,3\n",
           "holds axial displacement, which needs a model with an [arrangement]");
+}
+
+TEST(Calibrate, ThePreloadOfSetsFollowsFromTheirTorque) {
+  const ScratchFolder scratch;
+  const auto model = [](const std::string& preload) {
+    return model_text +
+           "\n[arrangement]\nlayout = \"O\"\nfront = 1\nrear = 1\npreload_N = " + preload + "\n";
+  };
+  const json truth = parsed(run("table " + scratch.write("truth.toml", model("900")) +
+                                " --speed 1000:16000:3000 --axial-load 0,400,1500 --json"));
+  std::string rows = "speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n";
+  for (const json& row : truth["rows"])
+    rows += fmt::format("{},{},{},{}\n", row["speed_rpm"].get<double>(),
+                        row["axial_load_N"].get<double>(), row["temperature_C"].get<double>(),
+                        row["friction_torque_Nmm"].get<double>());
+  const std::string files =
+      scratch.write("my.toml", model("600") + "[calibration]\nfree = [\"preload_N\"]\n") + " " +
+      scratch.write("torque.csv", rows);
+  const json found = parsed(run("calibrate " + files + " --json"));
+  EXPECT_NEAR(found["parameters"]["preload_N"]["value"].get<double>(), 900.0, 1.0);
+  EXPECT_EQ(run("check " + files).status, 0);
+  EXPECT_LT(parsed(run("compare " + files + " --json"))["bias"].get<double>(), 0.0);
 }
 
 TEST(Calibrate, NeverOverwritesWithoutForce) {

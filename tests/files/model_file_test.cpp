@@ -388,9 +388,10 @@ TEST(ModelFile, ToleranceOfWhatIsPredictedIsReadInSI) {
   EXPECT_DOUBLE_EQ(position[0].value, 1e-6);
   EXPECT_EQ(model_error(with("tolerance_um = 1")),
             "m.toml:46: tolerance_um = 1: this model predicts friction torque, and nothing in um");
-  EXPECT_EQ(model_error(with("tolerance_K = 0.5", sets)),
-            "m.toml:46: tolerance_K = 0.5: this model predicts axial displacement, and nothing in "
-            "K");
+  EXPECT_EQ(
+      model_error(with("tolerance_K = 0.5", sets)),
+      "m.toml:46: tolerance_K = 0.5: this model predicts axial displacement and friction torque, "
+      "and nothing in K");
   EXPECT_EQ(model_error(with("tolerance_Nmm = 0")),
             "m.toml:46: tolerance_Nmm = 0 Nmm: must be above 0");
   EXPECT_THAT(model_error(with("tolerance_Nmm = -1")),
@@ -595,7 +596,7 @@ TEST(ModelEdit, EveryEffectOfTheCatalogueReadsBack) {
   const std::string rig =
       std::string(bearing).replace(bearing.find("[rig]"), 5, "[rig]\nroom_temperature_C = 20");
   const std::string shaft =
-      bearing + "\n[arrangement]\nlayout = \"O\"\nfront = 2\nrear = 1\npreload_N = 600\n";
+      rig + "\n[arrangement]\nlayout = \"O\"\nfront = 2\nrear = 1\npreload_N = 600\n";
   for (const effects::Form form : {effects::Form::rig, effects::Form::shaft})
     for (const effects::Description& d : effects::catalogue(form)) {
       SCOPED_TRACE(d.id);
