@@ -260,9 +260,10 @@ TEST_F(Displacement, CheckSaysWhatWasRead) {
 TEST_F(Displacement, WrongUseIsRefused) {
   expect_refused(raceway("displacement", "--speed 0", model_text),
                  "my.toml: has no [arrangement]: a shaft position needs one");
-  const std::string torque = scratch_.write("d.csv", data_text);
+  const std::string unmeasured = scratch_.write("d.csv", "speed_rpm,axial_load_N\n1000,100\n");
   for (const char* command : {"compare", "calibrate", "diagnose"}) {
-    expect_refused(raceway(command, torque), "axial_displacement_um is needed");
+    expect_refused(raceway(command, unmeasured),
+                   "friction_torque_Nmm or axial_displacement_um is expected");
     expect_refused(raceway(command, scratch_.write("u.csv", curve_text),
                            model_text + "\n[rig]\naxial_load_N = 0\n"),
                    "which needs a model with an [arrangement]");
