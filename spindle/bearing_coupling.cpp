@@ -45,12 +45,11 @@ BearingCoupling::BearingCoupling(const model::Model& model,
   const auto add = [&](Eigen::Index row, const Shares& shares) {
     for (const Share& s : shares) entries.emplace_back(row, s.cell, s.share);
   };
-  given_.setZero(nodes, static_cast<Eigen::Index>(2 * count));
   for (std::size_t k = 0; k < count; ++k) {
     const BearingPlace& bearing = layout.bearings[k];
     const Raceway inner = raceway_of(bearing.inner_raceway);
     const Raceway outer = raceway_of(bearing.outer_raceway);
-    const Eigen::Index at = place(k), b = static_cast<Eigen::Index>(k);
+    const Eigen::Index at = place(k);
     add(at, bearing.inner_ring);
     add(at + 1, bearing.outer_ring);
     add(at + 2, inner.cells);
@@ -62,8 +61,8 @@ BearingCoupling::BearingCoupling(const model::Model& model,
       const double own = model.spindle->rollers[k - sets_.bearings()].lubricant_conductance;
       if (std::isfinite(own)) lubricant = own;
     }
-    for (const Share& s : inner.cells) given_(s.cell, 2 * b) = s.share;
-    for (const Share& s : outer.cells) given_(s.cell, 2 * b + 1) = s.share;
+    given_rows_.insert(given_rows_.end(), {at + 2, at + 3});
+    given_.insert(given_.end(), {inner.cells, outer.cells});
     inner_raceway_.push_back(inner.conductance);
     outer_raceway_.push_back(outer.conductance);
     lubricant_.push_back(lubricant);
@@ -88,6 +87,12 @@ BearingCoupling::BearingCoupling(const model::Model& model,
   if (!set_inputs({}) || !bear(cold))
     throw std::invalid_argument("the belt takes the sets apart at standstill");
   bent_rest_ = sets_.position() - sets_.sets().position;
+}
+
+void BearingCoupling::add_given(const Vector& given, Vector& inflow) const {
+  for (std::size_t k = 0; k < given_.size(); ++k)
+    for (const Share& s : given_[k])
+      inflow[s.cell] += s.share * given[static_cast<Eigen::Index>(k)];
 }
 
 /// Where the numbers of a bearing begin in s; the elongation stands behind the last one.

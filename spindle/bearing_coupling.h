@@ -10,8 +10,6 @@
 
 namespace raceway::spindle {
 
-using Matrix = Eigen::MatrixXd;
-
 /// Quantities that couple bearings and cells:
 ///
 ///   felt s    for each bearing, the mean temperatures of inner and outer ring and of the cells
@@ -33,14 +31,21 @@ class BearingCoupling {
                   const ThermalSystem& system);
 
   [[nodiscard]] Eigen::Index felt_count() const { return felt_.rows(); }
-  [[nodiscard]] Eigen::Index given_count() const { return given_.cols(); }
+  [[nodiscard]] Eigen::Index given_count() const {
+    return static_cast<Eigen::Index>(2 * bearings());
+  }
   /// Returns s for these temperatures.
   [[nodiscard]] Vector felt(const Vector& temperatures) const {
     return felt_ * temperatures + offset_;
   }
+  /// s = F T + s0: F, and s0.
   [[nodiscard]] const SparseMatrix& felt_rows() const { return felt_; }
-  /// Returns the matrix that distributes y to the cells [1].
-  [[nodiscard]] const Matrix& given() const { return given_; }
+  [[nodiscard]] const Vector& felt_offset() const { return offset_; }
+  /// Rows of felt_rows() by given number: heat enters the cells of a raceway with the shares by
+  /// which they make its mean temperature.
+  [[nodiscard]] const std::vector<Eigen::Index>& given_rows() const { return given_rows_; }
+  /// Adds y to the heat flow into each cell [W].
+  void add_given(const Vector& given, Vector& inflow) const;
 
   [[nodiscard]] const WarmSets& sets() const { return sets_; }
   /// Sets speed and loads of the bearings. Returns false if the cold sets have no equilibrium.
@@ -74,7 +79,8 @@ class BearingCoupling {
   std::vector<WarmRollers> rollers_;
   SparseMatrix felt_;
   Vector offset_;
-  Matrix given_;
+  std::vector<Eigen::Index> given_rows_;
+  std::vector<Shares> given_;                          // cells of each raceway
   std::vector<double> inner_raceway_, outer_raceway_;  // S for each bearing [W/K]
   std::vector<double> lubricant_;                      // for each bearing [W/K]
   double factor_;

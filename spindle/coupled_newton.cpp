@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "algebra/detail/decompositions.h"
 
@@ -16,20 +17,30 @@ constexpr double longest_newton_step = 25.0;
 constexpr int most_iterations = 60, most_halvings = 12;
 /// Errors that shrink by less than this per step ask for new derivatives.
 constexpr double slow = 0.2;
+/// Shorter steps tell nothing of the derivatives.
+constexpr double least_told = 1e3 * newton_tolerance;
 
 }  // namespace
 
 CoupledNewton::CoupledNewton(const HeatPaths& paths, BearingCoupling* coupling)
-    : coupling_(coupling), matrix_(paths) {
-  ldlt_.analyzePattern(matrix_.fill(paths, 1.0));
+    : coupling_(coupling), solver_(paths) {
+  if (!coupling_) return;
+  felt_ = solver_.in_order(Matrix(coupling_->felt_rows().transpose()));
+  // No term of Π cancels another: what is zero with all ways open is zero always.
+  HeatPaths open = paths;
+  for (HeatPaths::Link& way : open.links) way.conductance = 1.0;
+  if (!factorise(open, 1.0)) throw std::invalid_argument("a body of the spindle stores no heat");
+  for (Eigen::Index k = 0; k < given_.rows(); ++k)
+    if ((given_.row(k).array() != 0.0).any()) given_bodies_.push_back(k);
 }
 
 bool CoupledNewton::factorise(const HeatPaths& paths, double capacity_factor) {
-  ldlt_.factorize(matrix_.fill(paths, capacity_factor));
-  if (ldlt_.info() != Eigen::Success || !(ldlt_.vectorD().minCoeff() > 0.0)) return false;
+  if (!solver_.factorise(paths, capacity_factor)) return false;
   if (coupling_) {
-    reach_ = ldlt_.solve(coupling_->given());
-    response_ = coupling_->felt_rows() * reach_;
+    reach_ = solver_.first_half(felt_);
+    given_ = reach_(Eigen::all, coupling_->given_rows());
+    const Matrix given = (solver_.inverse().asDiagonal() * given_)(given_bodies_, Eigen::all);
+    response_ = reach_(given_bodies_, Eigen::all).transpose() * given;
   }
   return true;
 }
@@ -39,26 +50,32 @@ bool CoupledNewton::renew(const Vector& felt, const Vector& given) {
   return known_;
 }
 
+/// (1 - M J)⁻¹ miss = miss + M (1 - J M)⁻¹ J miss: there are fewer y than s.
+Vector CoupledNewton::step_of(const Vector& miss) const {
+  const Matrix slope = Matrix::Identity(jacobian_.rows(), jacobian_.rows()) - jacobian_ * response_;
+  return miss + response_ * algebra::solve_square(slope, jacobian_ * miss);
+}
+
 NewtonStatus CoupledNewton::solve(const Vector& right, Vector& temperatures, Vector& given,
                                   Vector& felt) {
-  const Vector base = ldlt_.solve(right);
+  const Vector first = solver_.first_half(solver_.in_order(right));
   if (!coupling_) {
-    temperatures = base;
+    temperatures = solver_.second_half(first);
     return NewtonStatus::converged;
   }
-  const Vector free = coupling_->felt(base);
+  const Vector free =
+      coupling_->felt_offset() + reach_.transpose() * solver_.inverse().cwiseProduct(first);
   Vector s = felt, y = given;
-  if (!coupling_->evaluate(s, y)) return NewtonStatus::no_balance;
   Vector miss = free + response_ * y - s;
   double error = miss.lpNorm<Eigen::Infinity>();
   bool fresh = false, arrived = error <= newton_tolerance;
+  bool evaluated = false;  // y at s; until then it is that of the solution before
   for (int k = 0; k < most_iterations && !arrived; ++k) {
     if (!known_) {
       if (!renew(s, y)) return NewtonStatus::no_balance;
       fresh = true;
     }
-    const Matrix slope = Matrix::Identity(s.size(), s.size()) - response_ * jacobian_;
-    Vector step = algebra::solve_square(slope, miss);
+    Vector step = step_of(miss);
     if (!step.allFinite()) return NewtonStatus::diverged;
     const double length = step.lpNorm<Eigen::Infinity>();
     if (length <= newton_tolerance) {
@@ -76,8 +93,11 @@ NewtonStatus CoupledNewton::solve(const Vector& right, Vector& temperatures, Vec
       error_after = left.lpNorm<Eigen::Infinity>();
       if (!(error_after < error) && half + 1 < most_halvings && fresh) continue;
       if (!(error_after < error)) break;
+      // Broyden's update, of steps that stand out of the tolerance.
+      if (const double moved = step.squaredNorm(); moved > least_told * least_told)
+        jacobian_ += (heat - y - jacobian_ * step) * (step.transpose() / moved);
       s = next, y = heat, miss = left;
-      better = true;
+      better = evaluated = true;
       break;
     }
     if (!better) {
@@ -92,9 +112,16 @@ NewtonStatus CoupledNewton::solve(const Vector& right, Vector& temperatures, Vec
     arrived = error <= newton_tolerance;
   }
   if (!arrived) return NewtonStatus::diverged;
-  temperatures = base + reach_ * y;
+  if (!evaluated) {
+    if (!coupling_->evaluate(s, y)) return NewtonStatus::no_balance;
+    miss = free + response_ * y - s;
+  }
+  // The last step, below the tolerance, needs no balance: by the derivatives it is exact.
+  if (known_) y += jacobian_ * step_of(miss);
+  if (!y.allFinite()) return NewtonStatus::diverged;
+  temperatures = solver_.second_half(first + given_ * y);
   given = y;
-  felt = coupling_->felt(temperatures);
+  felt = free + response_ * y;
   return NewtonStatus::converged;
 }
 

@@ -91,7 +91,7 @@ bool HeatFlow::prepare(const Inputs& inputs, double machine_rise, const Vector& 
 
 Vector HeatFlow::inflow(const Vector& temperatures, const Vector& given) const {
   Vector f = paths().inflow(temperatures);
-  if (coupling_) f += coupling_->given() * given;
+  if (coupling_) coupling_->add_given(given, f);
   return f;
 }
 
@@ -107,7 +107,7 @@ double HeatFlow::gain() {
 }
 
 HeatFlow::Step HeatFlow::advance(const Inputs& inputs, double machine_rise, double dt,
-                                 const Vector& films) {
+                                 const Vector& films, bool asks_for_error) {
   Step step;
   if (!prepare(inputs, machine_rise, films)) {
     step.status = Status::no_equilibrium;
@@ -138,8 +138,9 @@ HeatFlow::Step HeatFlow::advance(const Inputs& inputs, double machine_rise, doub
   }
   const Vector f2 = inflow(end, given);
   constexpr auto e = TrBdf2::error_weights;
-  step.error =
-      newton_->solve_linear((e[0] * f0 + e[1] * f1 + e[2] * f2) / d).lpNorm<Eigen::Infinity>();
+  if (asks_for_error)
+    step.error =
+        newton_->solve_linear((e[0] * f0 + e[1] * f1 + e[2] * f2) / d).lpNorm<Eigen::Infinity>();
 
   step.out_before = p.outflow(temperatures_);
   step.out_after = p.outflow(end);

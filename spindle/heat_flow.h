@@ -23,8 +23,8 @@ class HeatFlow {
   struct Step {
     Status status = Status::not_run;
     Vector rate_before, rate_after;  ///< dT/dt [K/s]
-    double error = unset;            ///< from the embedded method, the largest of all bodies [K]
-    double energy_error = unset;     ///< stored heat minus supplied heat, over the turnover [1]
+    double error = 0.0;  ///< from the embedded method, largest of all bodies; 0 if not asked [K]
+    double energy_error = unset;  ///< stored heat minus supplied heat, over the turnover [1]
     std::array<double, reservoirs> out_before{}, out_after{};  ///< [W]
   };
 
@@ -37,7 +37,7 @@ class HeatFlow {
   /// Films, seats, and the bearing loads from radial loads on the shaft are taken at `films`. The
   /// state changes only if the status is `converged`.
   [[nodiscard]] Step advance(const Inputs& inputs, double machine_rise, double dt,
-                             const Vector& films);
+                             const Vector& films, bool asks_for_error);
   /// Finds the steady state under these inputs. `iterations` counts the updates of films and seats.
   [[nodiscard]] Status settle(const Inputs& inputs, double machine_rise, int& iterations);
   /// Returns the long-term gain of the loop of heat and preload at this state [1].

@@ -15,6 +15,7 @@ enum class Reservoir { air, machine, coolant };
 inline constexpr std::size_t reservoirs = 3;
 
 using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
 /// Bodies that store heat, and the heat paths between them and to reservoirs:
@@ -50,24 +51,6 @@ struct HeatPaths {
   [[nodiscard]] Vector inflow(const Vector& temperatures) const;
   /// Returns the part of inflow() that does not depend on body temperatures [W].
   [[nodiscard]] Vector constant_inflow() const;
-};
-
-/// Symmetric matrix of `scale` C + factor * conductances of given paths, with a fixed sparsity
-/// pattern.
-class ConductanceMatrix {
- public:
-  /// Conductances of `paths` may change afterwards; its structure must not change.
-  explicit ConductanceMatrix(const HeatPaths& paths);
-  /// Returns the lower half of capacity_factor C + G [W/K].
-  [[nodiscard]] const SparseMatrix& fill(const HeatPaths& paths, double capacity_factor);
-
- private:
-  struct Places {
-    Eigen::Index first, second, off;
-  };
-  SparseMatrix matrix_;
-  std::vector<Places> links_;
-  std::vector<Eigen::Index> diagonal_;
 };
 
 }  // namespace raceway::spindle

@@ -105,11 +105,11 @@ class ShaftBalance5 {
   }
   [[nodiscard]] bool tandem() const { return sets_->front_count() == count_; }
   bool assemble(const Eigen::VectorXd& u, double share, Eigen::VectorXd& missing,
-                Eigen::MatrixXd* tangent);
+                Eigen::MatrixXd& tangent);
   template <typename Held>
   bool press(Held& held, std::size_t i, const Eigen::VectorXd& u, Eigen::VectorXd& missing,
-             Eigen::MatrixXd* tangent);
-  void seat(const Eigen::VectorXd& u, Eigen::VectorXd& missing, Eigen::MatrixXd* tangent);
+             Eigen::MatrixXd& tangent);
+  void seat(const Eigen::VectorXd& u, Eigen::VectorXd& missing, Eigen::MatrixXd& tangent);
   [[nodiscard]] double scaled(Index i, double value) const {
     return i >= 2 && i % 2 == 1 ? value / lever_ : value;
   }
@@ -182,57 +182,53 @@ void ShaftBalance5::put(const bearing::ArrangementCondition& condition,
 
 /// softness (F_r - F_0) = hardness (y - e - (δ_r - δ_r0)), scaled to a force.
 void ShaftBalance5::seat(const Eigen::VectorXd& u, Eigen::VectorXd& missing,
-                         Eigen::MatrixXd* tangent) {
+                         Eigen::MatrixXd& tangent) {
   if (tandem()) {
     rear_ = sets_->preload() + seat_.hardness * (u[0] - elongation_);
     missing[1] = -u[1];
-    if (tangent) {
-      (*tangent)(1, 1) = 1.0;
-      (*tangent)(0, 0) += seat_.hardness;
-    }
+    tangent(1, 1) = 1.0;
+    tangent(0, 0) += seat_.hardness;
     return;
   }
   const double scale = 1.0 / (seat_.softness + seat_.hardness / contact_scale);
   const double moved = u[0] - elongation_ - (u[1] - sets_->displacement(Side::rear));
   missing[1] = scale * (seat_.hardness * moved - seat_.softness * (rear_ - sets_->preload()));
-  if (!tangent) return;
-  tangent->row(1) *= scale * seat_.softness;
-  (*tangent)(1, 0) -= scale * seat_.hardness;
-  (*tangent)(1, 1) += scale * seat_.hardness;
+  tangent.row(1) *= scale * seat_.softness;
+  tangent(1, 0) -= scale * seat_.hardness;
+  tangent(1, 1) += scale * seat_.hardness;
 }
 
 /// What a bearing presses with at u. Row 0 of the tangent: of F_r - F_f by u; row 1: of F_r, which
 /// seat() turns into its equation.
 template <typename Held>
 bool ShaftBalance5::press(Held& held, std::size_t i, const Eigen::VectorXd& u,
-                          Eigen::VectorXd& missing, Eigen::MatrixXd* tangent) {
+                          Eigen::VectorXd& missing, Eigen::MatrixXd& tangent) {
   if (!held.hold(place_of(u, i))) return false;
   const Vector5 force = frame_[i].transpose() * held.force();
   const auto at = indices(i);
   const bool front = at[0] == 0;
   (front ? front_ : rear_) += force[0];
   for (std::size_t k = 1; k < 5; ++k) missing[at[k]] -= force[static_cast<Index>(k)];
-  if (!tangent) return true;
   const Matrix5 own = frame_[i].transpose() * held.stiffness() * frame_[i];
   const double pressed = front ? -1.0 : 1.0;  // a follows -y or δ_r
   for (std::size_t c = 0; c < 5; ++c) {
     const double turn = c == 0 ? pressed : 1.0;
     for (std::size_t r = 1; r < 5; ++r)
-      (*tangent)(at[r], at[c]) += turn * own(static_cast<Index>(r), static_cast<Index>(c));
+      tangent(at[r], at[c]) += turn * own(static_cast<Index>(r), static_cast<Index>(c));
     const double axial = turn * own(0, static_cast<Index>(c));
-    (*tangent)(0, at[c]) += pressed * axial;
-    if (!front) (*tangent)(1, at[c]) += axial;
+    tangent(0, at[c]) += pressed * axial;
+    if (!front) tangent(1, at[c]) += axial;
   }
   return true;
 }
 
 bool ShaftBalance5::assemble(const Eigen::VectorXd& u, double share, Eigen::VectorXd& missing,
-                             Eigen::MatrixXd* tangent) {
+                             Eigen::MatrixXd& tangent) {
   missing = share * loads_;
-  if (tangent) tangent->setZero(size(), size());
+  tangent.setZero(size(), size());
   for (const Index plane : {Index{2}, 2 + planar_}) {
     missing.segment(plane, planar_) -= condensed_.stiffness() * u.segment(plane, planar_);
-    if (tangent) tangent->block(plane, plane, planar_, planar_) += condensed_.stiffness();
+    tangent.block(plane, plane, planar_, planar_) += condensed_.stiffness();
   }
   front_ = rear_ = 0.0;
   for (std::size_t i = 0; i < count_; ++i)
@@ -242,21 +238,21 @@ bool ShaftBalance5::assemble(const Eigen::VectorXd& u, double share, Eigen::Vect
   if (sets_) {
     seat(u, missing, tangent);
     missing[0] = front_ - rear_ + axial_;
-  } else if (tangent) {
-    tangent->topLeftCorner(2, 2).setIdentity();
+  } else {
+    tangent.topLeftCorner(2, 2).setIdentity();
   }
   return missing.allFinite();
 }
 
 bool ShaftBalance5::newton(Eigen::VectorXd& u, double share, int most) {
   Eigen::VectorXd missing, trial_missing;
-  Eigen::MatrixXd tangent;
+  Eigen::MatrixXd tangent, trial_tangent;
   const auto norm = [&](const Eigen::VectorXd& m) {
     double largest = 0.0;
     for (Index i = 0; i < m.size(); ++i) largest = std::max(largest, std::abs(scaled(i, m[i])));
     return largest / force_scale_;
   };
-  if (!assemble(u, share, missing, &tangent)) return false;
+  if (!assemble(u, share, missing, tangent)) return false;
   double residual = norm(missing);
   for (int i = 0; i < steps_of_one_newton && iterations_ < most; ++i) {
     residual_ = residual;
@@ -272,7 +268,7 @@ bool ShaftBalance5::newton(Eigen::VectorXd& u, double share, int most) {
     bool taken = false;
     for (int halving = 0; halving < 12; ++halving, fraction *= 0.5) {
       trial = u + fraction * step;
-      if (!assemble(trial, share, trial_missing, nullptr)) continue;
+      if (!assemble(trial, share, trial_missing, trial_tangent)) continue;
       next = norm(trial_missing);
       // A ball that changes between contact and none may raise the residual once.
       if (next <= (halving == 0 ? 2.0 : 1.0) * residual) {
@@ -282,9 +278,10 @@ bool ShaftBalance5::newton(Eigen::VectorXd& u, double share, int most) {
     }
     if (residual <= stalled_tolerance && (!taken || next > 0.5 * residual)) return true;
     if (!taken) return false;
-    u = trial;
-    if (!assemble(u, share, missing, &tangent)) return false;
-    residual = norm(missing);
+    std::swap(u, trial);
+    std::swap(missing, trial_missing);
+    std::swap(tangent, trial_tangent);
+    residual = next;
   }
   residual_ = residual;
   return residual <= stalled_tolerance;

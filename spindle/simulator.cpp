@@ -163,17 +163,13 @@ struct Simulator::Parts {
     if (flow.system()) m.sources = flow.system()->source_heat();
     m.heat.friction = m.heat.friction_band = 0.0;
     if (BearingCoupling* const coupling = flow.coupling()) {
-      const Vector s = seen.head(felt) + felt_offset();
+      const Vector s = seen.head(felt) + coupling->felt_offset();
       Vector given(coupling->given_count());
       if (!coupling->evaluate(s, given)) return false;
       fill_sets(s, seen[felt] + nose_offset, m);
     }
     m.heat.stored = m.heat.friction + m.heat.drive - out[0] - out[1] - out[2];
     return true;
-  }
-
-  [[nodiscard]] Vector felt_offset() const {
-    return flow.coupling()->felt(Vector::Zero(flow.paths().size()));
   }
 
   void fill_sets(const Vector& s, double nose, Moment& m) {
@@ -297,7 +293,7 @@ class Simulator::Passage {
     Vector films = from;
     if (s.last_dt > 0.0) films += 0.5 * std::min(dt / s.last_dt, 1.0) * (from - s.before);
     const HeatFlow::Step taken =
-        flow_.advance(inputs, p_.machine_rise(drift, drift + dt), dt, films);
+        flow_.advance(inputs, p_.machine_rise(drift, drift + dt), dt, films, !sizes_.held());
     if (taken.status != Status::converged) {
       ++report.rejected;
       sizes_.shrink();
@@ -499,8 +495,9 @@ std::vector<ShaftPlace> Simulator::along_shaft(const Moment& moment) const {
 std::vector<SectionStress> Simulator::stresses(double speed) const {
   const HeatFlow& flow = parts_->flow;
   if (!flow.system() || !flow.coupling()) return {};
-  return spindle::stresses(*flow.system(), flow.temperatures(),
-                           flow.coupling()->given() * flow.given(), speed);
+  Vector heat = Vector::Zero(flow.paths().size());
+  flow.coupling()->add_given(flow.given(), heat);
+  return spindle::stresses(*flow.system(), flow.temperatures(), heat, speed);
 }
 
 std::vector<FieldCell> Simulator::field(const State& state) const {

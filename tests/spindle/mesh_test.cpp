@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/SparseCholesky>
 #include <cmath>
 
-#include "spindle/heat_paths.h"
+#include "spindle/conductance_solver.h"
 #include "tests/spindle/reference_cases.h"
 
 namespace raceway::spindle {
@@ -43,9 +42,9 @@ void hold(HeatPaths& p, const OpenFace& face, Reservoir reservoir, double film =
 }
 
 Vector settled(const HeatPaths& p) {
-  ConductanceMatrix matrix(p);
-  Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower> ldlt(matrix.fill(p, 0.0));
-  return ldlt.solve(p.constant_inflow());
+  ConductanceSolver solver(p);
+  EXPECT_TRUE(solver.factorise(p, 0.0));
+  return solver.solve(p.constant_inflow());
 }
 
 void heat_evenly(const Mesh& mesh, HeatPaths& p, double per_volume) {

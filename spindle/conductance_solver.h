@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Eigen/SparseCholesky>
+#include <vector>
+
+#include "spindle/heat_paths.h"
+
+namespace raceway::spindle {
+
+/// Solves A T = r, A = capacity_factor C + G, for the temperatures of all bodies.
+///
+/// A = L D Lᵀ, with the bodies in an elimination order of little fill that is found once. Forward
+/// and back substitution are separate, because
+///
+///   uᵀ A⁻¹ r = (L⁻¹ u)ᵀ D⁻¹ (L⁻¹ r)
+///
+/// needs forward substitutions only, which are short if few bodies are involved.
+/// Accuracy: rounding; the matrix is diagonally dominant.
+class ConductanceSolver {
+ public:
+  /// `paths` may change its conductances afterwards, and nothing else.
+  explicit ConductanceSolver(const HeatPaths& paths);
+  /// False where A is not positive definite: heat has no way out.
+  [[nodiscard]] bool factorise(const HeatPaths& paths, double capacity_factor);
+  [[nodiscard]] Vector solve(const Vector& right) const {
+    return second_half(first_half(in_order(right)));
+  }
+
+  /// Right sides with their bodies in the order of elimination.
+  template <typename Right>
+  [[nodiscard]] Right in_order(const Right& right) const {
+    return order_ * right;
+  }
+  /// L⁻¹ r, column by column.
+  template <typename Right>
+  [[nodiscard]] Right first_half(Right in_order) const {
+    ldlt_.matrixL().solveInPlace(in_order);
+    return in_order;
+  }
+  /// A⁻¹ r of L⁻¹ r.
+  [[nodiscard]] Vector second_half(const Vector& first) const {
+    Vector in_order = inverse_.cwiseProduct(first);
+    ldlt_.matrixU().solveInPlace(in_order);
+    return order_.transpose() * in_order;
+  }
+  /// Diagonal of D⁻¹ [K/W].
+  [[nodiscard]] const Vector& inverse() const { return inverse_; }
+
+ private:
+  /// Places in the matrix that a link adds to.
+  struct LinkPlaces {
+    Eigen::Index first, second, off;
+  };
+  Eigen::PermutationMatrix<Eigen::Dynamic> order_;
+  SparseMatrix matrix_;  // the upper half, in the order of elimination
+  std::vector<Eigen::Index> diagonal_;
+  std::vector<LinkPlaces> links_;
+  Eigen::SimplicialLDLT<SparseMatrix, Eigen::Upper, Eigen::NaturalOrdering<int>> ldlt_;
+  Vector inverse_;
+};
+
+}  // namespace raceway::spindle
