@@ -1,12 +1,17 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "files/catalogue_file.h"
 #include "files/model_file.h"
+#include "files/spindle_record.h"
+#include "files/subject.h"
+#include "loop/loop.h"
 #include "model/prediction.h"
 #include "session/solve_states.h"
+#include "tests/places.h"
 
 namespace {
 
@@ -82,5 +87,27 @@ BENCHMARK_CAPTURE(solve_states, contact, friction::FrictionLaw::contact)
     ->Name("session/solve_states_contact")
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+
+/// The diagnosis of a record of data/spindles: 480 rows, six channels, some 35 effects, with pairs
+/// where single effects do not suffice.
+void diagnose_spindle(benchmark::State& state, const std::string& name) {
+  const std::string folder = tests::source_dir() + ("/data/spindles/" + name);
+  const files::ModelFile file = files::read_model(folder + "/model.toml");
+  const auto subject = files::make_subject(file.model);
+  const record::Record record =
+      files::read_spindle_record(folder + "/train.csv", *file.model.spindle);
+  int tried = 0;
+  for (auto _ : state) tried = loop::diagnose(*subject, record, {}).candidates_tried;
+  state.SetItemsProcessed(state.iterations());
+  state.counters["candidates"] = tried;
+}
+BENCHMARK_CAPTURE(diagnose_spindle, clean, "clean")
+    ->Name("session/diagnose_spindle/clean")
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(diagnose_spindle, drive, "drive")
+    ->Name("session/diagnose_spindle/drive")
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
 
 }  // namespace
