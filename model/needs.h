@@ -16,8 +16,8 @@ namespace raceway::model {
 /// cylindrical rollers do not have it. The text is empty if the effect is allowed.
 [[nodiscard]] std::string refused_by_law(const effects::Description& effect, const Model& model);
 
-/// Returns the channel that a record measures of the sets on a shaft: the axial displacement, or the
-/// friction torque if there is no displacement.
+/// Returns the channel that a record measures of the sets on a shaft: the axial displacement, or
+/// the friction torque if there is no displacement.
 [[nodiscard]] const record::Channel& measured_of_shaft(const record::Record& record);
 
 /// Names the input that an effect needs and the model or the record lacks; empty if none. Missing
