@@ -210,16 +210,19 @@ text::json in_unit_of(const record::Channel& displacement, const text::json& obj
   return result;
 }
 
-text::json metrics_object(const Metrics& m, const record::Channel& displacement) {
-  return in_unit_of(displacement, {{"readings", m.readings},
-                                   {"rmse_um", m.rms / um},
-                                   {"mae_um", m.mean_abs / um},
-                                   {"max_abs_um", m.max_abs / um},
-                                   {"residue_min_um", m.residue_min / um},
-                                   {"residue_max_um", m.residue_max / um},
-                                   {"peak_to_peak_um", m.peak_to_peak / um},
-                                   {"fit_percent", m.fit_percent},
-                                   {"reduction_of_max_percent", m.reduction_of_max_percent}});
+text::json metrics_object(const Metrics& m, const record::Channel& channel) {
+  const auto key = [unit = text::difference_unit(channel)](std::string_view name) {
+    return fmt::format("{}_{}", name, unit);
+  };
+  return {{"readings", m.readings},
+          {key("rmse"), m.rms / channel.factor},
+          {key("mae"), m.mean_abs / channel.factor},
+          {key("max_abs"), m.max_abs / channel.factor},
+          {key("residue_min"), m.residue_min / channel.factor},
+          {key("residue_max"), m.residue_max / channel.factor},
+          {key("peak_to_peak"), m.peak_to_peak / channel.factor},
+          {"fit_percent", m.fit_percent},
+          {"reduction_of_max_percent", m.reduction_of_max_percent}};
 }
 
 std::string identification_json(const std::string& model_file, const record::Record& record,

@@ -72,18 +72,15 @@ text::json compared_channel(const verdict::Comparison& c, const record::Record& 
                  {"noise", noise},
                  {"lack_of_fit",
                   {{"statistic", c.lack_of_fit.statistic}, {"p_value", c.lack_of_fit.p_value}}}});
-  // Of a record over time.
-  if (record::find_channel(c.channel->name) == nullptr) {
+  const bool over_time = record::find_channel(c.channel->name) == nullptr;
+  if (over_time) {
     result.update(metrics_object(metrics_of(c), *c.channel));
     result["initial_state"] = c.begins;
     result["correlation_time_s"] = c.correlation_time;
-    result[record::in_unit_of(*c.channel, "tolerance_um")] = c.tolerance / factor;
-    result["within_tolerance"] =
-        std::isnan(c.tolerance) ? text::json() : text::json(c.rmse <= c.tolerance);
   }
-  if (!std::isnan(c.tolerance)) {
+  if (const bool known = !std::isnan(c.tolerance); known || over_time) {
     result[text::tolerance_key(*c.channel)] = c.tolerance / factor;
-    result["within_tolerance"] = c.rmse <= c.tolerance;
+    result["within_tolerance"] = known ? text::json(c.rmse <= c.tolerance) : text::json();
   }
   result.update(
       {{"statement", c.statement}, {"where", where}, {"worst_rows", worst_rows(c, record)}});

@@ -7,9 +7,10 @@
 /// Builds JSON objects for results of corrections, shared by the writers of results.
 namespace raceway::results {
 
-/// Returns `rmse_um`, `fit_percent` and the other metrics; for an angle `rmse_urad` and so on.
+/// Returns `rmse_um`, `fit_percent` and the other metrics, in the unit of a difference of the
+/// channel: `rmse_urad` for an angle, `rmse_K` for a temperature.
 [[nodiscard]] text::json metrics_object(const correction::Metrics& metrics,
-                                        const record::Channel& displacement);
+                                        const record::Channel& channel);
 
 /// Converts an object from the names of a length to those of the displacement: for an angle, names
 /// and the values of "unit" end in urad.

@@ -69,6 +69,20 @@ TEST(CorrectionJson, CompareKeepsItsKeysAndAddsTheMetrics) {
   EXPECT_LT(d["correlation_time_s"], 40000.0);
 }
 
+TEST(CorrectionJson, ATemperatureHasItsMetricsInKelvin) {
+  const std::string spindle = tests::source_dir() + "/data/spindles/drive/";
+  const json d = parsed(run("compare " + spindle + "model.toml " + spindle + "train.csv --json"));
+  int temperatures = 0;
+  for (const json& channel : d["channels"]) {
+    if (channel["unit"] != "C") continue;
+    ++temperatures;
+    EXPECT_EQ(channel["max_abs_K"], channel["max_abs"]) << channel["quantity"];
+    EXPECT_FALSE(channel.contains("max_abs_um"));
+    EXPECT_FALSE(channel.contains("tolerance_um"));
+  }
+  EXPECT_GT(temperatures, 2);
+}
+
 TEST(CorrectionJson, IdsArePlainAndSayWhereTheyActInAFieldOfTheirOwn) {
   const json d = parsed(run("diagnose " + exact + " --json"));
   EXPECT_EQ(d["verdict"], "nothing-missing");
