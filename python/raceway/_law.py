@@ -13,16 +13,16 @@ from ._results import _Answer
 
 
 class KinematicLaw(_Answer):
-    """The law of kinematic displacement u = A n^(1 - B exp(-C n)), u in um, n in rpm, of a curve."""
+    """Law of kinematic displacement of a curve: u = A n^(1 - B exp(-C n)), u in um, n in rpm."""
 
     @property
     def parameters(self) -> dict[str, dict[str, Any]]:
-        """Value, standard error and unit of A, B and C."""
+        """A, B and C, each with value, standard error and unit."""
         return self.data["parameters"]
 
     @property
     def table(self) -> str:
-        """The monotone table that stands in place of a law which does not follow the curve, as CSV."""
+        """Monotone table as CSV. It replaces a law that does not follow the curve."""
         return self._answer.csv()
 
     def _repr_html_(self) -> str:
@@ -41,16 +41,16 @@ def fit_law(curve: Record, *, at_rpm: float | None = None) -> KinematicLaw:
     Parameters
     ----------
     curve : Record
-        With ``std_um`` where the scatter is known; `Displacement.to_frame` is one.
+        Record with the two columns, and ``std_um`` if the scatter is known. `Displacement.to_frame` gives one.
     at_rpm : float, optional
-        Also displacement and slope there.
+        Speed at which the result also has displacement and slope.
 
     Raises
     ------
     InputError
-        A curve of too few speeds, `at_rpm` where the law is not valid.
+        The curve has too few speeds, or the law is not valid at `at_rpm`.
     NotConverged
-        Where the fit found no values.
+        The fit found no values.
 
     Examples
     --------

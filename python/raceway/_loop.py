@@ -1,4 +1,4 @@
-"""What every model can be asked with measurements."""
+"""Questions that every model can answer with measurements."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def asked(
     from_s: float | None = None,
     until_s: float | None = None,
 ) -> tuple[list[_engine.Data], dict[str, Any]]:
-    """Records and options as the engine takes them."""
+    """Return records and options in the form of the engine."""
     records = list(record) if isinstance(record, (list, tuple)) else [record]
     for one in records:
         if not isinstance(one, Record):
@@ -49,20 +49,20 @@ def asked(
 
 
 class LoopModel(FromFile):
-    """The loop: how far a model is from records, which effect is missing, what adding it buys."""
+    """The loop: compare a model with records, find the missing effect, add it and see the error fall."""
 
     def _fitted(self, answer: _engine.Answer, fitted: str) -> dict[str, Any]:
-        """Models that a fit found, by record; one without name where it holds for all."""
+        """Return the fitted models by record; a single model without a name if it holds for all records."""
         raise NotImplementedError
 
     def suggest_columns(self, record: Record) -> str:
-        """Propose which columns of a record are which of ours, by their words and units.
+        """Propose a map of the columns of a record, from their words and units.
 
         Returns
         -------
         str
-            A table ``[columns]`` (TOML) for the argument `columns` of `Record`; what was not found
-            stands in it as a comment.
+            A table ``[columns]`` (TOML) for the argument `columns` of `Record`. Columns that were not
+            found are comments in it.
         """
         if not isinstance(record, Record):
             raise TypeError(f"a raceway.Record is wanted, not {type(record).__name__}")
@@ -81,28 +81,28 @@ class LoopModel(FromFile):
         from_s: float | None = None,
         until_s: float | None = None,
     ) -> Comparison:
-        """Say how far the model is from a record, and where; with other models: the ladder.
+        """Calculate the error of the model on a record and where it is largest. With other models, compare all.
 
         Parameters
         ----------
         record : Record or sequence of Record
         *others : models of the same kind
         refit : iterable of str
-            Parameters that are fitted to the record before; of a correction also groups, ``"gains"``.
+            Parameters to fit to the record first. For a correction, groups such as ``"gains"`` are allowed.
         zero : {"mean", "first", "none"}
-            Of a correction, the constant taken off before: that which leaves least, the first reading
-            of a run, none.
+            Constant that is subtracted first, for a correction: the mean difference, the first reading of
+            a run, or nothing.
         channel : str, optional
-            Of a file with several displacements, the column of one: ``"displacement_z_um"``.
+            Column of one displacement, if a file has several: ``"displacement_z_um"``.
         per_record : iterable of str
-            Parameters that each of several records has for itself; not of a correction.
+            Parameters with a separate value for each of several records; not for a correction.
         rows : bool
-            Keeps the rows of a logger apart. Otherwise consecutive rows at equal speed and load are
-            averaged to dwells, which a note says.
+            True keeps the rows of a logger separate. Otherwise, consecutive rows at equal speed and load
+            are averaged to one dwell, and a note says so.
         tolerance : str, optional
-            Error below which nothing matters, such as ``"2Nmm"``.
+            Smallest error that matters, such as ``"2Nmm"``.
         from_s, until_s : float, optional
-            Of a correction, readings that count, by the time since the first row [s].
+            Time range of the readings that count, for a correction, since the first row [s].
         """
         if zero not in ("mean", "first", "none"):
             raise ValueError(f"zero = {zero!r}: must be mean, first or none")
@@ -126,24 +126,24 @@ class LoopModel(FromFile):
         from_s: float | None = None,
         until_s: float | None = None,
     ) -> Calibration:
-        """Re-fit the free numbers of the model.
+        """Fit the free parameters of the model again.
 
-        They are named by ``[calibration] free``; without it f0 and z of a bearing, gains, time constants
-        and offset of a correction.
+        ``[calibration] free`` names them. The default is f0 and z of a bearing, or gains, time constants and
+        offset of a correction.
 
         Parameters
         ----------
         record : Record or sequence of Record
         profile : bool
-            Also 95 % intervals by profile likelihood, for `Calibration.conf_interval`: some dozens
-            of refits.
+            True adds 95 % intervals by profile likelihood for `Calibration.conf_interval`. This takes some
+            dozens of fits.
         channel, per_record, rows, from_s, until_s
             As in `compare`.
 
         Raises
         ------
         NotConverged
-            Where the fit found no values.
+            The fit found no values.
         """
         data, options = asked(record, channel=channel, per_record=per_record, rows=rows, from_s=from_s, until_s=until_s)
         answer = _engine.calibrate(self._engine, data, bool(profile), **options)
@@ -167,30 +167,30 @@ class LoopModel(FromFile):
         time_limit_s: float | None = None,
         progress: Callable[[float, str], None] | None = None,
     ) -> Diagnosis:
-        """Say which physical effect is missing in the model, or what to measure to find out.
+        """Find the physical effect that the model lacks, or the measurements that would show it.
 
-        A correction is judged by its error on parts held out, against the tolerance.
+        A correction is judged by its held-out error relative to the tolerance.
 
         Parameters
         ----------
         record : Record or sequence of Record
         pairs : bool
-            Without: single effects only, for a quick look.
+            False tries single effects only, which is faster.
         tried_before : int
-            Explanations of your own already tried on these data.
+            Number of explanations that you have already tried on these data.
         channel, per_record, rows, tolerance, from_s, until_s
             As in `compare`.
         time_limit_s : float, optional
-            After which it gives up with TimeoutError.
+            Time after which TimeoutError is raised.
         progress : callable, optional
-            Called with the share that is done and the step, some ten times a second.
+            Function that is called with the completed share and the step, some ten times a second.
 
         Raises
         ------
         InputError
-            Data that carry no verdict, with the reason; a correction without a tolerance.
+            The data do not support a verdict (the message has the reason), or a correction has no tolerance.
         KeyboardInterrupt
-            Stops it; nothing is left half done.
+            An interrupt stops the search. Nothing is left half done.
         """
         data, options = asked(record, channel=channel, per_record=per_record, rows=rows, tolerance=tolerance, from_s=from_s, until_s=until_s)
         limit = float("inf") if time_limit_s is None else float(time_limit_s)
@@ -210,14 +210,15 @@ class LoopModel(FromFile):
         from_s: float | None = None,
         until_s: float | None = None,
     ) -> Addition:
-        """Switch effects on, calibrate the model, and judge them on rows that the fit did not see.
+        """Add effects, calibrate the model, and judge it on rows that the fit did not use.
 
         The other parameters are as in `compare`.
 
         Returns
         -------
         Addition
-            `Addition.refused` says why an effect does not help; `Addition.model` has it all the same.
+            `Addition.refused` gives the reason if an effect does not help. `Addition.model` has the effect
+            anyway.
         """
         data, options = asked(record, channel=channel, per_record=per_record, rows=rows, tolerance=tolerance, from_s=from_s, until_s=until_s)
         ids = name_list("effects", effects)
@@ -228,7 +229,7 @@ class LoopModel(FromFile):
         return Addition(answer, self._fitted(answer, "".join(f" + {name}" for name in ids)))
 
     def check(self, record: Record, *, channel: str | None = None) -> Check:
-        """Check what a record can show: levels, noise, fittable parameters, testable effects."""
+        """Check what a record can show: levels, noise, parameters for a fit, and effects that can be tested."""
         data, options = asked(record, channel=channel)
         if len(data) > 1:
             raise TypeError("check: one record is looked at at a time")

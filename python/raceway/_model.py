@@ -27,9 +27,9 @@ from ._spindle_questions import SpindleQuestions
 
 
 class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
-    """Model of a bearing on a rig, of the sets on a shaft or of a spindle.
+    """Model of a bearing on a rig, of the bearing sets on a shaft, or of a spindle.
 
-    It never changes; what a fit finds is another model. `read`, `from_text` and `new` make one.
+    A model never changes; a fit returns a new model. Create a model with `read`, `from_text` or `new`.
 
     Examples
     --------
@@ -62,32 +62,33 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         spindle: bool = False,
         oil: str | None = None,
     ) -> Model:
-        """Make a model of a bearing by its designation, with the defaults of its law.
+        """Create a model of a bearing from its designation, with the defaults of its law.
 
         Parameters
         ----------
         bearing : str
-            Of the catalogue, such as ``"S 6014 C"``. For a bearing whose size the designation says, as
-            ``"7014 C"``, or that the next four describe, the inner geometry is estimated; `notes` says so.
-            ``"N1012 KTN/SP"`` is a cylindrical roller bearing, whose rollers are estimated.
+            Designation in the catalogue, such as ``"S 6014 C"``. A designation that gives only the size,
+            such as ``"7014 C"``, or the four dimensions below also suffice. The inner geometry is then
+            estimated, and `notes` says so. ``"N1012 KTN/SP"`` is a cylindrical roller bearing with
+            estimated rollers.
         law : {"contact", "palmgren", "skf"}, optional
-            By default ``"contact"``, of a spindle and of cylindrical rollers ``"palmgren"``; the latter
-            have ``"skf"`` too.
+            Friction law. Default: ``"contact"``; for spindles and cylindrical roller bearings
+            ``"palmgren"``. Cylindrical roller bearings also have ``"skf"``.
         ball_material : {"steel", "silicon-nitride"}
-            Of cylindrical rollers the material of the rollers.
+            Material of the balls or rollers.
         bore_mm, outer_diameter_mm, contact_angle_deg, ball_count
-            Of a bearing that is not in the catalogue.
+            Dimensions of a bearing that is not in the catalogue.
         spindle : bool
-            Three of the bearing in a spindle, in place of one on a rig: a template that runs as it
-            stands, whose `text` marks what is assumed.
+            True creates a template of a spindle with three of these bearings. The template runs without
+            changes, and its `text` marks each assumed number.
         oil : str, optional
-            ISO VG grade, as ``"VG 32"``, of a mineral oil of viscosity index 100; by default a thin
-            spindle oil, to be replaced.
+            ISO VG grade of a mineral oil with viscosity index 100, such as ``"VG 32"``. The default is a thin
+            spindle oil, which you should replace.
 
         Raises
         ------
         InputError
-            A bearing that is not known and not described, with the nearest names.
+            The bearing is unknown and has no dimensions. The message has the nearest names.
 
         Examples
         --------
@@ -129,16 +130,16 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
 
     @property
     def parameters(self) -> dict[str, dict[str, Any]]:
-        """Numbers of the model that a fit may change: value, unit, lower and upper bound."""
+        """Parameters that a fit can change, with value, unit, lower and upper bound."""
         return {p["name"]: {k: v for k, v in p.items() if k != "name"} for p in self._engine.parameters()}
 
     def with_values(self, values: Mapping[str, float]) -> Model:
-        """Return the model with other numbers, comments and all else as they stand.
+        """Return the model with other numbers. Comments and everything else stay the same.
 
         Parameters
         ----------
         values : mapping of str to float
-            By the names of `parameters`, or by table and key of the file, each in the unit of its name.
+            New values by the names of `parameters` or by table and key of the file, in the unit of the name.
 
         Examples
         --------
@@ -157,7 +158,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
     def with_effect(self, effect: Effect) -> Model:
         """Return the model with an effect of your own, which `diagnose` tries and `add` calibrates.
 
-        It is no part of `text`: a file cannot say it. `effects` has it with its numbers.
+        A file cannot contain such an effect, so `text` does not have it. `effects` has it with its numbers.
         """
         if not isinstance(effect, Effect):
             raise TypeError(f"a raceway.Effect is wanted, not {type(effect).__name__}")
@@ -165,7 +166,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
 
     @property
     def effects(self) -> tuple[Effect, ...]:
-        """Effects of your own that are functions of Python."""
+        """Your own effects that are Python functions."""
         return self._effects
 
     def solve(
@@ -185,31 +186,32 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         Parameters
         ----------
         speed_rpm, axial_load_N, radial_load_N, temperature_C, moment_y_Nmm, moment_z_Nmm
-            Numbers or arrays, which are used together by the rules of numpy (broadcasting). Arrays of
-            float64 are read where they stand, whatever their strides. Arguments that are left out come from the model. On a shaft `axial_load_N` is the external load, positive towards the tool.
+            Numbers or arrays, combined by the broadcasting rules of numpy. Arrays of float64 are read
+            without a copy, with any strides. The model gives the arguments that you leave out. On a shaft,
+            `axial_load_N` is the external load, positive towards the tool.
         columns : sequence of str
-            Results that are wanted, of `Model.columns`; all where empty.
+            Names of results from `Model.columns`. An empty sequence means all results.
         band : bool
-            Also how sure friction torque, power loss and on a shaft its displacement are, as half the
-            width of their 95 % band: ``friction_torque_band_Nmm`` and so on. It comes from the fitted
-            parameters alone, of a model that `calibrate` or `add` has made.
+            True adds half the width of the 95 % band of friction torque, power loss and (on a shaft)
+            displacement: ``friction_torque_band_Nmm`` and so on. The band follows from the fitted
+            parameters alone, so the model must come from `calibrate` or `add`.
 
         Returns
         -------
         Solution
-            Arrays of the common shape. For single numbers also `Solution.data`, the document of
-            ``raceway solve --json`` with every ball. A state without balance has NaN, and
-            `Solution.status` says why.
+            Arrays of the common shape. For single numbers, `Solution.data` is the document of
+            ``raceway solve --json`` with all balls. A state without balance has NaN, and
+            `Solution.status` gives the reason.
 
         Raises
         ------
         InputError
-            A number out of its range, with its place; arrays of different shapes.
+            A number is out of its range (the message has its place), or the shapes do not match.
 
         Notes
         -----
-        Newton-Raphson on ring and balls with Hertz contact, centrifugal force and gyroscopic moment:
-        docs/solver.md. All cores work on arrays.
+        The solver uses the Newton-Raphson method for ring and balls, with Hertz contact, centrifugal
+        force and gyroscopic moment (docs/solver.md). Arrays are shared between all cores.
 
         Examples
         --------
@@ -245,9 +247,9 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         *,
         band: bool = False,
     ) -> Table:
-        """Make a Stribeck table: friction torque and its parts over axes that rise.
+        """Calculate a Stribeck table: friction torque and its parts over rising axes.
 
-        `band`: with half the width of the 95 % band of torque and loss, as `solve` has it.
+        `band` adds half the width of the 95 % band of torque and loss, as in `solve`.
 
         Examples
         --------
@@ -268,14 +270,14 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
     def displacement(
         self, speed_rpm: ArrayLike, axial_load_N: float | None = None, temperature_C: float | None = None, *, band: bool = False
     ) -> Displacement:
-        """Position of a shaft in its arrangement over its speed, against standstill [um].
+        """Calculate the position of a shaft over speed, relative to standstill [um].
 
-        `band`: with half the width of the 95 % band of displacement, torque and loss, as `solve` has it.
+        `band` adds half the width of the 95 % band of displacement, torque and loss, as in `solve`.
 
         Raises
         ------
         InputError
-            For a model without [arrangement].
+            The model has no [arrangement].
         """
         nan = float("nan")
         curve = _engine.Displacement(
@@ -289,11 +291,11 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         return Displacement(curve)
 
     def predict(self, record: Records, *, band: bool = False) -> Any:
-        """Return what the model says of every row of a record, as a pandas.DataFrame.
+        """Return the predictions for all rows of a record as a pandas.DataFrame.
 
-        Columns of the record as they were understood, in the units of their names, and
-        ``predicted_...`` behind them; NaN where there is no prediction. With `band` half the width of
-        its 95 % band, from the fitted parameters alone: ``predicted_friction_torque_band_Nmm``.
+        The frame has the columns of the record as they were understood, in the units of their names, and
+        then the columns ``predicted_...``. A row without a prediction has NaN. `band` adds half the width
+        of the 95 % band from the fitted parameters alone: ``predicted_friction_torque_band_Nmm``.
         """
         import pandas
 
@@ -316,7 +318,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
 
 
 def _tables(text: str) -> set[str]:
-    """Tables of a model file; none where it cannot be read: the library says what is wrong, and where."""
+    """Return the tables of a model file; empty for an unreadable file, because the library reports the error."""
     try:
         return set(tomllib.loads(text))
     except tomllib.TOMLDecodeError:
@@ -324,7 +326,7 @@ def _tables(text: str) -> set[str]:
 
 
 def _restored(source: str, text: str, effects: Sequence[Effect], said: Sequence[Note], files: Sequence[tuple[str, str, str]]) -> Model:
-    """A model in another process, which does not say again what makes it doubtful."""
+    """Create a model in another process without repeating its doubts."""
     model = Model.__new__(Model)
     model._effects = tuple(effects)
     model._engine = _engine.Model(source, text, [e._for_engine() for e in effects], files)

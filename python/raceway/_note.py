@@ -1,23 +1,24 @@
-"""Notes beside an answer."""
+"""Notes that come with an answer."""
 
 from __future__ import annotations
 
 
 class Note(str):
-    """A line of `notes`, or the text of a `Doubt`: a str that also says what it is about.
+    """A line of `notes` or the text of a `Doubt`: a str with attributes that say what it is about.
 
     Attributes
     ----------
     kind : str
         ``"note"`` (good to know), ``"doubt"`` (an input that may be wrong) or ``"warning"`` (makes a result doubtful).
     code : str
-        Subject, as ``raceway`` documents it: ``"left-out"``, ``"unit"``, ``"at-bound"`` ... The words may change, the code does not.
+        Subject from the documentation: ``"left-out"``, ``"unit"``, ``"at-bound"`` ... The text may change; the
+        code does not.
     file : str or None
-        File that it is about.
+        File that the note is about.
     line : int or None
-        Of the file, from 1.
+        Line of the file, counted from 1.
     key : str or None
-        Key of a model, column of a record, parameter, or argument.
+        Key of a model, column of a record, parameter or argument that the note is about.
     """
 
     kind: str

@@ -19,23 +19,24 @@ if TYPE_CHECKING:
 
 
 class Record:
-    """Measurements: settings and readings, row by row, as a CSV file or a DataFrame has them.
+    """Measurements in rows, with settings and readings, from a CSV file or a DataFrame.
 
-    The name and unit of a column tell its meaning (``speed_rpm``, ``friction_torque_Nm``), or said by
-    ``columns``, which `Model.suggest_columns` proposes for such as ``Drehzahl [1/min]``. A record is read when a model is compared with it, because the model says what is measured and what the record may leave
-    out.
+    The name of a column gives its meaning and unit (``speed_rpm``, ``friction_torque_Nm``). For other names,
+    such as ``Drehzahl [1/min]``, ``columns`` gives them; `Model.suggest_columns` proposes this map. A record
+    is read when a model is compared with it, because the model determines what is measured and which
+    columns may be missing.
 
     Parameters
     ----------
     name : str
         In messages.
     text : str
-        CSV with a header, in any of the forms that the command reads.
+        CSV text with a header, in any form that the command reads.
     columns : mapping of str to str, or str, optional
-        Which of their columns is which of ours: ``{"friction_torque_Nm": "Moment"}``, or a table
-        ``[columns]`` as text, such as `Model.suggest_columns` proposes.
+        Map from names of raceway to names of the file: ``{"friction_torque_Nm": "Moment"}``, or a table
+        ``[columns]`` as text, as `Model.suggest_columns` proposes.
     drop_nan : bool
-        Leave out rows with a cell that has no number in a column that counts.
+        True leaves out rows without a number in a column that the model uses.
 
     Examples
     --------
@@ -76,10 +77,10 @@ class Record:
             self._data = self._data.with_beside([other._data for other in self._others])
 
     def beside(self, *others: Record) -> Record:
-        """Return the record over time with more of it: files of the same machine and time with clocks of their own.
+        """Return the record over time joined with other files of the same machine and time, which have their own clocks.
 
-        Settings of a control hold, temperatures go in a straight line from one reading to the next; `notes`
-        of an answer say so. All use the map of columns of this record.
+        Settings of a control hold their last value. Temperatures are interpolated linearly. The `notes` of an
+        answer say so. All files use the map of columns of this record.
 
         Examples
         --------
@@ -101,7 +102,7 @@ class Record:
         Raises
         ------
         InputError
-            For a file that cannot be read. Its contents are checked with a model.
+            The file cannot be read. The contents are checked later, with a model.
         """
         return cls(os.fspath(path), _engine.read_text(os.fspath(path)), columns=columns, drop_nan=drop_nan)
 
@@ -109,23 +110,23 @@ class Record:
     def from_pandas(
         cls, frame: pandas.DataFrame, *, columns: Mapping[str, str] | str | None = None, name: str = "DataFrame", drop_nan: bool = False
     ) -> Record:
-        """Take the columns of a DataFrame; its index is not read.
+        """Create a record from the columns of a DataFrame. The index is not read.
 
         Parameters
         ----------
         frame : pandas.DataFrame
-            One row per reading. NaN where nothing was read.
+            One row per reading, with NaN for a missing reading.
         columns : mapping of str to str, optional
-            Which of its columns is which of ours, with the unit of the numbers in our name.
+            Map from names of raceway, with the unit of the numbers, to names of the frame.
         name : str
             In messages.
 
         Raises
         ------
         TypeError
-            For something else than a DataFrame.
+            `frame` is not a DataFrame.
         InputError
-            For a DataFrame without rows, or with two columns of one name.
+            The DataFrame has no rows, or two columns have the same name.
         """
         import pandas
 
@@ -148,19 +149,19 @@ class Record:
         name: str = "arrays",
         drop_nan: bool = False,
     ) -> Record:
-        """Take arrays of one length by the names of their columns.
+        """Create a record from arrays of one length, by the names of their columns.
 
         Parameters
         ----------
         arrays : mapping of str to array
-            Numbers, NaN or masked where nothing was read; texts for `run_id` and dates.
+            Numbers, with NaN or a mask for missing readings; text for `run_id` and dates.
         columns, name, drop_nan
             As in `from_pandas`.
 
         Raises
         ------
         InputError
-            No arrays, or arrays of different lengths.
+            There are no arrays, or their lengths differ.
 
         Examples
         --------
@@ -187,10 +188,10 @@ class Record:
         return pandas.DataFrame(self._own).to_csv(index=False)
 
     def to_frame(self) -> pandas.DataFrame:
-        """Return the columns under their own names, numbers in their own units.
+        """Return the columns with the names and units of the file.
 
-        `Model.predict` has those that are understood, in ours. Titles and a row of units are left out, and a
-        cell without number, such as ``#NV``, is NaN.
+        `Model.predict` returns the understood columns with the names of raceway. Titles and a row of units are
+        left out. A cell without a number, such as ``#NV``, is NaN.
         """
         import io
 
@@ -203,7 +204,7 @@ class Record:
 
 
 def _numbers(values: numpy.ndarray) -> numpy.ndarray:
-    """A copy. A number of single precision counts as its digits say: 0.1 is a tenth."""
+    """Return a copy. A single-precision number keeps its decimal digits: 0.1 is one tenth."""
     if values.dtype in (numpy.float32, numpy.float16):
         return numpy.array([float(str(value)) for value in values])
     return numpy.array(values)
@@ -235,7 +236,7 @@ def _texts(values: Sequence[Any]) -> list[str]:
 
 
 def _refuse_decimal_commas(frame: pandas.DataFrame, name: str) -> None:
-    """Numbers that pandas has read as text because of the decimal comma."""
+    """Refuse numbers that pandas has read as text because of a decimal comma."""
     from pandas.api.types import is_string_dtype
 
     for column in frame.columns:
@@ -251,7 +252,7 @@ def _refuse_decimal_commas(frame: pandas.DataFrame, name: str) -> None:
 
 
 def _column_map(columns: Mapping[str, str] | str | None) -> str | None:
-    """Our table [columns], which the library reads with its units and messages."""
+    """Return the table [columns], which the library reads with its units and messages."""
     if columns is None or isinstance(columns, str):
         return columns
     if not isinstance(columns, Mapping):

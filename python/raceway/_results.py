@@ -1,4 +1,4 @@
-"""What a model answers."""
+"""Results of questions to a model."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ STATUS = ("not_run", "converged", "no_equilibrium", "iteration_limit", "singular
 
 
 class Solution(Mapping[str, numpy.ndarray]):
-    """States of a bearing or a shaft: arrays by name, each with its unit, also as attributes.
+    """States of a bearing or a shaft: arrays by name, with units in the names. Each array is also an attribute.
 
     Attributes
     ----------
     notes : list of Note
-        What a user should know of it.
+        Notes on the result.
     """
 
     def __init__(
@@ -52,7 +52,7 @@ class Solution(Mapping[str, numpy.ndarray]):
 
     @property
     def data(self) -> dict[str, Any] | None:
-        """Document of ``raceway solve --json`` for a single state, made on demand; else None."""
+        """Document of ``raceway solve --json`` for a single state; None for several states."""
         if self._data is None and self._document is not None:
             self._data = json.loads(self._document())
         return self._data
@@ -88,11 +88,11 @@ class Solution(Mapping[str, numpy.ndarray]):
 
     @property
     def status(self) -> numpy.ndarray:
-        """Status of the search for each balance, in words."""
+        """Status of each state in words."""
         return numpy.array(STATUS)[self._status]
 
     def to_frame(self) -> pandas.DataFrame:
-        """Return one row per state: what was given, results, status."""
+        """Return one row per state, with inputs, results and status."""
         import pandas
 
         shape = self._status.shape
@@ -106,7 +106,7 @@ class Solution(Mapping[str, numpy.ndarray]):
         return html_of(self)
 
     def __str__(self) -> str:
-        """Inputs and results with their values; of many states the first and the last."""
+        """Return inputs and results with their values; for many states, the first and the last."""
 
         def shown(values: numpy.ndarray) -> str:
             if values.size == 1:
@@ -128,7 +128,7 @@ class Solution(Mapping[str, numpy.ndarray]):
 
 
 class _Document:
-    """A result with the document that the command prints with ``--json``."""
+    """Result with the document that the command prints with ``--json``."""
 
     _data: dict[str, Any] | None = None
 
@@ -137,7 +137,7 @@ class _Document:
 
     @property
     def data(self) -> dict[str, Any]:
-        """The document of the command; keys have their units (docs/files.md)."""
+        """Document of the command. The keys contain the units (docs/files.md)."""
         if self._data is None:
             self._data = json.loads(self._text())
         return self._data
@@ -149,7 +149,7 @@ class _Document:
 
 
 class Table(_Document):
-    """A Stribeck table."""
+    """Stribeck table."""
 
     def __init__(self, engine: _engine.Table) -> None:
         self._engine = engine
@@ -159,23 +159,23 @@ class Table(_Document):
 
     @property
     def notes(self) -> list[Note]:
-        """Balls that have lost the inner race, loads above the rating, pressures that leave dents."""
+        """Notes on balls without inner contact, loads above the rating, and pressures that cause dents."""
         return self._engine.notes
 
     @property
     def warnings(self) -> list[str]:
-        """Limits of running bearings that the table passes; ``data["judgement"]`` has them as numbers."""
+        """Limits of running bearings that the table exceeds; ``data["judgement"]`` has the numbers."""
         return self._engine.warnings
 
     def to_frame(self) -> pandas.DataFrame:
-        """Return one row per point; columns as ``raceway table --format plain``, and the status."""
+        """Return one row per point, with the columns of ``raceway table --format plain`` and the status."""
         import pandas
 
         names, values, status = self._engine.columns()
         return pandas.DataFrame(dict(zip(names, values)) | {"status": status})
 
     def save(self, path: str | os.PathLike[str], *, format: str = "csv", overwrite: bool = False) -> None:
-        """Write the table: ``"csv"`` with its model, ``"plain"`` or ``"modelica"``."""
+        """Write the table as ``"csv"`` with its model, ``"plain"`` or ``"modelica"``."""
         if format not in ("csv", "plain", "modelica"):
             raise ValueError(f"format = {format!r}: must be csv, plain or modelica")
         _write(path, self._engine.text(format), overwrite)
@@ -185,7 +185,7 @@ class Table(_Document):
 
 
 class Displacement(_Document):
-    """The position of a shaft over its speed."""
+    """Position of a shaft over speed."""
 
     def __init__(self, engine: _engine.Displacement) -> None:
         self._engine = engine
@@ -194,7 +194,7 @@ class Displacement(_Document):
         return self._engine.json()
 
     def to_frame(self) -> pandas.DataFrame:
-        """Return one row per speed, as the command writes it."""
+        """Return one row per speed, with the columns of the command."""
         return _frame(self._engine.csv(), comment="#")
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
@@ -206,7 +206,7 @@ class Displacement(_Document):
 
 
 class _Answered(_Document):
-    """An answer of the engine, with its notes and its page."""
+    """Result of the engine, with its notes and its page."""
 
     def __init__(self, answer: Any) -> None:
         self._answer = answer
@@ -218,16 +218,16 @@ class _Answered(_Document):
 
     @property
     def warnings(self) -> list[Note]:
-        """Reasons to doubt the result, and what was not found."""
+        """Reasons to doubt the result, and missing results."""
         return self._answer.warnings
 
     def report(self, path: str | os.PathLike[str] | None = None, *, overwrite: bool = False) -> Page:
-        """Return the report with its pictures as one HTML page, which a notebook shows in a frame.
+        """Return the report with its figures as one HTML page. A notebook shows it in a frame.
 
         Parameters
         ----------
         path : path, optional
-            Where to write it, too.
+            File that also receives the page.
         """
         page = Page(self._answer.page())
         if path is not None:
@@ -245,7 +245,7 @@ class _Answer(_Answered):
 
 
 class Page:
-    """A page of HTML that needs no network."""
+    """HTML page that needs no network."""
 
     def __init__(self, html: str) -> None:
         self.html = html
@@ -261,11 +261,11 @@ class Page:
 
 
 class Comparison(_Answer):
-    """Errors of models against a record."""
+    """Errors of models on a record."""
 
     @property
     def rmse(self) -> float:
-        """RMS error of the first model, in the unit of what is measured."""
+        """RMS error of the first model, in the unit of the reading."""
         return _first(self.data)["rmse"]
 
     @property
@@ -274,12 +274,12 @@ class Comparison(_Answer):
         return _first(self.data)["unit"]
 
     def to_frame(self, measured: str | None = None) -> pandas.DataFrame:
-        """Return one row per row of the record, with ``measured``, ``predicted`` and ``error`` of the first model.
+        """Return the rows of the record with ``measured``, ``predicted`` and ``error`` of the first model.
 
         Parameters
         ----------
         measured : str, optional
-            Which of several measured columns, such as ``"axial_displacement_um"``; default: the first.
+            Measured column, such as ``"axial_displacement_um"``. Default: the first one.
         """
         import pandas
 
@@ -298,7 +298,7 @@ class Comparison(_Answer):
 
 
 class Check(_Answer):
-    """Check of a record against a model."""
+    """Check of a record for a model."""
 
     def _repr_html_(self) -> str:
         from ._html_correction import check_html
@@ -310,14 +310,14 @@ class _Report(_Answer):
     """Result of a fit."""
 
     def fit_report(self) -> str:
-        """Return the fit as text: parameters with errors and correlations, chi-square, AIC and BIC."""
+        """Return the fit as text, with parameters, errors, correlations, chi-square, AIC and BIC."""
         from .fit_report import fit_report
 
         return fit_report(self)
 
 
 class _Fitted(_Report):
-    """Models that a fit made."""
+    """Models that a fit returned."""
 
     def __init__(self, answer: _engine.Answer, models: Mapping[str, Model | Correction]) -> None:
         super().__init__(answer)
@@ -325,24 +325,25 @@ class _Fitted(_Report):
 
     @property
     def model(self) -> Model | Correction:
-        """The one model with what was fitted."""
+        """Model with the fitted values."""
         if len(self.models) > 1:
             raise ValueError(f"each record has a model of its own: .models has those of {', '.join(self.models)}")
         return next(iter(self.models.values()))
 
 
 class Calibration(_Fitted):
-    """Factors of a model, fitted.
+    """Fitted parameters of a model.
 
     Attributes
     ----------
     models : dict of str to Model
-        One model for each record, by its name, if each has values of its own; otherwise one, under ``""``.
+        One model for each record, by the name of the record, if records have their own values. Otherwise one
+        model under ``""``.
     """
 
     @property
     def parameters(self) -> dict[str, dict[str, Any]]:
-        """Value, standard error, start and unit of each parameter."""
+        """Parameters, each with value, standard error, start and unit."""
         return self.data["parameters"]
 
     def conf_interval(self) -> pandas.DataFrame:
@@ -351,19 +352,19 @@ class Calibration(_Fitted):
         Returns
         -------
         pandas.DataFrame
-            ``value``, ``lower``, ``upper`` in the ``unit`` of the parameter; ``open_lower`` and
-            ``open_upper`` where chi-square does not rise to the end of the interval before the bound
-            that stands there. NaN for what the fit has held.
+            ``value``, ``lower`` and ``upper`` in the ``unit`` of the parameter. ``open_lower`` and ``open_upper``
+            are true if the interval ends at a bound of the parameter. A parameter that the fit held has NaN.
 
         Raises
         ------
         ValueError
-            They were not asked for: ``calibrate(record, profile=True)``.
+            The intervals were not requested with ``calibrate(record, profile=True)``.
 
         Notes
         -----
-        Where chi-square, all other parameters fitted again, is 3.84 above its least; times the
-        reduced chi-square where the size of the noise is taken from the misfit (docs/files.md).
+        At the ends of an interval, chi-square is 3.84 above its minimum, with all other parameters fitted
+        again. The rise is multiplied by the reduced chi-square if the noise is estimated from the misfit
+        (docs/files.md).
 
         Examples
         --------
@@ -384,21 +385,21 @@ class Calibration(_Fitted):
 
 
 class Diagnosis(_Report):
-    """Verdict on missing effects, or what to measure to find out."""
+    """Verdict on missing effects, or measurements that would show them."""
 
     @property
     def verdict(self) -> str:
-        """The verdict in the words of the command."""
+        """Verdict in the words of the command."""
         return self.data["verdict"]
 
     @property
     def headline(self) -> str:
-        """The verdict in a line."""
+        """Verdict in one line."""
         return self.data["headline"]
 
     @property
     def effects(self) -> list[str]:
-        """Ids of the effects that the verdict names; empty where these data cannot tell."""
+        """Ids of the effects in the verdict; empty if the data cannot tell."""
         return [e["id"] for e in self.data["effects"] if e["in_verdict"]]
 
     def __repr__(self) -> str:
@@ -406,17 +407,17 @@ class Diagnosis(_Report):
 
 
 class Addition(_Fitted):
-    """A model with effects switched on, and what that bought.
+    """Model with added effects and the change of its error.
 
     Attributes
     ----------
     models : dict of str to Model
-        As of a `Calibration`.
+        Models as in `Calibration`.
     """
 
     @property
     def refused(self) -> str:
-        """Why the effects do not help; empty where they do."""
+        """Reason why the effects do not help; empty if they help."""
         return self._answer.refused
 
     def __repr__(self) -> str:
@@ -433,7 +434,7 @@ def _first(document: dict[str, Any]) -> dict[str, Any]:
 
 
 def _frame(csv: str, **how: Any) -> pandas.DataFrame:
-    """Read CSV that the library wrote. Texts have no apostrophe in front, which keeps them from being formulas."""
+    """Read CSV from the library. The apostrophe that keeps a text from being a formula is removed."""
     import pandas
 
     def plain(cell: Any) -> Any:
@@ -450,7 +451,7 @@ def _write(path: str | os.PathLike[str], text: str, overwrite: bool) -> None:
 
 
 def write_files(files: Iterable[tuple[str | os.PathLike[str], str]], overwrite: bool) -> None:
-    """All of them, each whole, or none. A path is text or a path: a number would be a stream of the process."""
+    """Write all files completely, or none. A number is refused as a path, because it would be an open file of the process."""
     named = [(os.fsdecode(path), text) for path, text in files]
     for name, _ in named:
         if not overwrite and os.path.lexists(name):

@@ -1,4 +1,4 @@
-"""Which datum of a model matters most for what it predicts."""
+"""Influence of each datum of a model on its predictions."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ _FIRST = 15  # data of a report
 
 
 class Sensitivity(_Answer):
-    """Derivatives of predictions by every datum of a model, and where asked their indices of Sobol'.
+    """Derivatives of predictions with respect to every datum of a model, and their Sobol' indices if requested.
 
-    The spread of a datum is how far it may be off either way; ``change`` is what that does to the
-    prediction, ``share`` what it has of the sum of squares of all changes.
+    The spread of a datum is its possible error in both directions. ``change`` is the resulting change of the
+    prediction, and ``share`` is its share of the sum of squares of all changes.
     """
 
     def to_frame(self) -> pandas.DataFrame:
         """Return one row per prediction, state and datum, the largest change first.
 
-        With indices: ``first``, ``total`` and half the widths of their 95 % intervals.
+        Indices add the columns ``first``, ``total`` and half the widths of their 95 % intervals.
         """
         import pandas
 
@@ -47,11 +47,11 @@ class Sensitivity(_Answer):
 
     @property
     def does_not_enter(self) -> list[str]:
-        """Data that change no digit of any of the predictions."""
+        """Names of the data that change no digit of any prediction."""
         return list(self.data["does_not_enter"])
 
     def text(self) -> str:
-        """Tell in words and a table what matters, for each prediction and state."""
+        """Return a text with a table of the most influential data for each prediction and state."""
         blocks = [_block(p) for p in self.data["predictions"]]
         if self.does_not_enter:
             blocks.append("does not enter: " + ", ".join(self.does_not_enter))

@@ -1,4 +1,4 @@
-"""What a spindle answers: steady states, runs, modes, deflections, step responses."""
+"""Results of questions to a spindle: steady states, runs, modes, deflections and step responses."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class _OfSpindle(_Answered):
 
     @property
     def converged(self) -> bool:
-        """True if the whole answer was found."""
+        """True if all results were found."""
         return self._answer.converged
 
     def to_frame(self) -> pandas.DataFrame:
@@ -33,21 +33,21 @@ class _OfSpindle(_Answered):
         return _rows(self._answer.csv())
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Write that CSV, with the model in its head; an existing file only with `overwrite`."""
+        """Write this CSV with the model in its head. `overwrite` replaces an existing file."""
         _write(path, self._answer.csv(), overwrite)
 
 
 class _WithField(_OfSpindle):
-    """With the temperature of every cell at its end."""
+    """Result with the temperature of every cell at the end."""
 
     @property
     def end_state(self) -> str:
-        """All temperatures at the end as JSON, which `Model.simulate` takes as `start`.
+        """All temperatures at the end as JSON. `Model.simulate` accepts it as `start`.
 
         Raises
         ------
         ValueError
-            Of steady states: for several speeds, and where there is none.
+            The result has steady states at several speeds, or none.
         """
         return self._answer.end_state()
 
@@ -57,13 +57,13 @@ class _WithField(_OfSpindle):
         Raises
         ------
         ValueError
-            As `end_state`.
+            Same as for `end_state`.
         """
         return _rows(self._answer.field())
 
 
 class SteadyStates(_WithField):
-    """Steady state of a spindle, for one speed or several. For a speed without steady state the numbers are NaN."""
+    """Steady states of a spindle at one or several speeds. A speed without a steady state has NaN."""
 
     @property
     def status(self) -> list[str]:
@@ -75,14 +75,14 @@ class SteadyStates(_WithField):
 
 
 class SpindleRun(_WithField):
-    """A spindle through a speed programme, row by row; where it ended early those before.
+    """Run of a spindle through a speed programme, row by row. A run that ends early has the rows before its end.
 
     `raceway.plot.spindle_run` draws it.
     """
 
     @property
     def status(self) -> str:
-        """``"converged"``, or why it ended early.
+        """``"converged"``, or the reason for an early end.
 
         ``"thermal_runaway"``, ``"no_equilibrium"`` or ``"step_limit"``.
         """
@@ -113,21 +113,21 @@ class Modes(_OfSpindle):
 
 
 class Deflection(_OfSpindle):
-    """A shaft under a force. `to_frame()` is its bending line, of a radial one."""
+    """Shaft under a force. For a radial force, `to_frame()` is the bending line."""
 
     @property
     def status(self) -> str:
-        """``"converged"``, or why there is none."""
+        """``"converged"``, or the reason why there is no balance."""
         return self.data["report"]["status"]
 
     @property
     def displacement_um(self) -> float | None:
-        """Displacement at the force, in its direction."""
+        """Displacement at the place and in the direction of the force."""
         return self.data["displacement_um"]
 
     @property
     def stiffness_N_um(self) -> float | None:
-        """Force over displacement there; None of several loads together."""
+        """Force divided by this displacement; None for several loads together."""
         return self.data["stiffness_N_um"]
 
     def __repr__(self) -> str:
@@ -143,33 +143,33 @@ class StepResponses(_OfSpindle):
 
     @property
     def status(self) -> list[str]:
-        """Status of each step, those of loads last."""
+        """Status of each step; load steps come last."""
         return [row["status"] for row in self.data["rows"] + self.data.get("load_rows", [])]
 
     def save_correction(self, path: str | os.PathLike[str], *, law: str = "curve", lags: str = "auto", overwrite: bool = False) -> list[Note]:
-        """Write the correction of these steps, with its tables in the same folder.
+        """Write the correction of these steps with its tables into one folder.
 
         Parameters
         ----------
         path : path
-            Of the model of the correction (TOML). Its tables have that name before theirs.
+            File of the correction (TOML). The names of its tables begin with this name.
         law : {"curve", "power", "line"}
-            How K and T depend on P: by a table through all steps, a power of P, or a chord.
+            Law of K and T over P: a table through all steps, a power of P, or a chord.
         lags : {"auto", "one", "two"}
-            Delay elements; ``"auto"`` tries both over a day of changing speeds.
+            Number of delay elements. ``"auto"`` tries both on a day of changing speeds.
         overwrite : bool
 
         Returns
         -------
         list of Note
-            What was chosen.
+            Notes on the chosen law and delay elements.
 
         Raises
         ------
         InputError
-            Steps that make no such correction.
+            The steps give no such correction.
         FileExistsError
-            One of the files is there, and `overwrite` was not given; none is written then.
+            A file exists and `overwrite` is false. No file is written.
         """
         _one_of("law", law, ("curve", "power", "line"))
         _one_of("lags", lags, ("auto", "one", "two"))
@@ -181,25 +181,25 @@ class StepResponses(_OfSpindle):
         return notes
 
     def superposition(self, correction: str | os.PathLike[str], programme: Record) -> dict[str, Any]:
-        """Hold a correction against the whole simulation, over a programme of speeds.
+        """Compare a correction with the complete simulation over a speed programme.
 
         Parameters
         ----------
         correction : path
-            As `save_correction` wrote it.
+            File that `save_correction` wrote.
         programme : Record
-            ``time_s`` and ``speed_rpm``, and ``axial_load_N`` and ``radial_load_N`` where there are loads.
+            Columns ``time_s`` and ``speed_rpm``, and ``axial_load_N`` and ``radial_load_N`` for loads.
 
         Returns
         -------
         dict
-            ``rms_um``, ``largest_um`` at ``time_of_largest_s``, and the travel of the simulation,
+            ``rms_um``, ``largest_um`` at ``time_of_largest_s``, and the range of the simulation from
             ``lowest_um`` to ``highest_um``.
 
         Raises
         ------
         InputError
-            For no correction, no programme, or step responses that were not simulated.
+            A file is no correction or no programme, or the step responses were not simulated.
         """
         if not isinstance(programme, Record):
             wrong = type(programme).__name__
@@ -216,7 +216,7 @@ def _rows(csv: str) -> pandas.DataFrame:
 
 
 def _ended(status: list[str], what: str) -> str:
-    """ "3 speeds", or "3 speeds, 1 of them without result"."""
+    """Return "3 speeds", or "3 speeds, 1 of them without result"."""
     failed = sum(s != "converged" for s in status)
     words = f"{len(status)} {what}" + ("" if len(status) == 1 else "s")
     return words if failed == 0 else f"{words}, {failed} of them without result"
@@ -228,7 +228,7 @@ def _one_of(name: str, value: object, allowed: tuple[str, ...]) -> None:
 
 
 def start_of(start: Any) -> tuple[str, str] | None:
-    """Name and text of the state that a simulation begins with."""
+    """Return name and text of the initial state of a simulation."""
     if start is None:
         return None
     if isinstance(start, _WithField):

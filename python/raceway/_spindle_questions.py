@@ -1,4 +1,4 @@
-"""What a Model is asked as a spindle."""
+"""Questions to a model of a spindle."""
 
 from __future__ import annotations
 
@@ -35,41 +35,42 @@ class SpindleQuestions:
         assumptions: bool = False,
         time_limit_s: float | None = None,
     ) -> SteadyStates:
-        """Find the steady state: temperatures, preload, displacement, heat at each speed.
+        """Calculate the steady state at each speed: temperatures, preload, displacement and heat.
 
         Parameters
         ----------
         speed_rpm : float or sequence of float
-            Growing.
+            Speeds in rising order.
         coolant : bool
-            Whether it flows.
+            True if the coolant flows.
         ambient_temperature_C : float, optional
-            Of the room; default: the model.
+            Room temperature. Default: value of the model.
         axial_load_N : float, optional
-            At the nose, positive towards the tool; default: the model.
+            Axial load at the nose, positive towards the tool. Default: value of the model.
         radial_load_N, moment_Nm : float
-            At the nose; the moment is positive as the radial load further in front.
+            Loads at the nose. A positive moment acts like the radial load further in front.
         belt_force_N : float, optional
-            Pull of the belt; default: the model.
+            Pull of the belt. Default: value of the model.
         motor_power_W : float, optional
-            That the motor takes, for formulas of heat that use it.
+            Power of the motor, for heat formulas that use it.
         assumptions : bool
-            Whether ``data["assumptions"]`` names the five assumed numbers that move the nose most, at the
-            last speed. It takes some fifty further states.
+            True adds ``data["assumptions"]``: the five assumed numbers that move the nose most at the last speed.
+            This needs some fifty more states.
         time_limit_s : float, optional
-            After which it gives up with TimeoutError.
+            Time after which TimeoutError is raised.
 
         Returns
         -------
         SteadyStates
-            A speed that has none is a warning of the kind `Doubt`, and `SteadyStates.status` says why.
+            A speed without a steady state gives a warning of the kind `Doubt`. `SteadyStates.status` has the
+            reason.
 
         Raises
         ------
         InputError
-            For a model that is no spindle, a speed out of its range.
+            The model is not a spindle, or a speed is out of range.
         KeyboardInterrupt
-            Stops it; nothing is left half done.
+            An interrupt stops the calculation. Nothing is left half done.
 
         Examples
         --------
@@ -108,41 +109,42 @@ class SpindleQuestions:
     ) -> SpindleRun:
         """Simulate a spindle through a speed programme.
 
-        Temperatures, preload, displacement and heat over time.
+        The result has temperatures, preload, displacement and heat over time.
 
         Parameters
         ----------
         profile : Record
-            Columns ``time_s`` and ``speed_rpm``, and where they are known ``coolant_on``,
+            Columns ``time_s`` and ``speed_rpm``, and if known ``coolant_on``,
             ``ambient_temperature_C``, ``machine_temperature_C``, ``coolant_inlet_temperature_C``,
             ``axial_load_N``, ``radial_load_N``, ``moment_Nm``, ``belt_force_N``, ``motor_heat_W``,
-            ``motor_power_W``. A row's inputs hold from the row before it to its time.
+            ``motor_power_W``. The inputs of a row hold from the previous row to
+            its time.
         start : SteadyStates, SpindleRun, str or path, optional
-            What to begin with: the end of another result, its `end_state`, or the path of one.
-            Default: all as warm as the room.
+            Initial state: another result, its `end_state`, or a file with one. Default: everything has room
+            temperature.
         coolant : bool
-            False: off in every row.
+            False turns the coolant off in all rows.
         ambient_temperature_C : float, optional
-            In every row; default its column, else the model.
+            Room temperature of all rows. Default: the column, or else the model.
         assumptions : bool
-            Whether ``data["assumptions"]`` names the five assumed numbers that move the nose most where
-            all is steady at the highest speed.
+            True adds ``data["assumptions"]``: the five assumed numbers that move the nose most in the steady state
+            at the highest speed.
         time_limit_s : float, optional
-            After which it gives up with TimeoutError.
+            Time after which TimeoutError is raised.
 
         Returns
         -------
         SpindleRun
-            One that ends early has the rows before, a warning of the kind `Doubt` and why in
-            `SpindleRun.status`.
+            A run that ends early has the rows before its end and a warning of the kind `Doubt`.
+            `SpindleRun.status` has the reason.
 
         Raises
         ------
         InputError
-            For a model that is no spindle, a profile without time or speed or of several runs, a state
-            of another spindle.
+            The model is not a spindle, the profile has no time, no speed or several runs, or the state belongs
+            to another spindle.
         KeyboardInterrupt
-            Stops it; nothing is left half done.
+            An interrupt stops the calculation. Nothing is left half done.
 
         Examples
         --------
@@ -180,35 +182,35 @@ class SpindleQuestions:
         unbalance_gmm: float | None = None,
         unbalance_at_mm: float = 0.0,
     ) -> Modes:
-        """Find the lowest natural frequencies of the shaft on its bearings, with gyroscopic effect.
+        """Calculate the lowest natural frequencies of the shaft on its bearings, with gyroscopic effect.
 
         Parameters
         ----------
         speed_rpm : float or sequence of float
-            Growing.
+            Speeds in rising order.
         warm : bool
-            With the stiffness that the bearings have in the steady, warm spindle; else all is at the
-            temperature of mounting.
+            True uses the bearing stiffness of the warm spindle in its steady state. False uses the mounting
+            temperature.
         coolant : bool
-            Of the warm spindle.
+            True if the coolant of the warm spindle flows.
         count : int
-            How many, 1 to 40.
+            Number of modes, 1 to 40.
         damping_ratio : float, optional
-            Of every mode, as you state it, up to 1.
+            Damping ratio of all modes, up to 1.
         unbalance_gmm, unbalance_at_mm : float
-            An unbalance that turns with the shaft, which needs a damping ratio: each speed then has
+            Unbalance that turns with the shaft; it needs a damping ratio. Each speed then has
             ``nose_amplitude_um`` and ``nose_lag_deg``.
 
         Returns
         -------
         Modes
-            `raceway.plot.campbell` draws them. ``data["crossings"]`` says where once and twice per turn and
-            the cage and races of each bearing meet a mode.
+            `raceway.plot.campbell` draws them. ``data["crossings"]`` has the speeds at which the speed, twice the
+            speed, and the cage and race frequencies of each bearing meet a mode.
 
         Raises
         ------
         InputError
-            For a model whose [shaft] has no segments.
+            The [shaft] of the model has no segments.
 
         Examples
         --------
@@ -246,28 +248,28 @@ class SpindleQuestions:
         warm: bool = False,
         coolant: bool = True,
     ) -> Deflection:
-        """Bend the shaft on its bearings, whose balls find their balance under the load.
+        """Calculate the deflection of the shaft on its bearings, with balls in balance under the load.
 
         Parameters
         ----------
         force_N : float
-            An axial one is positive towards the tool.
+            Force. An axial force is positive towards the tool.
         direction : {"radial", "axial"}
         at_mm : float
-            Where it acts, behind the nose face.
+            Place of the force behind the nose face.
         axial_force_N, moment_Nm : float
-            Beside a radial force, at the same place: positive towards the tool; positive as the force
-            further in front.
+            Loads at the same place, in addition to a radial force. The axial force is positive towards the
+            tool. A positive moment acts like the force further in front.
         speed_rpm : float
         warm : bool
-            With the preload that the steady, warm spindle has at this speed.
+            True uses the preload of the warm spindle in its steady state at this speed.
         coolant : bool
-            Of the warm spindle.
+            True if the coolant of the warm spindle flows.
 
         Raises
         ------
         InputError
-            Where nothing pushes, loads do not go together, or the [shaft] has no segments.
+            There is no load, the loads do not fit together, or the [shaft] has no segments.
 
         Examples
         --------
@@ -305,35 +307,36 @@ class SpindleQuestions:
         temperature_C: float | None = None,
         time_limit_s: float | None = None,
     ) -> StepResponses:
-        """Find gain K and time constant T of the thermal displacement over the friction power.
+        """Calculate gain K and time constant T of the thermal displacement over the friction power.
 
         Parameters
         ----------
         speed_rpm : float or sequence of float
-            Of the steps, each from rest; growing.
+            Speeds of the steps from rest, in rising order.
         axial_load_N, radial_load_N : float or sequence of float, optional
-            Steps of a load at the nose of the spindle that has settled at each speed; growing. The
-            axial one is positive towards the tool.
+            Load steps at the nose of the spindle in its steady state at each speed, in rising order. An axial
+            load is positive towards the tool.
         load_speed_rpm : float or sequence of float, optional
-            Speeds at which loads step; default: all of `speed_rpm`.
+            Speeds of the load steps. Default: all of `speed_rpm`.
         duration_h : float
-            Of each step.
+            Duration of each step.
         coolant : bool
         load_cases : Record, optional
-            In place of speeds to simulate: step responses of another program, with ``time_s``,
-            ``axial_displacement_um``, ``power_W`` or ``speed_rpm``, and ``load_case`` where several
-            have one size. The model may then be any shaft.
+            Step responses of another program instead of a simulation, with ``time_s``,
+            ``axial_displacement_um``, ``power_W`` or ``speed_rpm``, and ``load_case`` if several have the same
+            size. The model can then be any shaft.
         temperature_C : float, optional
-            Of the lubricant, for the power of load cases with a speed alone; default: the model.
+            Lubricant temperature for the power of load cases that only have a speed. Default: value of the
+            model.
         time_limit_s : float, optional
-            After which it gives up with TimeoutError.
+            Time after which TimeoutError is raised.
 
         Raises
         ------
         InputError
-            For a model that is no spindle, load cases that cannot be read or fitted.
+            The model is not a spindle, or the load cases cannot be read or fitted.
         KeyboardInterrupt
-            Stops it; nothing is left half done.
+            An interrupt stops the calculation. Nothing is left half done.
 
         Examples
         --------
@@ -374,7 +377,7 @@ class SpindleQuestions:
 
 
 def _number(name: str, value: float | None) -> float:
-    """NaN for None."""
+    """Return NaN for None."""
     if value is None:
         return _NAN
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
