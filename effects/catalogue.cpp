@@ -139,6 +139,8 @@ std::string_view text(Need need) {
       return "inner_ring_temperature_C and outer_ring_temperature_C of every row";
     case Need::loads:
       return "a load on every row, to solve for the balls";
+    case Need::several_axial_loads:
+      return "more than one axial load";
     case Need::several_bearings:
       return "bearings = 2 or more under [rig]: a set that has a preload";
     case Need::rising_and_falling:

@@ -35,20 +35,21 @@ using Parameter = record::NumberCard;
 
 /// Data that a model and its record must offer before an effect can be tested or fitted.
 enum class Need {
-  speed_levels,        ///< more than one speed
-  load_levels,         ///< more than one load
-  preload_levels,      ///< more than one preload of the sets
-  viscosity_levels,    ///< more than one temperature
-  time,                ///< a time of every row
-  ring_temperatures,   ///< of inner and outer ring
-  loads,               ///< loads above zero, so that the balls can be solved for
-  several_bearings,    ///< a rig that reads the torque of two bearings or more
-  rising_and_falling,  ///< speeds that were reached from below and from above
-  ball_load_law,       ///< another effect that uses ball loads: base laws see the entered load only
-  palmgren_law,        ///< the SKF law contains this already
-  opposed_sets,        ///< bearings at both ends of the shaft
-  torque_standard,     ///< something other than the torque that fixes its scale
-  cold_friction        ///< a spindle whose friction goes by the forces of its cold sets
+  speed_levels,         ///< more than one speed
+  load_levels,          ///< more than one load
+  preload_levels,       ///< more than one preload of the sets
+  viscosity_levels,     ///< more than one temperature
+  time,                 ///< a time of every row
+  ring_temperatures,    ///< of inner and outer ring
+  loads,                ///< loads above zero, so that the balls can be solved for
+  several_axial_loads,  ///< more than one axial load, whatever else varies
+  several_bearings,     ///< a rig that reads the torque of two bearings or more
+  rising_and_falling,   ///< speeds that were reached from below and from above
+  ball_load_law,    ///< another effect that uses ball loads: base laws see the entered load only
+  palmgren_law,     ///< the SKF law contains this already
+  opposed_sets,     ///< bearings at both ends of the shaft
+  torque_standard,  ///< something other than the torque that fixes its scale
+  cold_friction     ///< a spindle whose friction goes by the forces of its cold sets
 };
 
 /// Missing data in words: "time_s of every row".

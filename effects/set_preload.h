@@ -63,7 +63,7 @@ struct SetPreload {
                                                    .plausible_upper = 2.0,
                                                    .neutral = unset}};
   static constexpr double size_power = 2.0;
-  static constexpr std::array needs{Need::several_bearings, Need::load_levels};
+  static constexpr std::array needs{Need::several_bearings, Need::several_axial_loads};
   static constexpr std::array<std::string_view, 8> bearing_data{
       "ball_count",       "ball_diameter",    "pitch_diameter", "contact_angle",
       "inner_conformity", "outer_conformity", "ball_material",  "ring_material"};

@@ -84,6 +84,8 @@ bool is_met(Need need, const Model& model, const record::Record& record) {
              record.complete(record::outer_ring_temperature);
     case Need::loads:
       return model.shaft || every_row_is_loaded(record);  // the sets load each other
+    case Need::several_axial_loads:
+      return has_levels(record::axial_load, record);
     case Need::several_bearings:
       return !model.shaft && model.rig.bearings > 1;
     case Need::rising_and_falling:

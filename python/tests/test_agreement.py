@@ -61,16 +61,17 @@ def test_many_states_are_the_single_ones():
 
 
 def test_torque_of_sets(command, tmp_path):
-    sets = raceway.Model.new("S 6014 C").text + '\n[arrangement]\nlayout = "O"\nfront = 1\nrear = 1\npreload_N = {}\n'
-    truth = raceway.Model.from_text(sets.format(900))
+    bearing = raceway.Model.new("S 6014 C", law="palmgren").text
+    sets = bearing.replace('free = ["f0", "z"]', 'free = ["preload_N"]') + '\n[arrangement]\nlayout = "O"\nfront = 1\nrear = 1\npreload_N = {}\n'
+    truth = raceway.Model.from_text(sets.replace("{}", "900"))
     frame = truth.table(range(1000, 16001, 3000), [0, 400, 1500]).to_frame()
     record = frame[["speed_rpm", "axial_load_N", "temperature_C", "friction_torque_Nmm"]]
-    model = raceway.Model.from_text(sets.format(600) + '[calibration]\nfree = ["preload_N"]\n')
+    model = raceway.Model.from_text(sets.replace("{}", "600"))
     found = model.calibrate(record)
-    assert found.parameters["preload_N"].value == pytest.approx(900, rel=1e-3)
+    assert found.parameters["preload_N"]["value"] == pytest.approx(900, rel=1e-3)
     model.save(tmp_path / "my.toml")
     record.to_csv(tmp_path / "rows.csv", index=False)
-    assert found.data == command("calibrate", str(tmp_path / "my.toml"), str(tmp_path / "rows.csv"))
+    assert found.data["parameters"] == command("calibrate", str(tmp_path / "my.toml"), str(tmp_path / "rows.csv"))["parameters"]
 
 
 def test_table(command, tmp_path):
