@@ -65,12 +65,13 @@ def test_torque_of_sets(command, tmp_path):
     sets = bearing.replace('free = ["f0", "z"]', 'free = ["preload_N"]') + '\n[arrangement]\nlayout = "O"\nfront = 1\nrear = 1\npreload_N = {}\n'
     truth = raceway.Model.from_text(sets.replace("{}", "900"))
     frame = truth.table(range(1000, 16001, 3000), [0, 400, 1500]).to_frame()
-    record = frame[["speed_rpm", "axial_load_N", "temperature_C", "friction_torque_Nmm"]]
+    frame = frame[["speed_rpm", "axial_load_N", "temperature_C", "friction_torque_Nmm"]]
+    record = raceway.Record.from_pandas(frame)
     model = raceway.Model.from_text(sets.replace("{}", "600"))
     found = model.calibrate(record)
     assert found.parameters["preload_N"]["value"] == pytest.approx(900, rel=1e-3)
     model.save(tmp_path / "my.toml")
-    record.to_csv(tmp_path / "rows.csv", index=False)
+    frame.to_csv(tmp_path / "rows.csv", index=False)
     assert found.data["parameters"] == command("calibrate", str(tmp_path / "my.toml"), str(tmp_path / "rows.csv"))["parameters"]
 
 
