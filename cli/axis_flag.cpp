@@ -36,24 +36,28 @@ std::vector<double> axis(const std::string& text, const std::string& flag) {
     }
     const std::size_t second = item.find(':', first + 1);
     if (second == std::string_view::npos)
-      throw text::InputError(flag + ": " + text::quoted(item) + ": a range is from:to:step",
-                             {.key = flag});
+      throw text::InputError(
+          flag + ": " + text::quoted(item) + ": write a range as from:to:step, such as 0:12000:250",
+          {.key = flag});
     const double from = one_number(item.substr(0, first), flag);
     const double to = one_number(item.substr(first + 1, second - first - 1), flag);
     const double step = one_number(item.substr(second + 1), flag);
     if (!(step > 0.0) || to < from)
       throw text::InputError(
-          flag + ": " + text::quoted(item) + ": a range goes up from:to by a step above 0",
+          flag + ": " + text::quoted(item) +
+              ": the end of a range must not be below its start, and the step must be above 0",
           {.key = flag});
     const double count = std::floor((to - from) / step * (1.0 + 1e-12) + 1e-9);
     if (count + static_cast<double>(values.size()) > 1e7)
-      throw text::InputError(flag + ": " + text::quoted(item) + ": more than ten million values",
+      throw text::InputError(flag + ": " + text::quoted(item) +
+                                 ": the range has more than ten million values; use a larger step",
                              {.key = flag});
     for (double i = 0.0; i <= count; i += 1.0) values.push_back(from + i * step);
   }
   if (!std::is_sorted(values.begin(), values.end()) ||
       std::adjacent_find(values.begin(), values.end()) != values.end())
-    throw text::InputError(flag + ": the values must grow", {.key = flag});
+    throw text::InputError(flag + ": the values must be in ascending order, each of them once",
+                           {.key = flag});
   return values;
 }
 

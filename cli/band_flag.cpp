@@ -18,7 +18,7 @@ std::optional<model::Band> BandFlag::of(const files::ModelFile& file) const {
   if (!on) return std::nullopt;
   return session::band_of(
       file, "--band",
-      fmt::format("raceway calibrate {} DATA -o FILE first, FILE has one", file.source));
+      fmt::format("raceway calibrate {} DATA -o FILE writes a model that has one", file.source));
 }
 
 std::string band_text(double half_width, double unit) {

@@ -56,11 +56,10 @@ std::vector<shaft::PairRigidity> classes_of(const files::CatalogueBearing& row) 
       classes.push_back(
           {.preload_class = name, .preload = preload->force, .printed = preload->axial_rigidity});
   if (classes.empty())
-    throw text::InputError(
-        row.full_name() +
-            ": the catalogue prints no axial rigidity at a preload, so nothing tells "
-            "the conformity",
-        {.key = "catalogue"});
+    throw text::InputError(row.full_name() +
+                               ": the catalogue prints no axial rigidity at a preload, so the "
+                               "conformity cannot be fitted",
+                           {.key = "catalogue"});
   return classes;
 }
 
@@ -110,8 +109,10 @@ int calibrate_conformity(const ConformityFlags& flags) {
     return not_converged;
   }
   if (fit.rms > poor)
-    warn({fmt::format("one conformity leaves {:.2g} % between the classes: take it with care",
-                      100.0 * fit.rms)});
+    warn(
+        {fmt::format("with one conformity, the rigidities differ from the printed ones by {:.2g} % "
+                     "(rms): use it with care",
+                     100.0 * fit.rms)});
   if (flags.output.empty()) return done;
   const double shown = std::round(fit.conformity * 1e5) / 1e5;  // far below its standard error
   const std::string origin =

@@ -74,8 +74,8 @@ void print_tests(const rig::SensorCalibration& c) {
     fmt::print("hysteresis  {} V falling less rising at {:.4g} N m, {}{}\n", number(h.largest, 3),
                h.largest_at, percent(c, h.largest),
                !std::isnan(h.p_value) ? "; " + p_text(h.p_value)
-               : h.torques == 1       ? "; one torque does not tell it from scatter"
-                                      : "; two torques do not tell it from scatter");
+               : h.torques == 1       ? "; one torque is too few to separate it from scatter"
+                                      : "; two torques are too few to separate it from scatter");
 }
 
 /// What a record made with this sensor will have for its rows.

@@ -45,10 +45,9 @@ void print_errors(const std::vector<results::Learnt>& list) {
   }
   fmt::print("{}", table.text(terminal_width()));
   fmt::print(
-      "\nRMS of the readings that nothing was learnt from: of the model with the zero of the "
-      "first\n"
-      "reading, with that of the last one, and as it learns. Due: the next reading, for the "
-      "tolerance\n");
+      "\nRMS error of the readings from which nothing was learnt, with the zero of the first "
+      "reading,\nwith the zero of the last reading, and with learning. Due: time until the next "
+      "reading is needed\n");
 }
 
 /// Gains, and those lags that stand out.

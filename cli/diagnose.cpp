@@ -101,10 +101,10 @@ Run setup_diagnose(CLI::App& command) {
   command.add_flag("--no-pairs", flags->no_pairs, "single effects only, for a quick look");
   command
       .add_option("--tried-before", flags->tried_before,
-                  "explanations of your own already tried on these data")
+                  "number of explanations that you have already tried on these data")
       ->type_name("N");
   add_number(command, "--time-limit", flags->time_limit, {0.001, 1e6, "s"},
-             "[s] after which it gives up; default 120");
+             "[s] after which diagnose stops; default 120");
   declare(command, flags->loop);
   declare(command, flags->loop.tolerance);
   command.add_flag("--verbose", flags->verbose,

@@ -95,7 +95,7 @@ Run setup_export(CLI::App& command) {
   command.add_option("-o,--output", flags->output, "file to write; stdout without it")
       ->type_name("FILE");
   command.add_flag("--accept-untrusted", flags->accept_untrusted,
-                   "export a correction that is not to be used, too");
+                   "export a correction even if its trust is: do not use");
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.footer(
       "Example:\n  raceway export z.toml --format python -o correction.py\n"

@@ -45,7 +45,7 @@ void print_bank(const correction::Identification& found) {
 
 /// Errors on the rest of the record, of fits to its first part.
 void print_ahead(const correction::Identification& found) {
-  TextTable table({{"fitted to", "h"}, {"RMS of the rest", unit_of(found)}});
+  TextTable table({{"fitted to", "h"}, {"error ahead", unit_of(found)}});
   for (const correction::AheadError& e : found.ahead)
     table.add({number(e.from / 3600.0, 3), number(e.rms / um, 3)});
   fmt::print("{}", table.text(terminal_width()));

@@ -32,14 +32,13 @@ std::string text_of(const NewFlags& flags) {
   if (!flags.record.empty()) {
     if (names_a_bearing(flags.wanted))
       throw text::InputError(
-          "raceway new: --record begins a correction, which has no bearing: leave out BEARING, "
-          "--spindle and what describes them",
+          "raceway new: --record writes a correction, which has no bearing: leave out BEARING, "
+          "--spindle and their flags",
           {.key = "--record"});
     return session::new_correction_text(messages(), flags.record, {.columns = flags.columns});
   }
   if (!flags.columns.empty())
-    throw text::InputError("raceway new: --columns is for the columns of a --record",
-                           {.key = "--columns"});
+    throw text::InputError("raceway new: --columns needs --record", {.key = "--columns"});
   session::NewModel wanted = flags.wanted;
   if (wanted.bearing.empty() && !wanted.spindle)
     throw text::InputError(
@@ -70,7 +69,7 @@ Run setup_new(CLI::App& command) {
                   "designation, of the catalogue (raceway bearings) or not")
       ->type_name("");
   command.add_flag("--spindle", flags->wanted.spindle,
-                   "a spindle on three of it, S 6014 C without BEARING; runs as it stands");
+                   "a complete spindle on three of these bearings (without BEARING: S 6014 C)");
   command
       .add_option("--record", flags->record,
                   "instead a correction, for the displacements of this record over time\n"

@@ -55,12 +55,10 @@ void require_no_input(const std::string& output, const std::string& own_model) {
   if (!own_model.empty() && same_file(output, own_model)) return;
   for (const std::string& input : files.inputs)
     if (same_file(output, input))
-      throw text::InputError(output +
-                             ": is read by this run, so it cannot be what it writes; name another "
-                             "file" +
-                             (input == output || input.starts_with("/dev/")
-                                  ? ""
-                                  : " (it is the same as " + input + ")"));
+      throw text::InputError(
+          output + ": this run reads the file, so it cannot write it; name another file" +
+          (input == output || input.starts_with("/dev/") ? ""
+                                                         : " (it is the same as " + input + ")"));
 }
 
 }  // namespace
@@ -116,8 +114,7 @@ void check_outputs(const std::vector<std::string>& outputs) {
     for (const std::string& named : files_of_run().outputs)
       if (same_file(named, outputs[k]))
         throw text::InputError(named +
-                               ": this run writes another file of that name, too; name "
-                               "another one");
+                               ": this run already writes a file of that name; name another one");
   }
 }
 

@@ -46,21 +46,24 @@ void check_flags(const SpindleFlags& f) {
   if (f.profile.empty() == f.speed.empty())
     fail("must have one of --speed-profile and --speed with --steady", "--speed");
   if (!f.speed.empty() && !f.steady)
-    fail("--speed is of a state that is steady: add --steady, or give a --speed-profile",
-         "--steady");
+    fail("--speed needs --steady; for a course over time use --speed-profile", "--steady");
   if (f.steady && !f.profile.empty())
-    fail("--steady knows no course in time; take --speed in place of --speed-profile", "--steady");
+    fail(
+        "--steady needs --speed instead of --speed-profile, because a steady state has no course "
+        "over time",
+        "--steady");
   const bool loads = !std::isnan(f.axial_load_N) || f.radial_load_N != 0.0 || f.moment_Nm != 0.0 ||
                      !std::isnan(f.belt_force_N) || !std::isnan(f.motor_power_W);
   if (!f.steady && loads)
     fail(
-        "--axial-load, --radial-load, --moment, --belt-force and --motor-power are of a state that "
-        "is steady; a --speed-profile has columns for them",
+        "--axial-load, --radial-load, --moment, --belt-force and --motor-power need --steady; a "
+        "--speed-profile has columns for them",
         "--radial-load");
   if (f.steady && !f.start.empty())
-    fail("--start: a steady state does not know where it came from", "--start");
+    fail("--start: a steady state does not depend on its start; remove --start or --steady",
+         "--start");
   if (f.steady && (!f.reading.columns.empty() || f.reading.drop_nan))
-    fail("--columns and --drop-nan are of a --speed-profile, which --steady does not read",
+    fail("--columns and --drop-nan need a --speed-profile, which --steady does not read",
          f.reading.drop_nan ? "--drop-nan" : "--columns");
   refuse_two_on_stdout("spindle", f.json, f.output);
   for (const std::string& path : {f.output, f.field}) f.csv.require_writable(path, f.if_exists());
@@ -99,7 +102,7 @@ int run_steady(const SpindleFlags& f, const files::ModelFile& file) {
   require_all(question.speeds, speed_range, "--speed");
   for (double& speed : question.speeds) speed *= rpm;
   if ((!f.field.empty() || !f.end_state.empty()) && question.speeds.size() > 1)
-    throw text::InputError("raceway spindle: --field and --end-state are of one speed",
+    throw text::InputError("raceway spindle: --field and --end-state need a single speed",
                            {.key = "--speed"});
   const session::SteadySpindle found = session::steady_spindle(file, question);
   const std::size_t count = found.states.size();
@@ -165,7 +168,7 @@ Run setup_spindle(CLI::App& command) {
       ->type_name("FILE");
   command.add_option("--speed", flags->speed, "[rpm], as 6000 or as from:to:step; with --steady")
       ->type_name("VALUES");
-  command.add_flag("--steady", flags->steady, "where all has come to rest, at each --speed");
+  command.add_flag("--steady", flags->steady, "the steady state at each --speed");
   command.add_option("--coolant", flags->coolant, "on or off; off: in every row")
       ->check(CLI::IsMember({"on", "off"}))
       ->type_name("STATE");

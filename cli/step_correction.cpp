@@ -27,8 +27,9 @@ void StepCorrectionFlags::declare(CLI::App& command) {
       ->check(CLI::IsMember({"one", "two", "auto"}))
       ->type_name("NUMBER");
   command
-      .add_option("--programme", programme,
-                  "CSV with time_s, speed_rpm and loads: the correction against the simulation")
+      .add_option(
+          "--programme", programme,
+          "CSV with time_s, speed_rpm and loads: compares the correction with the simulation")
       ->type_name("FILE");
   for (const char* const of_correction : {"--law", "--lags"})
     command.get_option(of_correction)->needs("--correction");
@@ -37,8 +38,8 @@ void StepCorrectionFlags::declare(CLI::App& command) {
 void StepCorrectionFlags::check(bool has_model) const {
   if (!programme.empty() && (file.empty() || !has_model))
     throw text::InputError(
-        "raceway step-response: --programme holds a correction against the simulation of MODEL: "
-        "name --correction FILE",
+        "raceway step-response: --programme compares a correction with the simulation of MODEL: "
+        "--correction FILE is missing",
         {.key = "--programme"});
   if (file == "-")
     throw text::InputError("raceway step-response: --correction -: writes tables too; name a file",

@@ -52,10 +52,10 @@ void check_flags(const TableFlags& f) {
   if (f.csv.format != "csv" && f.output.empty())
     fail("--format", "--format needs a file: --output is missing");
   if (f.csv.format != "csv" && !f.slab.empty())
-    fail("--slab", "a slab is to be merged, which takes --format csv alone");
+    fail("--slab", "--slab needs --format csv, because --merge reads no other format");
   refuse_two_on_stdout("table", f.json, f.output);
   if (!f.slab.empty() && (f.output.empty() || f.json))
-    fail("--slab", "a slab is for a file to be merged: --slab needs --output");
+    fail("--slab", "--slab writes a file for --merge: --output is missing");
   f.csv.require_writable(f.output, f.if_exists());
   if (!f.plot.empty()) {
     text::require_name_of(f.plot, text::Written::picture);

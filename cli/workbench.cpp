@@ -68,8 +68,7 @@ int run(const WorkbenchFlags& flags) {
   constexpr std::string_view place = "<!--@LOADED@-->";
   const std::size_t at = page.rfind(place);
   if (at == page.npos)
-    throw text::InputError(source + ": is no page of this version of the workbench",
-                           {.file = source});
+    throw text::InputError(source + ": is not a workbench page of this version", {.file = source});
   page.replace(at, place.size(), loaded(flags));
   text::write_text(flags.output, page, if_exists);
   say(flags.output + " written; open it in a browser");

@@ -168,8 +168,8 @@ class Planner {
         unknown += (unknown.empty() ? "" : ", ") + in.column;
     if (!unknown.empty())
       note(
-          fmt::format("[correction.range] has no {}: nothing will say when the machine goes "
-                      "beyond what the model was found in",
+          fmt::format("[correction.range] has no {}: the program cannot say when this input leaves "
+                      "the range of the training data",
                       unknown));
   }
 
@@ -193,8 +193,9 @@ class Planner {
           for (const double n : t.speed) made.torque_Nmm.push_back(t({n, axial, radial, T}) / N_mm);
     if (!t.holds({t.speed.front(), made.axial_load_N.front(), made.radial_load_N.front(),
                   temperatures.front()}))
-      note(fmt::format("channel {}: its load or temperature lies beyond {}; the edge holds",
-                       channel, t.file));
+      note(fmt::format(
+          "channel {}: its load or temperature is outside {}; the value at the edge applies",
+          channel, t.file));
     plan_.tables.push_back(std::move(made));
     return plan_.tables.size() - 1;
   }
@@ -279,7 +280,7 @@ class Planner {
                       f.sampling, other));
     note(
         fmt::format("channel {}: runs as a difference equation, because {}. It needs a call every "
-                    "{:g} s: after any other interval it stands still, with a flag",
+                    "{:g} s: after any other interval it keeps its value and sets a flag",
                     c.name, because, f.sampling));
     for (const std::string& meaning : correction::pole_warnings(*c.printed))
       plan_.warnings.push_back(fmt::format("channel {}: {}", c.name, meaning));
@@ -307,7 +308,7 @@ class Planner {
         axis.feedthroughs.push_back({c.name, drive, as_printed(form.through * to_um)});
       note(fmt::format(
           "channel {}: its polynomials became {} section{} and a feedthrough; called every {:g} s "
-          "they give the same, and at another rate what the same bodies give",
+          "they give the same result, and they are valid at any other rate",
           c.name, form.lags.size(), form.lags.size() == 1 ? "" : "s", c.printed->sampling));
     } catch (const std::invalid_argument& e) {
       add_equation(c, drive, e.what(), axis);
@@ -390,13 +391,13 @@ class Planner {
     if (e.own) {
       if (e.off) return;
       throw text::InputError(
-          fmt::format("{}: effect {} is a formula of your own, which no control can be given: take "
-                      "it out, or put what it follows into a column that drives a channel",
+          fmt::format("{}: effect {} is a formula of your own, which cannot be exported: remove "
+                      "it, or let a column with these values drive a channel",
                       plan_.source, e.id),
           {.file = plan_.source, .key = e.id});
     }
     if (correction::card_of(e).of_reading) {
-      note(fmt::format("{}: is of the readings of one record, and is left out", full_id(e)));
+      note(fmt::format("{}: belongs to the readings of one record, and is left out", full_id(e)));
       return;
     }
     std::visit(ShareAdder{*this, m, e, axis}, correction::kind_of(e).share(e, m));
@@ -409,7 +410,7 @@ class Planner {
     hand_out(axis, *m.displacement);
     if (const correction::Trust trust = correction::trust_of(m);
         trust.level == correction::TrustLevel::unknown) {
-      note(fmt::format("{}: how far it may be trusted is {}", axis.column,
+      note(fmt::format("{}: the trust in this correction is {}", axis.column,
                        correction::line_of(trust)));
     } else {
       axis.trust = correction::name(trust.level);
@@ -421,10 +422,10 @@ class Planner {
     for (const Effect& e : m.effects) add(e, m, axis);
     if (m.initial_state == correction::InitialState::free)
       note(
-          fmt::format("{}: initial_state = \"free\" needs readings; a control begins from rest, "
+          fmt::format("{}: initial_state = \"free\" needs readings; the program starts from rest, "
                       "as if the machine were cold",
                       axis.column));
-    if (m.covariance) note(fmt::format("{}: the band of its numbers is not in it", axis.column));
+    if (m.covariance) note(fmt::format("{}: the program has no confidence band", axis.column));
     plan_.axes.push_back(std::move(axis));
   }
 
@@ -510,8 +511,8 @@ std::string allow_to_stand(ControlInput& in, double still_s,
   if (!(needed > in.stuck_s)) return {};
   const double before = std::exchange(in.stuck_s, needed);
   return fmt::format(
-      "{} stands still for {:.3g} min in {}: it counts as stuck after {:.6g} s in place of {:.6g} "
-      "s; stuck_s of [export] says another time",
+      "{} did not change for {:.3g} min in {}, so the program calls it stuck after {:.6g} s "
+      "instead of {:.6g} s; stuck_s in [export] sets another time",
       in.column, still_s / 60.0, where, needed, before);
 }
 

@@ -67,8 +67,8 @@ class Bank {
   void require_bare() const {
     if (!model_.channels.empty() || model_.kinematic || !model_.effects.empty())
       throw std::invalid_argument(
-          "a bank of lags stands in place of channels, effects and the kinematic law: give it a "
-          "model without them");
+          "a bank of lags replaces channels, effects and the kinematic law: give it a model "
+          "without them");
     if (model_.initial_state == InitialState::free)
       throw std::invalid_argument(
           "a bank of lags begins from rest: initial_state = \"free\" is not for it");

@@ -152,10 +152,10 @@ class Checking {
     if (result_.reading_interval > 120.0)
       result_.noise_at_most = fit::noise_of_calm_readings(record_, *model_.displacement);
     if (result_.readings > 0 && result_.reading_interval > 120.0)
-      warn(record::note::noise(fmt::format(
-          "readings come every {:.3g} s: what scatters between them is not the noise of "
-          "the sensor; declare {}",
-          result_.reading_interval, in_unit_of(model_, "measurement_std_um"))));
+      warn(record::note::noise(
+          fmt::format("readings come every {:.3g} s, which is too slow to estimate the noise of "
+                      "the sensor; declare {}",
+                      result_.reading_interval, in_unit_of(model_, "measurement_std_um"))));
   }
 
   void look_at_model() {

@@ -174,10 +174,10 @@ std::string estimated_model_text(const EstimatedBearing& b, friction::FrictionLa
       b.like_series ? "" : fmt::format(", none of series {}", o.dimension_series));
   const auto of_rigidity = spread(b.conformity, 1.0, "by printed rigidities of pairs");
   ModelRemarks remarks{
-      .title = fmt::format("Model of a {} on a rig, of which the catalogue knows nothing: what is "
-                           "marked as estimated\n# comes from bearings of {} section. Put in what "
-                           "you know better.",
-                           o.designation, b.like_section ? "like" : "another"),
+      .title = fmt::format(
+          "Model of a {} on a rig. The catalogue lacks this bearing: values marked as estimated "
+          "come\n# from bearings of {} section. Replace them if you know the right values.",
+          o.designation, b.like_section ? "like" : "another"),
       .ball_material = o.ball_material,
       .of_key = {{"ball_diameter_mm", spread(b.ball_diameter, mm, of_rows)},
                  {"pitch_diameter_mm", "estimated: mean of bore and outer diameter"},

@@ -111,15 +111,16 @@ void narrow(std::vector<correction::SeenRange>& ranges, const correction::SeenRa
   known->still = std::fmax(known->still, other.still);
   if (known->lower > known->upper)
     refuse(file,
-           fmt::format("{}: its range has nothing in common with the range of an earlier file: "
-                       "no operating point is inside both",
+           fmt::format("{}: its range does not overlap the range of an earlier file, so no "
+                       "operating point is inside both",
                        other.name),
            other.name);
 }
 
 void require_alike(std::span<const CorrectionFile> files) {
   if (files.size() < 2)
-    throw text::InputError("raceway join: one file: a sum has two or more", {.key = "MODEL"});
+    throw text::InputError("raceway join: one file is not enough; name two corrections or more",
+                           {.key = "MODEL"});
   for (const CorrectionFile& file : files) {
     if (file.models.size() != 1)
       refuse(file, "has several displacements: join the corrections of one displacement");
@@ -127,8 +128,8 @@ void require_alike(std::span<const CorrectionFile> files) {
     const Model& m = file.models.front();
     if (!(*m.displacement == *first.displacement))
       refuse(file,
-             fmt::format("is of {}, and {} of {}", m.displacement->name, files.front().source,
-                         first.displacement->name),
+             fmt::format("corrects {}, but {} corrects {}; join corrections of one displacement",
+                         m.displacement->name, files.front().source, first.displacement->name),
              "displacement");
   }
 }
@@ -145,8 +146,10 @@ std::string head_of(std::span<const CorrectionFile> files, const std::string& na
     first(tolerance, m.tolerance);
     first(std, m.measured_std);
     if (!std::isnan(sampling) && !std::isnan(m.sampling) && sampling != m.sampling)
-      refuse(file, fmt::format("sampling_s = {:g} s, and {:g} s before it", m.sampling, sampling),
-             "sampling_s");
+      refuse(
+          file,
+          fmt::format("sampling_s = {:g} s, but an earlier file has {:g} s", m.sampling, sampling),
+          "sampling_s");
     first(sampling, m.sampling);
   }
   std::string text =
@@ -174,9 +177,10 @@ std::string tables_beside(std::span<const CorrectionFile> files, std::vector<rec
       const toml::node* const node = root.get(key);
       if (!node) continue;
       if (from) {
-        notes.push_back(record::note::unused(
-            fmt::format("{}: [{}] is that of {}", file.source, key, from->source),
-            {.file = file.source, .key = std::string(key)}));
+        notes.push_back(
+            record::note::unused(fmt::format("{}: [{}] is not used; the sum has the table of {}",
+                                             file.source, key, from->source),
+                                 {.file = file.source, .key = std::string(key)}));
         continue;
       }
       from = &file;
@@ -202,12 +206,15 @@ JoinedCorrection join_corrections(std::span<const CorrectionFile> files, const s
     for (const correction::DrivenChannel& c : m.channels) {
       if (std::find(channels.begin(), channels.end(), c.name) != channels.end())
         refuse(file,
-               fmt::format("an earlier file has a channel \"{}\", too: rename one of them", c.name),
+               fmt::format("an earlier file also has a channel \"{}\": rename one of them", c.name),
                c.name);
       channels.push_back(c.name);
     }
     if (m.kinematic && has_law)
-      refuse(file, "an earlier file has [correction.kinematic], too: a shaft has one", "kinematic");
+      refuse(file,
+             "an earlier file also has [correction.kinematic], but a shaft has only one: remove "
+             "one table",
+             "kinematic");
     has_law = has_law || m.kinematic;
     for (const correction::SeenRange& r : m.range) narrow(seen.range, r, file);
     parts += parts_of(file, with_names_from(file.text, file.files, path));

@@ -38,10 +38,9 @@ void find_falls(const text::CsvTable& table, const Recognised& found, DataColumn
   for (const Channel* c : readings)
     if (const ColumnSource* const source = found.find(*c))
       throw text::InputError(
-          fmt::format(
-              "{}: columns {} and {}: a file has times between two speeds, speeds at a time, or "
-              "readings at a speed",
-              table.header_place().text(), source->name, speed_from.name),
+          fmt::format("{}: columns {} and {} do not go together: a file has times between two "
+                      "speeds, speeds over time, or readings at a speed",
+                      table.header_place().text(), source->name, speed_from.name),
           table.header_place(source->name));
 }
 
@@ -52,8 +51,8 @@ void find_signal(const text::CsvTable& table, const Recognised& found, const Rea
   const ColumnSource* const deviation = found.find(torque_signal_deviation);
   if (!signal && deviation)
     throw text::InputError(
-        fmt::format("{}: column {} has no {} beside it", table.header_place().text(),
-                    deviation->name, torque_signal.name),
+        fmt::format("{}: column {} needs a column {}, which is missing",
+                    table.header_place().text(), deviation->name, torque_signal.name),
         table.header_place(deviation->name));
   if (!signal) return;
   if (!options.sensor) {
@@ -62,8 +61,8 @@ void find_signal(const text::CsvTable& table, const Recognised& found, const Rea
                      [](const ColumnSource& p) { return p.channel->role == Role::measured; });
     if (alone && !expected.coast_down)
       throw text::InputError(
-          fmt::format("{}: column {} needs the calibration of its sensor: the model has no "
-                      "[torque_sensor], which raceway calibrate-sensor CSV -o FILE writes",
+          fmt::format("{}: column {} needs the calibration of its sensor, but the model has no "
+                      "[torque_sensor]; raceway calibrate-sensor CSV -o FILE writes this table",
                       table.header_place().text(), signal->name),
           table.header_place(signal->name));
     columns.notes.push_back(record::note::unused(
@@ -76,11 +75,10 @@ void find_signal(const text::CsvTable& table, const Recognised& found, const Rea
   std::erase_if(columns.places, [&](const ColumnSource& p) {
     if (!(*p.channel == record::friction_torque) && !(*p.channel == record::torque_deviation))
       return false;
-    columns.notes.push_back(
-        record::note::unused(fmt::format("column {} is not used: the torque is that of {}, by "
-                                         "[torque_sensor]",
-                                         p.name, signal->name),
-                             {.key = p.name}));
+    columns.notes.push_back(record::note::unused(
+        fmt::format("column {} is not used: [torque_sensor] converts {} to the torque", p.name,
+                    signal->name),
+        {.key = p.name}));
     return true;
   });
   columns.places.push_back(*signal);
@@ -183,7 +181,7 @@ void require_what_deviates(const text::CsvTable& table, const DataColumns& colum
   for (const DataColumns::Place& p : columns.places) {
     const Channel& c = *p.channel;
     if (c.role == Role::deviation && !columns.find(*record::find_channel(c.of)))
-      throw text::InputError(fmt::format("{}: column {} has no {} beside it",
+      throw text::InputError(fmt::format("{}: column {} needs a column {}, which is missing",
                                          table.header_place().text(), c.name, c.of),
                              table.header_place(c.name));
   }

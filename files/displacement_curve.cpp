@@ -70,11 +70,11 @@ std::vector<record::Note> notes_on_others(const text::CsvTable& table, const Pla
         table.header[c] == record::preload.name || table.header[c] == record::axial_load.name;
     for (std::size_t row = 1; condition && row < table.rows(); ++row)
       if (table.shown(row, c) != table.shown(0, c)) {
-        notes.push_back(record::note::unused(
-            fmt::format("{} changes from row to row, and the law knows speed alone: "
-                        "fit each curve by itself",
-                        table.header[c]),
-            {.key = table.header[c]}));
+        notes.push_back(
+            record::note::unused(fmt::format("{} changes from row to row, but the law depends on "
+                                             "speed only: fit each curve separately",
+                                             table.header[c]),
+                                 {.key = table.header[c]}));
         break;
       }
   }

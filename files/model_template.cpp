@@ -54,15 +54,16 @@ std::string friction_lines(friction::FrictionLaw law) {
       break;
     case friction::FrictionLaw::contact:
       text +=
-          "# To diagnose measured torque begin with \"palmgren\": two free numbers, a verdict in a "
-          "second.\n"
-          "# raceway add MODEL law:palmgren --data RIG.csv -o NEW.toml takes it, calibrated.\n";
+          "# To diagnose measured torque, start with \"palmgren\": it has two free numbers.\n# "
+          "raceway add MODEL law:palmgren --data RIG.csv -o NEW.toml changes to this law and fits "
+          "it.\n";
       add("law", "\"contact\"",
           "sums over the balls; or \"palmgren\", \"skf\": raceway new --law writes their numbers");
       add("rolling_factor", initial("rolling_factor"),
-          "on the oil's resistance to rolling, most of the torque at speed; known to +-40 %");
+          "factor on the rolling resistance of the oil, most of the torque at speed; known to +-40 "
+          "%");
       add("hysteresis_factor", initial("hysteresis_factor"),
-          "on what the steel does not give back of its deformation");
+          "factor on the deformation work that the steel loses");
       add("mu_boundary", initial("mu_boundary"),
           "friction where asperities touch: below lambda 2, at low speed");
       add("K_rs", initial("K_rs"),
@@ -194,7 +195,7 @@ settings_hold = "until row"        # as loggers stamp the end of an interval; "f
 std::string contact_lubricant_lines(friction::FrictionLaw law) {
   if (law != friction::FrictionLaw::contact) return "";
   return key_line({}, "type", "\"mineral\"",
-                  "or \"pao\", \"ester\"; what stands below follows from it") +
+                  "or \"pao\", \"ester\"; sets the defaults of the keys below") +
          "# density_15C_kg_m3 = 880          # mineral; pao 830, ester 930\n"
          "# conductivity_W_mK = 0.13         # mineral; pao and ester 0.15\n"
          "# pressure_viscosity_1_GPa = 15    # of mineral oil 9.904 nu^0.139, nu in mm2/s\n"

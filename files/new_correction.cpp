@@ -127,16 +127,17 @@ NewCorrection new_correction(const Source& source, const ReadOptions& given) {
   const std::string next =
       inputs.size() > most_channels
           ? fmt::format(
-                "{} temperatures vary, too many for a channel each:\n# raceway identify "
-                "THIS-FILE RECORD --lags auto -o FOUND.toml takes them all.",
+                "{} temperatures vary, too many for one channel each. This command uses all of "
+                "them:\n# raceway identify THIS-FILE RECORD --lags auto -o FOUND.toml",
                 inputs.size())
-          : "raceway identify THIS-FILE RECORD -o FOUND.toml finds gains and time constants.";
+          : "This command finds gains and time constants:\n# raceway identify THIS-FILE RECORD -o "
+            "FOUND.toml";
   const std::string comment = fmt::format(
-      "Correction to begin with, of {}. Replace what is marked as assumed;\n# {}", name, next);
+      "First correction from {}. Replace the values that are marked as assumed.\n# {}", name, next);
   made.text = with_remarks(
       new_corrections(models, comment),
-      {{"tolerance_um", "assumed: a tenth of the range of the readings; what you tolerate"},
-       {"tolerance_urad", "assumed: a tenth of the range of the readings; what you tolerate"},
+      {{"tolerance_um", "assumed: a tenth of the range of the readings; enter your tolerance"},
+       {"tolerance_urad", "assumed: a tenth of the range of the readings; enter your tolerance"},
        {"offset_um", "assumed; identify finds it"},
        {"offset_urad", "assumed; identify finds it"},
        {"sections", "assumed: a share of the range of the readings, a tenth of the record"}});

@@ -194,9 +194,8 @@ void refuse_sets_and_spindles(const ModelTables& tables) {
     if (const toml::node* const node = tables.root().get(table))
       throw text::InputError(
           fmt::format(
-              "{}:{}: [{}]: a [bearing] of type \"{}\" stands on a rig by itself; sets have "
-              "ball bearings, and a spindle has roller bearings beside them as "
-              "[[shaft.roller_bearing]]",
+              "{}:{}: [{}]: a [bearing] of type \"{}\" is a single bearing on a rig; sets have "
+              "ball bearings, and a spindle has its roller bearings in [[shaft.roller_bearing]]",
               tables.source(), node->source().begin.line, table, roller_type),
           {.file = tables.source(),
            .line = static_cast<int>(node->source().begin.line),
@@ -257,8 +256,8 @@ void refuse_keys_of_rollers(const Section& bearing) {
   const auto type = bearing.part({type_keys}).choice("type");
   if (type == roller_type)
     bearing.fail("type",
-                 fmt::format("type = \"{}\": sets have ball bearings; such a bearing stands on a "
-                             "rig by itself, or in a spindle as [[shaft.roller_bearing]]",
+                 fmt::format("type = \"{}\": sets have ball bearings; describe a roller bearing "
+                             "alone on a rig, or in a spindle as [[shaft.roller_bearing]]",
                              roller_type));
   for (const Key& key : keys_of_rollers) {
     const toml::node* const node = bearing.find(key.name);

@@ -87,8 +87,8 @@ constexpr Key positions_keys[]{
 };
 constexpr Key mounted_bearing_keys[]{
     {"offset_um", between(-1000, 1000, "um"), 0.0,
-     "how much further than its set a bearing is pressed; in [arrangement.rear_bearing] too, "
-     "beside all keys of [bearing]"}};
+     "distance by which a bearing is pressed further than its set; a key of "
+     "[arrangement.rear_bearing] too, in addition to all keys of [bearing]"}};
 
 constexpr std::string_view front_position = positions_keys[0].name;
 constexpr std::string_view rear_position = positions_keys[1].name;
@@ -246,8 +246,7 @@ class ShaftReader {
     const double apart = middle(rear_position, d_.rear.size()) - at_front;
     if (!(apart > 0.0))
       s_.fail(rear_position,
-              fmt::format("{} = {}: must be behind those of {}, which the nose is "
-                          "nearer to",
+              fmt::format("{} = {}: must be further from the nose than the bearings of {}",
                           rear_position, text::shown(*s_.find(rear_position)), front_position));
     constexpr double rounding_mm = 1e-6;
     if (const auto given = s_.number("distance_mm");

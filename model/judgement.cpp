@@ -312,13 +312,12 @@ Findings Judge::findings() const {
     const double torque = table_.value / at.speed;
     Finding beyond = finding_of(
         limits::friction_table, table_, at.speed * N_mm,
-        fmt::format(
-            "{} of {} states that turn lie beyond the friction table {} ({}), the one with "
-            "most heat at {}{:.6g} rpm, {:.4g} N axial, {:.4g} N radial, {:.4g} C: its edge "
-            "holds there, {:.4g} N mm",
-            table_.points, turning_, model_->table->file, model_->table->range(),
-            table_.place.empty() ? "" : table_.place + ", ", at.speed / rpm, at.axial_load,
-            at.radial_load, celsius(at.temperature), torque / N_mm));
+        fmt::format("{} of {} rotating states are outside the friction table {} ({}), the one with "
+                    "most heat at {}{:.6g} rpm, {:.4g} N axial, {:.4g} N radial, {:.4g} C: the "
+                    "value at the edge applies there, {:.4g} N mm",
+                    table_.points, turning_, model_->table->file, model_->table->range(),
+                    table_.place.empty() ? "" : table_.place + ", ", at.speed / rpm, at.axial_load,
+                    at.radial_load, celsius(at.temperature), torque / N_mm));
     beyond.allowed = unset;  // a range of several axes
     findings.push_back(std::move(beyond));
   }

@@ -141,10 +141,10 @@ class Calibrator {
   void require_no_turn(const CurveFit& fit) const {
     if (const auto turn =
             turning_torque(fit.unscaled(), levels_.front().torque, levels_.back().torque))
-      throw std::invalid_argument(fmt::format(
-          "the signal turns at {:.4g} N m: one signal belongs to two torques, so that none can be "
-          "told from it",
-          *turn));
+      throw std::invalid_argument(
+          fmt::format("the signal turns at {:.4g} N m: one signal belongs to two torques, so the "
+                      "curve has no inverse",
+                      *turn));
   }
 
   /// Every signal must belong to one torque, and change with it at all.
@@ -223,8 +223,8 @@ class Calibrator {
     lack.error_degrees = count() - torques();
     if (lack.error_degrees < 1) {
       result_.notes.push_back(record::note::unknown(
-          "no torque was read twice: what is scatter and what is the curve's own shape is told by "
-          "polynomials alone; readings at the same torques, rising and falling, tell it better"));
+          "no torque was read twice, so only polynomials separate the scatter from the shape of "
+          "the curve; read the same torques rising and falling"));
       return;
     }
     lack.repeatability = pure > floor_ ? std::sqrt(pure / lack.error_degrees) : 0.0;
@@ -279,9 +279,9 @@ class Calibrator {
     }
     h.torques = static_cast<int>(gaps.size());
     if (gaps.empty()) {
-      result_.notes.push_back(record::note::unknown(
-          "no torque between the ends was read both rising and falling: nothing is known of the "
-          "hysteresis"));
+      result_.notes.push_back(
+          record::note::unknown("no torque between the ends was read both rising and falling, so "
+                                "the hysteresis is unknown"));
       return;
     }
     h.mean = 0.0;
@@ -344,8 +344,7 @@ class Calibrator {
       if (!(t > limit) || ++found > shown) continue;
       result_.warnings.push_back(record::note::check_data(
           fmt::format("line {}: {:.6g} V at {:.6g} N m is {:+.3g} V off the curve, {:.3g} times "
-                      "what the others "
-                      "scatter; a slip of the pen?",
+                      "the scatter of the others; is it a typing error?",
                       readings_[i].line, readings_[i].signal, readings_[i].torque, e / free, t),
           {.line = readings_[i].line}));
     }

@@ -173,8 +173,7 @@ SensedTorques sensed_torques(const TorqueSensor& sensor, std::span<const double>
   } else {
     result.notes.push_back(record::note::read_as(
         fmt::format("{}: std_Nmm of a row {} N mm, of which {} N mm comes from the calibration{}: "
-                    "it is common "
-                    "to all rows, and no mean takes it away",
+                    "this part is common to all rows, and averaging does not reduce it",
                     from, span_text(std), span_text(common), sensor.zero ? " and zero_V" : ""),
         {.key = "torque_sensor"}));
   }

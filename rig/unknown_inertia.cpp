@@ -17,10 +17,9 @@ double matching_inertia(const model::ModelSubject& subject, const record::Record
     of_record += torques[i];
   }
   if (!(of_model > 0.0 && of_record > 0.0))
-    throw std::invalid_argument(
-        unit.source +
-        ": inertia_kgm2 = \"unknown\": the model predicts no torque that could stand for it; with "
-        "usual factors of friction it does");
+    throw std::invalid_argument(unit.source +
+                                ": inertia_kgm2 = \"unknown\": the model predicts no torque from "
+                                "which the inertia could follow; enter usual factors of friction");
   return of_model / of_record;
 }
 

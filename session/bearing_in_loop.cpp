@@ -221,7 +221,7 @@ class BearingInLoop final : public LoopModel {
           file_.source + ": has no [correction]: only corrections can be compared with one",
           {.file = file_.source, .key = "correction"});
     if (file_.model.spindle.has_value() != first->file_.model.spindle.has_value())
-      throw text::InputError(file_.source + ": a spindle is compared with spindles alone",
+      throw text::InputError(file_.source + ": a spindle can be compared with spindles only",
                              {.file = file_.source});
     warn_of_other_rig(messages, first->file_);
   }
@@ -229,7 +229,7 @@ class BearingInLoop final : public LoopModel {
   ComparedModel compared(Messages& messages, const record::Record& data, const CompareOptions& how,
                          const Names& per_record) const override {
     if (how.zero != "mean")
-      throw text::InputError("--zero: belongs to corrections; all else is compared as it is",
+      throw text::InputError("--zero: belongs to corrections; leave it out for other models",
                              {.key = "--zero"});
     model::Model wanted = written_->model();
     Names names = how.refit;

@@ -77,22 +77,22 @@ std::vector<std::string> notes_on_state(const model::Model& model, const bearing
   const double least = minimum_load(bearing, centrifugal);
   const double axial = std::abs(point.axial_load) + prediction.condition.extra_axial_load;
   if (axial < least)
-    notes.push_back(
-        fmt::format("the axial load of {:.4g} N is below {:.4g} N = Z F_c tan(alpha0), at which "
-                    "the inner contacts press as hard as the centrifugal force: balls may skid",
-                    axial, least));
+    notes.push_back(fmt::format(
+        "the axial load of {:.4g} N is below the minimum load of {:.4g} N = Z F_c tan(alpha0), "
+        "where the inner contact loads equal the centrifugal force: balls may skid",
+        axial, least));
   if (const auto& c = prediction.contacts; c && c->holding_over_traction > 1.0)
     notes.push_back(fmt::format(
-        "the gyroscopic moment asks a friction of {:.3g} times the contact load, {:.3g} times what "
-        "film and asperities hold: the balls turn, and contact angles and displacement are those "
-        "of race_control = \"balanced\" (docs/race-control.md)",
+        "the gyroscopic moment needs a friction of {:.3g} times the contact load, {:.3g} times the "
+        "friction of film and asperities, so the balls turn; race_control = \"balanced\" gives the "
+        "right contact angles and displacement (docs/race-control.md)",
         c->holding_coefficient, c->holding_over_traction));
   const model::BearingLife life = bearing_life(model, point, prediction);
   if (life.hybrid)
-    notes.push_back(fmt::format(
-        "ISO 281 defines no a_ISO for {} balls: no modified life; L10r is by the formula of steel "
-        "on the loads of these balls",
-        bearing.balls().name));
+    notes.push_back(
+        fmt::format("ISO 281 defines no a_ISO for {} balls, so there is no modified life; L10r is "
+                    "calculated with the formula for steel and the loads of these balls",
+                    bearing.balls().name));
   return notes;
 }
 

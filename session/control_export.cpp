@@ -46,7 +46,7 @@ control::ControlPlan plan_of(Messages& messages, const Source& model, const Sour
     plan.check = control::made_up_check(plan, file.models);
   }
   if (plan.check.rows.empty())
-    plan.notes.push_back("no record is in it, so that its own check has nothing to replay");
+    plan.notes.push_back("the program contains no record, so its check has nothing to replay");
   return plan;
 }
 

@@ -139,8 +139,8 @@ std::vector<std::string> range_notes(const correction::Model& model,
     const std::vector<double> share = correction::extrapolated(model, series, beyond);
     const auto most = std::max_element(share.begin(), share.end());
     notes.push_back(
-        fmt::format("a regression goes on in straight lines there: {:.3g} {} of what it predicts "
-                    "in {} come from outside the measurements",
+        fmt::format("a regression extrapolates there in straight lines: {:.3g} {} of its "
+                    "prediction in {} are extrapolation",
                     *most / um, correction::unit_of(model),
                     when(record, static_cast<std::size_t>(most - share.begin()))));
   }

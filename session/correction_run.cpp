@@ -144,8 +144,8 @@ std::vector<std::string> warnings_on(const results::Learnt& one, const record::R
   for (const correction::OfferedReading& r : one.learning.readings)
     if (!r.learnt)
       list.push_back(fmt::format(
-          "{}: {:.4g} {} read where {:.4g} +- {:.2g} was expected: refused, "
-          "not learnt",
+          "{}: the reading is {:.4g} {}, but {:.4g} +- {:.2g} was expected: it is refused and not "
+          "learnt",
           place(r.row), r.reading / um, one.displacement->unit, r.predicted / um, r.std / um));
   for (const correction::IdentificationDue& d : one.learning.due)
     list.push_back(fmt::format("{}: a new identification is due: {}", place(d.row), d.reason));
@@ -218,10 +218,10 @@ LearningRun learn(SeriesQuestion asked, const LearningChoices& choices) {
     append(run.notes,
            notes_of(record::note::assumed, notes_on(model), {.file = run.asked.file.source}));
     if (run.learnt.back().learning.error.readings == 0)
-      run.notes.push_back(record::note::assumed(
-          fmt::format("{}: every reading was taken to learn from; --every leaves some to "
-                      "judge by",
-                      model.displacement->name)));
+      run.notes.push_back(
+          record::note::assumed(fmt::format("{}: every reading was used for learning; --every "
+                                            "keeps some readings to test the prediction",
+                                            model.displacement->name)));
   }
   return run;
 }

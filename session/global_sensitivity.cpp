@@ -23,8 +23,9 @@ constexpr std::size_t most_numbers = 100000000;
 std::vector<std::string> cannot_tell(const Sensitivity& s, const fit::SobolIndices& found) {
   std::vector<std::string> lines;
   if (2 * found.complete < s.samples)
-    return {fmt::format("only {} of {} samples have a value: these indices are of that part alone",
-                        found.complete, s.samples)};
+    return {
+        fmt::format("only {} of {} samples have a value: the indices describe these samples only",
+                    found.complete, s.samples)};
   std::vector<std::size_t> order(found.inputs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -49,7 +50,8 @@ std::vector<std::string> cannot_tell(const Sensitivity& s, const fit::SobolIndic
 
 fit::SobolDesign design_of(const SensitivityQuestion& q, const Sensitivity& s) {
   if (s.sampled.empty())
-    throw text::InputError("no datum with a spread enters: there is nothing to sample");
+    throw text::InputError(
+        "no number with a spread influences the prediction: there is nothing to sample");
   if ((s.sampled.size() + 2) * s.predictions.size() > most_numbers / q.samples)
     throw text::InputError(fmt::format(
         "{} samples of {} data and {} predictions are more than {:.0g} numbers: take fewer",

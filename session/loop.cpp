@@ -222,9 +222,8 @@ CheckedModel check(Messages& messages, const Source& source, const Source& data,
     messages.say(result.over_time->warnings);
   else if (!result.check.runs_coincide_with.empty())
     tell(record::note::plan(fmt::format(
-        "each run has its own {0}: what depends on it cannot be told from a rig that was "
-        "set up anew; before measuring more, plan two runs or more for each level, or "
-        "all levels within each run",
+        "each run has its own {0}, so an effect of it looks like a difference between runs; before "
+        "you measure more, plan two runs or more for each level, or all levels within each run",
         result.check.runs_coincide_with)));
   return result;
 }

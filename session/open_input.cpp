@@ -193,8 +193,8 @@ record::Record open_data(Messages& messages, const Source& data, const model::Mo
 void tell_of_scale(const record::Record& data, std::vector<record::Note>& messages) {
   if (data.up_to_a_factor)
     messages.push_back(record::note::limits(
-        "the inertia is unknown: all torques, f0, z and sizes in N mm have one common factor that "
-        "this record does not tell; the result rests on the shape alone",
+        "the inertia is unknown, so all torques, f0, z and sizes in N mm have an unknown common "
+        "factor; the result depends on the shape of the curve only",
         {.key = "inertia_kgm2"}));
 }
 
@@ -215,11 +215,11 @@ record::Record open_records(Messages& messages, const std::vector<Source>& data,
     const auto declares = [&](const record::Record& r) { return r.deviation_of(*m.channel); };
     if (std::any_of(records.begin(), records.end(), declares) &&
         !std::all_of(records.begin(), records.end(), declares))
-      messages.say(record::note::unused(
-          fmt::format("std_{} is not in every file: it counts in none, and the noise is found "
-                      "from the rows",
-                      m.channel->key_unit()),
-          {.key = "std_" + std::string(m.channel->key_unit())}));
+      messages.say(
+          record::note::unused(fmt::format("std_{} is not in every file: the program ignores it "
+                                           "and estimates the noise from the rows",
+                                           m.channel->key_unit()),
+                               {.key = "std_" + std::string(m.channel->key_unit())}));
   }
   try {
     return record::joined(std::move(records));

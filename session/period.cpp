@@ -59,7 +59,8 @@ void Period::apply(record::Record& record,
                     until.empty() ? "" : "until " + until, " counts",
                     (time.back() - time.front()) / 3600.0),
         {.file = record.source, .key = from.empty() ? "--until" : "--from"});
-  record.notes.push_back(record::note::left_out(fmt::format("{} of {} readings count", left, all)));
+  record.notes.push_back(record::note::left_out(
+      fmt::format("{} of {} readings are in the chosen time and count", left, all)));
 }
 
 }  // namespace raceway::session

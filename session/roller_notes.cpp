@@ -32,7 +32,7 @@ std::vector<std::string> notes_on_rollers(const bearing::RollerBearing& b,
   std::vector<std::string> notes;
   if (e.loose)
     notes.emplace_back(
-        "no load and a clearance: the bearing is loose, nothing touches the inner ring");
+        "no load and a clearance: the bearing is loose, and no roller touches the inner ring");
   else if (e.loaded_rollers() == 0)
     notes.emplace_back("no roller touches the inner ring");
   const double tilt = std::hypot(e.displacement[2], e.displacement[3]);

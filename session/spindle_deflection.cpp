@@ -91,7 +91,7 @@ void check(const DeflectionQuestion& q) {
   if (q.force == 0.0 && q.moment == 0.0)
     refuse(fmt::format("{} = 0 N: a force or a {} is needed", force, moment), force);
   if (!q.axial || (q.axial_force == 0.0 && q.moment == 0.0)) return;
-  refuse(fmt::format("{} goes with a radial {}, which may be 0",
+  refuse(fmt::format("{} needs a radial {}, which may be 0",
                      q.moment != 0.0 ? moment : named(q.wording, "--axial-force", "axial_force_N"),
                      force),
          named(q.wording, "--direction", "direction"));
@@ -121,7 +121,7 @@ std::vector<std::string> SpindleDeflection::notes() const {
   if (result.axial && result.at != 0.0)
     lines.emplace_back(
         "the place of an axial force changes nothing: the shaft is a beam on its axis");
-  lines.emplace_back("the housing is rigid: what it gives way by is not in these displacements");
+  lines.emplace_back("the housing is rigid: its deflection is not in these displacements");
   return lines;
 }
 

@@ -133,9 +133,8 @@ bool SpindleModes::converged() const {
 std::vector<std::string> SpindleModes::notes() const {
   std::vector<std::string> lines{
       std::isnan(damping_ratio)
-          ? "damping, and what gives way in the housing, are not modelled: damping_ratio is empty"
-          : "damping_ratio is the one that was stated; what gives way in the housing is not "
-            "modelled"};
+          ? "damping and the deflection of the housing are not modelled: damping_ratio is empty"
+          : "damping_ratio is the stated one; the deflection of the housing is not modelled"};
   if (std::string unused = unused_coolant_off(file.model, coolant_on, warm); !unused.empty())
     lines.push_back(std::move(unused));
   return lines;

@@ -47,9 +47,9 @@ std::vector<spindle::ProfileRow> read_profile(Messages& messages, const RunQuest
   require_possible_temperature(file.model, q.ambient_temperature, "ambient_temperature_C");
   const std::string& name = q.programme.name;
   if (record.runs.size() > 1)
-    throw text::InputError(
-        fmt::format("{}: has {} runs; a speed programme is one", name, record.runs.size()),
-        {.file = name, .key = "run_id"});
+    throw text::InputError(fmt::format("{}: has {} runs, but a speed programme has only one", name,
+                                       record.runs.size()),
+                           {.file = name, .key = "run_id"});
   try {
     std::vector<spindle::ProfileRow> profile = spindle::profile_of(record);
     for (spindle::ProfileRow& row : profile) {
@@ -77,11 +77,11 @@ std::optional<spindle::State> read_start(Messages& messages, const RunQuestion& 
   spindle::State start = q.start->text ? results::parse_spindle_state(*q.start->text, q.start->name)
                                        : results::read_spindle_state(q.start->name);
   if (first_row < start.time) {
-    messages.say(record::note::read_as(
-        fmt::format("{} is of {:.6g} s, and the programme begins at {:.6g} s: its time counts "
-                    "from that state on",
-                    q.start->name, start.time, first_row),
-        {.file = q.start->name}));
+    messages.say(
+        record::note::read_as(fmt::format("{} was saved at {:.6g} s, and the programme begins at "
+                                          "{:.6g} s: its time counts from the saved state",
+                                          q.start->name, start.time, first_row),
+                              {.file = q.start->name}));
     start.time = std::min(0.0, first_row);
   }
   return start;

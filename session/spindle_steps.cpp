@@ -32,10 +32,10 @@ spindle::Inputs conditions_of(const SpindleSteps& steps) {
 
 void note_unsettled(const spindle::StepResponse& step, std::vector<record::Note>& notes) {
   if (!step.converged() || step.fit.settled) return;
-  notes.push_back(record::note::unknown(fmt::format(
-      "{}: a time constant of {:.3g} min is more than half of what was seen: gain and time "
-      "constant are a guess",
-      name_of(step), step.fit.one.time_constant / spindle::one_minute)));
+  notes.push_back(record::note::unknown(
+      fmt::format("{}: a time constant of {:.3g} min is more than half of the recorded time: gain "
+                  "and time constant are a guess",
+                  name_of(step), step.fit.one.time_constant / spindle::one_minute)));
 }
 
 std::vector<record::Note> notes_on_steps(const spindle::StepResponses& responses,

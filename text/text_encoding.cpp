@@ -70,7 +70,7 @@ std::string utf8_from_utf16(std::string_view text, const std::string& source) {
   const bool failed = iconv(converter, &in, &left, &out, &room) == static_cast<std::size_t>(-1);
   iconv_close(converter);
   if (failed || left != 0)
-    throw InputError(source + ": begins as UTF-16 text and is none; save it as UTF-8",
+    throw InputError(source + ": begins like UTF-16 text, but is not; save it as UTF-8",
                      {.file = source});
   to.resize(to.size() - room);
   return to;

@@ -97,10 +97,10 @@ class Inquiry {
     for (fit::Measured& m : channels_) m.tolerance = fit::tolerance_of(m, record);
     for (const fit::Measured& m : channels_)
       if (!std::isfinite(m.tolerance))
-        throw std::invalid_argument(fmt::format(
-            "a model of {} only comes near: whether something is missing depends on what "
-            "matters; say it by tolerance_{} (or --tolerance)",
-            m.channel->words, m.channel->key_unit()));
+        throw std::invalid_argument(
+            fmt::format("a model of {} is approximate, so the verdict depends on the error that "
+                        "you accept: enter tolerance_{} (or --tolerance)",
+                        m.channel->words, m.channel->key_unit()));
     recorded_ = recorded(*subject_, for_search(std::make_shared<const record::Record>(record)),
                          usual_width(record));
     require_readings();
@@ -119,7 +119,7 @@ class Inquiry {
     hold_out(base_, recorded_);
     if (std::isnan(base_.rms_held_out))
       throw std::invalid_argument(
-          "these readings have no parts that could be held out: nothing can be judged by them");
+          "no part of these readings can be held out, so they allow no verdict");
     describe();
     step(0.15, "refitting with each effect");
     try_singles();
@@ -209,9 +209,9 @@ class Inquiry {
     result_.refits.push_back(refit_of(base_, recorded_));
     result_.rows_not_predicted = result_.channels.front().baseline.rows_not_predicted;
     if (!noise_is_known)
-      result_.messages.push_back(record::note::noise(
-          "readings stand too far apart to tell the noise of the sensor from what the machine does "
-          "between them"));
+      result_.messages.push_back(
+          record::note::noise("the readings are too far apart in time to separate the noise of the "
+                              "sensor from the motion of the machine"));
     for (std::size_t k = 0; k < base_.names.size(); ++k)
       if (base_.fit.at_bound[k])
         result_.messages.push_back(record::note::at_bound(
@@ -301,7 +301,7 @@ class Inquiry {
     for (const Tried& t : singles_)
       if (!is_felt(t))
         result_.not_testable.push_back(
-            {t.on.front()->id, "whatever its size, nothing that was read would tell"});
+            {t.on.front()->id, "no reading depends on it, whatever its size"});
     std::erase_if(singles_, [&](const Tried& t) { return !is_felt(t); });
   }
 

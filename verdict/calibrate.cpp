@@ -68,10 +68,10 @@ void tell_bounds(Calibration& result) {
   for (const record::Parameter& p : result.parameters)
     if (p.at_bound != record::Bound::none)
       result.messages.push_back(record::note::at_bound(
-          fmt::format(
-              "{} ends at its {} bound, {}: the data want it beyond, or the model lacks something",
-              p.name, p.at_bound == record::Bound::lower ? "lower" : "upper",
-              with_unit(p.value, p.unit, 5)),
+          fmt::format("{} ends at its {} bound, {}: the data prefer a value beyond it, or the "
+                      "model lacks something",
+                      p.name, p.at_bound == record::Bound::lower ? "lower" : "upper",
+                      with_unit(p.value, p.unit, 5)),
           {.key = p.name}));
 }
 

@@ -99,8 +99,9 @@ void Investigation::look() {
   for (std::size_t c = 0; c < errors.size(); ++c)
     result_.channels[c].rmse_held_out_before = errors[c];
   if (std::isnan(share_of_tolerance_))
-    result_.messages.push_back(record::note::limits(
-        "these rows have no blocks to be held out: whether the tolerance is met cannot be told"));
+    result_.messages.push_back(
+        record::note::limits("these rows have no blocks that can be held out, so the program "
+                             "cannot test the tolerance"));
 }
 
 void Investigation::describe_channels() {
@@ -139,11 +140,11 @@ void Investigation::tell_declared_noise() {
     if (d.baseline.noise.source != fit::NoiseSource::declared || evidence_.few_rows) continue;
     const double declared = d.baseline.noise.rms, ratio = d.noise.rms / declared;
     if (ratio < 1.5 && ratio > 1.0 / 1.5) continue;
-    result_.messages.push_back(record::note::noise(fmt::format(
-        "std_{} weighs the rows against each other; the noise is what a saturated regression "
-        "leaves, {} where {:.3g} are declared",
-        d.channel().key_unit(), reading_text(d.channel(), d.noise.rms),
-        declared / d.channel().factor)));
+    result_.messages.push_back(record::note::noise(
+        fmt::format("std_{} sets the relative weights of the rows; the noise comes from a "
+                    "saturated regression, {} instead of the declared {:.3g}",
+                    d.channel().key_unit(), reading_text(d.channel(), d.noise.rms),
+                    declared / d.channel().factor)));
   }
 }
 
@@ -154,18 +155,17 @@ void Investigation::tell_of_runs() {
     if (d.noise.unknown_runs) (d.noise.undeclared_blocks ? blocks : runs) = true;
   if (blocks)
     result_.messages.push_back(record::note::plan(
-        "nothing tells how much these blocks differ by themselves: what changes from block to "
-        "block was not looked for; measure each of them twice, or say with run_id which rows are a "
-        "run"));
+        "the data do not show how much these blocks differ by chance, so effects that change from "
+        "block to block were not tested; measure each block twice, or mark the runs by run_id"));
   const std::string nested = fit::nested_settings(*problem_.record);
   // Where levels were measured in two runs it is no plan that lacks anything.
   if (!runs || (!nested.empty() && fit::nested_settings(*problem_.record, true).empty())) return;
-  result_.messages.push_back(record::note::plan(fmt::format(
-      "nothing tells how much runs differ by themselves{}: what depends on {} cannot be told from "
-      "a rig that was set up anew, and was not looked for between runs; measure each level in two "
-      "runs or more, or all levels within each run",
-      nested.empty() ? "" : ", as each run has its own " + nested,
-      nested.empty() ? "what changes from run to run" : nested)));
+  result_.messages.push_back(record::note::plan(
+      fmt::format("the data do not show how much runs differ by chance{}, so an effect of {} looks "
+                  "like a difference between runs and was not tested between runs; measure each "
+                  "level in two runs or more, or all levels within each run",
+                  nested.empty() ? "" : ", as each run has its own " + nested,
+                  nested.empty() ? "what changes from run to run" : nested)));
 }
 
 /// Records that do not scatter alike.
@@ -218,9 +218,8 @@ void Investigation::describe_base() {
             [&](std::size_t a, std::size_t b) { return record_.line(a) < record_.line(b); });
   if (!outliers.empty())
     tell(record::note::rows_used(
-        fmt::format("{} row(s) stand further apart than scatter does and count with less "
-                    "weight, first {}",
-                    outliers.size(), record_.place(outliers.front()))));
+        fmt::format("{} row(s) are outliers and count with less weight, first {}", outliers.size(),
+                    record_.place(outliers.front()))));
   const std::size_t left_out = result_.rows_not_predicted.size();
   if (evidence_.rows() + left_out < evidence_.rows_in_record)
     tell(record::note::rows_used(fmt::format("{} of {} rows were used, chosen at random",

@@ -66,7 +66,7 @@ std::vector<double> growing(const std::vector<double>& values, const text::Numbe
     text::require_range(values[k], range, name);
     if (k > 0 && values[k] <= values[k - 1])
       throw text::InputError(
-          name + ": the values must grow, and " + text::number(values[k]) + " does not",
+          name + ": the values must be in ascending order; " + text::number(values[k]) + " is not",
           {.key = name});
   }
   return values;

@@ -75,7 +75,7 @@ TEST_F(BeamCommands, ACuttingForceHasAnAxialPart) {
       << "what pushes the shaft rearwards lies on the front set of an O";
   const Result axial = raceway("deflection", "--force 100 --direction axial --moment 5");
   EXPECT_EQ(axial.status, 1);
-  EXPECT_THAT(axial.err, HasSubstr("--moment goes with a radial --force"));
+  EXPECT_THAT(axial.err, HasSubstr("--moment needs a radial --force"));
 }
 
 // --force is the load here.

@@ -125,7 +125,7 @@ TEST(TorqueSignalRecord, SaysWhichPartOfItsErrorIsCommonToAllRows) {
   const Rig rig;
   EXPECT_THAT(run("compare " + rig.model() + " " + signals).err,
               HasSubstr("std_Nmm of a row 0.253 to 0.257 N mm, of which 0.0386 to 0.0601 N mm "
-                        "comes from the calibration: it is common to all rows"));
+                        "comes from the calibration: this part is common to all rows"));
 }
 
 TEST(TorqueSignalRecord, ASensorFileIsNeverWrittenOver) {
@@ -134,7 +134,7 @@ TEST(TorqueSignalRecord, ASensorFileIsNeverWrittenOver) {
   const std::string of = rig.model() + " " + signals + " -o " + sensor + " --force";
   const Result calibrated = run("calibrate " + of), checked = run("check " + of);
   EXPECT_EQ(calibrated.status, 1);
-  EXPECT_THAT(calibrated.err, HasSubstr("is read by this run, so it cannot be what it writes"));
+  EXPECT_THAT(calibrated.err, HasSubstr("this run reads the file, so it cannot write it"));
   EXPECT_EQ(checked.status, 1);
   EXPECT_THAT(checked.err, HasSubstr("tables are written as CSV"));
   EXPECT_EQ(file_text(sensor), text);

@@ -74,7 +74,8 @@ TEST(CoastDownRecords, AnUnknownInertiaChangesSizesAndNothingElse) {
                                             "inertia_kgm2 = 0.8489", "inertia_kgm2 = \"unknown\""));
   const std::string record = " " + shipped + "flywheel_unloaded.csv";
   const Result r = run("diagnose --json " + unknown + record);
-  const std::string said = "the inertia is unknown: all torques, f0, z and sizes in N mm have one";
+  const std::string said =
+      "the inertia is unknown, so all torques, f0, z and sizes in N mm have an";
   EXPECT_THAT(r.err, testing::HasSubstr("inertia_kgm2 = \"unknown\": 0.4782 kg m2 taken"));
   EXPECT_THAT(r.err, testing::HasSubstr(said));
   const json a = parsed(r), b = parsed(run("diagnose --json " + flywheel + record));

@@ -155,7 +155,7 @@ TEST_F(CorrectionInput, TablesThatAModelNamesAreNeverWrittenOver) {
           "calibrate " + element + " " + data, "export " + element + " --format csv"}) {
       const Result r = run(command + " --force -o " + table);
       EXPECT_EQ(r.status, 1) << command;
-      EXPECT_THAT(r.err, HasSubstr("is read by this run, so it cannot be what it writes"));
+      EXPECT_THAT(r.err, HasSubstr("this run reads the file, so it cannot write it"));
       EXPECT_EQ(file_text(table), before) << command;
     }
   }

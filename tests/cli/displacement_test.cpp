@@ -274,7 +274,7 @@ TEST_F(Displacement, WrongUseIsRefused) {
                  "a shaft takes --axial-load alone");
   expect_refused(raceway("solve", "--speed 0 --axial-load -5", model_text),
                  "--axial-load = -5 N: must be from 0 to 100000000 N");
-  expect_refused(raceway("displacement", "--speed 5:1:1"), "a range goes up");
+  expect_refused(raceway("displacement", "--speed 5:1:1"), "the end of a range");
   expect_refused(raceway("displacement", "--speed 0 --json -o -"), "take one");
 }
 

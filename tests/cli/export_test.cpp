@@ -44,7 +44,7 @@ TEST(Export, RunsAsCorrectDoes) {
   ASSERT_EQ(written.status, 0) << written.err;
   EXPECT_THAT(written.err, HasSubstr("z.py written: 1 displacement of 2 parts from 2 inputs"));
   EXPECT_THAT(written.err,
-              HasSubstr("note: [correction.range] has no speed_rpm: nothing will say"));
+              HasSubstr("note: [correction.range] has no speed_rpm: the program cannot say"));
   const auto exported = rows_of(run_shell("python3 " + program + " " + data).out);
   const auto corrected = rows_of(run("correct " + model + " " + data + " -o - --quiet").out);
   ASSERT_EQ(exported.size(), 200u);
@@ -117,7 +117,7 @@ TEST(Export, StoresARecordThatTheProgramReplays) {
                         "front_temperature_C = 60 } spreads them"));
   expect_refused(
       run("export " + model + " --format python --force -o " + data + " --record " + data),
-      "is read by this run");
+      "this run reads the file");
 }
 
 TEST(Export, ReadsItsTableBack) {

@@ -35,7 +35,7 @@ TEST(Join, WhatIsWrongIsSaidAndNothingWritten) {
   EXPECT_EQ(alone.status, 1);
   EXPECT_THAT(alone.err, HasSubstr("a sum has two or more"));
   EXPECT_THAT(run("join " + one + " " + one + " -o " + out).err,
-              HasSubstr("a channel \"room\", too: rename one"));
+              HasSubstr("an earlier file also has a channel \"room\": rename one"));
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 

@@ -234,7 +234,7 @@ TEST_F(Judged, FlagsThatChangeNothingAreNamed) {
   EXPECT_THAT(command("deflection", wet, "--force 100 --direction axial --at 30").err,
               HasSubstr("the place of an axial force changes nothing"));
   expect_refused(command("spindle", wet, "--speed 3000 --steady --drop-nan"),
-                 "--columns and --drop-nan are of a --speed-profile");
+                 "--columns and --drop-nan need a --speed-profile");
   expect_refused(command("table", model_text, "--speed 100 --axial-load 100 --drop-nan"),
                  "--data is missing");
 }

@@ -296,19 +296,20 @@ TEST(LoggerExports, AnExportGivesCoarseSensorsTheTimeThatTheyNeed) {
   const std::string command = "export " + record_model + " --format csv --record ";
   const Result found = run(command + coarse.file);
   ASSERT_EQ(found.status, 0) << found.err;
-  EXPECT_THAT(found.err, HasSubstr("room_temperature_C stands still for "));
-  EXPECT_THAT(found.err, HasSubstr("in steps of 0.5 K: it counts as stuck after "));
-  EXPECT_THAT(found.err, Not(HasSubstr("bearing_temperature_C stands still")));
-  EXPECT_THAT(run(command + folder_of_record + "train.csv").err, Not(HasSubstr("counts as stuck")));
+  EXPECT_THAT(found.err, HasSubstr("room_temperature_C did not change for "));
+  EXPECT_THAT(found.err, HasSubstr("in steps of 0.5 K, so the program calls it stuck after "));
+  EXPECT_THAT(found.err, Not(HasSubstr("bearing_temperature_C did not change")));
+  EXPECT_THAT(run(command + folder_of_record + "train.csv").err, Not(HasSubstr("calls it stuck")));
   // The identified model keeps the time without the record.
   const std::string model = coarse.folder.file("found.toml");
   ASSERT_EQ(run("identify " + record_model + " " + coarse.file + " -o " + model).status, 0);
   EXPECT_THAT(file_text(model), HasSubstr("\n[correction.still_s]"));
   const std::string table = coarse.folder.file("found.csv");
-  EXPECT_THAT(run("export " + model + " --format csv -o " + table).err,
-              AllOf(HasSubstr("room_temperature_C stands still for 268 min in the record of its "
-                              "model: it counts as stuck after 24600 s in place of 3600 s"),
-                    Not(HasSubstr("bearing_temperature_C stands still"))));
+  EXPECT_THAT(
+      run("export " + model + " --format csv -o " + table).err,
+      AllOf(HasSubstr("room_temperature_C did not change for 268 min in the record of its "
+                      "model, so the program calls it stuck after 24600 s instead of 3600 s"),
+            Not(HasSubstr("bearing_temperature_C did not change"))));
   EXPECT_THAT(run("export " + model + " --format csv --record " + coarse.file).err,
               Not(HasSubstr("in place of 24600 s")));
 }

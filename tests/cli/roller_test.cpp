@@ -124,7 +124,7 @@ TEST(RollerCommand, TyposAndNumbersOutOfRangeAreNamed) {
   EXPECT_THAT(why("bore_mm = 60", "bore_mm = 70"), HasSubstr("bore_mm"));
   EXPECT_THAT(why("[friction]", "[solver]\nrace_control = \"inner\"\n[friction]"),
               HasSubstr("race_control = \"inner\": says what turns the balls"));
-  EXPECT_THAT(why("[friction]", "[shaft]\n[friction]"), HasSubstr("stands on a rig by itself"));
+  EXPECT_THAT(why("[friction]", "[shaft]\n[friction]"), HasSubstr("is a single bearing on a rig"));
   EXPECT_THAT(why("f1_load = \"F_r\"", "f1_load = \"P0\""), HasSubstr("must be F_r or rollers"));
   EXPECT_THAT(why("f1_load = \"F_r\"", "mu_EHL = 0.02"), HasSubstr("belongs to law = \"skf\""));
 }

@@ -250,7 +250,7 @@ TEST(StepResponseCommand, ItsFilesDoNotWriteOverEachOther) {
       run("step-response " + scratch.write("spindle.toml", small_spindle) + " --speed 3000 -o " +
           table + " --correction " + scratch.file("z.toml") + " --force");
   EXPECT_EQ(r.status, 1);
-  EXPECT_THAT(r.err, HasSubstr(table + ": this run writes another file of that name, too"));
+  EXPECT_THAT(r.err, HasSubstr(table + ": this run already writes a file of that name"));
   EXPECT_FALSE(std::filesystem::exists(table));
 }
 

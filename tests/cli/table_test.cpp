@@ -130,12 +130,12 @@ TEST_F(Table, RefusesAxesThatAreNone) {
   const auto refused = [&](const std::string& flags, const std::string& message) {
     expect_refused(table(flags + out), message);
   };
-  refused("--speed 9:0:1 --axial-load 1", "--speed: \"9:0:1\": a range goes up");
-  refused("--speed 0:9:0 --axial-load 1", "--speed: \"0:9:0\": a range goes up");
-  refused("--speed 0:9 --axial-load 1", "--speed: \"0:9\": a range is from:to:step");
+  refused("--speed 9:0:1 --axial-load 1", "--speed: \"9:0:1\": the end of a range");
+  refused("--speed 0:9:0 --axial-load 1", "--speed: \"0:9:0\": the end of a range");
+  refused("--speed 0:9 --axial-load 1", "--speed: \"0:9\": write a range as from:to:step");
   refused("--speed 1,a --axial-load 1", "--speed: \"a\" is not a number");
   refused("--speed 0:nan:1 --axial-load 1", "--speed: \"nan\" is not a finite number");
-  refused("--speed 1,1 --axial-load 1", "--speed: the values must grow");
+  refused("--speed 1,1 --axial-load 1", "--speed: the values must be in ascending order");
   refused("--speed -1,0 --axial-load 1", "--speed = -1 rpm: must be from 0 to 1000000 rpm");
   refused("--speed 1 --axial-load -1", "--axial-load = -1 N: must be from 0 to 100000000 N");
   refused("--speed 1 --axial-load 1 --temperature 900", "must be from -100 to 400 C");
@@ -230,7 +230,7 @@ TEST_F(Slabs, NeedAPlaceAmongThemAndAFile) {
     EXPECT_EQ(r.status, 1);
     EXPECT_THAT(r.err, HasSubstr("write i/N with i from 1 to N")) << part;
   }
-  EXPECT_THAT(table(axes + " --slab 1/3").err, HasSubstr("--slab needs --output"));
+  EXPECT_THAT(table(axes + " --slab 1/3").err, HasSubstr("--output is missing"));
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ TEST(Trust, IsNotKnownOfAFileThatDoesNotSayIt) {
   const std::string found = scratch.file("found.toml");
   const Result bare = run("export " + exact_record + "correction.toml --format python");
   EXPECT_EQ(bare.status, 0);
-  EXPECT_THAT(bare.err, HasSubstr("note: displacement_z_um: how far it may be trusted is not "
+  EXPECT_THAT(bare.err, HasSubstr("note: displacement_z_um: the trust in this correction is not "
                                   "known: the model does not say how it does on readings that no "
                                   "fit saw"));
   // Nor of one whose numbers were changed since.
@@ -94,7 +94,7 @@ TEST(Trust, IsNotKnownOfAFileThatDoesNotSayIt) {
   scratch.write("found.toml", replaced(file_text(found), "offset_um = -", "offset_um = "));
   const Result changed = run("export " + found + " --format c");
   EXPECT_EQ(changed.status, 0) << changed.err;
-  EXPECT_THAT(changed.err, HasSubstr("may be trusted is not known"));
+  EXPECT_THAT(changed.err, HasSubstr("the trust in this correction is not known"));
 }
 
 TEST(Trust, OfATableIsRefusedWhereItSaysSomethingElse) {

@@ -91,7 +91,7 @@ TEST_F(Workbench, SaysThatThereIsNoPage) {
   scratch_.write("share/raceway/workbench.html", "an older page");
   const Result old = workbench("");
   EXPECT_EQ(old.status, 1);
-  EXPECT_THAT(old.err, HasSubstr("is no page of this version of the workbench"));
+  EXPECT_THAT(old.err, HasSubstr("is not a workbench page of this version"));
   fs::remove(scratch_.file("share/raceway/workbench.html"));
   const Result none = workbench("");
   EXPECT_EQ(none.status, 1);

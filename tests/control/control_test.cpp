@@ -508,11 +508,12 @@ TEST(ControlC, KeepsAThousandthOfAMicrometreInFloatOver40Hours) {
 
 TEST(ControlPlan, NamesWhatItLeavesOut) {
   const Case c(everything);
-  EXPECT_THAT(c.plan.notes,
-              testing::Contains("offset-jump: is of the readings of one record, and is left out"));
+  EXPECT_THAT(
+      c.plan.notes,
+      testing::Contains("offset-jump: belongs to the readings of one record, and is left out"));
   EXPECT_THAT(c.plan.notes, testing::Contains(HasSubstr("[correction.range] has no ")));
-  EXPECT_THAT(control_python(c.plan), HasSubstr("# Note: offset-jump: is of the readings"));
-  EXPECT_THAT(control_csv(c.plan), HasSubstr("# Note: offset-jump: is of the readings"));
+  EXPECT_THAT(control_python(c.plan), HasSubstr("# Note: offset-jump: belongs to the readings"));
+  EXPECT_THAT(control_csv(c.plan), HasSubstr("# Note: offset-jump: belongs to the readings"));
   const Case known(everything.substr(0, everything.find("[[correction]]", 5)) + every_range);
   EXPECT_THAT(known.plan.notes, Not(testing::Contains(HasSubstr("[correction.range]"))));
   EXPECT_EQ(known.plan.inputs[known.plan.speed].highest, 9000);
@@ -528,7 +529,7 @@ TEST(ControlPlan, FreeInitialStateBeginsFromRest) {
       "[correction]\ndisplacement = \"displacement_z_um\"\ninitial_state = \"free\"\n"
       "[[correction.channel]]\nname = \"spindle\"\ninput = \"front_temperature_C\"\n"
       "sections = [{ gain_um_K = 5.0, time_constant_s = 600 }]\n");
-  EXPECT_THAT(c.plan.notes, testing::Contains(HasSubstr("a control begins from rest")));
+  EXPECT_THAT(c.plan.notes, testing::Contains(HasSubstr("the program starts from rest")));
 }
 
 TEST(ControlState, OfAnotherModelIsRefused) {

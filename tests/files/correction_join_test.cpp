@@ -114,13 +114,13 @@ TEST(CorrectionJoin, WhatCannotBeOneIsRefused) {
   };
   EXPECT_THAT(join({spindle_part()}), refused("two or more"));
   EXPECT_THAT(join({machine_part(), machine_part()}),
-              refused("machine.toml: an earlier file has a channel \"x\", too"));
+              refused("machine.toml: an earlier file also has a channel \"x\""));
   EXPECT_THAT(join({spindle_part(), machine_part("[correction.kinematic]\nA = 0.001\nB = 0.6\n"
                                                  "C = 0.0006\n")}),
               refused("has [correction.kinematic], too"));
   EXPECT_THAT(
       join({spindle_part(), machine_part("[correction.range]\nspeed_rpm = [9500, 9900]\n")}),
-      refused("speed_rpm: its range has nothing in common"));
+      refused("speed_rpm: its range does not overlap"));
   EXPECT_THAT(
       join({spindle_part(),
             parse_correction("[correction]\ndisplacement = \"displacement_y_um\"\n", "y.toml")}),

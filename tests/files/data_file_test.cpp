@@ -216,7 +216,7 @@ TEST(DataFile, OfManyBadCellsTenAreShownAndAllCounted) {
   const std::string error = data_error(text);
   EXPECT_THAT(error, HasSubstr("d.csv:11: "));
   EXPECT_THAT(error, Not(HasSubstr("d.csv:12: ")));
-  EXPECT_THAT(error, HasSubstr("and 20 more"));
+  EXPECT_THAT(error, HasSubstr("20 more bad values"));
   EXPECT_THAT(error, HasSubstr("30 bad values in 30 rows"));
 }
 

@@ -328,7 +328,7 @@ TEST(SpindleSection, WhatCannotBeIsRefusedWithItsPlace) {
       {"rear_position_mm = [290.0]", "rear_position_mm = [368.0]", "is not all on the shaft"},
       {"rear_position_mm = [290.0]", "rear_position_mm = [200.0]",
        "the shaft has diameter_mm = 82 mm"},
-      {"rear_position_mm = [290.0]", "rear_position_mm = [20.0]", "must be behind"},
+      {"rear_position_mm = [290.0]", "rear_position_mm = [20.0]", "must be further from the nose"},
       {"length_mm = 275.0", "length_mm = 255.0", "is not all in the housing"},
       {"outer_diameter_mm = 180.0", "outer_diameter_mm = 105.0", "no wall is left"},
       {"flange_mm = 120.0", "flange_mm = 310.0", "it is not all on the housing"},

@@ -205,8 +205,8 @@ TEST(TorqueSignal, TakesThePlaceOfATorqueBesideIt) {
 TEST(TorqueSignal, WithoutACalibrationIsNoTorque) {
   const ModelFile file = model_with("");
   EXPECT_THAT(record_problem(file, "speed_rpm,torque_signal_V\n1000,0.6\n"),
-              HasSubstr("d.csv:1: column torque_signal_V needs the calibration of its sensor: the "
-                        "model has no [torque_sensor]"));
+              HasSubstr("d.csv:1: column torque_signal_V needs the calibration of its sensor, but "
+                        "the model has no [torque_sensor]"));
   const record::Record r =
       record_by(file, "speed_rpm,friction_torque_Nmm,torque_signal_V\n1000,90,0.6\n");
   EXPECT_DOUBLE_EQ(r.value(record::friction_torque, 0), 0.09);
@@ -228,7 +228,7 @@ TEST(TorqueSignal, BadCellsAreNamed) {
   EXPECT_THAT(record_problem(file, "speed_rpm,torque_signal_V\n1000,0.6\n2000,\n"),
               HasSubstr("d.csv:3: torque_signal_V = \"\": is empty"));
   EXPECT_THAT(record_problem(file, "speed_rpm,std_V\n1000,0.6\n"),
-              HasSubstr("column std_V has no torque_signal_V beside it"));
+              HasSubstr("column std_V needs a column torque_signal_V"));
   EXPECT_THAT(record_problem(file, "speed_rpm,signal_V\n1000,0.6\n"),
               HasSubstr("column signal_V is unknown; did you mean torque_signal_V?"));
   EXPECT_THAT(

@@ -152,7 +152,7 @@ TEST(Diagnose, BlocksThatNobodyDeclaredAreRunsWhereNothingTells) {
     alarms += d.verdict != verdict::Verdict::nothing_missing ? 1 : 0;
     EXPECT_TRUE(d.channels.front().noise.unknown_runs);
     EXPECT_TRUE(std::any_of(d.messages.begin(), d.messages.end(), [](const record::Note& m) {
-      return m.text.find("measure each of them twice") != m.text.npos;
+      return m.text.find("measure each block twice") != m.text.npos;
     }));
   }
   EXPECT_LE(alarms, 1);

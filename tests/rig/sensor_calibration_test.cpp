@@ -198,7 +198,7 @@ TEST(SensorCalibration, SaysWhatItCouldNotLookFor) {
   EXPECT_TRUE(std::isnan(c.lack_of_fit.statistic));
   EXPECT_EQ(c.hysteresis.torques, 0);
   EXPECT_THAT(texts(c.notes), Contains(HasSubstr("no torque was read twice")));
-  EXPECT_THAT(texts(c.notes), Contains(HasSubstr("nothing is known of the hysteresis")));
+  EXPECT_THAT(texts(c.notes), Contains(HasSubstr("so the hysteresis is unknown")));
 }
 
 TEST(SensorCalibration, AMistypedWeightIsNamedByItsLine) {
