@@ -71,7 +71,7 @@ void AxisFlags::declare(CLI::App& command, const std::string& speed_help) {
       ->type_name("VALUES");
   command
       .add_option("--temperature", temperature,
-                  "of the lubricant [C]; default: [rig] of the model, else 40")
+                  "lubricant temperature [C]; default: [rig] of the model, else 40")
       ->type_name("VALUES");
 }
 

@@ -93,9 +93,10 @@ Run setup_bearings(CLI::App& command) {
   auto flags = std::make_shared<BearingsFlags>();
   command.add_option("FILTER", flags->filter, "part of a designation; all bearings without it")
       ->type_name("");
-  add_length(command, "--bore", flags->bore, {1, 5000, "mm"}, "of that bore, mm or with its unit");
+  add_length(command, "--bore", flags->bore, {1, 5000, "mm"},
+             "bearings with this bore, in mm or with its unit");
   add_length(command, "--outer-diameter", flags->outer_diameter, {2, 10000, "mm"},
-             "of that outer diameter");
+             "bearings with this outer diameter");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer("Example:\n  raceway bearings \"S 60\"\n  raceway bearings --bore 70");
   return [flags] { return list_bearings(*flags); };

@@ -65,8 +65,8 @@ Run setup_compare(CLI::App& command) {
       ->type_name("NAMES");
   command
       .add_option("--zero", flags->how.zero,
-                  "of a correction: the constant taken off before it is compared: mean\n"
-                  "(which leaves least; default), first (reading of a run), none")
+                  "for corrections, the constant that is subtracted before the comparison:\nmean "
+                  "(smallest residual; default), first (reading of a run), none")
       ->check(CLI::IsMember({"mean", "first", "none"}))
       ->type_name("WHICH");
   declare(command, flags->loop);

@@ -68,12 +68,12 @@ void print_gains(const results::Learnt& one, bool several) {
 
 void LearnFlags::declare(CLI::App& command) {
   command.add_flag("--learn", learn,
-                   "take readings as they come: zero, states and gains are learnt,\n"
-                   "a row is predicted from readings before it alone");
+                   "learn zero, states and gains from the readings in their order;\na prediction "
+                   "uses earlier readings only");
   command
       .add_option("--every", choices.every,
-                  "with --learn: at least between two readings that are learnt, as 4h;\n"
-                  "the others judge; default: all are learnt")
+                  "with --learn: shortest time between two learnt readings, such as 4h;\nthe "
+                  "others test the prediction; default: all are learnt")
       ->type_name("TIME");
   command
       .add_option("--forget", choices.forget,

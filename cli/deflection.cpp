@@ -154,7 +154,8 @@ Run setup_deflection(CLI::App& command) {
   add_number(command, "--speed", flags->speed_rpm, speed_range, "[rpm]; default 0");
   command.add_flag("--warm", flags->warm,
                    "with the preload that the steady, warm spindle has at this speed");
-  command.add_option("--coolant", flags->coolant, "of the warm spindle, on or off; default on")
+  command
+      .add_option("--coolant", flags->coolant, "coolant of the warm spindle, on or off; default on")
       ->check(CLI::IsMember({"on", "off"}))
       ->type_name("STATE");
   command.add_option("-o,--output", flags->output, "bending line as CSV; - for stdout")

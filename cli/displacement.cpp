@@ -133,7 +133,7 @@ Run setup_displacement(CLI::App& command) {
   add_number(command, "--axial-load", flags->axial_load, signed_load_range,
              "[N], positive towards the tool; default: external_load_N");
   add_number(command, "--temperature", flags->temperature, temperature_range,
-             "of the lubricant [C]; default: [rig] of the model, else 40");
+             "lubricant temperature [C]; default: [rig] of the model, else 40");
   command.add_option("-o,--output", flags->output, "CSV file to write; - for stdout")
       ->type_name("FILE");
   flags->csv.declare(command);

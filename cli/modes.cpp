@@ -141,16 +141,17 @@ Run setup_modes(CLI::App& command) {
       ->type_name("VALUES");
   command.add_flag("--warm", flags->warm,
                    "with the stiffness that the bearings have in the steady, warm spindle");
-  command.add_option("--coolant", flags->coolant, "of the warm spindle, on or off; default on")
+  command
+      .add_option("--coolant", flags->coolant, "coolant of the warm spindle, on or off; default on")
       ->check(CLI::IsMember({"on", "off"}))
       ->type_name("STATE");
-  command.add_option("--modes", flags->count, "how many; default 6")
+  command.add_option("--modes", flags->count, "number of modes; default 6")
       ->check(CLI::Range(1, 40))
       ->type_name("N");
   add_number(command, "--damping", flags->damping, {0.0, 1.0, ""},
              "damping ratio of every mode, as you state it, 0.02; for --unbalance");
   add_number(command, "--unbalance", flags->unbalance_gmm, {0.0, 1e9, "g mm"},
-             "[g mm] that turns with the shaft: the path of the nose at each speed");
+             "unbalance [g mm] of the shaft; gives the path of the nose at each speed");
   add_number(command, "--unbalance-at", flags->unbalance_at_mm, {0.0, 1e5, "mm"},
              "[mm] behind the nose face; default 0");
   command.add_option("-o,--output", flags->output, "Campbell diagram as CSV; - for stdout")

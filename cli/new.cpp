@@ -81,11 +81,12 @@ Run setup_new(CLI::App& command) {
                   "where their names do not say it")
       ->type_name("FILE");
   add_length(command, "--bore", flags->wanted.outline.bore, {1, 5000, "mm"},
-             "of one that is not in the catalogue, in mm or with its unit (2.7559in)");
+             "bore of a bearing that the catalogue lacks, in mm or with its unit (2.7559in)");
   add_length(command, "--outer-diameter", flags->wanted.outline.outer_diameter, {2, 10000, "mm"},
-             "of the same");
+             "its outer diameter");
   command
-      .add_option("--balls", flags->wanted.outline.ball_count, "how many it has, if it is known")
+      .add_option("--balls", flags->wanted.outline.ball_count,
+                  "number of its balls, if you know it")
       ->check(CLI::Range(3, 200))
       ->type_name("NUMBER");
   add_number(command, "--contact-angle", flags->wanted.contact_angle, {0.1, 65, "deg"},

@@ -90,14 +90,14 @@ Run setup_sensitivity(CLI::App& command) {
       ->type_name("NAMES");
   flags->axes.declare(command,
                       "[rpm]; like all axes as 100,300,900 or as from:to:step, 0:12000:2000");
-  command.add_flag("--steady", flags->steady, "of a whole spindle, where its speed leads");
-  command.add_flag("--no-coolant", flags->no_coolant, "with --steady: it does not flow");
+  command.add_flag("--steady", flags->steady, "steady state of a whole spindle at its speed");
+  command.add_flag("--no-coolant", flags->no_coolant, "with --steady: without coolant flow");
   command
       .add_option("--spread", flags->spread,
-                  "how far data may be off either way, as ball_diameter_mm=0.01 or\n"
-                  "viscosity_40C_mm2_s=10%, with commas; or a file (TOML) with keys of\n"
-                  "the model; default: 1 %, 1 K of temperatures, 1 of counts, and of\n"
-                  "what was fitted its standard error")
+                  "possible error of the data in both directions, as ball_diameter_mm=0.01\nor "
+                  "viscosity_40C_mm2_s=10%, with commas; or a file (TOML) with keys of\nthe model; "
+                  "default: 1 %, 1 K for temperatures, 1 for counts, and the\nstandard error for "
+                  "fitted numbers")
       ->type_name("DATA");
   command
       .add_option("--data", flags->data,
@@ -109,7 +109,7 @@ Run setup_sensitivity(CLI::App& command) {
                   "evaluated once for every datum and twice more")
       ->check(CLI::Range(std::size_t{2}, std::size_t{1} << 24U))
       ->type_name("SAMPLES");
-  command.add_option("--seed", flags->seed, "of the samples; default 1")->type_name("N");
+  command.add_option("--seed", flags->seed, "seed of the samples; default 1")->type_name("N");
   command.add_flag("--all", flags->all, "also data with less than 0.1 %");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(

@@ -18,14 +18,14 @@ void declare(CLI::App& command, session::Reading& reading) {
                   "the model; check --suggest-columns proposes one")
       ->type_name("FILE");
   command.add_flag("--drop-nan", reading.drop_nan,
-                   "leave out rows with an empty cell, nan or #N/A in a column that counts");
+                   "leave out rows with an empty cell, nan or #N/A in a column that is used");
 }
 
 void declare_beside(CLI::App& command, session::Reading& reading) {
   command
       .add_option("--beside", reading.beside,
-                  "of a record over time: a further file of it with a clock of its own,\n"
-                  "as temperatures of another logger; again for each")
+                  "for a record over time: another file of it with its own clock, such "
+                  "as\ntemperatures of another logger; repeat the flag for each file")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("FILE");
@@ -34,18 +34,20 @@ void declare_beside(CLI::App& command, session::Reading& reading) {
 void declare(CLI::App& command, session::Period& period) {
   command
       .add_option("--from", period.from,
-                  "of a record over time: only readings from then on count, as 22h;\n"
-                  "all rows drive the model")
+                  "for a record over time: use only readings from this time on, such as 22h;\nall "
+                  "rows drive the model")
       ->type_name("TIME");
-  command.add_option("--until", period.until, "the same: only readings up to then")
+  command
+      .add_option("--until", period.until,
+                  "for a record over time: use only readings up to this time")
       ->type_name("TIME");
 }
 
 void declare_channel(CLI::App& command, std::string& channel) {
   command
       .add_option("--channel,--displacement", channel,
-                  "of a MODEL that describes several things, such as two [[correction]]:\n"
-                  "a column that the wanted one predicts, as displacement_z_um")
+                  "for a MODEL of several quantities, such as two [[correction]]:\na column that "
+                  "the wanted one predicts, such as displacement_z_um")
       ->type_name("COLUMN");
 }
 
@@ -53,14 +55,14 @@ void declare(CLI::App& command, session::LoopOptions& loop) {
   declare_channel(command, loop.channel);
   command
       .add_option("--per-record", loop.per_record,
-                  "of several DATA: fitted to each by itself, such as f0,z (by comma), as\n"
-                  "the oil and the temperature of a day; all else is one for all")
+                  "for several DATA: parameters that are fitted to each record separately,\nsuch "
+                  "as f0,z (by comma); all other parameters are common")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAMES");
   command.add_flag("--rows", loop.rows,
-                   "rows of a logger stay apart; otherwise consecutive rows at equal speed\n"
-                   "and load are averaged to dwells");
+                   "keep the rows of a logger; otherwise consecutive rows at equal speed\nand load "
+                   "are averaged to dwells");
   declare(command, loop.reading);
   declare_beside(command, loop.reading);
   declare(command, loop.reading.period);
@@ -69,8 +71,8 @@ void declare(CLI::App& command, session::LoopOptions& loop) {
 void declare(CLI::App& command, session::Tolerance& tolerance) {
   command
       .add_option("--tolerance", tolerance.text,
-                  "error below which nothing matters, e.g. 2Nmm or 2um,0.5K;\n"
-                  "for models without a tolerance under [loop]")
+                  "largest error that you accept, e.g. 2Nmm or 2um,0.5K;\nfor models without a "
+                  "tolerance under [loop]")
       ->type_name("VALUES");
 }
 

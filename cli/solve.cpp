@@ -79,14 +79,14 @@ int run(const SolveFlags& flags) {
 Run setup_solve(CLI::App& command) {
   auto flags = std::make_shared<SolveFlags>();
   command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
-  add_number(command, "--speed", flags->point.speed_rpm, speed_range, "of the shaft [rpm]")
+  add_number(command, "--speed", flags->point.speed_rpm, speed_range, "speed of the shaft [rpm]")
       ->required();
   add_number(command, "--axial-load", flags->point.axial_load_N, signed_load_range,
              "[N], on a shaft positive towards the tool; default: of the model");
   add_number(command, "--radial-load", flags->point.radial_load_N, load_range,
              "along +y [N]; default: [rig] of the model, else 0");
   add_number(command, "--temperature", flags->point.temperature_C, temperature_range,
-             "of the lubricant [C]; default: [rig] of the model, else 40");
+             "lubricant temperature [C]; default: [rig] of the model, else 40");
   add_number(command, "--moment-y", flags->point.moment_y_Nmm, moment_range,
              "about y [N mm], carried where tilt is free; default 0");
   add_number(command, "--moment-z", flags->point.moment_z_Nmm, moment_range,

@@ -183,7 +183,7 @@ Run setup_spindle(CLI::App& command) {
   add_number(command, "--belt-force", flags->belt_force_N, load_range,
              "[N]; with --steady; default: [drive] of the model");
   add_number(command, "--motor-power", flags->motor_power_W, power_range,
-             "[W] that the motor takes, for formulas of heat; with --steady");
+             "power of the motor [W], for formulas of heat; with --steady");
   command
       .add_option("-o,--output", flags->output,
                   "CSV file to write, - for stdout: displacement, forces, heat and temperatures")

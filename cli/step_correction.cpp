@@ -19,7 +19,7 @@ void StepCorrectionFlags::declare(CLI::App& command) {
       .add_option("--correction", file,
                   "model of a correction to write; its tables go into the same folder")
       ->type_name("FILE");
-  command.add_option("--law", law, "of K and T in the correction: curve, power or line")
+  command.add_option("--law", law, "law of K and T in the correction: curve, power or line")
       ->check(CLI::IsMember({"curve", "power", "line"}))
       ->type_name("LAW");
   command

@@ -131,20 +131,21 @@ Run setup_step_response(CLI::App& command) {
       ->type_name("");
   command
       .add_option("--speed", flags->speed,
-                  "[rpm] of the steps, as 2000,6000 or as from:to:step, 2000:10000:2000")
+                  "speeds of the steps [rpm], as 2000,6000 or as from:to:step, 2000:10000:2000")
       ->type_name("VALUES");
   command
       .add_option("--axial-load", flags->axial_load,
                   "[N] of steps at the nose of a spindle that has settled at each speed,\npositive "
                   "towards the tool, as --axial-load=-500,500")
       ->type_name("VALUES");
-  command.add_option("--radial-load", flags->radial_load, "[N] of such steps")->type_name("VALUES");
+  command.add_option("--radial-load", flags->radial_load, "radial load of such steps [N]")
+      ->type_name("VALUES");
   command
       .add_option("--load-speed", flags->load_speed,
-                  "[rpm] at which loads step; default: all of --speed")
+                  "speeds of the load steps [rpm]; default: all of --speed")
       ->type_name("VALUES");
   add_number(command, "--hours", flags->hours, session::step_hours_range,
-             "of each step; default 4");
+             "duration of each step; default 4");
   command.add_option("--coolant", flags->coolant, "on or off; default on")
       ->check(CLI::IsMember({"on", "off"}))
       ->type_name("STATE");
@@ -158,11 +159,11 @@ Run setup_step_response(CLI::App& command) {
       ->type_name("LOAD=FILE")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command.add_option("--units", flags->units, "of time histories; default s,um")
+  command.add_option("--units", flags->units, "units of time histories; default s,um")
       ->type_name("TIME,LENGTH");
-  add_number(
-      command, "--temperature", flags->temperature, temperature_range,
-      "of the lubricant [C], for the power at imported speeds;\ndefault: [rig] of MODEL, else 40");
+  add_number(command, "--temperature", flags->temperature, temperature_range,
+             "lubricant temperature [C], for the power at imported speeds;\ndefault: [rig] of "
+             "MODEL, else 40");
   command.add_option("-o,--output", flags->output, "CSV file to write; - for stdout")
       ->type_name("FILE");
   flags->correction.declare(command);

@@ -39,9 +39,9 @@ constexpr Key keys_of_bearing[]{
     {"ring_material", one_of("steel|silicon-nitride"), "steel",
      "built in, or the NAME of a [material.NAME]"},
     {"bore_mm", between(0, 5000, "mm"), "pitch diameter - 1.5 ball diameters",
-     "of the inner ring, below pitch diameter - ball diameter"},
+     "bore of the inner ring, below pitch diameter - ball diameter"},
     {"outer_diameter_mm", between(1, 10000, "mm"), "pitch diameter + 1.5 ball diameters",
-     "of the outer ring, above pitch diameter + ball diameter, at most twice that"},
+     "outer diameter of the outer ring, above pitch diameter + ball diameter, at most twice that"},
     {"radial_clearance_um", between(0, 10000, "um"), 0.0,
      "diametral, without load, below the distance of the groove centres; of contact angle 0 alone"},
     {"inner_shoulder_diameter_mm", between(0.1, 5000, "mm"), unset,
@@ -62,9 +62,9 @@ constexpr Key material_keys[]{
      "linear; steel 11.5, silicon-nitride 3.2"},
     // Balls and rings need neither.
     {"conductivity_W_mK", between(0.05, 2000, "W/(m K)"), unset,
-     "of heat; needed by a segment of a spindle alone"},
+     "thermal conductivity; needed only by a segment of a spindle"},
     {"heat_capacity_J_kgK", between(50, 5000, "J/(kg K)"), unset,
-     "needed by a segment of a spindle alone"},
+     "heat capacity; needed only by a segment of a spindle"},
 };
 
 using bearing::BearingGeometry;

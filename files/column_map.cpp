@@ -22,10 +22,10 @@ using record::Channel;
 
 constexpr Key columns_keys[]{
     {"decimal_mark", one_of(".|,"), unset,
-     "of the file; the other one separates thousands. Asked for where the numbers can be read in "
-     "two ways"},
+     "decimal mark of the file; the other mark separates thousands. Needed where the numbers can "
+     "be read in two ways"},
     {"date_order", one_of("day first|month first|year first"), unset,
-     "of dates with slashes, dashes or years of two digits. Asked for where it changes the time "
+     "order in dates with slashes, dashes or years of two digits. Needed where it changes the time "
      "between rows"},
     {"settings_hold", one_of("from row|until row"), unset,
      "of records over time. \"from row\": speed, loads, feeds and coolant hold from their row "

@@ -30,7 +30,7 @@ const Key contact_lubricant_keys[]{
     {"density_15C_kg_m3", between(600, 2000, "kg/m3"), usual_oil.density_15C,
      "density of the oil, by default of its type, here mineral; for the law contact"},
     {"conductivity_W_mK", between(0.05, 1, "W/(m K)"), usual_oil.conductivity,
-     "of heat, of the oil, by default of its type, here mineral; for the law contact"},
+     "thermal conductivity of the oil, by default of its type, here mineral; for the law contact"},
     {"limiting_traction", between(traction_card), usual_oil.limiting_traction,
      "traction over pressure that the oil cannot exceed, by default of its type, here mineral; for "
      "the law contact"},

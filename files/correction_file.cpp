@@ -70,22 +70,23 @@ constexpr Key correction_channel_keys[]{
      "a column, a list of which the mean drives, or \"power_W\": torque of a friction table times "
      "the speed"},
     {"exponent", between(0.5, 3.0), 1.0,
-     "of an input that is a speed, which counts as n (n/1000 rpm)^(exponent - 1)"},
+     "exponent of an input that is a speed n, which counts as n (n/1000 rpm)^(exponent - 1)"},
     {"reference", a_text, unset,
      "a temperature whose rise is subtracted from the rise of the input"},
     {"sections", a_list, unset, "lags, with gain and time constant"},
-    {"scale", between(-1e6, 1e6), 1.0, "of all of the channel: the gain of a sister spindle"},
+    {"scale", between(-1e6, 1e6), 1.0,
+     "factor on the whole channel, such as the gain of a sister spindle"},
     {"window", a_table, unset,
      "{ column, points, acts_on }: share with which the channel acts at a position of an axis"},
     {"friction_table", a_text, unset,
-     "of \"power_W\": a CSV with speed_rpm, axial_load_N, temperature_C, friction_torque_Nmm, "
-     "in the folder of the model"},
+     "for \"power_W\": a CSV with speed_rpm, axial_load_N, temperature_C, friction_torque_Nmm, in "
+     "the folder of the model"},
     {"axial_load_N", between(-1e8, 1e8, "N"), 0.0,
-     "of \"power_W\": a number or a column of loads at which the table is read"},
+     "for \"power_W\": axial load at which the table is read, a number or a column"},
     {"radial_load_N", between(0, 1e8, "N"), "the value of a table that has one",
-     "of \"power_W\": a number or a column of radial loads at which the table is read"},
+     "for \"power_W\": radial load at which the table is read, a number or a column"},
     {"temperature_C", between(-273, 500, "C"), "the value of a table that has one",
-     "of \"power_W\": a number or a column at which the table is read"},
+     "for \"power_W\": temperature at which the table is read, a number or a column"},
     {"gain", a_table, unset,
      "in place of sections, over \"power_W\" or a column that is no temperature, such as a load: { "
      "slope_um_W, offset_um }, { factor, exponent } or { table }"},
@@ -118,8 +119,8 @@ constexpr Key section_time_keys[]{
     {"time_constant_s", between(1e-3, most, "s"), is_required, "of the lag"}};
 constexpr Key element_gain_keys[]{
     {"slope_um_W", between(-most, most, "um/W"), unset,
-     "of a straight line over the input; ends in its unit: slope_um_W, slope_um_N ..."},
-    {"offset_um", between(-most, most, "um"), unset, "of that line where the input is 0"},
+     "slope of a straight line over the input; ends in its unit: slope_um_W, slope_um_N ..."},
+    {"offset_um", between(-most, most, "um"), unset, "value of that line where the input is 0"},
     {"factor", between(-most, most, "um"), unset, "of factor x^exponent, x the input in its unit"},
     {"exponent", between(-10, 10), unset, "of factor x^exponent"},
     {"table", a_text, unset,
@@ -127,8 +128,8 @@ constexpr Key element_gain_keys[]{
 };
 constexpr Key element_time_keys[]{
     {"slope_min_W", between(-most, most, "min/W"), unset,
-     "of a straight line over the input; ends in its unit: slope_min_W, slope_min_N ..."},
-    {"offset_min", between(-most, most, "min"), unset, "of that line where the input is 0"},
+     "slope of a straight line over the input; ends in its unit: slope_min_W, slope_min_N ..."},
+    {"offset_min", between(-most, most, "min"), unset, "value of that line where the input is 0"},
     {"factor", between(-most, most, "min"), unset, "of factor x^exponent, x the input in its unit"},
     {"exponent", between(-10, 10), unset, "of factor x^exponent"},
     {"table", a_text, unset,
@@ -153,12 +154,13 @@ constexpr Key correction_effect_keys[]{
      "{ column, points, acts_on } of input, as of a channel: where its channel acts otherwise"},
 };
 constexpr Key correction_own_effect_keys[]{
-    {"formula", a_text, unset, "of an effect of one's own, over columns and its parameters"},
-    {"title", a_text, unset, "of an effect of one's own, for messages"},
+    {"formula", a_text, unset, "formula of your own effect, over columns and its parameters"},
+    {"title", a_text, unset, "title of your own effect, for messages"},
     {"gain_um", between(-most, most, "um"), unset,
-     "of an effect of one's own: um per unit of its formula, required; 0 waits, as a candidate"},
+     "gain of your own effect, um per unit of its formula, required; 0: the effect is off and a "
+     "candidate"},
     {"time_constant_s", between(1, 1e7, "s"), unset,
-     "of an effect of one's own: of the lag that follows it; without it at once"},
+     "time constant of the lag of your own effect; without it the effect acts at once"},
 };
 
 using correction::DrivenChannel;

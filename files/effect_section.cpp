@@ -17,8 +17,8 @@ constexpr Key effect_id_keys[]{
      "with a formula"}};
 constexpr Key own_effect_keys[]{
     {"torque_Nmm", a_text, unset,
-     "formula of an effect of one's own: torque over the columns and its parameters"},
-    {"title", a_text, unset, "of an effect of one's own, for messages"},
+     "formula of your own effect: torque over the columns and its parameters"},
+    {"title", a_text, unset, "title of your own effect, for messages"},
 };
 
 using effects::Description;

@@ -24,34 +24,35 @@ const Key control_keys[]{
      "1 or -1: offset = sign * displacement, an axis moves against it; of all axes, or by "
      "displacement"},
     {"unit", one_of("um|mm|counts"), usual_control.unit.all,
-     "of what is handed out, counts being whole numbers; of all axes, or by displacement"},
+     "unit of the offset, counts being whole numbers; of all axes, or by displacement"},
     {"count_um", between(1e-6, 1e6, "um"), usual_control.count_um.all,
-     "of one count; of all axes, or by displacement"},
+     "size of one count; of all axes, or by displacement"},
     {"unit_of_angles", one_of("urad|mrad|rad|deg|counts"), "urad",
      "as unit, of angles: of all, or by displacement"},
     {"count_urad", between(1e-6, 1e6, "urad"), usual_control.count_um.all,
      "as count_um, of angles: of all, or by displacement"},
     {"axis", one_of("x|y|z|u|v|w|a|b|c"),
-     "LETTER of displacement_LETTER_um or displacement_LETTER_urad", "of LinuxCNC that is moved"},
+     "LETTER of displacement_LETTER_um or displacement_LETTER_urad",
+     "axis of LinuxCNC that is moved"},
     {"plausible", a_list, "[-40, 150] of temperatures, 10 times the range of others",
-     "[lowest, highest] that an input can be, in its unit; one pair is of all temperatures, or { "
-     "COLUMN = [...] } of any input"},
+     "[lowest, highest] possible value of an input, in its unit; one pair is for all temperatures, "
+     "or { COLUMN = [...] } for any input"},
     {"fastest_per_s", between(0, 1e9), usual_control.fastest_per_s.all,
-     "that an input can change, in its unit, 0 where it may do anything; one number is of all "
-     "temperatures, or { COLUMN = ... } of any input"},
+     "largest change of an input in a second, in its unit, 0 for no limit; one number is for all "
+     "temperatures, or { COLUMN = ... } for any input"},
     {"stuck_s", between(0, 1e9, "s"), usual_control.stuck_s.all,
-     "for how long an input can stand still, 0 for ever; one number is of all temperatures, or { "
-     "COLUMN = ... } of any input"},
+     "longest time without a change of an input, 0 for no limit; one number is for all "
+     "temperatures, or { COLUMN = ... } for any input"},
     {"smoothing_s", between(0, 1e6, "s"), usual_control.smoothing_s.all,
      "time constant that instant parts feel inputs with, for sensors of coarse steps; of all "
      "inputs, or { COLUMN = ... }"},
     {"on_fault", one_of("hold|last-safe|zero"), usual_control.on_fault,
-     "of an input, after hold_s: go on with its last value, fade to the last offset that good "
-     "inputs asked for, or to 0"},
+     "reaction to a faulty input after hold_s: continue with its last value, fade to the last "
+     "offset from good inputs, or fade to 0"},
     {"hold_s", between(0, 1e6, "s"), usual_control.hold_s,
-     "for how long an input at fault is taken as it last was"},
+     "time for which a faulty input keeps its last value"},
     {"fade_s", between(0.1, 1e6, "s"), usual_control.fade_s,
-     "in which an offset fades, and comes back"},
+     "time in which an offset fades and returns"},
     {"longest_gap_s", between(1e-3, 1e6, "s"), usual_control.longest_gap_s,
      "between two calls; after a longer one offsets move no further than in this time, and an "
      "alarm is raised"},

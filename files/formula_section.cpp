@@ -13,7 +13,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Key formula_number[]{
     {"value", between(-infinity, infinity), is_required,
      "parameter of a formula; a number alone is short for it"},
-    {"unit", a_text, "1", "of the parameter, for results"},
+    {"unit", a_text, "1", "unit of the parameter, for results"},
     {"lower", between(-infinity, infinity), unset, "bound of a calibration"},
     {"upper", between(-infinity, infinity), unset, "bound of a calibration"},
 };

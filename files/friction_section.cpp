@@ -27,8 +27,8 @@ const Key lubricant_keys[]{
     {"viscosity_100C_mm2_s", between(0.5, 1e5, "mm2/s"), is_required,
      "kinematic viscosity, below that at 40 C"},
     {"supply", one_of(words_of_supply), "inlets as oil-air, grease and jet leave them",
-     "how the lubricant comes to the bearing; rules out effects that need another one, and floods "
-     "the inlets of the law contact with bath"},
+     "supply of the lubricant; excludes effects that need another supply; with bath, the contact "
+     "inlets of the law contact are flooded"},
 };
 
 using friction::F1Load;

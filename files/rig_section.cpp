@@ -9,14 +9,14 @@ namespace {
 constexpr model::Rig usual_rig;
 constexpr Key rig_keys[]{
     {"inertia_kgm2", between(1e-9, 1e6, "kg m2"), unset,
-     "of all that coasts down, a number or \"unknown\"; records of a coast-down need it"},
+     "inertia of all rotating parts, a number or \"unknown\"; coast-down records need it"},
     {"bearings", whole(1, 100), static_cast<double>(usual_rig.bearings),
      "bearings on the rig, which reads so many times the torque of one"},
     {"axial_load_N", between(0, 1e8, "N"), unset, "per bearing, for rows without that column"},
     {"radial_load_N", between(0, 1e8, "N"), usual_rig.radial_load,
      "per bearing, for rows without that column"},
     {"temperature_C", between(-273, 500, "C"), celsius(usual_rig.temperature),
-     "of the lubricant, for rows without that column"},
+     "lubricant temperature, for rows without that column"},
     {"room_temperature_C", between(-273, 500, "C"), "in diagnose and add the coldest row",
      "needed by the effect temperature-gain"},
     {"minimum_speed_rpm", between(0, 1e6, "rpm"), usual_rig.minimum_speed / rpm,

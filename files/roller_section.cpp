@@ -38,7 +38,7 @@ constexpr Key keys_of_rollers[]{
     {"pitch_diameter_mm", between(1, 5000, "mm"), is_required,
      "diameter of the circle through the axes of the rollers, above 2 roller diameters"},
     {"bore_mm", between(0, 5000, "mm"), unset,
-     "of the inner ring, below its raceway; needed by the law skf"},
+     "bore of the inner ring, below its raceway; needed by the law skf"},
     {"outer_diameter_mm", between(1, 10000, "mm"), unset,
      "outer diameter of the ring, from 1 to 2 times its raceway; needed by the law skf"},
     {"width_mm", between(0.5, 5000, "mm"), unset, "width of the rings, at least the roller length"},
@@ -48,7 +48,8 @@ constexpr Key keys_of_rollers[]{
      "state in which the clearance is given: on its seats, cold and at standstill, or before "
      "mounting; a rig has no seats and takes it as it is"},
     {"taper", between(0, 100), 0.0,
-     "of the bore, 12 for 1:12, 5 at least; 0 is a cylindrical bore. Without effect on a rig"},
+     "taper of the bore, 12 for 1:12, 5 at least; 0 is a cylindrical bore. Without effect on a "
+     "rig"},
     {"profile", one_of("iso|none"), "iso",
      "crowning of the rollers: logarithmic as in ISO/TS 16281, or straight"},
     {"roller_material", one_of("steel|silicon-nitride"), "steel",
@@ -64,11 +65,11 @@ constexpr std::span<const Key> keys_of_geometry =
 constexpr Key keys_on_shaft[]{
     {"name", a_text, is_required,
      "letters, digits and _; gives the columns NAME_clearance_um, NAME_radial_force_N and so on"},
-    {"position_mm", on_the_shaft, is_required, "of its middle, behind the nose face"},
+    {"position_mm", on_the_shaft, is_required, "position of its middle, behind the nose face"},
     {"inner_interference_um", between(-500, 500, "um"), "that of [seat]",
      "diametral, of its inner ring on the shaft"},
     {"drive_up_mm", between(0, 50, "mm"), unset,
-     "how far its inner ring is driven up the taper, in place of inner_interference_um"},
+     "distance that its inner ring is driven up the taper, instead of inner_interference_um"},
     {"outer_clearance_um", between(-500, 500, "um"), "that of [seat]",
      "diametral, of its outer ring in the housing"},
     {"lubricant_conductance_W_K", between(0, 1000, "W/K"), "that of [bearing]",

@@ -15,10 +15,10 @@ constexpr Key torque_sensor_keys[]{
     {"coefficients", a_list, is_required,
      "2 to 4: signal in V is the sum of coefficient k times M^k, M in N m; written by "
      "calibrate-sensor"},
-    {"units", a_list, is_required, "of the coefficients, [\"V\", \"V/Nm\", ...]"},
+    {"units", a_list, is_required, "units of the coefficients, [\"V\", \"V/Nm\", ...]"},
     {"std", a_list, is_required, "standard errors of the coefficients"},
     {"correlation", a_list, is_required,
-     "of the coefficients, row by row up to the one with itself"},
+     "correlation of the coefficients, row by row up to the diagonal"},
     {"residual_std_V", between(0, 1e6, "V"), is_required, "standard deviation of one reading"},
     {"torque_from_Nm", between(-1e9, 1e9, "Nm"), is_required,
      "lowest torque of the calibration; beyond it the tangent holds"},

@@ -50,7 +50,7 @@ const std::array shaft_solid_keys = solid_keys(model::steel_of_shafts);
 const std::array housing_solid_keys = solid_keys(model::iron_of_housings);
 
 constexpr Key shaft_keys[]{
-    {"bore_mm", between(0, 5000, "mm"), 0.0, "of all segments that have none of their own"},
+    {"bore_mm", between(0, 5000, "mm"), 0.0, "bore of all segments that have none of their own"},
     {"segment", a_list, is_required, "the pieces of the shaft, from the nose to the rear"},
     {"disk", a_list, unset, "masses on the shaft, [[shaft.disk]]"},
     {"roller_bearing", a_list, unset,
@@ -112,22 +112,23 @@ constexpr Key seat_keys[]{
     {"outer_clearance_um", between(-500, 500, "um"), usual_seat.outer_clearance / um,
      "diametral, of the outer rings in the housing"},
     {"roughness_um", between(0.01, 50, "um"), usual_seat.roughness / um,
-     "of the surfaces that touch"},
+     "roughness of the contact surfaces"},
     {"slope", between(0.001, 2), usual_seat.slope, "mean slope of the roughness"},
-    {"hardness_GPa", between(0.05, 100, "GPa"), usual_seat.hardness / GPa, "of the softer surface"},
+    {"hardness_GPa", between(0.05, 100, "GPa"), usual_seat.hardness / GPa,
+     "hardness of the softer surface"},
     {"shoulder_conductance_W_m2K", between(0, 1e6, "W/(m2 K)"), usual_seat.shoulder_conductance,
      "heat through the shoulders against which the rings stand"},
     {"collar_conductance_W_m2K", between(0, 1e6, "W/(m2 K)"), usual_seat.collar_conductance,
      "heat between the outer ring and a collar of the shaft that runs against it; over an open gap "
      "of 0.1 mm it is 270"},
     {"outer_conductance_W_m2K", between(0.1, 1e6, "W/(m2 K)"), "what the fit gives",
-     "of the outer seats"},
+     "conductance of the outer seats"},
 };
 
 constexpr Key gap_keys[]{
     {"inner_diameter_mm", between(0.1, 10000, "mm"), unset,
-     "of an air gap between shaft and housing; without the table shaft against housing between the "
-     "sets"},
+     "inner diameter of an air gap between shaft and housing; without the table, the gap between "
+     "the sets"},
     {"outer_diameter_mm", between(0.1, 10000, "mm"), unset, "of the gap"},
     {"start_mm", on_the_shaft, unset, "behind the nose face"},
     {"end_mm", on_the_shaft, unset, "behind the nose face"},

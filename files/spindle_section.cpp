@@ -36,7 +36,7 @@ constexpr Key spindle_friction_keys[]{{"inner_heat_share", between(0, 1),
                                        "by the sliding at each ring",
                                        "share of the friction heat that goes to the inner ring"}};
 constexpr Key spindle_solver_keys[]{
-    {"cells", one_of("coarse|medium|fine"), "medium", "how fine it is cut into cells"},
+    {"cells", one_of("coarse|medium|fine"), "medium", "size of the cells"},
     {"step_s", between(0.01, 1e5, "s"), "as the error asks for", "the longest time step"},
 };
 const Key spindle_rig_keys[]{

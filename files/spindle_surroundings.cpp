@@ -17,12 +17,13 @@ constexpr model::Ambient usual_air;
 constexpr Key ambient_keys[]{
     {"temperature_C", between(-100, 200, "C"), celsius(usual_air.temperature), "of the air"},
     {"machine_temperature_C", between(-100, 200, "C"), "as the ambient",
-     "of the machine behind the flange"},
-    {"emissivity", between(0, 1), usual_air.emissivity, "of the surfaces, for radiation"},
+     "temperature of the machine behind the flange"},
+    {"emissivity", between(0, 1), usual_air.emissivity,
+     "emissivity of the surfaces, for radiation"},
     {"convection_factor", between(0, 20), usual_air.convection_factor,
      "on free convection of housing and end faces"},
     {"rotating_convection", one_of("becker|kendoush|anderson-saunders"), "becker",
-     "whose correlation for turning surfaces"},
+     "author of the correlation for rotating surfaces"},
 };
 
 constexpr Key coolant_keys[]{
@@ -40,7 +41,7 @@ constexpr Key circuit_keys[]{
 };
 constexpr Key channel_keys[]{
     {"flow_l_min", between(0, 1e4, "l/min"), is_required, "volume in a minute"},
-    {"diameter_mm", between(1, 10000, "mm"), is_required, "of the helix of the channel"},
+    {"diameter_mm", between(1, 10000, "mm"), is_required, "diameter of the helix of the channel"},
     {"channel_width_mm", between(0.1, 1000, "mm"), is_required, "along the spindle"},
     {"channel_depth_mm", between(0.1, 1000, "mm"), is_required, "radial"},
     {"pitch_mm", between(0.1, 10000, "mm"), is_required, "from turn to turn, at least the width"},
@@ -49,7 +50,7 @@ constexpr Key channel_keys[]{
     {"stagnant_W_m2K", between(0, 1e5, "W/(m2 K)"), model::Coolant{}.stagnant,
      "heat transfer where the coolant stands"},
     {"throttle_diameter_mm", between(0.1, 1000, "mm"), unset,
-     "of an orifice at the outlet, for its pressure drop"},
+     "diameter of an orifice at the outlet, for its pressure drop"},
 };
 
 const double usual_share = model::HeatSource{}.rotor_share;
@@ -61,10 +62,10 @@ const Key factor_key{"heat_factor", between(0, 100), model::HeatSource{}.factor,
 const Key motor_keys[]{
     {"heat_W", between(0, 1e6, "W"), 0.0, heat_meaning},
     factor_key,
-    {"position_mm", on_the_shaft, is_required, "of its middle, behind the nose face"},
+    {"position_mm", on_the_shaft, is_required, "position of its middle, behind the nose face"},
     {"length_mm", between(0.1, longest_mm, "mm"), is_required, "of the rotor"},
     {"rotor_diameter_mm", between(0.1, 5000, "mm"), unset, "of the rotor"},
-    {"rotor_share", between(0, 1), usual_share, "of its heat, to the rotor"},
+    {"rotor_share", between(0, 1), usual_share, "share of its heat that goes to the rotor"},
 };
 const Key drive_keys[]{
     {"heat_W", between(0, 1e6, "W"), "0 with belt_force_N, else required", heat_meaning},
@@ -72,13 +73,13 @@ const Key drive_keys[]{
     {"belt_force_N", between(0, 1e8, "N"), unset,
      "pull of the belt on the shaft; a programme may have it by rows"},
     {"belt_angle_deg", between(-360, 360, "deg"), 0.0,
-     "of its pull, from the direction of radial loads at the nose (+y) towards +z"},
+     "angle of its pull, from the direction of radial loads at the nose (+y) towards +z"},
     {"position_mm", on_the_shaft, "the shaft behind the last bearing",
-     "of the middle of the part that is heated, and of the belt, behind the nose face; required "
+     "position of the belt and of the middle of the heated part, behind the nose face; required "
      "with belt_force_N"},
     {"length_mm", between(0.1, longest_mm, "mm"), unset, "of the part that is heated"},
     {"rotor_diameter_mm", between(0.1, 5000, "mm"), unset, "of the part that is heated"},
-    {"rotor_share", between(0, 1), usual_share, "of its heat, to the shaft"},
+    {"rotor_share", between(0, 1), usual_share, "share of its heat that goes to the shaft"},
 };
 const Key heat_keys[]{
     {"name", a_text, is_required, "letters, digits and _; gives the column NAME_heat_W"},
@@ -88,12 +89,13 @@ const Key heat_keys[]{
      "shaft, housing, motor (both between the sets), pulley (shaft behind the last bearing), seal "
      "(shaft before the first bearing), or the name of a bearing: front_1, rear_1 ..."},
     {"position_mm", anywhere, "by the place",
-     "of the middle of the heated part, behind the nose face; required on shaft and housing"},
-    {"length_mm", between(0.1, longest_mm, "mm"), "by the place", "of the heated part"},
+     "position of the middle of the heated part, behind the nose face; required on shaft and "
+     "housing"},
+    {"length_mm", between(0.1, longest_mm, "mm"), "by the place", "length of the heated part"},
     {"radius_mm", between(0, 5000, "mm"), "all from bore to surface",
-     "of the heated cells of shaft or housing"},
+     "radius of the heated cells of shaft or housing"},
     {"shaft_share", between(0, 1), 0.5,
-     "of the heat of a motor, to the shaft; at a bearing to the inner ring"},
+     "share of the heat of a motor that goes to the shaft, or at a bearing to the inner ring"},
 };
 
 constexpr Key sensor_keys[]{
