@@ -52,7 +52,7 @@ struct ArrangementDesign {
   std::vector<MountedBearing> rear = {};  ///< none in tandem
   Mounting mounting = Mounting::rigid;
   Preload preload = {};
-  double spring_rate = 0.0;  ///< of a spring mounting [N/m]; 0: constant force
+  double spring_rate = 0.0;  ///< rate of a spring mounting [N/m]; 0: constant force
   /// Share of the way from this mounting to the other one, rigid or a spring that keeps its force;
   /// see Arrangement::Seat [1].
   double other_mounting = 0.0;
@@ -62,7 +62,7 @@ struct ArrangementDesign {
   double distance = 0.0;                            ///< between the sets, for expansion [m]
   double shaft_expansion = 11.5 * per_million_K;    ///< [1/K]
   double housing_expansion = 11.5 * per_million_K;  ///< [1/K]
-  double mounting_temperature = kelvin(20);         ///< at which the preload was set [K]
+  double mounting_temperature = kelvin(20);         ///< temperature when the preload was set [K]
   [[nodiscard]] bool operator==(const ArrangementDesign&) const = default;
 };
 

@@ -13,7 +13,7 @@ struct OperatingPoint {
   double radial_load_z = 0.0;  ///< F_z [N]
   double moment_y = 0.0;  ///< right-handed about y, at the plane of the inner groove centres [N m]
   double moment_z = 0.0;  ///< right-handed about z [N m]
-  double temperature = celsius_zero + 40.0;  ///< of the lubricant [K]
+  double temperature = celsius_zero + 40.0;  ///< lubricant temperature [K]
 };
 
 /// Throws std::invalid_argument for values that are not finite or a speed below zero.

@@ -70,11 +70,11 @@ decltype(auto) with_model(BallModel model, F&& f) {
 /// Positions of the balls, and the number of unknown ones: one, half of them, or all.
 struct BallCircle {
   const double* azimuth;  ///< [rad]
-  const double* cosine;   ///< of the azimuth
+  const double* cosine;   ///< cosine of the azimuth
   const double* sine;
   int count;  ///< Z
   Symmetry symmetry;
-  std::span<const GivenRotation> rotations = {};  ///< of the balls, or one of all; see BallModel
+  std::span<const GivenRotation> rotations = {};  ///< one per ball, or one for all; see BallModel
 
   [[nodiscard, gnu::always_inline]] int used() const { return distinct_balls(symmetry, count); }
   /// Number of balls that ball k represents [1].
@@ -92,7 +92,7 @@ struct BallCircle {
 template <typename T>
 struct RingPoint {
   BallConstantsOf<T> ball;
-  SpringPairOf<T> springs;  ///< of a ball at rest
+  SpringPairOf<T> springs;  ///< contact springs of a ball at rest
   PlaneOf<T> free;          ///< inner groove centre without displacement [m]
   T lever;                  ///< R_i [m]
   T moment_arm_ratio;       ///< f_i D / R_i [1]

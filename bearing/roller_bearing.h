@@ -31,10 +31,10 @@ struct RollerGeometry {
   double pitch_diameter = unset;   ///< d_m [m]
   double radial_clearance = 0.0;   ///< s, diametral; negative is a preload [m]
   ClearanceState clearance_state = ClearanceState::mounted;
-  double taper = 0.0;  ///< of the bore: 12 for 1:12; 0 for a cylindrical bore [1]
+  double taper = 0.0;  ///< taper of the bore: 12 for 1:12; 0 for a cylindrical bore [1]
   RollerProfile profile = RollerProfile::iso;
   double bore = unset;                ///< d [m]; may be unknown
-  double outer_diameter = unset;      ///< of the outer ring [m]; may be unknown
+  double outer_diameter = unset;      ///< diameter of the outer ring [m]; may be unknown
   double width = unset;               ///< B [m]; may be unknown
   double static_load_rating = unset;  ///< C0 [N]; NaN: by life::static_load_rating()
 

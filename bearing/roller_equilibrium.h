@@ -51,7 +51,7 @@ struct RollerEquilibrium {
   Matrix4 stiffness = Matrix4::Constant(unset);
   std::vector<LoadedRoller> rollers;
   double clearance = unset;          ///< s of this balance [m]
-  double centrifugal_force = unset;  ///< of one roller [N]
+  double centrifugal_force = unset;  ///< force on one roller [N]
   /// ∂(Σ Qi)/∂s, and of Σ Qo alike, where forces and tilt of the ring stay as they are: what a
   /// clearance takes from the rollers, below zero [N/m].
   double sum_by_clearance = unset;

@@ -12,7 +12,7 @@ namespace raceway::bearing {
 enum class InstructionSet { sse2, avx2, avx512 };
 
 [[nodiscard]] std::string_view name(InstructionSet set);
-/// The widest that this machine can run.
+/// Returns the widest instruction set that this machine can run.
 [[nodiscard]] InstructionSet best_instruction_set();
 [[nodiscard]] bool available(InstructionSet set);
 

@@ -56,7 +56,7 @@ constexpr std::array commands{
     Command{understand, "sensitivity", "Rank the data of a model by influence on its prediction",
             setup_sensitivity},
     Command{understand, "workbench",
-            "Write the workbench, a page that holds this program, with files open",
+            "Write the workbench, a page with this program in it, with files open",
             setup_workbench},
     Command{look_up, "bearings", "List the catalogue of bearings", setup_bearings},
     Command{look_up, "effects", "List the physical effects, or explain one of them", setup_effects},

@@ -135,7 +135,7 @@ Run setup_step_response(CLI::App& command) {
       ->type_name("VALUES");
   command
       .add_option("--axial-load", flags->axial_load,
-                  "[N] of steps at the nose of a spindle that has settled at each speed,\npositive "
+                  "axial load of steps at the nose of a spindle in its steady state [N],\npositive "
                   "towards the tool, as --axial-load=-500,500")
       ->type_name("VALUES");
   command.add_option("--radial-load", flags->radial_load, "radial load of such steps [N]")

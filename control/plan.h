@@ -35,7 +35,7 @@ struct ControlInput {
   double lowest = unset, highest = unset;
   /// Plausible range, largest rate [1/s] and longest standstill [s]; NaN: not checked.
   double plausible_low = unset, plausible_high = unset, fastest_per_s = unset, stuck_s = unset;
-  double smoothing_s = 0.0;  ///< that instant parts feel it with
+  double smoothing_s = 0.0;  ///< time constant for its instant parts
 };
 
 /// Joint range of the inputs in the data of the fit: |weights (x - mean)| is at most `farthest`.
@@ -64,11 +64,11 @@ struct ControlDrive {
     power,  ///< torque of a table times the speed [W]
     motor   ///< exp(-n/n0) while it turns, else 0
   } kind = Kind::size;
-  std::vector<std::size_t> inputs{};  ///< of rise and size
+  std::vector<std::size_t> inputs{};  ///< inputs of rise and size
   std::size_t reference = nowhere;    ///< of rise
   /// Inputs at which the table of a power is read.
   std::size_t axial_load = nowhere, radial_load = nowhere, temperature = nowhere;
-  double temperature_C = unset;            ///< where no input has it
+  double temperature_C = unset;            ///< value if no input has it
   std::size_t table = nowhere;             ///< of power
   double exponent = 1.0;                   ///< of size
   double decay_rpm = unset;                ///< of motor
@@ -145,8 +145,8 @@ struct ControlKinematic {
 struct ControlAxis {
   std::string column{};      ///< "displacement_z_um"
   std::string identifier{};  ///< as of an input
-  std::string name{};        ///< of the model
-  std::string letter{};      ///< of the axis that it moves: "z"; empty if not given
+  std::string name{};        ///< name of the model
+  std::string letter{};      ///< axis that it moves: "z"; empty if not given
   double sign = -1.0, limit_um = 100.0, slew_um_s = 1.0;
   double unit_um = 1.0;  ///< of the output
   bool counts = false;   ///< whole numbers of it
@@ -169,7 +169,7 @@ struct ControlCheck {
   struct Row {
     double time_s = unset;
     std::vector<double> inputs{};            ///< in their units, in the order of the plan
-    std::vector<double> displacements_um{};  ///< of the axes of the plan
+    std::vector<double> displacements_um{};  ///< one for each axis of the plan
   };
   std::vector<Row> rows{};  ///< none where there is no record
 };
@@ -184,8 +184,7 @@ struct ControlPlan {
   std::vector<ControlDrive> drives{};
   std::vector<ControlAxis> axes{};
   ControlCheck check{};
-  correction::ControlSettings
-      settings{};  ///< what is for all of them; the rest stands with inputs and axes
+  correction::ControlSettings settings{};  ///< settings for all inputs and axes
   /// Parts of the models that are missing in the plan or differ, a sentence each.
   std::vector<std::string> notes{};
   /// Properties of its parts that no machine has, a sentence each.

@@ -62,7 +62,7 @@ struct ErrorBetween {
 
 struct Learning {
   std::vector<double> predicted{};  ///< at every row, from earlier readings only [m]
-  std::vector<double> std{};  ///< of the prediction [m]; NaN before the first reading of a run
+  std::vector<double> std{};  ///< std of the prediction [m]; NaN before the first reading of a run
   std::vector<OfferedReading> readings{};
   std::vector<LearntGain> gains{};
   std::vector<IdentificationDue> due{};

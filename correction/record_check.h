@@ -24,7 +24,7 @@ struct RecordCheck {
   };
   const Channel* displacement = nullptr;
   double sampling = unset;             ///< median time between rows [s]
-  double duration = unset;             ///< of the longest run [s]
+  double duration = unset;             ///< duration of the longest run [s]
   std::size_t readings = 0;            ///< number of readings of the displacement
   fit::Repeatability repeatability{};  ///< repeatability from repeated readings within stops
   double noise_at_most = unset;        ///< upper bound of the noise of widely spaced readings [m]

@@ -48,8 +48,8 @@ enum class Need {
   ball_load_law,    ///< another effect that uses ball loads: base laws see the entered load only
   palmgren_law,     ///< the SKF law contains this already
   opposed_sets,     ///< bearings at both ends of the shaft
-  torque_standard,  ///< something other than the torque that fixes its scale
-  cold_friction     ///< a spindle whose friction goes by the forces of its cold sets
+  torque_standard,  ///< known torque that fixes the scale of the readings
+  cold_friction     ///< a spindle whose friction follows the forces of its cold sets
 };
 
 /// Missing data in words: "time_s of every row".
@@ -93,9 +93,9 @@ struct BaseLaw {
 
 /// Entered or measured values, corrected before anything acts on it [SI].
 struct Entry {
-  double viscosity_40C, viscosity_100C;  ///< of the oil
-  double temperature;                    ///< of the row
-  double room;  ///< at which a sensor reads true: the rig's own, or the coldest row's
+  double viscosity_40C, viscosity_100C;  ///< viscosities of the oil
+  double temperature;                    ///< temperature of the row
+  double room;  ///< temperature at which a sensor reads true: the rig's own, or the coldest row's
 };
 
 /// Inputs of an effect on the condition of the bearing.
@@ -109,8 +109,8 @@ struct ConditionInputs {
 /// True condition of the bearing, as a change of the entered one. Changes of several effects add.
 struct Condition {
   double extra_axial_load = 0.0;  ///< in the direction of the entered one [N]
-  double radial_growth = 0.0;     ///< of the inner raceway against the outer one [m]
-  double tilt = 0.0;              ///< of the inner ring about z, held by the shaft [rad]
+  double radial_growth = 0.0;     ///< growth of the inner raceway against the outer one [m]
+  double tilt = 0.0;              ///< tilt of the inner ring about z, held by the shaft [rad]
   double other_balls = 0.0;       ///< share of the way from the entered ball material to the other
                                   ///< one of steel and silicon nitride [1]
   double other_mounting = 0.0;    ///< of the sets on a shaft: share of the way from the entered
@@ -156,7 +156,7 @@ inline constexpr double size_of_ranges = 60 * mm;
 struct Card {
   std::string_view id = {};
   std::string_view title = {};      ///< one line
-  std::string_view mechanism = {};  ///< what happens, in a sentence or two
+  std::string_view mechanism = {};  ///< mechanism in a sentence or two
   std::string_view formula = {};
   std::string_view source = {};
   /// Ids of effects and names of base parameters.

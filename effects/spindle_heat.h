@@ -18,7 +18,7 @@ struct SpindleHeatCard {
   Parameter size;
 };
 
-/// Heat in a spindle that none of its bearings makes [W].
+/// Heat in a spindle that does not come from its bearings [W].
 ///
 ///   q = W n/10 000 rpm
 ///

@@ -16,7 +16,7 @@ struct BearingOutline {
   double bore = unset;             ///< [m]
   double outer_diameter = unset;   ///< [m]
   double width = unset;            ///< [m]; NaN where it is not known
-  std::string dimension_series{};  ///< of ISO 15, "10"; empty where it is not known
+  std::string dimension_series{};  ///< series of ISO 15, "10"; empty if unknown
   double contact_angle = unset;    ///< [rad]; by the designation, else 15 deg
   int ball_count = 0;              ///< 0: not known
   std::string ball_material = "steel";
@@ -34,8 +34,8 @@ struct EstimatedBearing {
   Estimate ball_diameter, pitch_diameter, conformity;  ///< [m], [m], [1]
   Estimate ball_count;                                 ///< as given where it was
   Estimate static_load_rating;                         ///< [N]
-  std::size_t rows = 0;      ///< of the catalogue that the ratios come from
-  bool like_section = true;  ///< those rows have about its section; else all rows
+  std::size_t rows = 0;      ///< number of catalogue rows used for the ratios
+  bool like_section = true;  ///< those rows have a similar section; else all rows
   bool like_series = true;   ///< a row has its dimension series
 };
 
@@ -44,7 +44,7 @@ struct EstimatedBearing {
 /// bearing of another type.
 [[nodiscard]] BearingOutline outline_of(std::string_view designation);
 
-/// Inner geometry by the rows of about the same section, all of them where there are few:
+/// Estimates inner geometry from rows of similar section, or from all rows if those are few:
 ///
 ///   d_m = (d + D)/2,   D_w = k (D - d)/2,   Z = φ π d_m / D_w,   C0 = c Z D_w² cos α
 ///

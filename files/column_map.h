@@ -53,9 +53,9 @@ struct NamedChannel {
 /// One line of [columns]: the source of one of our columns.
 struct ColumnRule {
   std::string key;                   ///< as it stands there: "friction_torque_Nmm"
-  const record::Channel* channel;    ///< that it names
-  const text::Unit* key_unit;        ///< that the key ends in, null where it is the channel's own
-  std::string header{};              ///< of their column; empty for a constant
+  const record::Channel* channel;    ///< channel that the key names
+  const text::Unit* key_unit;        ///< unit at the end of the key, null for the channel's own
+  std::string header{};              ///< header of their column; empty for a constant
   std::optional<double> constant{};  ///< for all rows, in the unit of the key
   const text::Unit* unit = nullptr;  ///< of their column, where the rule says it
   bool excel_date = false;           ///< their numbers are days since 1900, as Excel has them
@@ -78,8 +78,8 @@ struct Combination {
 struct ColumnMap {
   std::string source{};
   std::vector<ColumnRule> rules{};
-  char decimal_mark = '\0';                             ///< of the file; '\0': not said
-  std::optional<text::DateOrder> date_order{};          ///< of dates with slashes
+  char decimal_mark = '\0';                             ///< mark of the file; '\0': not given
+  std::optional<text::DateOrder> date_order{};          ///< order in dates with slashes
   std::optional<record::SettingsHold> settings_hold{};  ///< of records over time
   std::vector<Combination> transducers{};               ///< of records over time
 

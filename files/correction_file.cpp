@@ -145,11 +145,11 @@ constexpr Key kinematic_keys[]{
 
 constexpr Key correction_effect_keys[]{
     {"id", a_text, is_required,
-     "an effect on records over time (raceway effects), whose numbers follow it, or a new "
-     "one with a formula"},
+     "id of an effect on records over time (raceway effects), followed by its numbers, or a new id "
+     "with a formula"},
     {"input", a_text, unset, "column, or list of columns, that drives it"},
     {"channel", a_text, unset, "name of the channel that it changes"},
-    {"axis", a_text, unset, "that it acts on"},
+    {"axis", a_text, unset, "axis that it acts on"},
     {"window", a_table, unset,
      "{ column, points, acts_on } of input, as of a channel: where its channel acts otherwise"},
 };

@@ -16,12 +16,12 @@ namespace raceway::files {
 struct CorrectionFile {
   std::vector<correction::Model> models;
   std::string source;                     ///< file name, for messages
-  std::string text;                       ///< of the file, to be edited
+  std::string text;                       ///< text of the file, for editing
   std::vector<UsedDefault> defaults{};    ///< every default that was used
-  std::vector<record::Note> notes{};      ///< what else the user should know
-  ColumnMap columns{};                    ///< how its measurements are written
-  correction::ControlSettings control{};  ///< what a control does with it, [export]
-  std::vector<NamedFile> files{};         ///< that it names, as they were when it was read
+  std::vector<record::Note> notes{};      ///< further notes for the user
+  ColumnMap columns{};                    ///< columns of its measurements
+  correction::ControlSettings control{};  ///< settings of its control, [export]
+  std::vector<NamedFile> files{};         ///< files that it names, as they were read
 };
 
 /// Reads [correction] (keys with their units: raceway keys) into SI. Files that it names are looked

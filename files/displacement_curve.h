@@ -15,7 +15,7 @@ namespace raceway::files {
 struct DisplacementCurve {
   std::string source;  ///< file name, for messages
   std::vector<shaft::DisplacementPoint> points = {};
-  std::vector<record::Note> notes;  ///< what the user should know
+  std::vector<record::Note> notes;  ///< notes for the user
 };
 
 /// Reads `speed_rpm`, `axial_displacement_um` and, where it is given, `std_um` of a CSV, as

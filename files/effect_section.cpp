@@ -11,10 +11,9 @@
 namespace raceway::files {
 namespace {
 
-constexpr Key effect_id_keys[]{
-    {"id", a_text, is_required,
-     "an effect of the catalogue (raceway effects), whose numbers follow it, or a new one "
-     "with a formula"}};
+constexpr Key effect_id_keys[]{{"id", a_text, is_required,
+                                "id of an effect of the catalogue (raceway effects), followed by "
+                                "its numbers, or a new id with a formula"}};
 constexpr Key own_effect_keys[]{
     {"torque_Nmm", a_text, unset,
      "formula of your own effect: torque over the columns and its parameters"},

@@ -17,7 +17,7 @@ namespace raceway::files {
 /// Values that a key takes.
 struct Form {
   std::string_view kind;                ///< "number", "text", "true or false", "list" or "table"
-  double lower = unset, upper = unset;  ///< of a number, closed, in `unit`
+  double lower = unset, upper = unset;  ///< closed range of a number, in `unit`
   std::string_view unit{};              ///< "" where dimensionless
   std::string_view words{};  ///< the only texts that may stand there, "rigid|spring"; "" if any may
   bool whole = false;        ///< a whole number
@@ -37,7 +37,7 @@ struct Required {};
 
 /// Value of a key that the file leaves out.
 struct Default {
-  double value = unset;      ///< of a number, in its unit; `unset` alone: no default
+  double value = unset;      ///< value of a number, in its unit; `unset` alone: no default
   std::string_view words{};  ///< one of the words of its form, or what the default depends on
   bool required = false;     ///< nothing: the key must stand there wherever its table does
 

@@ -31,7 +31,7 @@ struct ModelFile {
   std::vector<UsedDefault> defaults;
   /// Further notes, one line each, without the file's name.
   std::vector<record::Note> notes = {};
-  ColumnMap columns = {};  ///< how its measurements are written
+  ColumnMap columns = {};  ///< columns of its measurements
   /// Sensor that measures its torque, if the file names one.
   std::optional<rig::TorqueSensor> sensor = {};
   std::vector<NamedFile> files = {};  ///< that it names, as they were when it was read

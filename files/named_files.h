@@ -10,7 +10,7 @@ namespace raceway::files {
 struct NamedFile {
   std::string name;  ///< as the model names it: relative to its folder, or from the root
   std::string path;  ///< from the root
-  std::string text;  ///< what it held
+  std::string text;  ///< content of the file
 };
 
 /// Files that a model names. Each is read once.

@@ -16,7 +16,7 @@ namespace raceway::files {
 struct SensorReadings {
   std::string source;  ///< file name, for messages
   std::vector<rig::SensorReading> readings = {};
-  std::vector<record::Note> notes = {};  ///< what the user should know
+  std::vector<record::Note> notes = {};  ///< notes for the user
 };
 
 /// Reads `reference_Nm` and `signal_V`, or `torque_signal_V` as in a record, of a CSV; "-" is

@@ -164,7 +164,7 @@ class SpindleCheck {
   void check_inner_seat(std::size_t k) const {
     const double at = position(k), bore = rings_[k].bore;
     if (!shaft_.holds(rings_[k].front(), rings_[k].rear()))
-      fail_bearing(k, fmt::format("the bearing, {} wide, is not all on the shaft: {}",
+      fail_bearing(k, fmt::format("the bearing, {} wide, does not lie entirely on the shaft: {}",
                                   in_mm(rings_[k].width), shaft_reach()));
     const double inset = 0.99 * (0.5 * rings_[k].width);
     for (const double place : {at, at - inset, at + inset}) {
@@ -184,7 +184,7 @@ class SpindleCheck {
   void check_outer_seat(std::size_t k) const {
     const double at = position(k), outer = rings_[k].outer_diameter;
     if (!housing_.holds(rings_[k].front(), rings_[k].rear()))
-      fail_bearing(k, fmt::format("the bearing, {} wide, is not all in the housing: {}",
+      fail_bearing(k, fmt::format("the bearing, {} wide, does not lie entirely in the housing: {}",
                                   in_mm(rings_[k].width), housing_reach()));
     const Segment& around = *housing_.at(at);
     if (around.diameter <= outer)
@@ -203,7 +203,7 @@ class SpindleCheck {
     const model::Housing& h = spindle_.housing;
     if (!housing_.holds(h.flange - 0.5 * h.flange_length, h.flange + 0.5 * h.flange_length))
       fail("housing", "flange_mm", h.flange,
-           fmt::format("with flange_length_mm = {} it is not all on the housing: {}",
+           fmt::format("with flange_length_mm = {} it does not lie entirely on the housing: {}",
                        in_mm(h.flange_length), housing_reach()));
   }
 
@@ -272,9 +272,9 @@ class SpindleCheck {
     if (!source || std::isnan(source->position)) return;
     const double half = std::isnan(source->length) ? 0.0 : 0.5 * source->length;
     if (!shaft_.holds(source->position - half, source->position + half))
-      fail(
-          table, "position_mm", source->position,
-          fmt::format("{} long, it is not all on the shaft: {}", in_mm(2.0 * half), shaft_reach()));
+      fail(table, "position_mm", source->position,
+           fmt::format("{} long, it does not lie entirely on the shaft: {}", in_mm(2.0 * half),
+                       shaft_reach()));
   }
 
   void check_heated(const Section& s, const model::HeatSource& source) const {
@@ -283,10 +283,10 @@ class SpindleCheck {
     const Stack& body = on_housing ? housing_ : shaft_;
     if (!body.holds(source.position - 0.5 * source.length, source.position + 0.5 * source.length))
       s.fail("position_mm",
-             fmt::format("position_mm = {}: with length_mm = {} it is not all on the {}: {}",
-                         in_mm(source.position), in_mm(source.length),
-                         on_housing ? "housing" : "shaft",
-                         on_housing ? housing_reach() : shaft_reach()));
+             fmt::format(
+                 "position_mm = {}: with length_mm = {} it does not lie entirely on the {}: {}",
+                 in_mm(source.position), in_mm(source.length), on_housing ? "housing" : "shaft",
+                 on_housing ? housing_reach() : shaft_reach()));
     if (std::isnan(source.radius)) return;
     const Segment& at = *body.at(source.position);
     const double from = on_housing ? bore_at(source.position) : at.bore;

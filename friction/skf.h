@@ -11,7 +11,7 @@ namespace raceway::friction {
 /// The sizes the SKF model works with [m].
 struct RingSize {
   double bore;            ///< d
-  double outer_diameter;  ///< of the outer ring, D
+  double outer_diameter;  ///< diameter of the outer ring, D
   /// d_m of the SKF model: the mean of both, not the pitch diameter.
   [[nodiscard]] double mean_diameter() const { return 0.5 * (bore + outer_diameter); }
 };
@@ -20,7 +20,7 @@ struct RingSize {
 struct SkfConstants {
   double R1, R2, R3;  ///< rolling
   double S1, S2, S3;  ///< sliding
-  double K_Z;         ///< of the bearing type, for replenishment
+  double K_Z;         ///< constant of the bearing type, for replenishment
 };
 
 /// Single row angular contact ball bearings. Source: [SKFGeneral, p. 91-101, tables 2a to 5].

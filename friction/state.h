@@ -35,7 +35,7 @@ struct BearingState {
   T speed = T(0.0);                    ///< [rad/s]
   T axial_load = T(0.0);               ///< F_a [N]
   T radial_load = T(0.0);              ///< F_r [N], magnitude
-  T temperature = T(kelvin(40));       ///< of the lubricant [K]
+  T temperature = T(kelvin(40));       ///< temperature of the lubricant [K]
   T kinematic_viscosity = T(unset);    ///< at that temperature [m²/s]
   /// In place of `bearing` and `equilibrium` where it has cylindrical rollers.
   const bearing::RollerBearing* rollers = nullptr;

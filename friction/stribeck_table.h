@@ -18,7 +18,7 @@ struct TableAxes {
   std::vector<double> speed;        ///< [rad/s], >= 0
   std::vector<double> axial_load;   ///< [N]
   std::vector<double> radial_load;  ///< along +y [N], >= 0
-  std::vector<double> temperature;  ///< of the lubricant [K], > 0
+  std::vector<double> temperature;  ///< temperatures of the lubricant [K], > 0
 
   /// Number of points; the largest number there is where they cannot be counted.
   [[nodiscard]] std::size_t size() const;
@@ -63,7 +63,7 @@ struct StribeckTable {
   std::vector<std::string> columns;          ///< names; their units are the writer's business
   std::vector<double> friction_moment;       ///< [N m]; NaN where there is no value
   std::vector<bearing::SolveStatus> status;  ///< why
-  std::vector<double> values;                ///< of the columns, SI, point by point
+  std::vector<double> values;                ///< values of the columns, SI, point by point
 
   /// Index of a point from its place on each axis.
   [[nodiscard]] std::size_t index(std::size_t speed, std::size_t axial_load,

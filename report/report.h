@@ -64,7 +64,7 @@ using BearingStates = std::vector<std::pair<bearing::OperatingPoint, model::Fric
 /// The fitted law of a shaft's displacement, or why there is none.
 struct LawOfReport {
   std::optional<shaft::KinematicLawFit> fit;
-  std::string statement;  ///< how well it follows the curve, or why none was fitted
+  std::string statement;  ///< fit quality of the law, or the reason for no fit
 };
 
 /// `warnings`: texts of the command on the bearings, on speeds without balance and on exceeded

@@ -19,7 +19,7 @@ struct SetState {
   const std::vector<effects::Condition>& bearings;  ///< changes by effects, front set first
   const std::optional<bearing::SetTemperatures>& temperatures;
   double speed = unset;        ///< [rad/s]
-  double temperature = unset;  ///< of the lubricant [K]
+  double temperature = unset;  ///< temperature of the lubricant [K]
   effects::Record record{};
 };
 

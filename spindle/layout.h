@@ -13,7 +13,7 @@ struct Joint {
   int second = -1;      ///< -1: to the surroundings
   double area = unset;  ///< [m²]
   double half = 0.0;    ///< resistance from the cells to the joint [K/W]
-  bool axial = false;   ///< the face lies across the axis
+  bool axial = false;   ///< true: the face is normal to the axis
 };
 using Joints = std::vector<Joint>;
 

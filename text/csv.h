@@ -62,7 +62,7 @@ class CsvTable {
   char separator = ',';
   bool byte_order_mark = false;
   bool carriage_returns = false;   ///< lines ended in CR or CR LF
-  std::vector<std::string> notes;  ///< what the user should know, without the file's name
+  std::vector<std::string> notes;  ///< notes for the user, without the file's name
 
   [[nodiscard]] std::size_t rows() const { return lines_.size(); }
   [[nodiscard]] int line(std::size_t row) const { return lines_[row]; }

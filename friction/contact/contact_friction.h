@@ -155,7 +155,7 @@ struct BearingFriction {
     [[nodiscard]] double sum() const { return sliding + rolling + hysteresis; }
   };
   Parts inner, outer;  ///< moments on the shaft by the race where their power is lost [N m]
-  double smallest_film = unset;        ///< of all contacts, h_min [m]
+  double smallest_film = unset;        ///< thinnest film of all contacts, h_min [m]
   double smallest_film_ratio = unset;  ///< [1]
   bool converged = false;
   [[nodiscard]] double moment() const { return inner.sum() + outer.sum(); }  ///< [N m]

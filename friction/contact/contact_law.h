@@ -60,7 +60,7 @@ struct BallFriction {
 /// Friction of a bearing by its contacts, with what else the law says of it.
 struct ContactResult {
   BearingFriction friction;
-  double drag = 0.0;         ///< of the balls in the lubricant [N m]
+  double drag = 0.0;         ///< drag of the balls in the lubricant [N m]
   double mean_slip = unset;  ///< Σ p |v|/Σ Q over all contacts [m/s]
   /// Largest T/Q of the friction that carries the gyroscopic moment [1], and how many times what
   /// that contact's film can hold it is.

@@ -47,7 +47,7 @@ inline std::vector<session::Source> sources(const std::vector<Data>& data) {
 /// Values of a channel [SI] in the unit of files.
 [[nodiscard]] std::vector<double> in_unit(const record::Channel& channel,
                                           std::span<const double> si);
-/// Gives them as arrays of numpy.
+/// Returns the columns as arrays of numpy.
 [[nodiscard]] py::dict arrays_of(NamedColumns columns);
 
 /// Options of a question as keyword arguments of Python have them, but for what stands in models.

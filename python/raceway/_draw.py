@@ -20,7 +20,7 @@ MOST_MARKERS = 10  # on a curve: more hide the line style
 
 
 def style(i: int) -> dict[str, Any]:
-    """Colour, line and marker of the i-th curve; of cycles of 6, 7 and 9: the first 126 differ."""
+    """Return colour, line and marker of the i-th curve. Their cycles of 6, 7 and 9 make the first 126 curves different."""
     return {"color": COLOURS[i % len(COLOURS)], "linestyle": LINES[i % len(LINES)], "marker": MARKERS[i % len(MARKERS)]}
 
 

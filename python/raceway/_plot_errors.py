@@ -130,8 +130,8 @@ def residuals(comparison: Any, x: str = "speed_rpm", y: str | None = "axial_load
         One row per reading, with its settings, and ``error``, prediction minus reading, in the unit
         of the reading. Rows without prediction are left out.
     x, y : str
-        Columns of settings. With ``y=None`` the errors themselves stand upright, around the band of
-        the noise where that is known.
+        Columns of settings. With ``y=None`` the vertical axis has the errors, with the band of the
+        noise if it is known.
     ax : matplotlib.axes.Axes, optional
         Where to draw; default a new figure.
 

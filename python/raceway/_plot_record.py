@@ -14,7 +14,7 @@ from ._documents import label_of, quantity_text, split_column, unit_text
 
 
 def record(source: Any, columns: Sequence[str] | None = None, *, ax: Axes | Sequence[Axes] | None = None) -> list[Axes]:
-    """A record over time, or over speed where it has no time: one axes for each unit.
+    """Draw a record over time, or over speed if it has no time, with one axes for each unit.
 
     Parameters
     ----------

@@ -92,7 +92,7 @@ def local_workers(count: int, dashboard: bool) -> Iterator[Any]:
 
 @contextmanager
 def client_of(given: Any) -> Iterator[Any]:
-    """The client itself, or one of the scheduler at an address, which is closed behind."""
+    """Yield the given client, or a client of the scheduler at an address, and close that one afterwards."""
     distributed = _dask()
     if isinstance(given, distributed.Client):
         yield given

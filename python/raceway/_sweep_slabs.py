@@ -122,7 +122,7 @@ def input_of(function: Callable[[Any], Any], names: Sequence[str], items: Sequen
 
 
 def _feed(hash_: Any, value: Any) -> None:
-    """Takes a value by what it says, not by how it lies in memory, so that every process finds the same."""
+    """Hash a value by its content and not by its memory layout, so that every process gets the same hash."""
 
     def put(kind: str, content: bytes = b"") -> None:
         hash_.update(f"{kind} {len(content)};".encode())

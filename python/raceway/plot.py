@@ -347,7 +347,7 @@ def campbell(modes: Any, *, ax: Axes | None = None) -> Axes:
 def _branches(rows: list[dict[str, Any]], whirl: str) -> list[np.ndarray]:
     """Frequencies of the first, second ... mode of this whirl at every speed, NaN where it lacks.
 
-    Modes stand still at standstill, in pairs: the lower of each begins the backward branch.
+    At standstill, modes come in pairs: the lower one of a pair starts the backward branch.
     """
     found = []
     for row in rows:

@@ -208,7 +208,7 @@ TEST(SpindleSection, ARollerBearingThatCannotStandThereIsRefused) {
   EXPECT_THAT(why(with(with_rollers(), "position_mm = 330", "position_mm = 295")),
               HasSubstr("reaches into the bearing at 290 mm"));
   EXPECT_THAT(why(with(with_rollers(), "position_mm = 330", "position_mm = 372")),
-              HasSubstr("is not all on the shaft"));
+              HasSubstr("does not lie entirely on the shaft"));
   EXPECT_THAT(why(with(with_rollers(), "bore_mm = 95", "bore_mm = 100")),
               HasSubstr("the housing has bore_mm = 100 mm there"));
   EXPECT_THAT(why(with_rollers("drive_up_mm = 0.1\n")), HasSubstr("needs a taper"));
@@ -325,13 +325,14 @@ TEST(SpindleSection, WhatCannotBeIsRefusedWithItsPlace) {
       {"front_position_mm = [60.0, 90.0]", "front_position_mm = [60.0]", "must be a list of 2"},
       {"front_position_mm = [60.0, 90.0]", "front_position_mm = [60.0, 70.0]", "one width apart"},
       {"front_position_mm = [60.0, 90.0]\n", "", "front_position_mm is missing"},
-      {"rear_position_mm = [290.0]", "rear_position_mm = [368.0]", "is not all on the shaft"},
+      {"rear_position_mm = [290.0]", "rear_position_mm = [368.0]",
+       "does not lie entirely on the shaft"},
       {"rear_position_mm = [290.0]", "rear_position_mm = [200.0]",
        "the shaft has diameter_mm = 82 mm"},
       {"rear_position_mm = [290.0]", "rear_position_mm = [20.0]", "must be further from the nose"},
-      {"length_mm = 275.0", "length_mm = 255.0", "is not all in the housing"},
+      {"length_mm = 275.0", "length_mm = 255.0", "does not lie entirely in the housing"},
       {"outer_diameter_mm = 180.0", "outer_diameter_mm = 105.0", "no wall is left"},
-      {"flange_mm = 120.0", "flange_mm = 310.0", "it is not all on the housing"},
+      {"flange_mm = 120.0", "flange_mm = 310.0", "it does not lie entirely on the housing"},
       {"flange_mm = 120.0\n", "", "[housing] flange_mm is missing"},
       {"diameter_mm = 140.0", "diameter_mm = 112.0", "outside the wall of the housing"},
       {"end_mm = 300.0", "end_mm = 330.0", "the housing reaches from 40 mm to 315 mm"},
