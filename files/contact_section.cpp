@@ -59,7 +59,7 @@ constexpr Key life_keys[]{
     {"dynamic_load_rating_N", between(1, 1e9, "N"), "C of ISO 281 from the geometry", "C"},
     {"fatigue_load_N", between(0.01, 1e8, "N"), "C_u of ISO 281 from the geometry", "C_u"},
     {"contamination", between(0, 1), usual_life.contamination, "e_C of ISO 281"},
-    {"reliability", between(90, 99.95, "%"), usual_life.reliability, "of the life"},
+    {"reliability", between(90, 99.95, "%"), usual_life.reliability, "reliability of the life"},
 };
 
 using friction::contact::ContactData;

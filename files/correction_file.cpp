@@ -116,7 +116,7 @@ constexpr Key section_gain_keys[]{
      "displacement in the end, per unit of the input; ends in that unit: um_K, um_W, um_m_min, "
      "um_rpm, um_A, um_mm ..."}};
 constexpr Key section_time_keys[]{
-    {"time_constant_s", between(1e-3, most, "s"), is_required, "of the lag"}};
+    {"time_constant_s", between(1e-3, most, "s"), is_required, "time constant of the lag"}};
 constexpr Key element_gain_keys[]{
     {"slope_um_W", between(-most, most, "um/W"), unset,
      "slope of a straight line over the input; ends in its unit: slope_um_W, slope_um_N ..."},

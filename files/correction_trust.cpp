@@ -19,8 +19,8 @@ namespace {
 
 constexpr Key correction_together_keys[]{
     {"columns", a_list, is_required, "inputs that varied; written by identify, calibrate and add"},
-    {"mean", a_list, is_required, "of each"},
-    {"std", a_list, is_required, "of each"},
+    {"mean", a_list, is_required, "mean of each input"},
+    {"std", a_list, is_required, "standard deviation of each input"},
     {"correlation", a_list, is_required, "lower triangle, row by row"},
     {"farthest", between(0, 1e9), is_required,
      "largest distance from the mean, in standard deviations"},

@@ -21,19 +21,21 @@ struct SolidNumber {
   double unit = 1.0;
 };
 constexpr std::array solid_numbers{
-    SolidNumber{{"conductivity_W_mK", between(0.05, 2000, "W/(m K)"), unset, "of heat"},
-                &SolidMaterial::conductivity},
+    SolidNumber{
+        {"conductivity_W_mK", between(0.05, 2000, "W/(m K)"), unset, "thermal conductivity"},
+        &SolidMaterial::conductivity},
     SolidNumber{{"thermal_expansion_1e6_K", between(0, 50, "1e-6/K"), unset, "linear"},
                 &SolidMaterial::thermal_expansion,
                 per_million_K},
-    SolidNumber{{"density_kg_m3", between(500, 20000, "kg/m3"), unset, "of the material"},
+    SolidNumber{{"density_kg_m3", between(500, 20000, "kg/m3"), unset, "density of the material"},
                 &SolidMaterial::density},
-    SolidNumber{{"heat_capacity_J_kgK", between(50, 5000, "J/(kg K)"), unset, "of the material"},
+    SolidNumber{{"heat_capacity_J_kgK", between(50, 5000, "J/(kg K)"), unset,
+                 "specific heat capacity of the material"},
                 &SolidMaterial::heat_capacity},
     SolidNumber{{"elastic_modulus_GPa", between(1, 1200, "GPa"), unset, "Young's modulus"},
                 &SolidMaterial::elastic_modulus,
                 GPa},
-    SolidNumber{{"poisson_ratio", between(0, 0.49), unset, "of the material"},
+    SolidNumber{{"poisson_ratio", between(0, 0.49), unset, "Poisson's ratio of the material"},
                 &SolidMaterial::poissons_ratio}};
 
 /// The same with the defaults of one material.
@@ -62,13 +64,13 @@ constexpr Key shaft_keys[]{
 constexpr Key shaft_segment_keys[]{
     {"length_mm", a_length, is_required, "along the shaft"},
     {"diameter_mm", between(0.1, 5000, "mm"), is_required, "outer diameter"},
-    {"bore_mm", between(0, 5000, "mm"), "as the shaft", "of this segment"},
+    {"bore_mm", between(0, 5000, "mm"), "as the shaft", "bore of this segment"},
     {"material", a_text, "as the shaft",
      "\"steel\", \"cast-iron\" or a [material.NAME] with conductivity and heat capacity"},
 };
 constexpr Key shaft_disk_keys[]{
     {"position_mm", anywhere, is_required, "behind the nose face"},
-    {"mass_kg", between(0, 1e5, "kg"), is_required, "of the disk"},
+    {"mass_kg", between(0, 1e5, "kg"), is_required, "mass of the disk"},
     {"diametral_inertia_kgm2", between(0, 1e5, "kg m2"), is_required, "about a diameter"},
     {"polar_inertia_kgm2", between(0, 1e5, "kg m2"), is_required, "about the axis"},
 };
@@ -81,7 +83,7 @@ constexpr Key shaft_support_keys[]{
 const model::Housing usual_housing;
 const Key housing_keys[]{
     {"start_mm", anywhere, is_required, "front face of the housing, behind the nose face"},
-    {"length_mm", a_length, is_required, "of a housing of one piece"},
+    {"length_mm", a_length, is_required, "length of a housing of one piece"},
     {"outer_diameter_mm", between(1, 10000, "mm"), is_required,
      "of a housing of one piece, which is bored to the bearings"},
     {"segment", a_list, unset, "pieces, in place of length and diameter"},
@@ -100,7 +102,8 @@ constexpr Key housing_segment_keys[]{
     {"length_mm", a_length, is_required, "along the spindle"},
     {"outer_diameter_mm", between(1, 10000, "mm"), unset, "outer diameter, required"},
     {"diameter_mm", between(1, 10000, "mm"), unset, "another name of outer_diameter_mm"},
-    {"bore_mm", between(0, 5000, "mm"), "the outer diameter of the bearings", "of this segment"},
+    {"bore_mm", between(0, 5000, "mm"), "the outer diameter of the bearings",
+     "bore of this segment"},
     {"material", a_text, "as the housing",
      "\"steel\", \"cast-iron\" or a [material.NAME] with conductivity and heat capacity"},
 };
@@ -129,7 +132,7 @@ constexpr Key gap_keys[]{
     {"inner_diameter_mm", between(0.1, 10000, "mm"), unset,
      "inner diameter of an air gap between shaft and housing; without the table, the gap between "
      "the sets"},
-    {"outer_diameter_mm", between(0.1, 10000, "mm"), unset, "of the gap"},
+    {"outer_diameter_mm", between(0.1, 10000, "mm"), unset, "outer diameter of the gap"},
     {"start_mm", on_the_shaft, unset, "behind the nose face"},
     {"end_mm", on_the_shaft, unset, "behind the nose face"},
 };

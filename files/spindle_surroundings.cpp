@@ -15,7 +15,8 @@ namespace {
 
 constexpr model::Ambient usual_air;
 constexpr Key ambient_keys[]{
-    {"temperature_C", between(-100, 200, "C"), celsius(usual_air.temperature), "of the air"},
+    {"temperature_C", between(-100, 200, "C"), celsius(usual_air.temperature),
+     "temperature of the air"},
     {"machine_temperature_C", between(-100, 200, "C"), "as the ambient",
      "temperature of the machine behind the flange"},
     {"emissivity", between(0, 1), usual_air.emissivity,
@@ -63,8 +64,8 @@ const Key motor_keys[]{
     {"heat_W", between(0, 1e6, "W"), 0.0, heat_meaning},
     factor_key,
     {"position_mm", on_the_shaft, is_required, "position of its middle, behind the nose face"},
-    {"length_mm", between(0.1, longest_mm, "mm"), is_required, "of the rotor"},
-    {"rotor_diameter_mm", between(0.1, 5000, "mm"), unset, "of the rotor"},
+    {"length_mm", between(0.1, longest_mm, "mm"), is_required, "length of the rotor"},
+    {"rotor_diameter_mm", between(0.1, 5000, "mm"), unset, "diameter of the rotor"},
     {"rotor_share", between(0, 1), usual_share, "share of its heat that goes to the rotor"},
 };
 const Key drive_keys[]{
@@ -77,8 +78,8 @@ const Key drive_keys[]{
     {"position_mm", on_the_shaft, "the shaft behind the last bearing",
      "position of the belt and of the middle of the heated part, behind the nose face; required "
      "with belt_force_N"},
-    {"length_mm", between(0.1, longest_mm, "mm"), unset, "of the part that is heated"},
-    {"rotor_diameter_mm", between(0.1, 5000, "mm"), unset, "of the part that is heated"},
+    {"length_mm", between(0.1, longest_mm, "mm"), unset, "length of the heated part"},
+    {"rotor_diameter_mm", between(0.1, 5000, "mm"), unset, "diameter of the heated part"},
     {"rotor_share", between(0, 1), usual_share, "share of its heat that goes to the shaft"},
 };
 const Key heat_keys[]{
