@@ -180,7 +180,7 @@ class Learner {
     has_zero_ = true;
     for (std::size_t k = 0; k < parts_.size(); ++k)
       if (filter_->at_bound(first_part_ + k))
-        is_due(bounded + k, row, fmt::format("{} has gone to its bound", parts_[k].unknown.name));
+        is_due(bounded + k, row, fmt::format("{} has reached its bound", parts_[k].unknown.name));
   }
 
   /// What an innovation says of the model: of its level, and whether it still holds.

@@ -247,12 +247,11 @@ void note_gaps(Record& result) {
             "{:.4g} s: {}",
             count, count == 1 ? "" : "s", result.place(first), longest, usual,
             result.settings_hold == record::SettingsHold::until_row
-                ? "the settings of the row behind it hold"
-                : "temperatures are carried over it in a straight line, all else as it was") +
-            (longest > an_hour
-                 ? ". If the machine was not left alone there, give the rows behind it "
-                   "another run_id: a run begins from rest and from a new zero"
-                 : ""),
+                ? "the settings of the next row apply"
+                : "temperatures are interpolated, and settings keep their value") +
+            (longest > an_hour ? ". If the machine ran during the gap, give the rows after it "
+                                 "another run_id: a run begins from rest and from a new zero"
+                               : ""),
         {.line = result.line(first)}));
 }
 

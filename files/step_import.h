@@ -17,8 +17,8 @@ struct LoadCase {
   double speed = unset;                           ///< [rad/s]; NaN: only its power is known
   double at_once = 0.0;                           ///< displacement of the row at t = 0 [m]
   std::vector<double> time = {};                  ///< [s]
-  std::vector<double> displacement = {};          ///< less what is there at once [m]
-  text::Place place = {};                         ///< of its first row
+  std::vector<double> displacement = {};          ///< after subtracting at_once [m]
+  text::Place place = {};                         ///< place of its first row
 };
 
 /// Reads a CSV with time_s, axial_displacement_um, power_W or speed_rpm or both, and load_case

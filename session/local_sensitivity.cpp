@@ -192,8 +192,8 @@ std::vector<std::size_t> take_what_enters(const Data& data, const std::vector<Ar
     const bool given = datum.spread_from == "given";
     if (!spread_refused.empty() && sampled && given)
       throw text::InputError(
-          fmt::format("spread of {} = {:.6g} ({}): leaves what a model may have: {}", datum.name,
-                      datum.spread, datum.spread_from, spread_refused),
+          fmt::format("spread of {} = {:.6g} ({}): the changed model is not allowed: {}",
+                      datum.name, datum.spread, datum.spread_from, spread_refused),
           {.key = datum.name});
     if (!spread_refused.empty() && sampled)
       s.not_sampled.emplace_back(datum.name, spread_refused);

@@ -159,7 +159,7 @@ def test_a_speed_without_steady_state_is_a_doubt(small):
         states = small.steady([3000, 60000])
     assert states.status == ["converged", "thermal_runaway"] and not states.converged
     assert "thermal_runaway" in states._repr_html_()
-    with pytest.raises(ValueError, match="of one speed"):
+    with pytest.raises(ValueError, match="one speed that has"):
         states.end_state
 
 

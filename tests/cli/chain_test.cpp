@@ -112,9 +112,9 @@ TEST_F(Chain, TheTableOfTheRigHeatsTheSpindle) {
   must("calibrate-sensor " + chain + "weights.csv -o " + path("sensor.toml"));
   must("calibrate " + path("rig.toml") + " " + chain + "signals.csv -o " + path("fitted.toml"));
   // The rear bearing carries 1180 N at 10 000 rpm.
-  EXPECT_THAT(table("100:900:100").err, HasSubstr("beyond the friction table stribeck.csv"));
+  EXPECT_THAT(table("100:900:100").err, HasSubstr("outside the friction table stribeck.csv"));
   const Result steady = table("100:1500:100");
-  EXPECT_THAT(steady.err, Not(HasSubstr("beyond the friction table")));
+  EXPECT_THAT(steady.err, Not(HasSubstr("outside the friction table")));
   EXPECT_THAT(steady.out, HasSubstr("friction_power_band_W"));
   must("step-response " + path("spindle.toml") +
        " --speed 1000:10000:1000 --coolant off --law line --lags one --correction " +

@@ -45,7 +45,7 @@ TEST_F(CorrectionInput, AGapIsNamedAndIsNoLeap) {
   const Result r = run("identify " + model_ + " " + gap);
   EXPECT_EQ(r.status, 0);
   EXPECT_THAT(r.err, HasSubstr("1 gap in time, the first before line 303, the longest 1.2e+04 s"));
-  EXPECT_THAT(r.err, HasSubstr("give the rows behind it another run_id"));
+  EXPECT_THAT(r.err, HasSubstr("give the rows after it another run_id"));
   EXPECT_THAT(r.err, Not(HasSubstr("leaps")));
 }
 

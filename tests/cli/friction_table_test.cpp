@@ -74,7 +74,7 @@ TEST_F(FrictionTable, HeatsASpindleAsTheLawThatMadeIt) {
   const Result r = steady(by_table, "--speed 6200 --json");
   const json of_table = parsed(r)["steady"][0],
              of_law = parsed(steady(by_law, "--speed 6200 --json"))["steady"][0];
-  EXPECT_THAT(r.err, Not(HasSubstr("beyond the friction table")));
+  EXPECT_THAT(r.err, Not(HasSubstr("outside the friction table")));
   for (const char* const name :
        {"front_1_inner_ring_temperature_C", "rear_1_outer_ring_temperature_C"}) {
     const double wanted = of_law[name];
@@ -82,7 +82,7 @@ TEST_F(FrictionTable, HeatsASpindleAsTheLawThatMadeIt) {
   }
   // Above 8000 rpm the edge holds, which is said in text and JSON.
   const Result beyond = steady(by_table, "--speed 9000 --json");
-  EXPECT_THAT(beyond.err, HasSubstr("beyond the friction table torque.csv (0 to 8000 rpm, "));
+  EXPECT_THAT(beyond.err, HasSubstr("outside the friction table torque.csv (0 to 8000 rpm, "));
   const json judged = parsed(beyond)["judgement"];
   EXPECT_TRUE(std::any_of(judged.begin(), judged.end(), [](const json& one) {
     return one["limit"] == "friction_table" && one["allowed"].is_null();

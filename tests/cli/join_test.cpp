@@ -33,7 +33,7 @@ TEST(Join, WhatIsWrongIsSaidAndNothingWritten) {
   const std::string one = scratch.write("room.toml", room), out = scratch.file("sum.toml");
   const Result alone = run("join " + one + " -o " + out);
   EXPECT_EQ(alone.status, 1);
-  EXPECT_THAT(alone.err, HasSubstr("a sum has two or more"));
+  EXPECT_THAT(alone.err, HasSubstr("name two corrections or more"));
   EXPECT_THAT(run("join " + one + " " + one + " -o " + out).err,
               HasSubstr("an earlier file also has a channel \"room\": rename one"));
   EXPECT_FALSE(std::filesystem::exists(out));

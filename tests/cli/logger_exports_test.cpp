@@ -311,7 +311,7 @@ TEST(LoggerExports, AnExportGivesCoarseSensorsTheTimeThatTheyNeed) {
                       "model, so the program calls it stuck after 24600 s instead of 3600 s"),
             Not(HasSubstr("bearing_temperature_C did not change"))));
   EXPECT_THAT(run("export " + model + " --format csv --record " + coarse.file).err,
-              Not(HasSubstr("in place of 24600 s")));
+              Not(HasSubstr("instead of 24600 s")));
 }
 
 /// From 20:11:33 on the 11th: only a year in front makes a day of what passes at midnight.

@@ -223,7 +223,7 @@ TEST(Sensitivity, RefusesWhatWasAskedWrong) {
   refused(at_point + " --global -4", "--global");
   refused(at_point + " --steady", "is no spindle");
   refused(at_point + " --global 64 --spread inner_conformity=0.2 --of stiffness",
-          "leaves what a model may have");
+          "the changed model is not allowed");
   refused(at_point + " --global 64 --data f0 --spread f0=0", "nothing to sample");
 }
 

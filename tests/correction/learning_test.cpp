@@ -198,7 +198,7 @@ TEST(Learning, AGainAtItsBoundAsksForIdentification) {
   EXPECT_TRUE(l.gains[0].at_bound);
   EXPECT_DOUBLE_EQ(l.gains[0].value, 0.5);
   ASSERT_FALSE(l.due.empty());
-  EXPECT_THAT(l.due.front().reason, HasSubstr("spindle has gone to its bound"));
+  EXPECT_THAT(l.due.front().reason, HasSubstr("spindle has reached its bound"));
 }
 
 /// Something that the model knows nothing of: 3 um in steps of two hours, at random.

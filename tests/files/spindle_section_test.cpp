@@ -279,7 +279,7 @@ TEST(SpindleSection, SourcesOfHeatThatCannotBeAreRefused) {
   EXPECT_THAT(refused("heat_W = 1\nat = \"seal\"\nlength_mm = 5\n"),
               HasSubstr("position_mm is missing"));
   EXPECT_THAT(refused("heat_W = 1\nat = \"shaft\"\nposition_mm = 370\nlength_mm = 20\n"),
-              HasSubstr("not all on the shaft"));
+              HasSubstr("does not lie entirely on the shaft"));
   EXPECT_THAT(refused("heat_W = 1\nat = \"housing\"\nposition_mm = 120\nlength_mm = 20\n"
                       "radius_mm = 20\n"),
               HasSubstr("the housing reaches from"));

@@ -68,7 +68,8 @@ TEST(RollerModel, SaysWhatIsWrongInAFile) {
               HasSubstr("sums friction over the balls"));
   EXPECT_THAT(why("", "[rig]\naxial_load_N = 100\n"),
               HasSubstr("axial_load_N = 100: must be 0, a cylindrical roller bearing of type N"));
-  EXPECT_THAT(why("", "[arrangement]\nlayout = \"O\"\n"), HasSubstr("stands on a rig"));
+  EXPECT_THAT(why("", "[arrangement]\nlayout = \"O\"\n"),
+              HasSubstr("is a single bearing on a rig"));
   EXPECT_THAT(why("radial_clearance_um = -101\n"),
               HasSubstr("radial_clearance_um = -101 um: must be from -100 to 1000 um"));
   EXPECT_THAT(why("width_mm = 7\n"), HasSubstr("width"));
