@@ -287,7 +287,7 @@ void complete(const BallCircle& circle, RingSums<AllCoordinates, T>& sums) {
 /// a thousandth of it. Self-check of every solve.
 inline constexpr double largest_load_error = 1e-8;
 
-/// A ring in balance as it is reported.
+/// Result of a ring in balance.
 template <typename T>
 struct RingReport {
   T stiffness[5][5];  ///< [N/m]

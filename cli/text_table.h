@@ -36,8 +36,8 @@ class TextTable {
 
 using text::number;
 
-/// A value with the decimals that number() gives `scale`, for values to be read against it; never
-/// "-0.0". `sign` writes + before positive values.
+/// Returns a value with as many decimals as number() gives `scale`, so that both can be compared;
+/// never "-0.0". `sign` writes + before positive values.
 [[nodiscard]] std::string beside(double value, double scale, int digits, bool sign);
 
 /// Columns of the terminal on stdout; 80 where it is none.

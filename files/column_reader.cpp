@@ -54,7 +54,7 @@ std::vector<double> ColumnReader::numbers(
   }
   if (missing.count > 0)
     notes_.push_back(record::note::left_out(
-        fmt::format("{} of {} readings of {} are no readings ({}) and do not take part "
+        fmt::format("{} of {} readings of {} have no valid value ({}) and are left out "
                     "(line{} {}{})",
                     missing.count, table_.rows(), source.name, text::listed(missing.texts),
                     missing.count == 1 ? "" : "s", missing.lines,

@@ -362,7 +362,7 @@ def read_all(folder: str | os.PathLike[str]) -> list[SlabFile]:
     Raises
     ------
     InputError
-        A slab is missing, twice there, cut off or of other input.
+        A slab is missing, exists twice, is cut off, or has another input.
     """
     paths = slab_files(folder)
     if not paths:

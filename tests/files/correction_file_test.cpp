@@ -353,8 +353,8 @@ TEST(SeriesFile, AWordInThePlaceOfAReadingDoesNotTakePartAndIsNamed) {
   EXPECT_TRUE(std::isnan(moved[1]) && std::isnan(moved[2]) && std::isnan(moved[3]));
   EXPECT_DOUBLE_EQ(moved[4], 2e-6);
   EXPECT_THAT(texts(r.notes),
-              testing::Contains("2 of 5 readings of displacement_z_um are no readings (OVER "
-                                "and Bad Input) and do not take part (lines 3, 5)"));
+              testing::Contains("2 of 5 readings of displacement_z_um have no valid value (OVER "
+                                "and Bad Input) and are left out (lines 3, 5)"));
 }
 
 std::vector<double> times(const std::vector<std::string>& stamps, const std::string& map = "") {
@@ -492,8 +492,8 @@ TEST(SeriesFile, NumbersThatMarkAMissingReadingAreNone) {
   const auto z = r.values(*record::series_channel("displacement_z_um"));
   EXPECT_TRUE(std::isnan(z[1]) && std::isnan(z[2]));
   EXPECT_THAT(texts(r.notes),
-              testing::Contains("2 of 4 readings of displacement_z_um are no readings "
-                                "(-9999 and 9.9e37) and do not take part (lines 3, 4)"));
+              testing::Contains("2 of 4 readings of displacement_z_um have no valid value "
+                                "(-9999 and 9.9e37) and are left out (lines 3, 4)"));
   // Where others come near it is a reading.
   EXPECT_NEAR(series(displacement_header + "0,1,20,990\n60,1,20,999\n120,1,20,1005\n")
                   .values(*record::series_channel("displacement_z_um"))[1],
