@@ -46,12 +46,20 @@ std::multimap<std::string, std::string> full_names(const model::Model& model) {
   return names;
 }
 
-Names default_names(ModelTables& tables, const model::Model& model) {
-  Names names = model::default_free(model);
+std::string list_of(const Names& names) {
   std::string text;
   for (const std::string& name : names)
     text += fmt::format("{}\"{}\"", text.empty() ? "" : ", ", name);
-  tables.note_default("calibration", "free", "[" + text + "]");
+  return "[" + text + "]";
+}
+
+Names default_names(ModelTables& tables, const model::Model& model) {
+  Names names = model::default_free(model);
+  std::string text = list_of(names);
+  if (const Names of_torque = model::default_free(model.law);
+      model.shaft && !model.spindle && names != of_torque)
+    text += fmt::format(" (of a displacement; of a torque {})", list_of(of_torque));
+  tables.note_default("calibration", "free", text);
   return names;
 }
 

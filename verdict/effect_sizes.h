@@ -30,8 +30,10 @@ namespace raceway::verdict {
                                              std::size_t member);
 
 /// Returns the probability that offsets of blocks of rows, set at random, follow one candidate as
-/// closely as these do. It is 0 if the candidate is also seen within blocks, and NaN without blocks
-/// that may be undeclared runs (RowOrder::new_block).
+/// closely as these do: P(F(1, B - 2) >= G (B - 2) / R) for B blocks. G is the gain of the
+/// candidate, and R is the square that it leaves and that one offset for each block explains. The
+/// probability is 0 if the candidate is also seen within blocks, and NaN without blocks that may be
+/// undeclared runs (RowOrder::new_block).
 [[nodiscard]] double chance_of_block_offsets(const Evidence& evidence, const Explanation& e,
                                              std::size_t member);
 

@@ -18,15 +18,6 @@
 namespace raceway::fit {
 namespace {
 
-Model contact_model() {
-  Model model = synthetic_model();
-  model.law = friction::FrictionLaw::contact;
-  model.law_values.clear();
-  for (const friction::Parameter& p : friction::parameters(model.law))
-    model.law_values.push_back(p.initial);
-  return model;
-}
-
 Model contact_model_with(std::string_view id, std::vector<double> values) {
   Model model = contact_model();
   model.effects.push_back({.description = effects::find(id), .values = std::move(values)});

@@ -34,15 +34,6 @@ Model pair_of(Model model, double preload, bearing::Mounting mounting = bearing:
   return model;
 }
 
-Model contact_model() {
-  Model model = synthetic_model();
-  model.law = friction::FrictionLaw::contact;
-  model.law_values.clear();
-  for (const friction::Parameter& p : friction::parameters(model.law))
-    model.law_values.push_back(p.initial);
-  return model;
-}
-
 Model single(Model model) {
   model.shaft.reset();
   return model;

@@ -30,6 +30,16 @@ inline Model synthetic_model() {
           .free = {}};
 }
 
+/// The same with the contact law and its usual numbers.
+inline Model contact_model() {
+  Model model = synthetic_model();
+  model.law = friction::FrictionLaw::contact;
+  model.law_values.clear();
+  for (const friction::Parameter& p : friction::parameters(model.law))
+    model.law_values.push_back(p.initial);
+  return model;
+}
+
 /// Every combination of speed, load and temperature, as a rig would be driven.
 inline DataSet factorial_plan(const std::vector<double>& speeds_rpm,
                               const std::vector<double>& axial_loads,
