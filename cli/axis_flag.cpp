@@ -21,9 +21,22 @@ double one_number(std::string_view text, const std::string& flag) {
   return n.value;
 }
 
+/// The numbers of a list of values and ranges, as they are written.
+std::vector<std::string_view> numbers_in(std::string_view text) {
+  std::vector<std::string_view> list;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find_first_of(",:", begin), text.size());
+    list.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return list;
+}
+
 }  // namespace
 
-std::vector<double> axis(const std::string& text, const std::string& flag) {
+std::vector<double> axis(const std::string& text, const NumberRange& range,
+                         const std::string& flag) {
+  ask_about_thousands(numbers_in(text), range, flag);
   std::vector<double> values;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
@@ -76,13 +89,13 @@ void AxisFlags::declare(CLI::App& command, const std::string& speed_help) {
 }
 
 session::AskedAxes AxisFlags::asked() const {
-  const auto values = [](const std::string& text, const char* flag) {
-    return text.empty() ? std::vector<double>() : axis(text, flag);
+  const auto values = [](const std::string& text, const NumberRange& range, const char* flag) {
+    return text.empty() ? std::vector<double>() : axis(text, range, flag);
   };
-  return {.speed_rpm = values(speed, "--speed"),
-          .axial_load_N = values(axial_load, "--axial-load"),
-          .radial_load_N = values(radial_load, "--radial-load"),
-          .temperature_C = values(temperature, "--temperature")};
+  return {.speed_rpm = values(speed, speed_range, "--speed"),
+          .axial_load_N = values(axial_load, signed_load_range, "--axial-load"),
+          .radial_load_N = values(radial_load, load_range, "--radial-load"),
+          .temperature_C = values(temperature, temperature_range, "--temperature")};
 }
 
 void require_all(const std::vector<double>& values, const NumberRange& range,

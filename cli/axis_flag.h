@@ -9,8 +9,9 @@
 namespace raceway::cli {
 
 /// Values of a flag, growing: "100,300,900", "0:12000:250" (from:to:step), or both:
-/// "0,100:500:100". Throws text::InputError.
-[[nodiscard]] std::vector<double> axis(const std::string& text, const std::string& flag);
+/// "0,100:500:100". Throws text::InputError. The range is only for ask_about_thousands().
+[[nodiscard]] std::vector<double> axis(const std::string& text, const NumberRange& range,
+                                       const std::string& flag);
 
 /// `--speed`, `--axial-load`, `--radial-load` and `--temperature` of a command that asks at many
 /// points.

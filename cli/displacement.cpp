@@ -39,12 +39,13 @@ std::vector<double> given(double value) {
 }
 
 std::vector<shaft::ShaftPoint> points(const DisplacementFlags& f, const files::ModelFile& file) {
-  const friction::TableAxes axes = session::table_axes(messages(), file,
-                                                       {.speed_rpm = axis(f.speed, "--speed"),
-                                                        .axial_load_N = given(f.axial_load),
-                                                        .radial_load_N = {},
-                                                        .temperature_C = given(f.temperature)},
-                                                       session::Wording::flags);
+  const friction::TableAxes axes =
+      session::table_axes(messages(), file,
+                          {.speed_rpm = axis(f.speed, speed_range, "--speed"),
+                           .axial_load_N = given(f.axial_load),
+                           .radial_load_N = {},
+                           .temperature_C = given(f.temperature)},
+                          session::Wording::flags);
   if (axes.speed.size() > 1000000)
     throw text::InputError(
         fmt::format("raceway displacement: {} speeds: at most 1e6", axes.speed.size()),

@@ -30,7 +30,7 @@ struct ModesFlags {
 };
 
 std::vector<double> campbell_speeds(const ModesFlags& f) {
-  std::vector<double> speeds = axis(f.speed, "--speed");
+  std::vector<double> speeds = axis(f.speed, speed_range, "--speed");
   require_all(speeds, speed_range, "--speed");
   for (double& speed : speeds) speed *= rpm;
   return speeds;

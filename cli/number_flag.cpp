@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "record/units.h"
 #include "text/csv.h"
@@ -27,9 +28,26 @@ double number_of(const std::string& number, const std::string& shown, const Numb
 
 }  // namespace
 
+void ask_about_thousands(std::span<const std::string_view> numbers, const NumberRange& range,
+                         const std::string& flag) {
+  if (!text::may_have_thousands(numbers)) return;
+  const std::string_view number = *std::find_if(
+      numbers.begin(), numbers.end(), [](std::string_view n) { return n.find('.') != n.npos; });
+  std::string plain(number);
+  std::erase(plain, '.');
+  if (const double value = text::parse_number(plain, false).value;
+      value < range.lower || value > range.upper)
+    return;
+  throw text::InputError(fmt::format("{} = {}: is it {}, or is the point a decimal mark? Write {} "
+                                     "or {}0",
+                                     flag, number, plain, plain, number),
+                         {.key = flag});
+}
+
 CLI::Option* add_number(CLI::App& command, const std::string& flag, double& value,
                         const NumberRange& range, const std::string& help) {
   const auto take = [&value, range, flag](const std::string& text) {
+    ask_about_thousands(std::array{std::string_view(text)}, range, flag);
     value = number_of(text, text, range, flag);
     require_range(value, range, flag);
   };

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "text/number_range.h"
 
@@ -20,6 +22,11 @@ using text::temperature_range;
 /// Parsing throws text::InputError for anything else.
 CLI::Option* add_number(CLI::App& command, const std::string& flag, double& value,
                         const NumberRange& range, const std::string& help);
+
+/// Throws text::InputError for numbers that can be read in two ways: 1.200 is 1.2 or, as Germans
+/// write it, 1200, if both are in the range.
+void ask_about_thousands(std::span<const std::string_view> numbers, const NumberRange& range,
+                         const std::string& flag);
 
 /// A flag that takes a length, in mm unless a unit follows: "70", "70mm", "2.7559in"; `value` is in
 /// m.

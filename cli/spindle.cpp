@@ -90,7 +90,7 @@ double ambient_of(const SpindleFlags& f) {
 }
 
 int run_steady(const SpindleFlags& f, const files::ModelFile& file) {
-  session::SteadyQuestion question{.speeds = axis(f.speed, "--speed"),
+  session::SteadyQuestion question{.speeds = axis(f.speed, speed_range, "--speed"),
                                    .ambient_temperature = ambient_of(f),
                                    .coolant_on = f.coolant == "on",
                                    .axial_load = f.axial_load_N,

@@ -73,7 +73,7 @@ session::SpindleSteps imported_steps(const StepFlags& flags, const files::ModelF
 std::vector<double> given_axis(const std::string& values, const char* flag,
                                const NumberRange& range, double unit) {
   if (values.empty()) return {};
-  std::vector<double> list = axis(values, flag);
+  std::vector<double> list = axis(values, range, flag);
   require_all(list, range, flag);
   for (double& value : list) value *= unit;
   return list;

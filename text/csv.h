@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -132,6 +133,10 @@ class CsvTable {
 /// blanks, no thousands separators, no hexadecimal, "nan" or "inf". A comma is a decimal mark only
 /// where `decimal_comma` allows it.
 [[nodiscard]] ParsedNumber parse_number(std::string_view cell, bool decimal_comma);
+
+/// True if the points of these numbers can separate thousands: each number with a point has groups
+/// of three digits, as "1.200", and each other one is a whole number below 1000.
+[[nodiscard]] bool may_have_thousands(std::span<const std::string_view> numbers);
 
 /// A cell as messages show it: quoted, shortened to 40 characters.
 [[nodiscard]] std::string quoted(std::string_view cell);

@@ -53,6 +53,13 @@ bool is_grouped(std::string_view cell, char thousands, char decimal) {
   return (digits.size() - first) % 4 == 0;
 }
 
+bool may_have_thousands(std::span<const std::string_view> numbers) {
+  const auto grouped = [](std::string_view n) { return is_grouped(n, '.'); };
+  return std::any_of(numbers.begin(), numbers.end(), grouped) &&
+         std::all_of(numbers.begin(), numbers.end(),
+                     [&](std::string_view n) { return grouped(n) || is_below_1000(n); });
+}
+
 DecimalMarks find_decimal_marks(
     char separator, bool points, bool commas, std::size_t rows, std::size_t columns,
     const std::function<std::string_view(std::size_t row, std::size_t column)>& cell) {

@@ -154,6 +154,29 @@ TEST_F(BadInput, MixedOrDoubleColumnsAreRefused) {
   expect_data_refused("speed_rpm;axial_load_N;friction_torque_Nmm\n1000;100,5;92.5\n", ":2: ");
 }
 
+TEST_F(BadInput, APointThatMaySeparateThousandsInAFlagIsAskedAbout) {
+  const std::string model = scratch_.write("my.toml", model_text);
+  const auto table = [&](const std::string& flags) { return run("table " + model + flags); };
+  expect_refused(table(" --speed 0:12.000:500 --axial-load 100"),
+                 "--speed = 12.000: is it 12000, or is the point a decimal mark? Write 12000 or "
+                 "12.0000");
+  expect_refused(table(" --speed 600 --axial-load 600,1.200"), "--axial-load = 1.200: is it 1200");
+  expect_refused(run("solve " + model + " --speed 10.000 --axial-load 300"),
+                 "--speed = 10.000: is it 10000");
+  // A point at another place is a decimal mark for all, and no oil has 40 125 C.
+  for (const char* flags :
+       {" --speed 600.5,1000.125 --axial-load 100", " --speed 600 --axial-load 1.2000",
+        " --speed 600 --axial-load 100 --temperature 40.125"})
+    EXPECT_EQ(table(flags).status, 0) << flags;
+}
+
+TEST_F(BadInput, ANegativeNumberOfTriedExplanationsIsRefused) {
+  const std::string model = scratch_.write("my.toml", model_text);
+  const std::string data = scratch_.write("rig.csv", data_text);
+  expect_refused(run("diagnose " + model + " " + data + " --tried-before -5"),
+                 "--tried-before = -5 explanations: must be from 0 to 1000000 explanations");
+}
+
 TEST_F(BadInput, UnwritableOutputIsToldBeforeTheWork) {
   const std::string model = scratch_.write("my.toml", model_text);
   const std::string table = "table " + model + " --speed 0:9000:0.001 --axial-load 100 -o ";
