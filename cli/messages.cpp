@@ -1,14 +1,17 @@
 #include "cli/messages.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
+#include <string_view>
 #include <utility>
 
 #include "cli/process.h"
 #include "cli/run_files.h"
+#include "cli/text_table.h"
 
 namespace raceway::cli {
 namespace {
@@ -26,9 +29,27 @@ State& state() {
   return of_this_run;
 }
 
+/// The text as a terminal shows it: lines are broken between words, and what follows is set in.
+std::string broken_at(std::size_t width, std::string_view text) {
+  constexpr std::string_view break_here = "\n  ";
+  std::string broken;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string_view line = text.substr(begin, end - begin);
+    if (begin > 0) broken += '\n';
+    broken += line.size() <= width
+                  ? std::string(line)
+                  : fmt::format("{}", fmt::join(filled(line, width - 2), break_here));
+    begin = end + 1;
+  }
+  return broken;
+}
+
 void put_line(const char* kind, const std::string& line) {
   std::fflush(stdout);  // a log of both keeps the order
-  write_message(fmt::format("{}{}\n", kind, line));
+  const std::string text = kind + line;
+  const bool on_terminal = isatty(STDERR_FILENO) != 0;
+  write_message((on_terminal ? broken_at(terminal_width(STDERR_FILENO), text) : text) + '\n');
 }
 
 class ToPeople : public session::Messages {

@@ -40,7 +40,7 @@ using text::number;
 /// never "-0.0". `sign` writes + before positive values.
 [[nodiscard]] std::string beside(double value, double scale, int digits, bool sign);
 
-/// Columns of the terminal on stdout; 80 where it is none.
-[[nodiscard]] std::size_t terminal_width();
+/// Columns of the terminal on stdout, or on another stream; 80 where it is none.
+[[nodiscard]] std::size_t terminal_width(int stream = 1);
 
 }  // namespace raceway::cli

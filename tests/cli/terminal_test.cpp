@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -41,6 +42,22 @@ TEST(Messages, DefaultsAreOneShortNoteAndCheckListsThem) {
   EXPECT_EQ(keys(document),
             keys(json{{"format", 1}, {"model", 0}, {"defaults", 0}, {"notes", 0}, {"said", 0}}));
   EXPECT_FALSE(document["defaults"].empty());
+}
+
+TEST(Messages, AreBrokenBetweenWordsAtTheWidthOfATerminal) {
+  const Files files;
+  const std::string wrong = "solve " + files.model + " --speed 1000 --axial-load 1e9";
+  const std::string message = run(wrong).err;
+  ASSERT_EQ(std::count(message.begin(), message.end(), '\n'), 1) << "in a file: one line";
+  std::istringstream lines(
+      run_shell("script -qc \"stty cols 40; $raceway " + wrong + "\" /dev/null").out);
+  std::string again;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.ends_with('\r')) line.pop_back();
+    EXPECT_TRUE(line.size() <= 40 || line.find(' ', 2) == line.npos) << line;
+    again += (again.empty() ? "" : " ") + line.substr(again.empty() ? 0 : 2);
+  }
+  EXPECT_EQ(again + '\n', message);
 }
 
 TEST(Messages, QuietLeavesErrorsAlone) {

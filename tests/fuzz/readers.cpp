@@ -179,7 +179,9 @@ void timestamp(const std::string& text) {
 
 void command_line(const std::string& text) {
   (void)files::read_designation(text).boundary();
-  refusable([&] { cli::require_all(cli::axis(text, "--speed"), cli::speed_range, "--speed"); });
+  refusable([&] {
+    cli::require_all(cli::axis(text, text::speed_range, "--speed"), cli::speed_range, "--speed");
+  });
   for (const bool comma : {false, true}) (void)text::parse_number(text, comma);
 }
 
