@@ -157,7 +157,8 @@ Identification regression_baseline(const Model& model, const std::vector<const C
       found.channels.push_back(std::move(c));
     else
       result.messages.push_back(record::note::rows_used(
-          fmt::format("{} is a combination of the other inputs: it is left out", c.name),
+          fmt::format("{} is constant or a combination of the other inputs: it is left out",
+                      c.name),
           {.key = c.name}));
   }
   if (found.channels.empty()) throw std::invalid_argument("no input varies");

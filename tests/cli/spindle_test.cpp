@@ -330,7 +330,7 @@ TEST_F(SpindleCommand, ModelWithoutShaftIsRefused) {
 }
 
 TEST_F(SpindleCommand, SpeedAloneIsRefused) {
-  EXPECT_THAT(spindle("--speed 1000").err, HasSubstr("add --steady"));
+  EXPECT_THAT(spindle("--speed 1000").err, HasSubstr("--speed needs --steady"));
 }
 
 TEST_F(SpindleCommand, StateOfOtherCellsIsRefused) {

@@ -117,14 +117,15 @@ TEST(CorrectionJoin, WhatCannotBeOneIsRefused) {
               refused("machine.toml: an earlier file also has a channel \"x\""));
   EXPECT_THAT(join({spindle_part(), machine_part("[correction.kinematic]\nA = 0.001\nB = 0.6\n"
                                                  "C = 0.0006\n")}),
-              refused("has [correction.kinematic], too"));
+              refused("also has [correction.kinematic]"));
   EXPECT_THAT(
       join({spindle_part(), machine_part("[correction.range]\nspeed_rpm = [9500, 9900]\n")}),
       refused("speed_rpm: its range does not overlap"));
   EXPECT_THAT(
       join({spindle_part(),
             parse_correction("[correction]\ndisplacement = \"displacement_y_um\"\n", "y.toml")}),
-      refused("y.toml: is of displacement_y_um, and spindle/part.toml of displacement_z_um"));
+      refused(
+          "y.toml: corrects displacement_y_um, but spindle/part.toml corrects displacement_z_um"));
 }
 
 }  // namespace

@@ -228,9 +228,9 @@ TEST(DataFile, AStandardDeviationMustBePositive) {
 
 TEST(DataFile, AStandardDeviationNeedsItsQuantity) {
   EXPECT_THAT(data_error("speed_rpm,friction_torque_Nmm,std_um\n1,1,1\n"),
-              HasSubstr("column std_um has no axial_displacement_um"));
+              HasSubstr("column std_um needs a column axial_displacement_um"));
   EXPECT_THAT(data_error("speed_rpm,axial_displacement_um,std_Nmm\n1,1,1\n"),
-              HasSubstr("column std_Nmm has no friction_torque_Nmm"));
+              HasSubstr("column std_Nmm needs a column friction_torque_Nmm"));
 }
 
 TEST(DataFile, MissingColumnsAreNamed) {
