@@ -12,11 +12,11 @@
 
 namespace raceway::friction {
 
-/// The base law of a model. `contact` sums friction over the balls in balance
-/// (friction/contact/contact_law.h), `table` is what was measured (friction/torque_table.h); the
-/// others are formulas for the bearing as a whole. Laws of cylindrical rollers have other
-/// parameters (friction/roller_friction.h); files use the names of the ball laws, and the type of
-/// the bearing decides.
+/// Base law of a model. `contact` sums friction over the balls in equilibrium
+/// (friction/contact/contact_law.h); `table` is a measured table (friction/torque_table.h); the
+/// others are formulas for the whole bearing. Laws of cylindrical rollers have other parameters
+/// (friction/roller_friction.h); files use the names of the ball laws, and the type of the bearing
+/// decides.
 enum class FrictionLaw { palmgren, skf, contact, table, roller_palmgren, roller_skf };
 /// Laws of ball bearings.
 inline constexpr std::array all_friction_laws{FrictionLaw::palmgren, FrictionLaw::skf,
@@ -27,20 +27,20 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 [[nodiscard]] constexpr bool of_rollers(FrictionLaw law) {
   return law == FrictionLaw::roller_palmgren || law == FrictionLaw::roller_skf;
 }
-/// Laws for the kind of bearing that a law is for.
+/// Returns the laws for this kind of bearing.
 [[nodiscard]] constexpr std::span<const FrictionLaw> laws_of_same_bearing(FrictionLaw law) {
   if (of_rollers(law)) return roller_friction_laws;
   return all_friction_laws;
 }
 
 [[nodiscard]] std::string_view name(FrictionLaw law);
-/// The law of ball bearings of that name, as files write it.
+/// Returns the law of ball bearings with this name in files.
 [[nodiscard]] std::optional<FrictionLaw> find_friction_law(std::string_view name);
 
 /// "P0", "F_b", "F_r" or "rollers".
 [[nodiscard]] std::string_view name(F1Load load);
 
-/// Parameters of the law, in the order in which base_moments() takes their values.
+/// Parameters of the law, in the order of their values in base_moments().
 ///   palmgren: f0, z, y        skf: mu_bl, mu_EHL, K_rs        contact: contact_parameters
 ///   table: scale
 ///   roller_palmgren: f0, f1   roller_skf: mu_bl, mu_EHL, K_rs
@@ -50,13 +50,13 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 [[nodiscard]] bool of_the_lubricant(const Parameter& number);
 
 /// Bearing data that the law uses, as keys of a model file without their units. No other bearing
-/// datum changes the moments, neither the ball diameter nor the load distribution at speed.
+/// datum changes the moments.
 ///   palmgren: contact_angle, pitch_diameter, static_load_rating
 ///   skf:      ball_material (its density), bore, outer_diameter
 ///   table: nothing; contact and laws of rollers: everything; the list of both is empty
 [[nodiscard]] std::span<const std::string_view> bearing_data(FrictionLaw law);
 
-/// Looks at the balls, and has no moments without their balance.
+/// True if the law uses the balls and has no moments without their equilibrium.
 [[nodiscard]] constexpr bool needs_equilibrium(FrictionLaw law) {
   return law == FrictionLaw::contact;
 }
@@ -66,25 +66,25 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 void require_data(FrictionLaw law, const bearing::Bearing& bearing);
 
 /// Friction moments of the base law [N m]. For SKF `load` is the sliding, `viscous` the rolling
-/// moment; of the contacts `viscous` is the oil's resistance to rolling, `load` all else; of a
-/// table `viscous` is all of which it does not say that it goes by the load.
+/// moment; for the contact law `viscous` is the rolling resistance of the oil and `load` the rest;
+/// for a table `viscous` is the part not marked as load dependent.
 template <typename T>
 struct BaseMoments {
   T load;
   T viscous;
 };
 
-/// The laws of rollers for base_moments(); NaN where they count what the rollers carry and these
-/// have no balance.
+/// Laws of rollers for base_moments(). NaN if they count the roller loads and the rollers have no
+/// equilibrium.
 [[nodiscard]] BaseMoments<double> roller_moments(FrictionLaw law, const BearingState<double>& state,
                                                  std::span<const double> values);
 
-/// The law `table` for base_moments(); NaN without a table.
+/// Law `table` for base_moments(); NaN without a table.
 [[nodiscard]] BaseMoments<double> table_moments(const BearingState<double>& state,
                                                 std::span<const double> values);
 
 namespace contact {
-/// The law `contact` for base_moments(); NaN without a converged equilibrium.
+/// Law `contact` for base_moments(); NaN without a converged equilibrium.
 [[nodiscard]] BaseMoments<double> contact_moments(const BearingState<double>& state,
                                                   std::span<const double> values);
 }  // namespace contact

@@ -8,19 +8,19 @@
 
 namespace raceway::friction {
 
-/// Power that friction takes from the shaft and turns into heat, P = M ω [W].
+/// Friction power, which becomes heat, P = M ω [W].
 ///
-/// M is the friction moment of the whole bearing; the number of balls has no place here.
-/// Source: [CaseStudy, eq. 19], where the factor Z is a misprint.
+/// M is the friction moment of the whole bearing; the number of balls does not enter. Source:
+/// [CaseStudy, eq. 19], where the factor Z is a misprint.
 template <typename T>
 T power_loss(const T& friction_moment, const T& speed) {
   return friction_moment * speed;
 }
 
-/// Friction moments of one bearing by where their heat arises [N m].
+/// Friction moments of one bearing by the place of their heat [N m].
 struct HeatSources {
   double load = 0.0;              ///< of the base law
-  double viscous = 0.0;           ///< of the base law, and every moment whose place is not known
+  double viscous = 0.0;           ///< of the base law, and moments without a known place
   double spin_coefficient = 0.0;  ///< friction coefficient of `spin-friction` [1], 0 without it
 };
 
@@ -39,9 +39,9 @@ struct HeatSplit {
 ///
 /// sums over the balls that touch the race; v is the rolling speed at the contact. The heat of an
 /// inner contact is counted to the inner ring, also what flows into the ball. The spin part is
-/// exact; the other two are an assumption of how a moment known for the whole bearing is shared:
-/// rolling resistance as contact load times path, film shear as path alone (equal films at both
-/// races). At low speed, where Q and v agree at both contacts, that is half and half.
+/// exact; the other two assume how a moment of the whole bearing is shared: rolling resistance as
+/// contact load times path, film shear as path alone (equal films at both races). At low speed,
+/// where Q and v agree at both contacts, each ring gets half.
 ///
 /// Domain:   converged equilibrium in the state, else NaN; zero at standstill.
 [[nodiscard]] inline HeatSplit split_heat(const BearingState<double>& s,
@@ -65,7 +65,7 @@ struct HeatSplit {
     by_load.inner += weight * ball.inner_load * inner_speed;
     by_path.inner += weight * inner_speed;
   }
-  // Without a loaded ball there is nothing to weigh with; what turns in the lubricant is halved.
+  // Without a loaded ball there are no weights; each ring gets half of the lubricant's losses.
   const auto inner_share = [](const ContactPair& w) {
     const double sum = w.inner + w.outer;
     return sum > 0.0 ? w.inner / sum : 0.5;

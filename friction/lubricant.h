@@ -10,11 +10,11 @@ namespace raceway::friction {
 /// Lubricant supply of the bearing.
 enum class Supply { oil_air, grease, jet, bath };
 
-/// As files write it: "oil-air", "grease", "jet", "bath".
+/// Name in files: "oil-air", "grease", "jet", "bath".
 [[nodiscard]] std::string_view name(Supply supply);
-/// For people: "oil-air", "grease", "an oil jet", "an oil bath".
+/// Name in text: "oil-air", "grease", "an oil jet", "an oil bath".
 [[nodiscard]] std::string_view words(Supply supply);
-/// The supply of that name, as files write it.
+/// Returns the supply with this name in files.
 [[nodiscard]] std::optional<Supply> find_supply(std::string_view name);
 
 /// Kinematic viscosity of a lubricant (of a grease: of its base oil) against temperature [m²/s].
@@ -23,13 +23,13 @@ enum class Supply { oil_air, grease, jet, bath };
 ///   ν = (Z - 0.7) - exp(-0.7487 - 3.295 (Z - 0.7) + 0.6119 (Z - 0.7)² - 0.3193 (Z - 0.7)³)
 ///
 /// ν [mm²/s], T [K]; converted here, nowhere else. A and B follow from the values at 40 and 100 °C.
-/// The printed inverse is off by up to 2.4e-4; Newton's method on the first line removes that, so
-/// the given values come back as given.
+/// The printed inverse is off by up to 2.4e-4; Newton's method on the first line removes this
+/// error, so the given values are reproduced.
 ///
 /// Source:   [ASTMD341, eqs. 1 to 3].
-/// Domain:   ν at 40 °C from 1 to 100 000 mm²/s, at 100 °C from 0.5 mm²/s to below that at 40 °C;
-///           T > 0. Meant for liquid hydrocarbons from -70 to 370 °C and ν above 0.21 mm²/s;
-///           outside it computes: ν keeps falling with T, towards 0.1 mm²/s.
+/// Domain:   ν at 40 °C from 1 to 100 000 mm²/s, at 100 °C from 0.5 mm²/s to below that at 40 °C; T
+///           > 0. Meant for liquid hydrocarbons from -70 to 370 °C and ν above 0.21 mm²/s; outside,
+///           ν keeps falling with T, towards 0.1 mm²/s.
 /// Accuracy: the equations to rounding. An oil of 100 mm²/s at 40 °C is met within 3 % from 50 to
 ///           80 °C; near the pour point a real oil is thicker.
 class Lubricant {

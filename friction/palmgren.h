@@ -11,7 +11,7 @@
 
 namespace raceway::friction {
 
-/// Load that the load torque of a ball bearing counts [N].
+/// Load in the load torque of a ball bearing [N].
 ///
 ///   F_b = max(0.9 F_a cot α0 - 0.1 F_r, F_r)      α0 > 0
 ///   F_b = max(3.3 F_a - 0.1 F_r, F_r)             α0 = 0
@@ -27,7 +27,7 @@ T palmgren_load(const BearingState<T>& s) {
   const double angle = s.bearing->geometry().contact_angle;
   const double axial_factor = angle > 0.0 ? 0.9 / std::tan(angle) : 3.3;
   const T thrust = axial_factor * abs(s.axial_load) - 0.1 * s.radial_load;
-  // In this order a load that is not a number stays one.
+  // This order keeps a NaN load NaN.
   return thrust < s.radial_load ? s.radial_load : thrust;
 }
 
@@ -62,7 +62,7 @@ T static_equivalent_load(const BearingState<T>& s) {
   using std::abs;
   const auto [X0, Y0] = static_load_factors(s.bearing->geometry().contact_angle);
   const T combined = X0 * s.radial_load + Y0 * abs(s.axial_load);
-  // In this order a load that is not a number stays one.
+  // This order keeps a NaN load NaN.
   return combined < s.radial_load ? s.radial_load : combined;
 }
 
@@ -77,16 +77,16 @@ template <typename T>
 T f1_ratio(const BearingState<T>& s) {
   const double C0 = s.bearing->geometry().static_load_rating;
   if (s.f1_load == F1Load::F_b) return palmgren_load(s) / C0;
-  // As automatic derivatives divide: with them a value is the same to the last digit.
+  // Divides as automatic derivatives do, so that values are equal to the last digit.
   return static_equivalent_load(s) * (1.0 / C0);
 }
 
-/// Friction moment of a loaded ball bearing from its load alone [N m].
+/// Load-dependent friction moment of a ball bearing [N m].
 ///
 ///   M1 = f1 F_b d_m,   f1 = z (P0/C0)^y
 ///
-/// With BearingState::f1_load = F1Load::F_b, f1 = z (F_b/C0)^y: that form gives 1.7 to 1.9 times as
-/// much at one z under pure thrust at 25 to 15 deg, and a z fitted to one form is none for the
+/// With BearingState::f1_load = F1Load::F_b, f1 = z (F_b/C0)^y: at equal z that form gives 1.7 to
+/// 1.9 times as much under pure thrust at 25 to 15 deg. A z fitted to one form does not fit the
 /// other.
 /// Source:   [Palmgren1959; Harris2006, vol. 1, ch. 10], prints not seen; f1 = z (P0/C0)^y is read
 ///           in [KRW2006, p. 116-118], with z = 0.00067 and y = 0.33 for angular contact; other

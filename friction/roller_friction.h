@@ -14,7 +14,7 @@
 
 namespace raceway::friction {
 
-/// Everything a law of a cylindrical roller bearing looks at.
+/// Inputs of the laws of a cylindrical roller bearing.
 struct RollerState {
   const bearing::RollerBearing* bearing = nullptr;
   F1Load counted = F1Load::rollers;    ///< F_r or rollers
@@ -28,16 +28,16 @@ struct RollerState {
 /// Σ Q/F_r of straight rollers at zero clearance [1], ∫cos^(10/9)/∫cos^(19/9) over half a circle.
 inline constexpr double roller_sum_ratio = 1.25803095402823;
 
-/// Load F that a law counts [N].
+/// Load F in a law [N].
 ///
 ///   F_r       the external load
 ///   rollers   F = max(F_r, (Σ Qi + Σ Qo)/(2 · 1.25803))
 ///
-/// At zero clearance and at rest both are F_r; a preloaded bearing without load has torque.
-/// Source: derived; the printed laws know F_r alone.
+/// At zero clearance and at rest both are F_r; a preloaded bearing without load has torque. Source:
+/// derived; the printed laws use F_r only.
 [[nodiscard]] double counted_load(const RollerState& state);
 
-/// Friction moment of a loaded cylindrical roller bearing from its load alone [N m].
+/// Load-dependent friction moment of a cylindrical roller bearing [N m].
 ///
 ///   M1 = f1 F d_m
 ///
@@ -51,9 +51,8 @@ struct RollerPalmgrenLoad {
   static double moment(const RollerState& s, double f1);
 };
 
-/// f0 of a cylindrical roller bearing by the way its lubricant comes [1]:
-/// grease 0.8, oil-air 1.5, bath 3, jet 6; 1.5 without a supply.
-/// Source: read in the public program thermca, after Jungnickel.
+/// f0 of a cylindrical roller bearing by lubricant supply [1]: grease 0.8, oil-air 1.5, bath 3, jet
+/// 6; 1.5 without a supply. Source: read in the public program thermca, after Jungnickel.
 [[nodiscard]] double usual_roller_f0(std::optional<Supply> supply);
 
 /// Constants of the SKF model of cylindrical roller bearings with a cage, dimension series 10

@@ -7,8 +7,9 @@
 namespace raceway::friction::contact {
 
 /// asinh(x) for x >= 0 to 1e-15 relative, without a branch or a call, so that a compiler can make
-/// several at once: log(1 + t), t = x + x²/(1 + sqrt(1 + x²)), as 2 atanh(s) of the mantissa.
-/// `length` = sqrt(1 + x²).  Of slip_forces.cpp; film_traction.cpp has vectors of its own.
+/// several at once: log(1 + t) with t = x + x²/(1 + sqrt(1 + x²)), computed as 2 atanh(s) of the
+/// mantissa. `length` = sqrt(1 + x²).Used by slip_forces.cpp; film_traction.cpp has its own vector
+/// version.
 [[gnu::always_inline]] inline double area_sine(double x, double length) {
   const double t = x + x * x / (1.0 + length);
   const auto bits = std::bit_cast<std::uint64_t>(1.0 + t);
@@ -23,7 +24,7 @@ namespace raceway::friction::contact {
   const double scale = small ? 0.0 : (upper ? exponent + 1.0 : exponent);
   const double s = (small ? t : reduced - 1.0) / (small ? t + 2.0 : reduced + 1.0);
   const double q = s * s;
-  // 1 + q/3 + ... + q^9/19, written out: a loop here would keep the points from going side by side.
+  // The series 1 + q/3 + ... + q^9/19 is written out, because a loop would prevent vectorization.
   double series = 1.0 / 17.0 + q / 19.0;
   series = 1.0 / 13.0 + q * (1.0 / 15.0 + q * series);
   series = 1.0 / 9.0 + q * (1.0 / 11.0 + q * series);

@@ -10,19 +10,20 @@
 
 namespace raceway::friction::contact {
 
-/// The balls of one bearing on the way to their balance: forces and rotations in turn.
+/// Balls of one bearing during the alternating solution for forces and rotations.
 class TurningBalls {
  public:
   TurningBalls(const bearing::Bearing& bearing, double speed, const OilState& oil,
                const ContactLaw& law)
       : attitudes_of_(bearing, speed, oil, law), bearing_(&bearing), speed_(speed) {}
 
-  /// Turns the distinct balls under these forces, from the last attitudes. False where one has no
-  /// attitude; `status()` says why. `ball_scale`: load on a ball [N].
+  /// Computes the rotation of the distinct balls under these forces, starting from the last
+  /// attitudes. Returns false if a ball has no attitude; `status()` gives the reason. `ball_scale`:
+  /// load on a ball [N].
   [[nodiscard]] bool turn(std::span<const bearing::BallEquilibrium> balls, double ball_scale);
-  /// The rotations found are those that the forces were found with.
+  /// True if the rotations equal those used to find the forces.
   [[nodiscard]] bool settled() const;
-  /// Change of the forces on a ball in the last turn(), over its load plus `ball_scale` [1].
+  /// Change of the forces on a ball in the last turn(), relative to its load plus `ball_scale` [1].
   [[nodiscard]] double change() const { return change_; }
   [[nodiscard]] bearing::SolveStatus status() const { return status_; }
   [[nodiscard]] const std::vector<bearing::GivenRotation>& rotations() const { return rotations_; }
@@ -37,34 +38,34 @@ class TurningBalls {
   std::vector<BallAttitude> attitudes_;
   std::vector<bearing::GivenRotation> rotations_;
   double change_ = 0.0, films_ = 0.0;
-  /// Share of the step to the rotations found; less where forces and rotations oscillate.
+  /// Share of the step towards the rotations found. Smaller if forces and rotations oscillate.
   double share_ = 1.0, last_change_ = std::numeric_limits<double>::infinity();
   bearing::SolveStatus status_ = bearing::SolveStatus::not_run;
 };
 
-/// A bearing whose balls turn as traction at their contacts turns them, no race holding them.
+/// Equilibrium of a bearing whose balls rotate as contact traction requires, without race control.
 /// Only `report` is set unless the solve converged.
 struct BalancedEquilibrium {
-  /// With `rotations`. Its report: Newton steps of all passes; the residual of the forces.
+  /// Equilibrium, with `rotations`. Its report counts the Newton steps of all passes and gives the
+  /// force residual.
   bearing::BearingEquilibrium equilibrium;
   std::vector<BallAttitude> attitudes;  ///< of equilibrium.balls.distinct()
-  /// Status of the whole; iterations: passes over forces and attitudes. Residual: what the last
-  /// attitude would change of the forces on its ball, of the load that presses it [1].
+  /// Status of the complete solution. Iterations are passes over forces and attitudes. The residual
+  /// is the change of the forces on a ball in the last pass, relative to its load [1].
   bearing::SolveReport report;
 };
 
-/// Finds the displacement of the inner ring at which the balls carry the load, and the rotation of
-/// each ball by BallAttitudes, together: the orbital speed and the frictions T_i, T_o of the
-/// attitudes are part of the forces on the balls.
+/// Finds the displacement of the inner ring that balances the load together with the rotation of
+/// each ball (BallAttitudes). The orbital speed and the friction forces T_i, T_o of the attitudes
+/// act on the balls.
 ///
-/// Forces for given rotations and rotations for given forces in turn, from outer control or the
-/// rotations of a neighbour. The pitch angles, creeps and frictions that go from one to the other
-/// hardly depend on what they change, and where they do the steps become shorter; balls that are
-/// nearly unloaded at very high speed may not settle (fewer than 1 in 100 wild ones, tested), and
-/// the report says so.
+/// The solver alternates between forces for given rotations and rotations for given forces. It
+/// starts from outer control or the rotations of a neighbour. The coupling is weak; where it is
+/// not, the solver shortens its steps. Nearly unloaded balls at very high speed may not converge
+/// (fewer than 1 in 100 extreme cases, tested); the report says so.
 ///
-/// Domain:   as solve_bearing_equilibrium(); at standstill the attitudes move nothing.
-///           `options.race_control` and `rotations` are not looked at.
+/// Domain:   as solve_bearing_equilibrium(); at standstill the attitudes change no force.
+///           `options.race_control` and `rotations` are ignored.
 /// Accuracy: 1e-8 on the forces of each ball. Physically as good as traction at small slip: angles
 ///           0.1 degrees in a full film, where traction hardly holds anything; between a film and
 ///           boundary friction the pitch angle follows the asperities' share of load.
@@ -74,17 +75,17 @@ struct BalancedEquilibrium {
     const bearing::BearingEquilibrium* neighbour = nullptr);
 
 /// Solves an arrangement; `oils`: one for each bearing, or one for all. The report covers the whole
-/// arrangement; iterations are Newton's. Throws std::invalid_argument as solve_arrangement(), and
-/// for another number of oils.
+/// arrangement and counts Newton iterations. Throws std::invalid_argument as solve_arrangement(),
+/// and for another number of oils.
 [[nodiscard]] bearing::ArrangementEquilibrium solve_balanced_arrangement(
     const bearing::Arrangement& arrangement, const bearing::ArrangementCondition& condition,
     std::span<const OilState> oils, const ContactLaw& law,
     const bearing::EquilibriumOptions& options = {},
     const bearing::ArrangementEquilibrium* neighbour = nullptr);
 
-/// Friction of a bearing in balance whose balls turn by traction, as bearing_friction() by race
-/// control. The attitudes follow from this oil and law under the forces of the balance, also where
-/// a film has warmed up since. NaN where a ball has none.
+/// Friction of a bearing in equilibrium whose balls rotate by traction; bearing_friction() is its
+/// counterpart for race control. The attitudes follow from this oil and law under the equilibrium
+/// forces, even if the film has warmed up since. NaN if a ball has no attitude.
 template <typename Look>
 [[nodiscard]] BearingFriction balanced_friction(const bearing::Bearing& bearing,
                                                 const bearing::BearingEquilibrium& equilibrium,

@@ -8,18 +8,18 @@
 
 namespace raceway::friction::contact {
 
-/// Rotation of a ball that no race holds, as traction at both contacts turns it, and what follows.
-/// At standstill speeds and powers are those per rad/s of the shaft.
+/// Rotation of a ball under traction at both contacts, without race control, and its results. At
+/// standstill, speeds and powers are per rad/s of the shaft.
 struct BallAttitude {
   double cage_speed = unset;       ///< ω_m [rad/s]
-  double film_cage_speed = unset;  ///< ω_m at which the films were made [rad/s]
-  /// ω_R in the cage's frame: along the bearing axis against the shaft, radial outwards, and along
-  /// the orbit [rad/s]. Under race control the last is none.
+  double film_cage_speed = unset;  ///< ω_m used for the films [rad/s]
+  /// Components of ω_R in the cage's frame: along the bearing axis against the shaft, radially
+  /// outwards, and along the orbit [rad/s]. Under race control the last one is zero.
   double along = unset, across = unset, orbital = unset;
   SlipMotion inner_slip, outer_slip;
-  Traction inner, outer;                            ///< of both contacts
+  Traction inner, outer;                            ///< at each contact
   double inner_force = unset, outer_force = unset;  ///< T_i, T_o as in BallBalance [N]
-  double shaft_power = unset;  ///< power that traction takes from the shaft [W]
+  double shaft_power = unset;                       ///< power taken from the shaft by traction [W]
   bearing::SolveReport report;
 
   [[nodiscard]] double ball_speed() const { return std::hypot(along, across, orbital); }
@@ -31,22 +31,22 @@ class TurningBall;
 
 /// Finds the rotation of the balls of one bearing at one speed and state of the oil.
 ///
-/// Four free speeds of a ball, no force of the cage, traction alone at both contacts:
+/// A ball has four free speeds. The cage exerts no force; only traction acts at both contacts:
 ///
 ///   Σ τ_x of both contacts alike,   M = J ω_m x̂ × w       (M of traction about the ball's centre)
 ///   T_i + T_o = (2/D) J ω_m ω_R sin β,   as the third component says
 ///
 /// The unknowns are the slips at the centres of both contacts and ω_R sin β; the derivatives are
-/// analytic. Traction follows from a potential that is convex in these speeds, to which the
-/// gyroscopic moment adds what turns and does not stretch: for a given cage speed there is one
-/// solution, and every step of Newton's method leads down to it. Where dry friction turns too
-/// sharply for that, its direction is made smoother and followed back.
+/// analytic. Traction follows from a potential that is convex in these speeds; the gyroscopic
+/// moment adds a purely rotational term. So a given cage speed has one solution, and every Newton
+/// step descends towards it. Where dry friction changes direction too sharply, the solver smooths
+/// its direction and then removes the smoothing.
 ///
-/// Source:   derived; the slip field of traction.h. Race control is no part of it: in a full film
-///           the ball turns until its gyroscopic moment is gone (β near 0), under boundary friction
-///           it comes near race control.
-/// Domain:   speed >= 0, at standstill the limit of slow rotation; loaded balls. A ball that has
-///           lost the inner race rolls on the outer one alone, without slip at its centre.
+/// Source:   derived; the slip field of traction.h. Race control is not assumed: in a full film the
+///           ball turns until its gyroscopic moment vanishes (β near 0); under boundary friction it
+///           approaches race control.
+/// Domain:   speed >= 0, at standstill the limit of slow rotation; loaded balls. A ball without
+///           contact at the inner race rolls on the outer race without slip at its centre.
 /// Accuracy: forces 1e-9 of the sum of |τ|; power in equals power lost to 1e-8. Film and rolling
 ///           resistance at the cage speed found; the latter turns no ball.
 class BallAttitudes {
@@ -54,29 +54,30 @@ class BallAttitudes {
   BallAttitudes(const bearing::Bearing& bearing, double speed, const OilState& oil,
                 const ContactLaw& law);
 
-  /// Attitude of a ball under these loads at these contact angles. `start`: attitude of a neighbour
-  /// or at another load.
+  /// Solves the attitude of a ball under these loads at these contact angles. `start`: attitude of
+  /// a neighbour or at another load.
   [[nodiscard]] BallAttitude solve(const bearing::BallEquilibrium& ball,
                                    const BallAttitude* start = nullptr) const;
-  /// Attitude with films at the cage speed of `start`, or of outer control; for iterations.
+  /// Solves the attitude once, with films at the cage speed of `start` or of outer control. For
+  /// iterations.
   [[nodiscard]] BallAttitude solve_once(const bearing::BallEquilibrium& ball,
                                         const BallAttitude* start = nullptr) const;
 
-  /// Friction of both contacts of a ball in that attitude.
+  /// Returns the friction of both contacts of a ball at this attitude.
   [[nodiscard]] ContactsOfBall contacts(const BallAttitude& attitude,
                                         const bearing::BallEquilibrium& ball) const;
 
   [[nodiscard]] const RaceFriction& race(bearing::Race race) const {
     return race == bearing::Race::inner ? inner_ : outer_;
   }
-  /// Speed at which balls turn in solve(): the shaft's, 1 rad/s at standstill.
+  /// Shaft speed used by solve(): 1 rad/s at standstill.
   [[nodiscard]] double turning() const { return speed_ > 0.0 ? speed_ : 1.0; }
-  /// Share of it that makes a film: none at standstill.
+  /// Share of that speed that forms a film: zero at standstill.
   [[nodiscard]] double film_speed() const { return speed_ > 0.0 ? 1.0 : 0.0; }
 
  private:
   [[nodiscard]] BallAttitude on_outer_race(const bearing::BallEquilibrium& ball) const;
-  /// Presses a ball on films made at this cage speed; true where asperities hold it.
+  /// Presses a ball on films formed at this cage speed. True if asperities carry load.
   bool press(const bearing::BallEquilibrium& ball, double cage_speed, TurningBall& turned) const;
 
   const bearing::Bearing* bearing_;
@@ -84,7 +85,7 @@ class BallAttitudes {
   RaceFriction inner_, outer_;
 };
 
-/// Speeds of both contacts of a ball in that attitude.
+/// Returns the speeds of both contacts of a ball at this attitude.
 [[nodiscard]] BallMotion ball_motion(const bearing::BearingGeometry& geometry,
                                      const BallAttitude& attitude,
                                      const bearing::BallEquilibrium& ball, double speed);

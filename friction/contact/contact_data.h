@@ -10,20 +10,21 @@
 
 namespace raceway::friction::contact {
 
-/// Inputs of the contact law besides bearing, viscosities and its own parameters.
+/// Inputs of the contact law in addition to bearing, viscosities and its own parameters.
 struct ContactData {
   OilData oil;
   double eyring_stress = default_eyring_stress;  ///< τ0 [Pa]
-  /// Γ of the film as entered with the oil, for any law; NaN: by the type of oil [1].
+  /// Γ of the film as entered with the oil, for any law. NaN: given by the type of oil [1].
   double limiting_traction = unset;
   Inlet supply = Inlet::limited;
   double inlet_over_b = unset;          ///< m of starvation_factors() [1]; unset: flooded film
   double race_roughness = 0.045 * um;   ///< Rq [m]
-  double ball_roughness = 0.0218 * um;  ///< Rq [m]; of both together 0.05 um
+  double ball_roughness = 0.0218 * um;  ///< Rq [m]; composite roughness 0.05 um
   AsperityLaw asperities;
 };
 
-/// `bath` floods the inlets of the contacts, all else leaves them what the balls before have left.
+/// Returns the inlet condition. `bath` floods the inlets; with any other supply a contact gets only
+/// the oil left by the ball in front.
 [[nodiscard]] constexpr Inlet inlet_of(std::optional<Supply> supply) {
   return supply == Supply::bath ? Inlet::flooded : Inlet::limited;
 }

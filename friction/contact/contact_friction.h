@@ -14,7 +14,7 @@
 
 namespace raceway::friction::contact {
 
-/// Numbers of the law in addition to bearing and oil. The limits are as in model files.
+/// Numbers of the law in addition to bearing and oil. Limits as in model files.
 struct ContactLaw {
   Inlet supply = Inlet::limited;
   double replenishment = 0.0;              ///< K_rs of replenishment_factor() [1], 0 is off
@@ -24,11 +24,11 @@ struct ContactLaw {
   double eyring_stress = 5.0 * MPa;        ///< τ0 [Pa]
   double composite_roughness = 0.05 * um;  ///< Rq of race and ball together [m]
   AsperityLaw asperities;
-  double rolling_factor = 1.0;     ///< on the rolling resistance of the oil [1]
-  double hysteresis_factor = 1.0;  ///< on hysteresis [1]
+  double rolling_factor = 1.0;     ///< multiplies the rolling resistance of the oil [1]
+  double hysteresis_factor = 1.0;  ///< multiplies the hysteresis [1]
 };
 
-/// One loaded contact: film, slip and what it takes.
+/// Film, slip and losses of one loaded contact.
 struct ContactFriction {
   Film film;                                              ///< [m]
   double film_ratio = 0.0;                                ///< Λ [1]
@@ -40,11 +40,11 @@ struct ContactFriction {
   double mean_slip = 0.0;                                 ///< Σ p |v|/Q [m/s]
   double mean_friction = 0.0;                             ///< Σ |τ|/Q [1]
   double sliding = 0.0, rolling = 0.0, hysteresis = 0.0;  ///< power [W]
-  bool converged = true;                                  ///< of the sliding
+  bool converged = true;  ///< true if the sliding solution converged
   [[nodiscard]] double power() const { return sliding + rolling + hysteresis; }
 };
 
-/// A race in one state of its oil: what all its contacts share, made once.
+/// Data that all contacts of one race share at one state of its oil, computed once.
 struct RaceFriction {
   ContactShape shape;
   OilState oil;
@@ -52,10 +52,10 @@ struct RaceFriction {
   double ball_diameter;  ///< D [m]
   double supply_factor;  ///< φ_rs [1]
 
-  /// Friction of one contact of load Q > 0. A film is made by the speed of `motion` times
-  /// `film_speed`, 0 at standstill, so that power over shaft speed has its limit there: φ = 1, no
-  /// rolling resistance. A ball that has climbed its race by more than a right angle rolls on it
-  /// the other way round, which resists no less. `centre` as film_traction() takes it.
+  /// Friction of one contact of load Q > 0. The film uses the speed of `motion` times `film_speed`.
+  /// At standstill `film_speed` is 0, so that power over shaft speed has its limit: φ = 1, no
+  /// rolling resistance. At contact angles above a right angle the ball rolls in the opposite
+  /// direction, with equal resistance. `centre` as film_traction() takes it.
   [[nodiscard]] ContactFriction contact(double load, const ContactMotion& motion, double film_speed,
                                         double& centre) const {
     const ContactFriction c = film(load, motion, film_speed);
@@ -68,7 +68,7 @@ struct RaceFriction {
     return contact(load, motion, film_speed, centre);
   }
 
-  /// Friction of a contact with known sliding, on its film().
+  /// Returns the friction of a contact with known sliding on its film().
   [[nodiscard]] ContactFriction contact(ContactFriction c, double load, const ContactMotion& motion,
                                         double film_speed, const Traction& traction) const {
     c.sliding = traction.power;
@@ -90,7 +90,7 @@ struct RaceFriction {
     return c;
   }
 
-  /// Ellipse, film and asperities alone.
+  /// Returns ellipse, film and asperity share only.
   [[nodiscard]] ContactFriction film(double load, const ContactMotion& motion,
                                      double film_speed) const {
     ContactFriction c;
@@ -148,7 +148,7 @@ struct RaceFriction {
   }
 };
 
-/// Friction of a bearing from its contacts, per unit of shaft speed where a power is meant.
+/// Friction of a bearing, summed over its contacts. Powers are per unit of shaft speed.
 struct BearingFriction {
   struct Parts {
     double sliding = 0.0, rolling = 0.0, hysteresis = 0.0;  ///< [N m]
@@ -160,13 +160,13 @@ struct BearingFriction {
   bool converged = false;
   [[nodiscard]] double moment() const { return inner.sum() + outer.sum(); }  ///< [N m]
 
-  /// Friction of a bearing without equilibrium: NaN.
+  /// Returns the friction of a bearing without equilibrium: NaN.
   [[nodiscard]] static BearingFriction none() {
     BearingFriction f;
     f.inner = f.outer = {unset, unset, unset};
     return f;
   }
-  /// Adds so many contacts that are alike, to the `parts` of their race.
+  /// Adds a number of equal contacts to the `parts` of their race.
   void add(const ContactFriction& c, double contacts, double speed, Parts& parts) {
     const double share = contacts / speed;
     parts.sliding += share * c.sliding;
@@ -178,7 +178,7 @@ struct BearingFriction {
   }
 };
 
-/// Friction of the contacts of one race, at one state of the oil and one speed [rad/s].
+/// Returns the data of the contacts of one race at one state of the oil and one speed [rad/s].
 [[nodiscard]] inline RaceFriction race_friction(const bearing::Bearing& bearing, bearing::Race race,
                                                 const OilState& oil, const ContactLaw& law,
                                                 double speed) {
@@ -194,13 +194,14 @@ struct BearingFriction {
                                : 1.0};
 }
 
-/// Speeds of one ball in balance; its own motion where it has lost the inner race.
+/// Returns the speeds of one ball in equilibrium; its own motion if it has no contact at the inner
+/// race.
 [[nodiscard]] inline BallMotion ball_motion(const bearing::BearingGeometry& g,
                                             const bearing::BallEquilibrium& ball,
                                             bearing::RaceControl control, double speed) {
   const bool held = ball.inner_load > 0.0;
-  // The inner contact angle of a ball off the race is no number; BearingEquilibrium::speeds() takes
-  // that of the outer race in its place.
+  // Without contact at the inner race the inner angle is NaN; BearingEquilibrium::speeds() uses the
+  // outer angle instead.
   const double inner = held ? ball.inner_contact_angle : ball.outer_contact_angle;
   const bearing::BallRotation r =
       bearing::ball_rotation(held ? control : bearing::RaceControl::outer, inner,
@@ -208,14 +209,14 @@ struct BearingFriction {
   return ball_motion(g, r, inner, ball.outer_contact_angle, speed);
 }
 
-/// Both contacts of a ball; that at the inner race says nothing where the ball has lost it.
+/// Both contacts of a ball. The inner one is not meaningful if the ball has lost contact there.
 struct ContactsOfBall {
   ContactFriction inner, outer;
 };
 
-/// Sums the friction of all loaded contacts of a bearing in balance that turns at this speed.
-/// `contacts(k, ball)` gives the contacts of distinct ball k; `look(k, race, ContactFriction,
-/// weight)` is shown each of them.
+/// Sums the friction of all loaded contacts of a bearing in equilibrium at this speed. `contacts(k,
+/// ball)` gives the contacts of distinct ball k; `look(k, race, ContactFriction, weight)` is called
+/// for each of them.
 template <typename Contacts, typename Look>
 [[nodiscard]] BearingFriction sum_over_contacts(const bearing::BearingEquilibrium& equilibrium,
                                                 double turning, Contacts&& contacts, Look&& look) {
@@ -237,13 +238,13 @@ template <typename Contacts, typename Look>
   return sum;
 }
 
-/// Friction of all contacts of a bearing in balance.
+/// Friction of all contacts of a bearing in equilibrium.
 ///
 ///   M = Σ (sliding + rolling + hysteresis)/ω       over the balls, at both races
 ///
 /// Each power is counted at the contact where it arises, so that the moments of a race are the heat
-/// of its ring. Race control without gyroscopic creep; balls that no race holds are
-/// balanced_equilibrium.h's.
+/// of its ring. Assumes race control without gyroscopic creep; see balanced_equilibrium.h for balls
+/// without race control.
 /// Source:   the laws of this folder; the sum by power, derived.
 /// Domain:   speed >= 0, at standstill the limit of slow rotation; converged equilibrium, else NaN.
 /// Accuracy: the laws to rounding, sliding 0.1 %. The level of a bearing at speed is known to
@@ -272,7 +273,7 @@ template <typename Look>
   return sum_over_contacts(equilibrium, turning, contacts, look);
 }
 
-/// `look` that ignores all contacts.
+/// Ignores all contacts; default of `look`.
 inline constexpr auto no_look = [](std::size_t, bearing::Race, const ContactFriction&, double) {};
 
 [[nodiscard]] inline BearingFriction bearing_friction(

@@ -13,7 +13,7 @@
 
 namespace raceway::friction::contact {
 
-/// Parameters of the law, in the order in which its values are taken.
+/// Parameters of the law, in the order of its values.
 inline constexpr std::array contact_parameters{
     Parameter{.name = "rolling_factor",
               .unit = "1",
@@ -46,37 +46,37 @@ inline constexpr std::array contact_parameters{
     Parameter{.name = "K_rs", .unit = "1", .initial = 0.0, .lower = 0.0, .upper = 1e-6},
     Parameter{.name = "oil_fraction", .unit = "1", .initial = 0.0, .lower = 0.0, .upper = 0.3}};
 
-/// The law of these numbers, `values` in the order above.
+/// Returns the law with these numbers. `values` are in the order above.
 [[nodiscard]] ContactLaw contact_law(const ContactData& data, std::span<const double> values);
 
-/// The oil at the state's temperature and viscosity, which an effect may have moved apart.
+/// Returns the oil at the state's temperature and viscosity; an effect may have changed either one.
 [[nodiscard]] OilState oil_of(const BearingState<double>& state);
 
-/// One ball with its contacts; what it has lost is without number.
+/// Friction of one ball with its contacts. A contact that the ball has lost is NaN.
 struct BallFriction {
   std::optional<ContactFriction> inner, outer;
 };
 
-/// Friction of a bearing by its contacts, with what else the law says of it.
+/// Friction of a bearing from its contacts, with further results of the law.
 struct ContactResult {
   BearingFriction friction;
   double drag = 0.0;         ///< drag of the balls in the lubricant [N m]
   double mean_slip = unset;  ///< Σ p |v|/Σ Q over all contacts [m/s]
-  /// Largest T/Q of the friction that carries the gyroscopic moment [1], and how many times what
-  /// that contact's film can hold it is.
+  /// Largest T/Q of the friction that balances the gyroscopic moment [1], and its ratio to the
+  /// limit of that contact's film.
   double holding_coefficient = unset;
   double holding_over_traction = unset;
 
   [[nodiscard]] double moment() const { return friction.moment() + drag; }  ///< [N m]
-  /// As base_moments() has it.
+  /// Returns the moments in the form of base_moments().
   [[nodiscard]] BaseMoments<double> moments() const {
     return {.load = sliding() + hysteresis() + drag, .viscous = rolling()};
   }
-  /// True if rescale() leads from one set of values to the other: only the factors of rolling and
-  /// hysteresis, to which parts are proportional, differ, and a changed one was not 0.
+  /// True if rescale() converts one set of values to the other: only the factors of rolling and
+  /// hysteresis differ, and a changed factor was not 0.
   [[nodiscard]] static bool rescales(std::span<const double> from, std::span<const double> to);
   void rescale(std::span<const double> from, std::span<const double> to);
-  /// Leaves this share of the oil's resistance to rolling [1].
+  /// Multiplies the rolling resistance of the oil by this share [1].
   void thin(double share) {
     friction.inner.rolling *= share;
     friction.outer.rolling *= share;
@@ -88,23 +88,22 @@ struct ContactResult {
   }
 };
 
-/// Heat of each ring [W]: the power of its contacts; what the balls lose to the oil around them
-/// goes to both alike.
+/// Heat of each ring [W]: the power of its contacts, plus half of the drag losses of the balls.
 [[nodiscard]] HeatSplit ring_heat(const ContactResult& result, double speed);
 
-/// Sum over all balls of a state; numbers are NaN without a converged equilibrium. With `balls`
-/// each distinct ball's contacts are kept too.
+/// Sums the friction of all balls of a state. Numbers are NaN without a converged equilibrium. With
+/// `balls` the contacts of each distinct ball are kept too.
 [[nodiscard]] ContactResult contact_result(const BearingState<double>& state,
                                            std::span<const double> values,
                                            std::vector<BallFriction>* balls = nullptr);
 
-/// Moment by which the balls plough through the mixture of oil and air around them [N m].
+/// Drag moment of the balls in the mixture of oil and air [N m].
 ///
 ///   M = Z (C_D/2) ρ c (π D²/4) (ω_m d_m/2)³/ω,   C_D = 0.45
 ///
 /// c: share of oil in the free space, `oil_fraction`.
-/// Source:   drag of a sphere at high Reynolds number, c as makers of programs count it; from
-///           memory, print not seen.
+/// Source:   drag of a sphere at high Reynolds number, c as in commercial programs; from memory,
+///           source not seen in print.
 /// Domain:   speed > 0, 0 at standstill. Accuracy: a factor of 3; the cage is not in it.
 [[nodiscard]] double ball_drag(const BearingState<double>& state, double density,
                                double oil_fraction);

@@ -7,7 +7,7 @@
 
 namespace raceway::friction::contact {
 
-/// A rolling contact and the oil at its inlet, as the laws of films and rolling take them.
+/// Rolling contact and the oil at its inlet: inputs of the film and rolling laws.
 struct RollingInlet {
   double viscosity = unset;           ///< η of the oil at no pressure [Pa s]
   double pressure_viscosity = unset;  ///< α [1/Pa]
@@ -51,12 +51,12 @@ struct Film {
   return viscosity * viscosity_slope * speed * speed / conductivity;
 }
 
-/// Share of the isothermal film that is left where the inlet heats itself [1].
+/// Share of the isothermal film that remains under inlet heating [1].
 ///
 ///   φ_T = 1/(1 + 0.1 (1 + 14.8 S^0.83) L^0.64)
 ///
 /// S = |u1 - u2|/u is zero for a ball that rolls.
-/// Source:   read in a published report on roller bearings, the paper behind it not seen. Others
+/// Source:   read in a published report on roller bearings, its original paper not seen. Others
 ///           have (1 - 13.2 p/E' L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), which is thinner.
 /// Domain:   L >= 0, S >= 0; 1 at L = 0. Accuracy: 10 % up to L = 1; beyond, extrapolated.
 [[nodiscard]] inline double thermal_film_factor(double loading, double slip_ratio = 0.0) {
@@ -65,7 +65,7 @@ struct Film {
   return 1.0 / (1.0 + 0.1 * slip * std::pow(loading, 0.64));
 }
 
-/// Shares of the flooded film that are left where the oil meets the contact too late [1, 1].
+/// Shares of the flooded film that remain in a starved contact [1, 1].
 ///
 ///   central  ((m - 1)/(m* - 1))^0.29,   m* = 1 + 3.06 ((R_x/b)² H_c)^0.58
 ///   minimum  ((m - 1)/(m* - 1))^0.25,   m* = 1 + 3.34 ((R_x/b)² H_min)^0.56,   H = h/R_x
@@ -89,7 +89,7 @@ struct StarvationFactors {
           .minimum = factor(flooded.minimum, 3.34, 0.56, 0.25)};
 }
 
-/// Rq of both surfaces together, sqrt(s1² + s2²) [m].
+/// Composite roughness Rq of both surfaces, sqrt(s1² + s2²) [m].
 [[nodiscard]] inline double composite_roughness(double race, double ball) {
   return std::sqrt(race * race + ball * ball);
 }
@@ -109,7 +109,7 @@ struct AsperityLaw {
 ///   φ = exp(-B Λ^C)
 ///
 /// Source:   [ZhouHoeprich1991], print not seen. The form is read in a published simulation of
-///           roller bearings, with B = 2.32, C = 0.97 for its raceways: both belong to the surface.
+///           roller bearings, with B = 2.32, C = 0.97 for its raceways: both depend on the surface.
 ///           1.8 and 1.2 are from memory.
 /// Domain:   Λ >= 0. Accuracy: a factor of 2 of φ between finishes at Λ about 1.
 [[nodiscard]] inline double asperity_share(double film_ratio, const AsperityLaw& law = {}) {

@@ -7,7 +7,7 @@
 
 namespace raceway::friction::contact {
 
-/// Rolling moment of one contact whose steel does not give back all of its deformation [N m].
+/// Rolling moment of one contact due to elastic hysteresis [N m].
 ///
 ///   M_h = 7.48e-7 (D/2)^0.33 Q^1.33 (1 - 3.519e-3 (R_z/R_x - 1)^0.8063) (E'_s/E')^(1/3)
 ///

@@ -7,13 +7,12 @@
 
 namespace raceway::friction::contact {
 
-/// contact_result() of many states of one bearing, its contacts side by side: the same laws, points
-/// and statuses.
+/// Vectorized contact_result() for many states of one bearing: the same laws, points and statuses.
 ///
-/// All states should name one bearing and one ContactData; those that name others than the first,
-/// stand still, have no balance or balls that no race holds are made one by one. What a state gets
-/// depends on nothing but itself and the instruction set, to the last bit. Memory: a fixed amount
-/// per thread, kept between calls; none per state.
+/// All states should name one bearing and one ContactData; states that name others than the first,
+/// at standstill, without equilibrium or without race control are computed one by one. A result
+/// depends only on its state and the instruction set, to the last bit. Memory: a fixed amount per
+/// thread, kept between calls; none per state.
 /// Accuracy: film, rolling and hysteresis to 1e-11 of contact_result(). Sliding, of the same points
 ///           in single precision, to 2e-4 of it at worst in 4000 random states, in most to 1e-6
 ///           (5e-7 of the torque of a 7014 at speed), slip to 5e-4, what a film can hold to 2 %.
@@ -30,7 +29,7 @@ struct FrictionColumns {
   std::span<double> inner_heat{}, outer_heat{};                  ///< [W]
   std::span<double> smallest_film{};                             ///< h_min [m]
   std::span<double> smallest_film_ratio{};                       ///< Λ [1]
-  std::span<double> kinematic_viscosity{};                       ///< of the oil there [m²/s]
+  std::span<double> kinematic_viscosity{};  ///< of the oil at the point [m²/s]
   /// Equivalent loads of the races, which a life by ISO/TS 16281 takes with that viscosity [N]:
   /// inner Q_ei = (Σ Q^3/Z)^(1/3), turning; outer Q_ee = (Σ Q^(10/3)/Z)^(3/10), standing.
   std::span<double> inner_equivalent_load{}, outer_equivalent_load{};
@@ -44,10 +43,10 @@ struct FrictionOfMany {
   std::span<const double> values;  ///< of contact_parameters
 };
 
-/// Balance and friction of one bearing at many operating points (speed, loads, temperature), shared
-/// among threads in fixed chunks. NaN where a point has no balance.
+/// Equilibrium and friction of one bearing at many operating points (speed, loads, temperature),
+/// shared among threads in fixed chunks. NaN where a point has no equilibrium.
 /// Domain:   as solve_bearing_equilibrium() and Lubricant. Accuracy: as contact_results().
-/// Throws std::invalid_argument where a span that is not empty has not one number a point, or for
+/// Throws std::invalid_argument if a non-empty span does not have one number per point, or for
 /// points that are out of range.
 void friction_of_many(const FrictionOfMany& asked, std::span<const bearing::OperatingPoint> points,
                       const FrictionColumns& columns,

@@ -11,10 +11,10 @@
 /// only; the layer above sums them over a bearing.
 namespace raceway::friction::contact {
 
-/// Kinds of oil (of a grease: its base oil) that differ in the properties below.
+/// Types of oil (for a grease: of its base oil) that differ in the properties below.
 enum class OilType { mineral, pao, ester };
 
-/// As files write it: "mineral", "pao", "ester".
+/// Name in files: "mineral", "pao", "ester".
 [[nodiscard]] constexpr std::string_view name(OilType type) {
   return type == OilType::mineral ? "mineral" : type == OilType::pao ? "pao" : "ester";
 }
@@ -24,11 +24,11 @@ enum class OilType { mineral, pao, ester };
   return std::nullopt;
 }
 
-/// Properties of a kind of oil where nothing better is known.
+/// Default properties of a type of oil.
 struct OilDefaults {
   double density_15C;           ///< ρ15 [kg/m³]
   double conductivity;          ///< k_f [W/(m K)]
-  double limiting_traction;     ///< of the film at high pressure, shear stress/pressure [1]
+  double limiting_traction;     ///< limit of the film at high pressure, shear stress/pressure [1]
   double pressure_viscosity_s;  ///< s of pressure_viscosity() [1/GPa]
   double pressure_viscosity_t;  ///< t [1]
 };
@@ -49,8 +49,8 @@ struct OilDefaults {
   return {880.0, 0.13, 0.06, 9.904, 0.139};
 }
 
-/// Eyring stress above which a film thins by shear, where none is given [Pa]; published values of
-/// bearing oils lie between 2 and 10 MPa.
+/// Default Eyring stress, above which a film is shear-thinning [Pa]. Published values of bearing
+/// oils are 2 to 10 MPa.
 inline constexpr double default_eyring_stress = 5.0 * MPa;
 
 /// Share of its density at 15 °C that an oil loses per kelvin [1/K]; 6.4e-4 to 7e-4 in tables.
@@ -61,7 +61,7 @@ inline constexpr double density_slope = 6.5e-4;
   return density_15C * (1.0 - density_slope * (temperature - kelvin(15.0)));
 }
 
-/// Pressure-viscosity coefficient of a kind of oil at its viscosity of the moment [1/Pa].
+/// Pressure-viscosity coefficient of a type of oil at its current viscosity [1/Pa].
 ///
 ///   α = s ν^t,   α [1/GPa], ν [mm²/s]; converted here
 ///
@@ -83,7 +83,7 @@ struct OilState {
   double conductivity = unset;         ///< k_f [W/(m K)]
 };
 
-/// Data of an oil besides its viscosities; unset data take the default of the oil type.
+/// Oil data in addition to its viscosities. Unset data take the default of the oil type.
 struct OilData {
   OilType type = OilType::mineral;
   double density_15C = unset;         ///< [kg/m³]

@@ -10,12 +10,12 @@ namespace raceway::friction::contact {
 ///
 ///   η(p) = η0 exp(L ((1 + p/1.96e8)^Z - 1)),   L = ln η0 + 9.67,   Z = α 1.96e8/L
 ///
-/// Slope at no pressure: α, as Barus' law has it; above some 0.1 GPa slower than Barus.
+/// The slope at zero pressure is α, as in Barus' law; above about 0.1 GPa it rises more slowly.
 /// Source:   Roelands 1966 in the form of textbooks [Hamrock1994], neither print seen; the form was
 ///           read in a published report on roller bearings.
-/// Domain:   p >= 0, α > 0 and η0 above e^-9.67 Pa s = 0.063 mPa s, where Z has its pole; no number
-///           below (roelands_holds()).
-/// Accuracy: 10 % up to 0.5 GPa; above 1 GPa a glass that shears otherwise, see shear.h.
+/// Domain:   p >= 0, α > 0 and η0 above e^-9.67 Pa s = 0.063 mPa s, where Z has its pole; NaN below
+///           (roelands_holds()).
+/// Accuracy: 10 % up to 0.5 GPa; above 1 GPa the oil is a glass, see shear.h.
 class Roelands {
  public:
   Roelands(double viscosity, double pressure_viscosity)
@@ -39,7 +39,8 @@ class Roelands {
   double viscosity_, log_, exponent_;
 };
 
-/// If Roelands' law has a value for an oil as thin as that; one that is not lubricates nothing.
+/// True if Roelands' law has a value for an oil of this viscosity. A thinner oil does not
+/// lubricate.
 [[nodiscard]] inline bool roelands_holds(double viscosity) {
   return std::log(viscosity) + 9.67 > 0.0;
 }

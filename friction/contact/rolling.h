@@ -19,8 +19,8 @@ struct RollingEllipse {
   double second_integral = unset;  ///< E(k), HertzContact::second_integral [1]
 };
 
-/// M, Moes' load of the ellipse as the law below counts it [1]: above some 10 the contact is
-/// elastohydrodynamic, far below rigid and isoviscous.
+/// Moes' load parameter M of the ellipse as the law below uses it [1]. Above about 10 the contact
+/// is elastohydrodynamic; far below it is rigid and isoviscous.
 ///
 ///   M = β^0.25 κ W/U^0.75,   β = (4/π) E(k)/(1 + R_x/R_z),   κ = b/a,
 ///   U = 2 η u/(E' R_x),   W = Q/(E' R_x²)
@@ -32,7 +32,7 @@ struct RollingEllipse {
   return std::pow(beta, 0.25) * (c.semi_minor_axis / c.semi_major_axis) * W / std::pow(U, 0.75);
 }
 
-/// Force by which the oil in the inlet of a contact resists rolling, on each of both surfaces [N].
+/// Rolling resistance of the oil in the inlet of a contact, on each of the two surfaces [N].
 ///
 ///   F = E' R_x² ((IVR - EHL)/(1 + M/6.6) + EHL)
 ///   flooded   IVR = 0.77 β^(-1/3) κ^0.12 (2a/R_x) U^(2/3),  EHL = 1.8 β^(-1/4) (2a/R_x) U^(3/4)
@@ -44,9 +44,9 @@ struct RollingEllipse {
 ///           limited inlet is Houpert's law of 1987; [Balan2015, eqs. 1 to 5] agrees. Read as text,
 ///           the layout of the print not seen.
 /// Domain:   Q > 0; zero at standstill, where its slope is infinite and is given as zero.
-/// Accuracy: the formula to rounding; between a flooded and a limited inlet lie 30 to 55 % at
-///           spindle speeds, and which holds is not known beforehand.
-/// Trap:     U has a factor 2 that Hamrock and Dowson's has not.
+/// Accuracy: the formula to rounding; a flooded and a limited inlet differ by 30 to 55 % at spindle
+///           speeds, and the inlet condition is not known beforehand.
+/// Trap:     U has a factor 2 that Hamrock and Dowson's U lacks.
 [[nodiscard]] inline double rolling_force(const RollingEllipse& c, Inlet supply) {
   const RollingInlet& i = c.inlet;
   if (!(i.speed > 0.0 && i.load > 0.0)) return 0.0;
@@ -70,7 +70,7 @@ struct RollingEllipse {
   return area * ((rigid - elastic) / (1.0 + moes_load(c) / 6.6) + elastic);
 }
 
-/// Power that the oil of one inlet takes, P = 2 F u [W]: F acts on both surfaces.
+/// Power lost in the oil of one inlet, P = 2 F u [W]: F acts on both surfaces.
 ///
 /// Source:   derived from the power integral of the same paper (its eq. 37); the 6 r F of
 /// [Balan2015]

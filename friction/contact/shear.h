@@ -8,15 +8,15 @@
 
 namespace raceway::friction::contact {
 
-/// Shear stress at one point of a contact that slides at speed v, as traction.h needs it: τ(v)/v,
-/// finite at v = 0, and dτ/dv [Pa s/m]. A law below is asked once for a pressure, at_pressure(p),
-/// and what it returns for any number of speeds.
+/// Shear stress at one point of a contact with sliding speed v, for traction.h: τ(v)/v, finite at v
+/// = 0, and dτ/dv [Pa s/m]. Call at_pressure(p) of a law once per pressure, and its result for any
+/// number of speeds.
 struct ShearResponse {
   double secant;   ///< τ/v
   double tangent;  ///< dτ/dv, from 0 to the secant
 };
 
-/// Film that shears as oil does, with asperities that carry a share of the load [Pa].
+/// Shear stress of an oil film with asperities that carry a share of the load [Pa].
 ///
 ///   τ = (1 - φ) min(τ0 asinh(η(p) v/(h_c τ0)), Γ p) + φ μ p v/sqrt(v² + ε²)
 ///
@@ -25,7 +25,7 @@ struct ShearResponse {
 /// sign: 1e-6 of the rolling speed.
 /// Source:   Eyring's law with a limiting stress, as in textbooks [Hamrock1994], print not seen;
 ///           η(p) Roelands.
-/// Domain:   v >= 0, p >= 0, h_c > 0; φ = 1 takes no film at all (standstill).
+/// Domain:   v >= 0, p >= 0, h_c > 0; φ = 1 ignores the film (standstill).
 /// Accuracy: level of a film under 1 GPa 30 %; in bearings of full film the oil's rolling
 ///           resistance is some 98 % of friction, and this the rest.
 struct FilmShear {
@@ -37,8 +37,8 @@ struct FilmShear {
   double boundary_friction;  ///< μ [1]
   double small_speed;        ///< ε [m/s]
 
-  /// Steeper than any film that is not limited [s/m]; keeps what Roelands makes of absurd pressures
-  /// a number.
+  /// Upper limit of the slope, steeper than any unlimited film [s/m]. It keeps Roelands' values at
+  /// absurd pressures finite.
   static constexpr double glass = 1e30;
 
   struct Point {

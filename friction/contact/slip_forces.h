@@ -32,8 +32,8 @@ struct SlipForces {
   double pressure_slip = 0.0;     ///< Σ p |v| [N m/s]
 };
 
-/// One loaded ellipse with all four parts of its slip free: what traction.h is for a contact of
-/// given rolling and spin. The stress at each pressure is asked for once.
+/// One loaded ellipse with all four parts of its slip free; traction.h handles given rolling and
+/// spin. The stress at each pressure is computed once.
 ///
 /// Source:   field of traction.h.
 /// Domain:   Q > 0; any motion.
@@ -41,14 +41,14 @@ struct SlipForces {
 class SlippingContact {
  public:
   SlippingContact() = default;
-  /// `ellipse` for its load and axes alone; `pressed_radius` R of contact_shape.h.
+  /// Uses only load and axes of `ellipse`; `pressed_radius` is R of contact_shape.h.
   SlippingContact(const SlidingEllipse& ellipse, const FilmShear& shear, double pressed_radius);
 
   [[nodiscard]] SlipForces forces(const SlipMotion& motion) const;
   [[nodiscard]] const SlidingEllipse& ellipse() const { return ellipse_; }
   [[nodiscard]] double pressed_radius() const { return pressed_radius_; }
 
-  /// Speed below which dry friction turns, as a multiple of the shear law's.
+  /// Speed below which dry friction changes direction, as a multiple of the shear law's.
   void smooth(double times);
 
  private:

@@ -13,7 +13,7 @@
 
 namespace raceway::friction::contact {
 
-/// A loaded ellipse in which ball and race slide upon each other: x along rolling, y across.
+/// Loaded ellipse in which ball and race slide on each other: x along rolling, y across.
 struct SlidingEllipse {
   double load = unset;             ///< Q [N]
   double semi_major_axis = unset;  ///< a, along y [m]
@@ -40,16 +40,16 @@ struct TractionSums {
   double across_slope = 0.0;         ///< d(Σ τ_y)/dv_y0
   double power = 0.0;                ///< Σ τ v [W]
   double spin_moment = 0.0;          ///< Σ (x τ_y - y τ_x) [N m]
-  double force = 0.0;                ///< Σ |τ| [N], whatever its direction
+  double force = 0.0;                ///< Σ |τ| [N], regardless of direction
   double pressure_slip = 0.0;        ///< Σ p |v| [N m/s]
 };
 
-/// Traction of a contact, Coulomb's or a film's, over its whole ellipse.
+/// Traction of a contact over its whole ellipse, for dry friction or a film.
 ///
 ///   v_x = v_x0 + ω_roll y²/(2 R) - ω_s y,   v_y = v_y0 + ω_s x,   τ = τ(p, |v|) v/|v|
 ///
 /// One integral over spin, differential and gyroscopic sliding: their frictions do not add. The
-/// stress at each pressure is asked for once, then sums() at any number of v_x0, v_y0.
+/// stress at each pressure is computed once, then sums() at any number of v_x0, v_y0.
 /// Source:   slip field derived; for pure spin it is [Harris2006, vol. 2, ch. 5]'s moment
 ///           (3/8) μ Q a E(k), for pure differential sliding 0.1611 μ Q ω_roll a²/(2 R).
 /// Domain:   Q > 0, ellipse small compared with the radii.
@@ -62,8 +62,8 @@ class TractionField {
       points_[i] = shear.at_pressure(ellipse.peak_pressure() * grid().s[i]);
   }
 
-  /// `whole`: both halves of the ellipse; without it v_y0 = 0, and the other half is the mirror
-  /// image of this one: as much along, nothing across.
+  /// `whole`: both halves of the ellipse. Without it v_y0 = 0 and the other half is the mirror
+  /// image: equal force along rolling, none across.
   [[nodiscard]] TractionSums sums(const CentreSlip& centre, bool whole) const {
     const TractionSums right = half(centre, 1.0);
     if (whole) return added(right, half(centre, -1.0));
@@ -128,7 +128,7 @@ class TractionField {
   std::array<Point, Radial> points_{};
 };
 
-/// Traction of a contact that has found its sliding at the centre.
+/// Traction of a contact with its solved sliding at the centre.
 struct Traction {
   bool converged = false;
   CentreSlip slip;               ///< v_x0, v_y0 [m/s]
@@ -138,10 +138,10 @@ struct Traction {
   double mean_slip = unset;      ///< Σ p |v|/Q [m/s]
 };
 
-/// Zero of a function that grows, by Newton's method kept inside a bracket; a step that does not
-/// halve the value is replaced by bisection, as dry friction turns within a millionth of a slip.
-/// value(v) returns {value, slope, size}; done where |value| <= tolerance size, or where the
-/// bracket is as narrow as `tolerance` of the first.
+/// Finds the zero of an increasing function by Newton's method inside a bracket. A step that does
+/// not halve the value is replaced by bisection, because dry friction changes direction within a
+/// millionth of a slip. value(v) returns {value, slope, size}; It ends where |value| <= tolerance
+/// size, or where the bracket is as narrow as `tolerance` of the first.
 struct GrowingValue {
   double value, slope, size;
 };
@@ -205,9 +205,9 @@ template <class Field>
   return traction_at(field, slip, false, found);
 }
 
-/// Traction of a freely rolling contact that creeps across until it holds a force T: Σ τ_x = 0,
-/// Σ τ_y = T [N]. Not converged where no slip up to 1 km/s holds it. Not for the gyroscopic moment
-/// of a ball under race control, which a film cannot hold.
+/// Traction of a freely rolling contact that creeps across until it balances a force T: Σ τ_x = 0,
+/// Σ τ_y = T [N]. Not converged if no slip up to 1 km/s balances it. Not for the gyroscopic moment
+/// of a ball under race control, which a film cannot balance.
 template <class Field>
 [[nodiscard]] Traction holding_traction(const Field& field, double force) {
   if (force == 0.0) return rolling_traction(field);

@@ -11,10 +11,10 @@
 // Internal to ball_attitude.cpp.
 namespace raceway::friction::contact {
 
-/// Slip at both centres along rolling, at both across, and ω_R sin β times a length: all [m/s].
+/// Slip at both centres along rolling and across, and ω_R sin β times a length, all in [m/s].
 using Slips = std::array<double, 4>;
 
-/// One ball between its races: what four slips make of its speeds, and its balance there.
+/// One ball between its races: its speeds at four given slips, and its equilibrium there.
 class TurningBall {
  public:
   TurningBall(const bearing::Bearing& bearing, const bearing::BallEquilibrium& ball, double speed,
@@ -30,7 +30,7 @@ class TurningBall {
     couple_ = inertia / half_;
   }
 
-  /// Film and shear of both contacts; `length` makes a speed of ω_R sin β.
+  /// Film and shear of both contacts. `length` converts ω_R sin β to a speed.
   void set_contacts(const SlippingContact& inner, const SlippingContact& outer) {
     inner_ = inner;
     outer_ = outer;
@@ -42,7 +42,7 @@ class TurningBall {
   }
   [[nodiscard]] double length() const { return length_; }
 
-  /// Speeds of the ball that has these slips:
+  /// Speeds of a ball with these slips:
   ///
   ///   v_i = (ω - ω_m) ρ_i - (D/2)(A cos αi + B sin αi),   ρ_i = (d_m - D cos αi)/2
   ///   v_o = ω_m ρ_o - (D/2)(A cos αo + B sin αo),         ρ_o = (d_m + D cos αo)/2
@@ -68,7 +68,7 @@ class TurningBall {
             v.across * co_ - v.along * so_ + v.cage * so_};
   }
 
-  /// All forces at given slips, and Newton's step.
+  /// All forces at given slips, and the Newton step.
   struct Look {
     SlipForces inner, outer;
     std::array<double, 4> missing;  ///< [N]
@@ -103,7 +103,7 @@ class TurningBall {
     return l;
   }
 
-  /// Newton's step from q, where `l` was seen.
+  /// Newton step from q, where `l` was evaluated.
   [[nodiscard]] Slips step(const Slips& q, const Look& l) const {
     const Speeds v = speeds(q);
     double arm[2][4][4], a[4][4] = {}, b[4];
@@ -132,7 +132,7 @@ class TurningBall {
     return {b[0], b[1], b[2], b[3]};
   }
 
-  /// Power that traction takes from the shaft, ω (Σ τ_x ρ_i + Σ τ_x h cos αi + M_s sin αi) [W].
+  /// Power taken from the shaft by traction, ω (Σ τ_x ρ_i + Σ τ_x h cos αi + M_s sin αi) [W].
   [[nodiscard]] double shaft_power(const SlipForces& inner) const {
     return speed_ * (inner.force[0] * inner_radius_ + inner.force[2] * ci_ + inner.force[3] * si_);
   }
@@ -140,7 +140,7 @@ class TurningBall {
     return (speed_ - cage) * inner_radius_;
   }
   [[nodiscard]] double outer_surface_speed(double cage) const { return cage * outer_radius_; }
-  /// Slips of a ball that turns without gyroscopic creep about an axis at this pitch, tan β.
+  /// Slips of a ball without gyroscopic creep whose axis has this pitch, tan β.
   [[nodiscard]] Slips rolling(double pitch) const {
     const double across =
         pitch * rolling_cage_speed(pitch) * outer_radius_ / (half_ * (co_ + pitch * so_));
@@ -154,13 +154,13 @@ class TurningBall {
     const double inner = ci_ + pitch * si_, outer = co_ + pitch * so_;
     return speed_ * inner_radius_ * outer / (inner_radius_ * outer + outer_radius_ * inner);
   }
-  /// tan β of outer and of inner control.
+  /// Returns tan β under outer and inner control.
   [[nodiscard]] double outer_control() const { return so_ / (co_ + half_ / pitch_radius()); }
   [[nodiscard]] double inner_control() const { return si_ / (ci_ - half_ / pitch_radius()); }
 
  private:
   [[nodiscard]] double pitch_radius() const { return inner_radius_ + half_ * ci_; }
-  /// About where Σ τ_x = 0; its edges are dragged forward.
+  /// Approximate zero of Σ τ_x; rolling drags the edges of the ellipse forward.
   static double free_rolling(const SlippingContact& contact, const SlipMotion& motion) {
     const double a = contact.ellipse().semi_major_axis;
     return -0.2 * motion.rolling * a * a / (2.0 * contact.pressed_radius());

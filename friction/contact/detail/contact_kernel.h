@@ -4,14 +4,14 @@
 
 namespace raceway::friction::contact {
 
-// What many_contacts.cpp asks of contact_kernel_*.cpp: the laws of contact_friction.h for contacts
-// side by side. One source, compiled for each instruction set.
+// Interface of many_contacts.cpp to contact_kernel_*.cpp: the laws of contact_friction.h for
+// several contacts at once. One source is compiled for each instruction set.
 
 inline constexpr std::size_t contacts_of_block = 16;
 inline constexpr std::size_t most_kernel_rings = 16, most_kernel_angles = 16;
 
 /// Data common to all contacts of a call: race, law, spin or not. Names as in contact_friction.h;
-/// powers of a contact's own numbers are left out of the factors.
+/// the factors omit the powers of each contact's own numbers.
 struct KernelRace {
   bool flooded, starves;  ///< inlets of rolling_force(); inlet_over_b is given
   // Ellipse and motion.
@@ -32,14 +32,14 @@ struct KernelRace {
   double copies;
 };
 
-/// Contacts side by side. Speeds > 0, loads > 0.
+/// Block of contacts computed at once. Speeds > 0, loads > 0.
 struct ContactBlock {
-  // Of each contact: Q [N], |u| [m/s], |ω_roll|, ω_s [rad/s]; of its oil: η [Pa s], α [1/Pa],
+  // For each contact: Q [N], |u| [m/s], |ω_roll|, ω_s [rad/s]; for its oil: η [Pa s], α [1/Pa],
   // L/u² [s²/m²]; φ_rs [1].
   alignas(64) double load[contacts_of_block], speed[contacts_of_block], rolling[contacts_of_block],
       spin[contacts_of_block], viscosity[contacts_of_block],
       pressure_viscosity[contacts_of_block], loading[contacts_of_block], supply[contacts_of_block];
-  // Powers [W]; h_min [m]; Σ|τ|/Q, Σ p |v|/Q [m/s]; 1 where the sliding has been found, else 0.
+  // Powers [W]; h_min [m]; Σ|τ|/Q, Σ p |v|/Q [m/s]; 1 if the sliding solution was found, else 0.
   alignas(64) double sliding[contacts_of_block], rolled[contacts_of_block],
       hysteresis[contacts_of_block], film[contacts_of_block], friction[contacts_of_block],
       slip[contacts_of_block], found[contacts_of_block];

@@ -5,7 +5,7 @@
 #include "friction/contact/detail/contact_kernel.h"
 #include "friction/contact/detail/vector_math.h"
 
-// Included by one source for each instruction set; all functions are named by their vectors.
+// Included by one source for each instruction set; each function is templated on its vector type.
 namespace raceway::friction::contact {
 
 /// Points in single precision: y of each, x in units of b.
@@ -13,8 +13,8 @@ struct KernelPoints {
   float y[most_kernel_rings][most_kernel_angles], x[most_kernel_rings][most_kernel_angles];
 };
 
-/// A block on its way: what its films leave to the sliding. Speeds in units of `unit_speed`,
-/// stresses of Eyring's, lengths of a.
+/// Intermediate state of a block: input of the sliding solution after the films. Speeds in units of
+/// `unit_speed`, stresses of Eyring's, lengths of a.
 struct KernelSliding {
   alignas(64) double unit_speed[contacts_of_block], pull[contacts_of_block],
       press[contacts_of_block];
@@ -26,7 +26,7 @@ struct KernelSliding {
   alignas(64) float found[contacts_of_block];
 };
 
-/// x^power of a number whose logarithm is known.
+/// Returns x^power for a number with known logarithm.
 template <class D>
 [[gnu::always_inline]] inline D power_of(const D& log_x, double power) {
   return exponential(log_x * power);
@@ -42,7 +42,7 @@ void roll_in(const KernelRace& race, bool spins, std::size_t at, ContactBlock& b
   const D log_load = logarithm(load), log_eta = logarithm(eta), log_alpha = logarithm(alpha),
           log_inlet = log_eta + logarithm(u);
   const D loading = D::load_aligned(block.loading + at) * u * u;
-  // Where nothing heats the inlet the factors are 1.
+  // Without inlet heating the factors are 1.
   const D log_loading = logarithm(xsimd::max(loading, D(1e-100)));
 
   const D a = race.unit_major_axis * exponential(log_load * (1.0 / 3.0));
@@ -90,7 +90,7 @@ void roll_in(const KernelRace& race, bool spins, std::size_t at, ContactBlock& b
   const D small = 1e-6 * u * per_unit;
   const D limit = film_share * race.limiting_traction * peak * (1.0 / race.eyring_stress);
   const D edge = share * race.boundary_friction * peak * (1.0 / race.eyring_stress);
-  // A share below rounding is none: at speed most contacts have no asperities.
+  // A share below rounding counts as zero: at speed most contacts have no asperity contact.
   const D boundary = xsimd::select(edge > 1e-16 * limit, edge, D(0.0));
   unit.store_aligned(sliding.unit_speed + at);
   (race.copies * a * b * race.eyring_stress).store_aligned(sliding.pull + at);
@@ -191,11 +191,11 @@ template <class F, bool film, bool asperities, bool spins>
   return total;
 }
 
-/// Σ τ_x = 0 of each contact: Newton's method kept in a bracket. Done where what is left is 3e-4 of
-/// the force: the power is then that of the zero by its slope, to the square of that. Or, as points
-/// that turn make steps in the force, once the bracket is 5e-4 of the first: the power hardly
-/// depends on v_x0 there. A step that does not halve the force is replaced by the chord of the
-/// bracket, to which those steps are small.
+/// Σ τ_x = 0 of each contact: Newton's method kept in a bracket. The search ends when the residual
+/// is 3e-4 of the force; the slope then gives the power to the square of that error. It also ends
+/// when the bracket is 5e-4 of the first one, because points that change direction make steps in
+/// the force; the power hardly depends on v_x0 there. A step that does not halve the force is
+/// replaced by the chord of the bracket, to which those steps are small.
 template <class F, bool film, bool asperities, bool spins>
 void slide_in(const KernelRace& race, std::size_t at, KernelSliding& sliding) {
   const F zero(0.0f);
@@ -210,7 +210,7 @@ void slide_in(const KernelRace& race, std::size_t at, KernelSliding& sliding) {
   auto done = zero > zero;
   for (int step = 0; step < 60; ++step) {
     const KernelSums<F> f = sums_in<F, film, asperities, spins>(race, sliding, at, v);
-    // The ends count as half of all that can pull there, until they are known.
+    // The ends count as half of the largest possible force until they are known.
     if (step == 0) {
       below = -0.5f * f.force;
       above = 0.5f * f.force;
@@ -238,7 +238,7 @@ void slide_in(const KernelRace& race, std::size_t at, KernelSliding& sliding) {
   power.store_aligned(sliding.power + at);
   force.store_aligned(sliding.force + at);
   slip.store_aligned(sliding.slip + at);
-  // Beyond this the squares of the search are no numbers in single precision.
+  // Beyond this limit the squares in the search overflow single precision.
   const auto found = done && F::load_aligned(sliding.steepness[0] + at) < F(1e18f);
   xsimd::select(found, F(1.0f), zero).store_aligned(sliding.found + at);
 }

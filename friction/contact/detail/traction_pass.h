@@ -4,7 +4,7 @@
 
 namespace raceway::friction::contact {
 
-// What film_traction.cpp asks of traction_pass_*.cpp. One source, compiled for each instruction
+// Interface of film_traction.cpp to traction_pass_*.cpp. One source, compiled for each instruction
 // set.
 
 /// Points of the unit circle in rows of sixteen that go side by side: the angles of a ring where
@@ -21,8 +21,8 @@ struct CirclePoints {
   alignas(64) Real weight[most_rings], s[most_rings];
 };
 
-/// A slip field and what the shear law makes of the pressure of each ring. Speeds in units of the
-/// fastest slip, stresses in units of Eyring's, lengths in a.
+/// A slip field and the shear law at the pressure of each ring. Speeds in units of the fastest
+/// slip, stresses in units of Eyring's, lengths in a.
 template <typename Real>
 struct RingStresses {
   Real differential, spin, width, film_share, small2;
@@ -38,7 +38,7 @@ struct PassSums {
   double along = 0.0, slope = 0.0, force = 0.0, power = 0.0, moment = 0.0, slip = 0.0;
 };
 
-/// The parts of a contact that are there.
+/// Friction parts that a contact has.
 enum class Rubbing { film, asperities, both };
 
 /// The kernels of one instruction set. A search takes `along`, `slope` and `force` in single

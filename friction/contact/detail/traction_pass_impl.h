@@ -5,8 +5,8 @@
 #include "friction/contact/detail/traction_pass.h"
 #include "friction/contact/detail/vector_math.h"
 
-// Included by one source for each instruction set. What is compiled with the flags of that set must
-// not be taken by the linker for another: here all functions are named by V, or always inlined.
+// Included by one source for each instruction set. The linker must not merge code compiled for
+// different sets, so each function is templated on V or always inlined.
 namespace raceway::friction::contact {
 
 template <class V>
@@ -16,7 +16,7 @@ void stresses_in(const CirclePoints<double>& points, const RingPressures& p,
     const V s = V::load_aligned(points.s + i);
     const V power = exponential(p.exponent * log_one_plus(p.pressure * s));
     const V thicker = p.logarithm * (power - 1.0);
-    // The order of min() lets through what is no number.
+    // The argument order of min() lets NaN through.
     const V steep = p.newton * exponential(xsimd::select(thicker > V(690.0), V(690.0), thicker));
     xsimd::select(steep > V(p.glass), V(p.glass), steep).store_aligned(rings.steepness + i);
     (p.limit * s).store_aligned(rings.limit + i);
@@ -29,7 +29,7 @@ void stresses_in(const CirclePoints<double>& points, const RingPressures& p,
   }
 }
 
-/// Stress at a slip v = v2/|v|, and its slope, of the parts that rub.
+/// Returns the stress at a slip v = v2/|v| and its slope, for the parts that rub.
 template <class V>
 struct Stress {
   V stress, tangent;

@@ -2,9 +2,8 @@
 
 #include <xsimd/xsimd.hpp>
 
-// Functions of vectors, for the sources of one instruction set each. What is compiled with the
-// flags of that set must not be taken by the linker for another: here all are named by V, or always
-// inlined.
+// Vector functions for sources that are compiled for one instruction set each. The linker must not
+// merge code compiled for different sets, so each function is templated on V or always inlined.
 namespace raceway::friction::contact {
 
 template <class V>
@@ -14,7 +13,7 @@ inline constexpr bool is_double = sizeof(typename V::value_type) == 8;
 template <class V>
 [[gnu::always_inline]] inline V estimated_inverse_root(const V& x) {
 #ifdef __AVX512F__
-  // xsimd 8 takes instructions for these that no machine of this set has.
+  // For these, xsimd 8 uses instructions that no machine of this set has.
   if constexpr (sizeof(V) == 64 && is_double<V>)
     return V(_mm512_rsqrt14_pd(x));
   else if constexpr (sizeof(V) == 64)
