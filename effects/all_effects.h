@@ -48,9 +48,10 @@
 
 namespace raceway::effects {
 
-/// Every effect there is, where it has two forms one after the other. A new one is its file and its
-/// name here. Data come first, as physics acts on what they correct. Effects on the lubricant act
-/// in this order: the film finds its temperature before shares of the viscous moment are taken.
+/// All effects; an effect with two forms has both, one after the other. To add an effect, write its
+/// file and add its name here. Corrections of data come first, as physics acts on the corrected
+/// data. Effects on the lubricant act in this order: the film temperature is found before shares of
+/// the viscous moment are taken.
 using Catalogue = std::tuple<
     LubricantViscosity, ViscositySlope, TemperatureGain, TemperatureOffset, LoadCalibration,
     LoadCellDrift, SetPreload, SupportBearings, TorqueCreep, SpeedHysteresis, PreloadCalibration,

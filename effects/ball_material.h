@@ -17,9 +17,9 @@ namespace raceway::effects {
 /// Domain:   0 <= c <= 1. Reaches the torque through ball loads only: centrifugal force and
 ///           gyroscopic moment go with density, contact areas with the modulus.
 ///
-/// In the sets of a shaft the other balls are those that were mounted: a preload entered as a force
-/// stays, since that is what was set; one entered as an offset or a class stays as the gap, and
-/// stiffer balls raise its force.
+/// In the sets of a shaft the other balls are the mounted ones. A preload entered as a force stays,
+/// since that force was set. A preload entered as an offset or a class keeps its gap, and stiffer
+/// balls raise its force.
 struct BallMaterial {
   static constexpr std::string_view id = "ball-material";
   static constexpr std::string_view title = "balls of another material than entered";

@@ -7,12 +7,12 @@
 
 namespace raceway::effects {
 
-/// Friction moment of a cage that is guided on a land [N m].
+/// Friction moment of a land-guided cage [N m].
 ///
 ///   M = c (n/10 000 rpm) (ν/20 mm²/s)
 ///
 /// Source:   Petroff's bearing, η π W c d (ω_c - ω_n)/(1 - d1/d2) [Harris2006, vol. 2, ch. 5]: in
-///           proportion to speed and viscosity; the size is left to c.
+///           proportion to speed and viscosity; c is fitted.
 /// Domain:   every speed.
 struct CageFriction {
   static constexpr std::string_view id = "cage-friction";

@@ -7,15 +7,15 @@
 
 namespace raceway::effects {
 
-/// The catalogue with its types erased, in the order of the list in all_effects.h: every id once,
-/// in that form where it has one. What does not belong to the form is among them, so that it can be
-/// named: see Requirements::belongs_to() and Description::moves().
+/// The type-erased catalogue in the order of all_effects.h. Each id occurs once, in the requested
+/// form if it has one. Effects of other forms are included, so that messages can name them: see
+/// Requirements::belongs_to() and Description::moves().
 [[nodiscard]] std::span<const Description> catalogue(Form form = Form::rig);
 
-/// The effect of that id in catalogue(form), null if there is none.
+/// Returns the effect with this id in catalogue(form); null if there is none.
 [[nodiscard]] const Description* find(std::string_view id, Form form = Form::rig);
 
-/// All forms of all effects, in the order of the list.
+/// Returns all forms of all effects, in the order of the list.
 [[nodiscard]] std::span<const Description> all_forms();
 
 }  // namespace raceway::effects

@@ -13,8 +13,8 @@ namespace raceway::effects {
 ///
 ///   x = c (n/10 000 rpm)²
 ///
-/// Source:   a ring that turns widens by ρ ω² r³/E where it is thin and free, derived (3.7 um at
-///           r = 45 mm and 10 000 rpm, steel), and by (1 - ν)/4 of that as part of a solid disc.
+/// Source:   a thin free ring widens by ρ ω² r³/E, derived (3.7 um at r = 45 mm and 10 000 rpm,
+///           steel), and by (1 - ν)/4 of that as part of a solid disc.
 /// Domain:   every speed.
 struct RingGrowthAtSpeed {
   static constexpr std::string_view id = "centrifugal-ring-growth";
@@ -31,7 +31,7 @@ struct RingGrowthAtSpeed {
 ///
 ///   F_a -> F_a + c (n/10 000 rpm)²
 ///
-/// In a rigid set the load follows the widening; the stiffness of the set is left to c.
+/// In a rigid set the load follows the widening; c contains the stiffness of the set.
 struct CentrifugalRingGrowth : RingGrowthAtSpeed {
   static constexpr Form form = Form::rig;
   static constexpr std::string_view mechanism =
@@ -61,8 +61,8 @@ struct CentrifugalRingGrowth : RingGrowthAtSpeed {
 ///
 ///   g = c (n/10 000 rpm)²
 ///
-/// The groove is shifted by g: the contact angle falls, the sets press harder and the shaft moves,
-/// both as their balance says. Sets of equal stiffness at both ends do not move by it.
+/// The groove is shifted by g: the contact angle falls, the preload rises and the shaft moves, by
+/// the equilibrium of the sets. Sets of equal stiffness at both ends do not move the shaft.
 struct ShaftCentrifugalRingGrowth : RingGrowthAtSpeed {
   static constexpr Form form = Form::shaft;
   static constexpr std::string_view mechanism =

@@ -27,10 +27,10 @@ class OwnMoment;
 enum class Form { rig, shaft, spindle };
 inline constexpr std::array all_the_forms{Form::rig, Form::shaft, Form::spindle};
 
-/// As files write it: "rig", "shaft", "spindle".
+/// Name in files: "rig", "shaft", "spindle".
 [[nodiscard]] std::string_view name(Form form);
 
-/// A number of an effect, in the unit of the files; the effect converts.
+/// A number of an effect in the unit of the files; the effect converts it.
 using Parameter = record::NumberCard;
 
 /// Data that a model and its record must offer before an effect can be tested or fitted.
@@ -42,9 +42,9 @@ enum class Need {
   time,                 ///< a time of every row
   ring_temperatures,    ///< of inner and outer ring
   loads,                ///< loads above zero, so that the balls can be solved for
-  several_axial_loads,  ///< more than one axial load, whatever else varies
-  several_bearings,     ///< a rig that reads the torque of two bearings or more
-  rising_and_falling,   ///< speeds that were reached from below and from above
+  several_axial_loads,  ///< more than one axial load, even if other settings vary
+  several_bearings,     ///< a rig that measures the torque of two or more bearings
+  rising_and_falling,   ///< speeds approached from below and from above
   ball_load_law,    ///< another effect that uses ball loads: base laws see the entered load only
   palmgren_law,     ///< the SKF law contains this already
   opposed_sets,     ///< bearings at both ends of the shaft
@@ -57,7 +57,7 @@ enum class Need {
 /// As above, for a channel that must have a number in every row: "preload_N of every row".
 [[nodiscard]] std::string text(const record::Channel& channel);
 
-/// Any of these supplies: "an oil jet or an oil bath".
+/// Any of these supplies is enough: "an oil jet or an oil bath".
 [[nodiscard]] std::string text(std::span<const friction::Supply> supplies);
 
 /// Values recorded with a row in addition to its operating point; NaN if not recorded.
@@ -68,10 +68,11 @@ struct Record {
   int run = -1;
   double since_start = unset;  ///< time since the day or the passage through the loads began [s]
   double direction = unset;    ///< 1 where the speed was reached from below, -1 from above
-  const record::Record* rows = nullptr;  ///< all that was recorded; null if it is not known
-  std::size_t row = 0;                   ///< which of them this is
+  const record::Record* rows = nullptr;  ///< all recorded rows; null if not known
+  std::size_t row = 0;                   ///< index of this row
 
-  /// [SI]: time and ring temperatures as above, all else of `rows`; NaN where it was not recorded.
+  /// Returns a recorded value [SI]: time and ring temperatures as above, all else from `rows`. NaN
+  /// if not recorded.
   [[nodiscard]] double value(const record::Channel& channel) const;
 };
 
@@ -83,15 +84,15 @@ struct BaseLaw {
       const friction::BearingState<double>& state) const {
     return friction::base_moments<double>(law, state, values);
   }
-  /// Torque that warms the film [N m]: of the contacts all that they lose, of a formula for the
-  /// bearing as a whole its viscous moment.
+  /// Torque that heats the film [N m]: the whole moment of the contact law, or the viscous moment
+  /// of a formula for the whole bearing.
   [[nodiscard]] double film_moment(const friction::BearingState<double>& state) const {
     const friction::BaseMoments<double> base = moments(state);
     return law == friction::FrictionLaw::contact ? base.load + base.viscous : base.viscous;
   }
 };
 
-/// Entered or measured values, corrected before anything acts on it [SI].
+/// Entered or measured values [SI], before any other effect acts on them.
 struct Entry {
   double viscosity_40C, viscosity_100C;  ///< viscosities of the oil
   double temperature;                    ///< temperature of the row
@@ -106,7 +107,7 @@ struct ConditionInputs {
   double power;  ///< of the base law at the entered load [W]; see Requirements::uses_power
 };
 
-/// True condition of the bearing, as a change of the entered one. Changes of several effects add.
+/// True condition of the bearing, as a change from the entered one. Changes of several effects add.
 struct Condition {
   double extra_axial_load = 0.0;  ///< in the direction of the entered one [N]
   double radial_growth = 0.0;     ///< growth of the inner raceway against the outer one [m]
@@ -128,7 +129,7 @@ struct LubricantInputs {
   const BaseLaw& base;
 };
 
-/// Lubricant at the contacts.
+/// Lubricant at the contacts, after the effects on it.
 struct Film {
   double kinematic_viscosity = unset;  ///< [m²/s]
   double temperature = unset;          ///< [K]
@@ -137,7 +138,7 @@ struct Film {
 
 /// Inputs of an added moment.
 struct MomentInputs {
-  const friction::BearingState<double>& state;  ///< loads as they are, viscosity of the film
+  const friction::BearingState<double>& state;  ///< true loads, viscosity of the film
   friction::BaseMoments<double> base;           ///< of the base law there [N m]
   const Record& record;
 };
@@ -149,10 +150,10 @@ struct ReadingInputs {
   const Record& record;
 };
 
-/// Pitch diameter of which the ranges of sizes that go with it are.
+/// Pitch diameter for which the ranges of scaled sizes hold.
 inline constexpr double size_of_ranges = 60 * mm;
 
-/// An effect in words.
+/// Description of an effect in words.
 struct Card {
   std::string_view id = {};
   std::string_view title = {};      ///< one line
@@ -161,9 +162,9 @@ struct Card {
   std::string_view source = {};
   /// Ids of effects and names of base parameters.
   std::span<const std::string_view> confused_with = {};
-  /// A measurement that shows whether it is at work: "the torque without seals".
+  /// A measurement that shows whether the effect is present: "the torque without seals".
   std::string_view settled_by = {};
-  /// The wrong datum where this explains a misfit ("the oil card"); empty for physics.
+  /// The wrong datum if this effect explains a misfit ("the oil card"); empty for physics.
   std::string_view datum = {};
 };
 
@@ -172,26 +173,26 @@ struct Requirements {
   std::span<const Need> needs = {};
   /// Channels that must have a number in every row, in addition to `needs`.
   std::span<const record::Channel* const> channels = {};
-  /// Supplies of lubricant with which it can be at work; any where empty.
+  /// Supplies of lubricant with which it can act; empty for all.
   std::span<const friction::Supply> supplies = {};
-  bool needs_equilibrium = false;  ///< looks at ball loads or contact angles
+  bool needs_equilibrium = false;  ///< uses ball loads or contact angles
   bool uses_power = false;         ///< looks at ConditionInputs::power
-  /// Replacement in the contact law, if the law contains the effect, in words. Empty where it may
-  /// be added to that law too.
+  /// Replacement in the contact law, in words, if that law contains the effect. Empty if the effect
+  /// may be added to that law too.
   std::string_view within_contacts = {};
-  /// Further bearing data that it uses, as friction::bearing_data() names it.
+  /// Further bearing data that it uses, named as in friction::bearing_data().
   std::span<const std::string_view> bearing_data = {};
   bool for_rig = true;      ///< may stand in a model of a bearing on a rig
   bool for_shaft = true;    ///< may stand in a model of a shaft
   bool for_spindle = true;  ///< may stand in a model of a spindle
 
-  /// True if it can be at work with that supply, or with one that the model does not name.
+  /// True if it can act with this supply, or with an unknown one.
   [[nodiscard]] bool works_with(std::optional<friction::Supply> supply) const;
-  /// True if it has that form, and may stand in a model of it.
+  /// True if it has this form and may stand in a model of it.
   [[nodiscard]] constexpr bool belongs_to(Form form) const {
     return form == Form::rig ? for_rig : form == Form::shaft ? for_shaft : for_spindle;
   }
-  /// Acts in spindles and nowhere else.
+  /// True if it acts only in spindles.
   [[nodiscard]] constexpr bool of_spindles_alone() const {
     return for_spindle && !for_rig && !for_shaft;
   }
@@ -199,65 +200,68 @@ struct Requirements {
 
 /// Properties by which a verdict weighs and words an effect.
 struct Nature {
-  /// Whatever turns on the shaft adds to it. On a rig that coasts down it is the drag on all that,
-  /// once and not once per bearing; the plausible range is for the bearing alone.
+  /// True if all rotating parts contribute. On a rig that coasts down it is then the drag of all
+  /// these parts, counted once and not per bearing; the plausible range is for the bearing alone.
   bool drags_on_the_rotor = false;
-  /// The range in which its size is met holds for a pitch diameter of 60 mm, and goes with this
-  /// power of it: 0 where bearings of all sizes have one.
+  /// Exponent of the pitch diameter in the range of its size, which holds for 60 mm. 0: the same
+  /// range for bearings of all sizes.
   double size_power = 0.0;
-  /// Warms up and cools down with the machine: what tells it from the rest is temperature or lag.
+  /// True if it warms up and cools down with the machine. Temperature or lag separates it from
+  /// other effects.
   bool follows_heat = false;
-  bool base_law = false;        ///< corrects an exponent of the base law itself
-  bool empirical = false;       ///< a shape that no law of physics stands for
+  bool base_law = false;        ///< corrects an exponent of the base law
+  bool empirical = false;       ///< a shape without a law of physics
   bool spin = false;            ///< its moment arises where the balls spin
   bool friction_alone = false;  ///< a condition that does not move the sets
   bool as_mounted = false;      ///< a condition of the sets as they were mounted, before they turn
-  bool of_each_record = false;  ///< a datum that may be another one in each of several records
+  bool of_each_record = false;  ///< may differ between several records
 };
 
-/// The steps of a reading at which an effect acts: those that are not null. `values` are in the
-/// order of its parameters.
+/// Steps of a reading at which an effect acts: the non-null ones. `values` are in the order of its
+/// parameters.
 struct Actions {
-  /// Corrects what was entered or read.
+  /// Corrects entered or measured values.
   void (*entry)(Entry&, std::span<const double> values) = nullptr;
-  /// The wrong datum at these values, in words; null where `entry` says it.
+  /// Describes the wrong datum at these values; null if `entry` is enough.
   std::string (*correction)(std::span<const double> values) = nullptr;
-  /// Adds to what the bearing sees.
+  /// Adds to the load and condition of the bearing.
   void (*condition)(const ConditionInputs&, std::span<const double> values, Condition&) = nullptr;
-  /// Changes viscosity or viscous share; several act in the order of the catalogue.
+  /// Changes viscosity or viscous share. Several effects act in the order of the catalogue.
   void (*lubricant)(const LubricantInputs&, std::span<const double> values, Film&) = nullptr;
   /// Added friction moment of one bearing [N m].
   double (*moment)(const MomentInputs&, std::span<const double> values) = nullptr;
-  /// In place of `moment` where it is one parameter times this [N m per unit of the parameter].
+  /// Used instead of `moment` if that is one parameter times this [N m per unit of the parameter].
   double (*unit_moment)(const MomentInputs&) = nullptr;
-  const OwnMoment* user_made = nullptr;  ///< the moment of an effect of the user's own
-  /// Added to what is read of `channel` [SI].
+  const OwnMoment* user_made = nullptr;  ///< the moment of a user-made effect
+  /// Added to the reading of `channel` [SI].
   double (*reading)(const ReadingInputs&, std::span<const double> values) = nullptr;
-  const record::Channel* channel = nullptr;  ///< of the reading step: which measured one; else null
-  /// Changes factors and sources of heat of a spindle.
+  const record::Channel* channel = nullptr;  ///< measured channel of the reading step; else null
+  /// Changes heat sources and factors of a spindle.
   void (*spindle)(std::span<const double> values, SpindleCondition&) = nullptr;
 
   [[nodiscard]] bool has_moment() const { return moment || unit_moment || user_made; }
-  /// True if it acts at the reading of that channel.
+  /// True if it acts on the reading of this channel.
   [[nodiscard]] constexpr bool reads(const record::Channel& measured) const {
     return reading && *channel == measured;
   }
-  /// "entry", "condition", "lubricant", "moment", "reading" or "spindle": the first step taken.
+  /// First step at which it acts: "entry", "condition", "lubricant", "moment", "reading" or
+  /// "spindle".
   [[nodiscard]] std::string_view step() const;
 };
 
-/// The catalogue's entry of one physical effect. Each effect is a struct in a file of its own (see
-/// spin_friction.h); this is that struct with its types erased, for choice by name at run time.
+/// Entry of one physical effect in the catalogue. Each effect is a struct in its own file (see
+/// spin_friction.h); this is its type-erased form, chosen by name at run time.
 ///
-/// An effect that acts in another way in the sets of a shaft than in a bearing on a rig has two
-/// descriptions of one id, with parameters of their own. Which of them is meant follows from the
-/// model. A spindle has the effects of its sets in the form of a shaft, but for those that its own
-/// temperatures make already.
+/// An effect that acts differently in the sets of a shaft and in a bearing on a rig has two
+/// descriptions with one id and separate parameters. The model decides which one applies. A spindle
+/// has the effects of its sets in the form of a shaft, except those that its temperatures already
+/// include.
 struct Description : Card, Requirements, Nature, Actions {
   std::span<const Parameter> parameters = {};
 
-  /// True if it changes what is measured there: of a shaft its position, which friction does not
-  /// move, or the friction torque of its sets. In a spindle the heat of friction moves all.
+  /// True if it changes a measured channel of this subject: for a shaft its position, which
+  /// friction does not move, or the friction torque of its sets. In a spindle the heat of friction
+  /// moves all channels.
   [[nodiscard]] bool moves(Form form,
                            const record::Channel& measured = record::axial_displacement) const {
     if (form != Form::shaft || !belongs_to(form)) return belongs_to(form);
@@ -266,17 +270,17 @@ struct Description : Card, Requirements, Nature, Actions {
   }
 };
 
-/// An effect that a model has switched on, with its parameter values.
+/// An active effect of a model, with its parameter values.
 struct Effect {
   const Description* description = nullptr;
   std::vector<double> values;
   std::shared_ptr<const void> owner = nullptr;  ///< keeps a user-made description alive
 
-  /// Added moment [N m]; 0 where the effect acts at other steps.
+  /// Added moment [N m]; 0 if the effect acts at other steps.
   [[nodiscard]] double moment(const MomentInputs& inputs) const;
 };
 
-/// Changes of these effects in a spindle, those that do together; the others change nothing here.
+/// Returns the changes of a spindle by these effects; other effects change nothing here.
 [[nodiscard]] SpindleCondition spindle_condition(std::span<const Effect> effects);
 
 /// Initial values of all parameters.

@@ -9,17 +9,17 @@
 
 namespace raceway::effects {
 
-/// Viscosity of a film that its own friction has warmed [m²/s].
+/// Viscosity of a film heated by its own friction [m²/s].
 ///
 ///   ν = ν(T_film),   T_film = T + R P(T_film),   P = M(ν(T_film)) ω
 ///
-/// M is the viscous moment of the base law without other effects on the lubricant, of the contact
-/// law its whole moment: there the film is what all of it heats. P falls with
-/// temperature, so there is one solution, between T and T + R P(T); where asperities make it grow,
-/// the lowest is above that.
+/// M is the viscous moment of the base law without other effects on the lubricant; for the contact
+/// law it is the whole moment, all of which heats the film. P falls with temperature, so there is
+/// one solution, between T and T + R P(T). If asperities make P grow, the lowest solution is above
+/// that.
 /// Source:   heat balance with one resistance R; 5 to 40 K/kW assumed for a spindle bearing.
-/// Domain:   speed >= 0, R >= 0. A sensor away from the film reads the same way: that alias cannot
-///           be resolved.
+/// Domain:   speed >= 0, R >= 0. A sensor away from the film has the same signature: the data
+///           cannot separate the two.
 struct FilmSelfHeating {
   static constexpr std::string_view id = "film-self-heating";
   static constexpr std::string_view title = "film hotter than the temperature sensor";
@@ -55,7 +55,8 @@ struct FilmSelfHeating {
     };
     double low = outside, f_low = rise(low);
     double high = outside - f_low, f_high = rise(high);  // power there is less than at `low`
-    // Slow and hot, asperities carry more as the oil thins, and power grows with temperature.
+    // Where it is slow and hot, thinner oil shifts load to the asperities, and the power grows with
+    // temperature.
     for (int i = 0; i < 20 && f_high < 0.0; ++i) {
       low = high;
       f_low = f_high;
@@ -63,7 +64,7 @@ struct FilmSelfHeating {
       f_high = rise(high);
     }
     if (!std::isfinite(f_low) || !(f_high > 0.0)) return;
-    // Secants of the last two points, and the middle of the bracket where they leave it.
+    // Secants of the last two points; bisection where a secant leaves the bracket.
     double before = low, f_before = f_low, temperature = high, f = f_high;
     for (int i = 0; i < 60 && std::abs(f) > 1e-10; ++i) {
       double next = temperature - f * (temperature - before) / (f - f_before);
@@ -79,16 +80,16 @@ struct FilmSelfHeating {
     film.kinematic_viscosity = in.lubricant.kinematic_viscosity(temperature);
   }
 
-  /// The whole moment of the contacts as it goes with temperature along ν(T) of the oil:
+  /// Linear whole moment of the contacts against temperature along ν(T) of the oil:
   ///
   ///   M(T) = moment + slope (T - temperature),   |T - temperature| <= reach
   struct Tangent {
     double temperature, moment, slope, reach;  ///< [K], [N m], [N m/K], [K]
   };
 
-  /// Solves by Newton's method from `temperature`; `tangent_about` returns a remembered tangent at
-  /// or near a temperature. M is convex in T, so each tangent leads to a temperature not above the
-  /// film's, and the next one nearer. False if it finds none.
+  /// Solves by Newton's method from `temperature`; `tangent_about` returns a stored tangent at or
+  /// near a temperature. M is convex in T, so each tangent gives a temperature not above the
+  /// film's, and closer to it each time. False if there is no solution.
   template <typename TangentAbout>
   static bool lubricant_by_tangents(const LubricantInputs& in, std::span<const double> values,
                                     double temperature, const TangentAbout& tangent_about,

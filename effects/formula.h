@@ -13,20 +13,20 @@ namespace raceway::effects {
 
 using record::FormulaError;
 
-/// A friction moment of the user's own. May be asked by several threads at once.
+/// A user-made friction moment. Several threads may call it at once.
 class OwnMoment {
  public:
   virtual ~OwnMoment() = default;
   /// [N m]
   [[nodiscard]] virtual double moment(const MomentInputs& inputs,
                                       std::span<const double> values) const = 0;
-  /// True if a model file can store it: a formula, but not a function of a program.
+  /// True if a model file can store it: true for a formula, false for a function of a program.
   [[nodiscard]] virtual bool stands_in_files() const { return true; }
 };
 
-/// A friction moment that a user wrote as a formula, in the units of the files:
-/// "c * (speed_rpm/1000)^2" in N mm. Names come from variables() and its own parameters; operators
-/// and functions from muParser. May be evaluated by several threads at once.
+/// A user-made friction moment as a formula in the units of the files: "c * (speed_rpm/1000)^2" in
+/// N mm. Names are those of variables() and its own parameters; muParser provides operators and
+/// functions. Several threads may evaluate it at once.
 class Formula : public OwnMoment {
  public:
   /// Throws FormulaError: no formula, or a name that is neither variable nor parameter.
@@ -34,7 +34,8 @@ class Formula : public OwnMoment {
 
   [[nodiscard]] double moment(const MomentInputs& inputs,
                               std::span<const double> values) const override;
-  /// True if that parameter at zero leaves no moment anywhere, and elsewhere leaves one.
+  /// True if the moment is zero everywhere when this parameter is zero, and nonzero somewhere
+  /// otherwise.
   [[nodiscard]] bool is_size(std::size_t parameter, std::span<const double> values) const;
   /// True if the formula uses that variable.
   [[nodiscard]] bool uses(std::string_view variable) const;
@@ -46,8 +47,8 @@ class Formula : public OwnMoment {
     const record::Channel* channel = nullptr;  ///< otherwise: as recorded with the row, in its unit
     [[nodiscard]] double value(const MomentInputs& inputs) const;
   };
-  /// Variables that a formula may use besides its parameters, with every input of the channel
-  /// table.
+  /// Returns the variables of a formula in addition to its parameters, with every input of the
+  /// channel table.
   [[nodiscard]] static std::span<const Variable> variables();
 
  private:
@@ -70,7 +71,7 @@ struct UserMadeEffect {
 /// Makes an effect like an effect of the catalogue. Throws FormulaError.
 [[nodiscard]] Effect make_effect(const UserMadeEffect& given);
 /// Makes an effect from a moment that is not a formula; `torque_Nmm` describes it in words. The
-/// effect is off where the first parameter that may be zero is zero.
+/// effect is off when the first parameter that may be zero is zero.
 [[nodiscard]] Effect make_effect(const UserMadeEffect& given, std::unique_ptr<OwnMoment> moment);
 
 }  // namespace raceway::effects

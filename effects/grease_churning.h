@@ -9,15 +9,15 @@
 
 namespace raceway::effects {
 
-/// Friction moment of grease that is not yet worked in [N m], added:
+/// Friction moment of grease during the churning phase [N m], added:
 ///
 ///   M = A M0 exp(-t/τ)
 ///
 /// Source:   churning phase after Lugt (2009): M(t) = M_end (1 + A exp(-t/τ)) with A of 0.5 to 4
-///           and τ of 1 to 20 h, read as a statement on the viscous moment, since grease between
-///           the balls does not feel the load.
-/// Domain:   a time of each row, by the clock of the file; t = 0 is the start of churning. Of
-///           grease alone.
+///           and τ of 1 to 20 h, applied to the viscous moment, since churning does not depend on
+///           load.
+/// Domain:   a time of each row, by the clock of the file; t = 0 is the start of churning. Grease
+///           only.
 struct GreaseChurning {
   static constexpr std::string_view id = "grease-churning";
   static constexpr std::string_view title = "grease that is still being churned";

@@ -12,11 +12,11 @@ namespace raceway::effects {
 ///   M = c Σ M_g
 ///
 /// A candidate for a misfit that grows with the square of speed and, by the angle at the outer
-/// race, with load. It is not the friction of gyroscopic sliding: M_g turns about an axis across
-/// the shaft, and a sum of such moments brakes nothing. Sliding takes the power Σ M_f ω_slip, as a
-/// moment M = Σ M_f ω_slip/ω, and only beyond what friction can hold, M_g > μ Q D/2 or so. Neither
-/// threshold nor slip speed is here, and c is no friction coefficient: that M follows M_g at all is
-/// an assumption.
+/// race, with load. It is not the friction of gyroscopic sliding: M_g acts about an axis across the
+/// shaft, and a sum of such moments does not brake the shaft. Sliding takes the power Σ M_f ω_slip,
+/// as a moment M = Σ M_f ω_slip/ω, and only beyond the friction limit, M_g > about μ Q D/2. This
+/// effect has neither threshold nor slip speed, and c is not a friction coefficient. M proportional
+/// to M_g is an assumption.
 ///
 /// Source:   M_g [CaseStudy, eqs. 14 and 18; Harris2006, vol. 2, ch. 5]; the rest is empirical.
 /// Domain:   converged equilibrium, else NaN; zero at standstill.

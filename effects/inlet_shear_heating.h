@@ -9,11 +9,11 @@
 
 namespace raceway::effects {
 
-/// Share of the viscous moment that shear heating in the inlet of the contacts leaves [1].
+/// Share of the viscous moment that remains under inlet shear heating [1].
 ///
 ///   1 / (1 + c 1.84e-9 (n d_m)^1.28 ν^0.64)      n [rpm], d_m [mm], ν [mm²/s]
 ///
-/// c = 1 is the published law; inlet_shear_factor() in friction/skf.h is it.
+/// c = 1 is the published law, inlet_shear_factor() in friction/skf.h.
 /// Source:   [SKFGeneral, p. 91-101]. d_m is the mean of bore and outer diameter.
 /// Domain:   speed >= 0, viscosity > 0; 1 at standstill.
 struct InletShearHeating {

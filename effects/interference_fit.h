@@ -17,13 +17,13 @@ namespace raceway::effects {
 /// with bore d and inner raceway diameter d_i = d_m - D cos α0; changes the contact angle, at an
 /// entered axial load, by cos α0 -> cos α0 + u/(B D).
 /// Source:   Lamé, derived: ring of rectangular section on a solid shaft of the same material. The
-///           second term is by how much speed widens the bore more than the shaft. The growth by
-///           speed itself is another effect.
+///           second term is the speed growth of the bore relative to the shaft. The centrifugal
+///           growth of the raceway is a separate effect.
 /// Domain:   speed >= 0; the slope in ω jumps where the ring comes loose.
 ///
-/// In the sets of a shaft the fit is part of the mounted state: a preload entered as a force holds
-/// for the rings on their shaft, so that at speed only the loosening moves the sets; a preload
-/// entered as an offset or a class is ground into free bearings, and the fit adds to it.
+/// In the sets of a shaft the fit is part of the mounted state: a preload entered as a force
+/// already includes the fit, so at speed only the loosening moves the sets. A preload entered as an
+/// offset or a class is ground into free bearings, and the fit adds to it.
 struct InterferenceFit {
   static constexpr std::string_view id = "interference-fit";
   static constexpr std::string_view title = "inner ring widened by its fit";

@@ -11,15 +11,14 @@
 
 namespace raceway::effects {
 
-/// A load cell, or a lever in front of it, that reads a share of the axial load.
+/// Gain error of a load cell, or of a lever in front of it.
 ///
 ///   F_a,read = s F_a
 ///
-/// Source:   definition. Load cells are good for 0.1 to 1 % of full scale; a lever arm, a friction
-///           in the loading device or a wrong sensitivity is off by some ten percent.
-/// Domain:   s > 0. Palmgren's load moment goes with a power of the load, so that z takes this up
-///           where the radial load is none: it is felt under a radial load and by effects that use
-///           ball loads.
+/// Source:   definition. Load cells are accurate to 0.1 to 1 % of full scale; a lever arm, a
+///           friction in the loading device or a wrong sensitivity is off by some ten percent.
+/// Domain:   s > 0. Palmgren's load moment is a power of the load, so z absorbs this error without
+///           radial load. It shows under a radial load and in effects that use ball loads.
 struct LoadCalibration {
   static constexpr std::string_view id = "load-calibration";
   static constexpr Form form = Form::rig;

@@ -11,13 +11,12 @@
 
 namespace raceway::effects {
 
-/// A load cell whose sensitivity follows its temperature.
+/// Temperature drift of a load cell's sensitivity.
 ///
 ///   F_a -> F_a (1 + c (T - 20 °C))
 ///
-/// Source:   definition. Compensated cells are good for 0.002 to 0.05 % per kelvin; a cell that is
-///           warmed from one side, or a housing that grows against the loading device, does ten
-///           times as much.
+/// Source:   definition. Compensated cells drift by 0.002 to 0.05 % per kelvin. Heating from one
+///           side, or a housing that grows against the loading device, causes ten times as much.
 /// Domain:   loads not below zero. T is the temperature of the row (temperature_C), from which that
 ///           of the cell may differ; 20 °C only moves z.
 struct LoadCellDrift {

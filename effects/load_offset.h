@@ -12,7 +12,7 @@ namespace raceway::effects {
 ///
 ///   F_a -> F_a + c
 ///
-/// Source:   a spring set, a load cell whose zero is off, a belt: definition.
+/// Source:   a spring set, a zero error of the load cell, a belt: definition.
 /// Domain:   the sum is not below zero.
 struct LoadOffset {
   static constexpr std::string_view id = "load-offset";

@@ -7,13 +7,13 @@
 
 namespace raceway::effects {
 
-/// Friction moment of balls and cage that plough through lubricant [N m].
+/// Drag moment of balls and cage in the lubricant [N m].
 ///
 ///   M = c (n/10 000 rpm)²
 ///
 /// Source:   inertia of a fluid that is pushed aside; the first term of the drag moment in the SKF
 ///           catalogues, 0.4 V_M K_ball d_m^5 n², has this form. The published constants of both
-///           terms depend on the oil level and are left to c.
+///           terms depend on the oil level; c replaces them.
 /// Domain:   every speed. With an oil bath; by SKF twice as much with an oil jet; the
 ///           drops of oil-air and worked-in grease are not pushed aside by whole balls.
 struct LubricantDrag {

@@ -9,7 +9,7 @@
 
 namespace raceway::effects {
 
-/// Friction moment of surfaces that touch through a thin film [N m].
+/// Friction moment of asperity contact in mixed lubrication [N m].
 ///
 ///   M = μ φ_bl S1 d_m^0.26 (F_r^(4/3) + S2 F_a^(4/3)),   φ_bl = exp(-2.6e-8 (ν n)^1.4 d_m)
 ///
@@ -17,7 +17,7 @@ namespace raceway::effects {
 /// the excess of boundary friction over the full film, 0.05 to 0.12; d_m the mean of bore and outer
 /// diameter. Source:   φ_bl, S1 = 1.30e-2 and S2 = 0.68 of the sliding moment in [SKFGeneral, p.
 /// 91-101].
-///           S1 and S2 are of bearings of 40 deg, see friction/skf.h.
+///           S1 and S2 are for bearings of 40 deg, see friction/skf.h.
 /// Domain:   speed >= 0; all of it at standstill, nothing on a full film.
 struct MixedLubrication {
   static constexpr std::string_view id = "mixed-lubrication";

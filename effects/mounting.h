@@ -8,8 +8,7 @@
 
 namespace raceway::effects {
 
-/// Sets that are held in another way than entered: on springs where rigid was entered, rigid where
-/// springs were.
+/// Mounting of the sets other than entered: spring where rigid was entered, and the reverse.
 ///
 ///   s (F_r - F_0) = h K_r (d (x - e) - (δ_r - δ_r0))      seat of the rear set
 ///   s = (1 - c) s_entered + c s_other,   h = (1 - c) h_entered + c h_other

@@ -8,15 +8,15 @@
 
 namespace raceway::effects {
 
-/// An oil of another grade than the one entered: its viscosity at every temperature by the same
-/// factor.
+/// Wrong oil grade: the viscosity at every temperature changes by one factor.
 ///
 ///   ν40 -> k ν40,   ν100 -> k ν100
 ///
 /// Source:   definition; between neighbours of the ISO grades (ISO 3448) lies a factor of 1.5, and
 ///           an oil may be 10 % off the middle of its grade.
-/// Domain:   every viscosity. The viscous moment of Palmgren goes with ν^(2/3), so that f0 takes
-///           this up but for slow and thin oil (ν n below 2000) and for what else knows viscosity.
+/// Domain:   every viscosity. Palmgren's viscous moment is proportional to ν^(2/3), so f0 absorbs
+///           this error except for slow and thin oil (ν n below 2000) and in other terms with
+///           viscosity.
 struct LubricantViscosity {
   static constexpr std::string_view id = "lubricant-viscosity";
   static constexpr std::string_view title = "the oil is of another grade than entered";
@@ -38,7 +38,7 @@ struct LubricantViscosity {
                                                    .plausible_upper = 2.2,
                                                    .neutral = 1.0}};
   static constexpr std::array<Need, 0> needs{};
-  static constexpr bool for_spindle = false;  // f0 takes it up there
+  static constexpr bool for_spindle = false;  // f0 absorbs it there
 
   static void entry(Entry& entry, std::span<const double> values) {
     entry.viscosity_40C *= values[0];
@@ -46,7 +46,7 @@ struct LubricantViscosity {
   }
 };
 
-/// An oil whose viscosity falls otherwise with temperature than the one entered.
+/// Wrong viscosity index: the viscosity falls differently with temperature than entered.
 ///
 ///   ν100 -> k ν100,   ν40 as it is
 ///

@@ -11,13 +11,13 @@
 
 namespace raceway::effects {
 
-/// A force of preload that is another one than the entered or recorded.
+/// Preload force that differs from the entered or recorded one.
 ///
 ///   P -> k P
 ///
-/// Source:   definition. Makers grind their preload classes to some 20 %, and a force that was set
-///           by the torque of a nut is less sure.
-/// Domain:   k > 0, of sets that are preloaded by a force; an offset ground into the faces is none.
+/// Source:   definition. Makers grind their preload classes to about 20 %; a force set by the
+///           torque of a nut is less certain.
+/// Domain:   k > 0, sets preloaded by a force; not for an offset ground into the faces.
 struct PreloadCalibration {
   static constexpr std::string_view id = "preload-calibration";
   static constexpr Form form = Form::shaft;

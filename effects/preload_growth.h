@@ -8,7 +8,7 @@
 
 namespace raceway::effects {
 
-/// Friction that follows the forces of the warm sets where the model takes the cold ones.
+/// Friction at the forces of the warm sets instead of the cold ones.
 ///
 ///   P = (1 - s) P(cold) + s P(warm)
 ///

@@ -9,11 +9,11 @@
 
 namespace raceway::effects {
 
-/// Share of the viscous moment that is left where lubricant flows back too slowly [1].
+/// Share of the viscous moment that remains under replenishment starvation [1].
 ///
 ///   exp(-K ν n (d + D) sqrt(K_Z / (2 (D - d))))      ν [mm²/s], n [rpm], d and D [mm], K_Z = 4.4
 ///
-/// with bore d and outer diameter D; replenishment_factor() in friction/skf.h is it.
+/// with bore d and outer diameter D; see replenishment_factor() in friction/skf.h.
 /// Source:   [SKFGeneral, p. 91-101]: K = 3e-8 for an oil bath of low level or an oil jet, 6e-8 for
 ///           grease and oil-air.
 ///           K_Z is of their single row angular contact bearings, see friction/skf.h.

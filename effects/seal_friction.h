@@ -15,7 +15,7 @@ namespace raceway::effects {
 ///
 /// Source:   constant in speed and load as the seal moment of [SKFGeneral, p. 91-101]; the straight
 ///           fall with temperature is an assumption for rubber that softens and grease that thins.
-/// Domain:   every speed. With s = 0 it is the alias of a torque zero that is off.
+/// Domain:   every speed. With s = 0 it cannot be separated from a torque offset.
 struct SealFriction {
   static constexpr std::string_view id = "seal-friction";
   static constexpr std::string_view title = "rubbing seals";

@@ -11,8 +11,8 @@ namespace raceway::effects {
 ///
 ///   x_read = x + c (T - T0)/10 K
 ///
-/// Source:   definition. T0, the temperature at which the sensor was zeroed, is rarely recorded:
-///           it is fitted too, within the temperatures of the record.
+/// Source:   definition. T0, the temperature at which the sensor was zeroed, is rarely recorded, so
+///           it is fitted within the temperatures of the record.
 /// Domain:   every reading; T is the temperature of the row (temperature_C), not of a ring.
 template <const auto& card>
 struct SensorTemperatureDrift : SensorFault<card> {
@@ -36,7 +36,7 @@ struct SensorTemperatureDrift : SensorFault<card> {
 ///
 ///   x_read = x + c t/1 h
 ///
-/// Source:   definition. Points measured in random order keep it apart from speed and load.
+/// Source:   definition. Points measured in random order separate it from speed and load.
 /// Domain:   a time of each row, by the clock of the file.
 template <const auto& card>
 struct SensorTimeDrift : SensorFault<card> {

@@ -11,7 +11,7 @@ namespace raceway::effects {
 ///
 ///   x_read = (1 + g) x        x counted from the zero of the channel's unit
 ///
-/// Source:   definition. `standard` is what fixes the scale of the channel.
+/// Source:   definition. `standard` fixes the scale of the channel.
 /// Domain:   every reading.
 template <const auto& card, Need standard>
 struct SensorGain : SensorFault<card> {
@@ -22,7 +22,7 @@ struct SensorGain : SensorFault<card> {
   }
 };
 
-/// Torque alone never shows it: it acts like a common factor on all moments.
+/// Torque alone never shows it, because it acts like a common factor on all moments.
 inline constexpr SensorCard<2> torque_gain{
     .channel = record::friction_torque,
     .id = "torque-gain",

@@ -42,8 +42,7 @@ inline constexpr SensorCard<3> torque_offset{
     .size_power = 3.0,
     .settled_by = "the torque of the standing shaft, or in both directions of rotation"};
 
-/// Zero error of a transducer that was zeroed on a warm or turning shaft, or before it had settled
-/// in its seats.
+/// Zero error of a transducer zeroed on a warm or turning shaft, or before it had settled.
 inline constexpr SensorCard<3> displacement_offset{
     .channel = record::axial_displacement,
     .id = "displacement-offset",

@@ -20,13 +20,13 @@ namespace raceway::effects {
 ///
 /// F_rigid is the thrust on the relieved bearing of a rigid pair (bearing/rigid_preload.h). The
 /// mounting u leads smoothly through three states: 0 is a soft spring on the second bearing, 1 a
-/// rigid pair whose preload does not grow with speed, and 2 a rigid pair whose preload grows.
+/// rigid pair with constant preload, and 2 a rigid pair whose preload grows with speed.
 ///
 /// Source:   two bearings that press against each other [Harris2006, vol. 1, ch. 9], derived. The
 ///           4/3 belongs to Palmgren's load moment with y = 1/3.
 /// Domain:   P >= 0, 0 <= u <= 2. Two equal bearings under pure thrust.
-/// Accuracy: exact for the sum of both load moments with y = 1/3, of other laws and of effects that
-///           use ball loads an average over both bearings.
+/// Accuracy: exact for the sum of both load moments with y = 1/3, for other laws and effects that
+///           use ball loads, an average over both bearings.
 /// Trap:     z counts every bearing at the load of the set, as without this effect: it is half of
 ///           the z of one bearing.
 struct SetPreload {

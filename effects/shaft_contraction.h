@@ -20,9 +20,8 @@ namespace raceway::effects {
 ///           - ρ ω² r³, from a to b, both free of pressure, gives the mean of σ_r + σ_θ over the
 ///           section as ρ ω² (a² + b²)/2; without axial force the mean axial strain is -ν/E
 ///           times it. Steel, a 15, b 35 mm, 10 000 rpm: 9 um per metre.
-/// Domain:   every speed, no lag. The part between the sets shortens by the same strain and presses
-///           them as a colder shaft would; the radii that would say by how much are not asked for,
-///           and that is left out.
+/// Domain:   every speed, no lag. The part between the sets shortens by the same strain and loads
+///           them as a colder shaft would; this is neglected, because the model lacks the radii.
 struct ShaftContraction {
   static constexpr std::string_view id = "shaft-contraction";
   static constexpr std::string_view title = "shaft that shortens as it turns";

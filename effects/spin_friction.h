@@ -8,7 +8,7 @@
 
 namespace raceway::effects {
 
-/// Friction moment of the balls that spin about the normal of a contact [N m].
+/// Friction moment of ball spin about the contact normal [N m].
 ///
 ///   M = μ Σ (3/8) Q a E(k) ω_s/ω      under outer control Z M_s ω_s/ω at the inner race
 ///

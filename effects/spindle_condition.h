@@ -19,14 +19,14 @@ struct SpindleCondition {
   double rear_bearing_heat = 0.0;   ///< into the raceways of the rear set, or of rollers behind it
   /// Powers of the speed of motor and drive heat [1].
   double motor_heat_exponent = 1.0, drive_heat_exponent = 1.0;
-  /// Conductance of a sleeve that the model lacks, from the housing to the inlet (else the ambient)
+  /// Conductance of a sleeve missing in the model, from the housing to the inlet (else the ambient)
   /// [W/K].
   double sleeve_conductance = 0.0;
   /// Extent of that sleeve: 0 between the sets, 1 over their bearings to the outermost faces [1].
   double sleeve_reach = 1.0;
   /// Rise of the machine at the flange [K], approached with a time constant [s].
   double structure_rise = 0.0, structure_time = 3600.0;
-  /// Share of the way from friction by the model's own choice of preload to the other one [1].
+  /// Share of the change from friction with the model's choice of preload to the other choice [1].
   double other_preload_feedback = 0.0;
   [[nodiscard]] bool operator==(const SpindleCondition&) const = default;
 };

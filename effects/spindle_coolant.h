@@ -8,14 +8,14 @@
 
 namespace raceway::effects {
 
-/// A cooled sleeve around a spindle that the model lacks [W/K].
+/// Cooled sleeve around a spindle, missing in the model [W/K].
 ///
 ///   q = G (T_housing - T_in),   T_in of the inlet, of the ambient where the model has no coolant
 ///
 /// spread over the length that it covers: between the sets and `reach` of their bearings.
 ///
 /// Source:   a film towards a fluid of one temperature, definition. 2 l/min of water carry 140 W/K.
-/// Domain:   G >= 0. It does not know when a pump is off: a record that says so tells it apart.
+/// Domain:   G >= 0. It does not know when a pump is off; a record of the pump separates it.
 struct SleeveCoolant {
   static constexpr Form form = Form::spindle;
   static constexpr std::string_view id = "coolant";
@@ -46,7 +46,7 @@ struct SleeveCoolant {
 
   static void spindle(std::span<const double> values, SpindleCondition& c) {
     c.sleeve_conductance += values[0];
-    if (values[0] > 0.0) c.sleeve_reach = values[1];  // of no sleeve it says nothing
+    if (values[0] > 0.0) c.sleeve_reach = values[1];  // without a sleeve its reach has no meaning
   }
 };
 

@@ -9,7 +9,7 @@
 
 namespace raceway::effects {
 
-/// Names and possible size of an error in a spindle's conductance as entered.
+/// Names and possible size of an error in an entered conductance of a spindle.
 template <std::size_t confused>
 struct SpindleFactorCard {
   double SpindleCondition::*factor;  ///< changed by the effect
@@ -18,11 +18,11 @@ struct SpindleFactorCard {
   Parameter size;
 };
 
-/// A conductance of a spindle that is larger or smaller than the model says, by one factor [1].
+/// Factor on a conductance of a spindle [1].
 ///
 ///   G -> k G
 ///
-/// Source:   definition; correlations of films and contacts are good to a factor of 1.2 to 2.
+/// Source:   definition; correlations of films and contacts are accurate to a factor of 1.2 to 2.
 /// Domain:   0.02 <= k, so that no part of the spindle is cut off.
 template <const auto& card>
 struct SpindleFactor {
@@ -43,7 +43,7 @@ struct SpindleFactor {
   }
 };
 
-/// Hot outer rings let the preload go down; sensors in the housing hardly see it.
+/// Hot outer rings reduce the preload; sensors in the housing hardly show it.
 inline constexpr SpindleFactorCard<4> seat_conductance{
     .factor = &SpindleCondition::outer_seat_factor,
     .id = "seat-conductance",
@@ -64,7 +64,7 @@ inline constexpr SpindleFactorCard<4> seat_conductance{
              .plausible_upper = 3.0,
              .neutral = 1.0}};
 
-/// Turning parts have convection of their own, which this leaves alone.
+/// Rotating parts have separate convection, which this effect does not change.
 inline constexpr SpindleFactorCard<4> convection_factor{
     .factor = &SpindleCondition::convection_factor,
     .id = "convection-factor",
@@ -84,7 +84,7 @@ inline constexpr SpindleFactorCard<4> convection_factor{
              .plausible_upper = 4.0,
              .neutral = 1.0}};
 
-/// Oil film, lubricant and rolling balls carry an unknown multiple of what dry contacts do.
+/// Oil film, lubricant and rolling balls conduct an unknown multiple of dry contacts.
 inline constexpr SpindleFactorCard<4> bearing_conductance{
     .factor = &SpindleCondition::bearing_conductance_factor,
     .id = "bearing-conductance",

@@ -9,7 +9,7 @@
 
 namespace raceway::effects {
 
-/// Names and possible size of a heat source that the model lacks.
+/// Names and possible size of a heat source missing in the model.
 template <std::size_t confused>
 struct SpindleHeatCard {
   double SpindleCondition::*heat;  ///< added by the effect
@@ -23,7 +23,7 @@ struct SpindleHeatCard {
 ///   q = W n/10 000 rpm
 ///
 /// Source:   a constant moment; losses in a rotor and air go with a higher power of the speed.
-/// Domain:   speed >= 0, zero at standstill. Beside what the model states of motor and drive.
+/// Domain:   speed >= 0, zero at standstill. In addition to the model's motor and drive heat.
 template <const auto& card>
 struct SpindleHeat {
   static constexpr Form form = Form::spindle;

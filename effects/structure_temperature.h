@@ -8,7 +8,7 @@
 
 namespace raceway::effects {
 
-/// A machine whose temperature at the flange drifts from what is entered or recorded [K].
+/// Drift of the machine's flange temperature from the entered or recorded one [K].
 ///
 ///   T_machine -> T_machine + R (1 - exp(-t/τ))
 ///

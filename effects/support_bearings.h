@@ -12,13 +12,13 @@
 
 namespace raceway::effects {
 
-/// Friction of the bearings that carry the shaft of the rig, in the reading [N m].
+/// Friction of the rig's support bearings in the reading [N m].
 ///
 ///   M_read = M + c (s + (1 - s) (n/10 000 rpm)^(2/3))
 ///
 /// Source:   constant and viscous part of Palmgren's moment [Palmgren1959] at the load and the
 ///           temperature of the support, taken as constant.
-/// Domain:   n >= 0, 0.1 <= s <= 0.7: with one part alone it is the torque-offset, or near the
+/// Domain:   n >= 0, 0.1 <= s <= 0.7: one part alone equals torque-offset or resembles
 ///           rig-viscous-drag.
 struct SupportBearings {
   static constexpr std::string_view id = "support-bearings";

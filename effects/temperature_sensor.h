@@ -8,11 +8,12 @@
 
 namespace raceway::effects {
 
-/// A temperature sensor that reads too much, or the film too little above it.
+/// Offset of a temperature sensor, or of the film temperature from it.
 ///
 ///   T_read = T + c
 ///
-/// Source:   definition. Type K thermocouples are good for 1.5 K, with their instrument for 3 to 5.
+/// Source:   definition. Type K thermocouples are accurate to 1.5 K, with their instrument to 3 to
+///           5 K.
 /// Domain:   every temperature.
 struct TemperatureOffset {
   static constexpr std::string_view id = "temperature-offset";
@@ -42,7 +43,7 @@ struct TemperatureOffset {
   }
 };
 
-/// A temperature sensor away from the film, which sees a share of its rise.
+/// Temperature sensor away from the film, which reads a share of the film's rise.
 ///
 ///   T_read = T_room + s (T - T_room)
 ///

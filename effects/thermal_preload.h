@@ -8,13 +8,13 @@
 
 namespace raceway::effects {
 
-/// Law of both forms: the temperature difference of the rings presses them together.
+/// Law of both forms: the temperature difference of the rings raises the preload.
 ///
 ///   x = c P,   P = (M1 + M0) ω of the base law at the load as entered or mounted
 ///
 /// Source:   steady heat flow: the difference in temperature of the rings is in proportion to the
-///           friction power (Stein and Tu 1994; Bossmanns and Tu 1999 have the whole loop). P at
-///           the load without the effect, so that the loop does not run away.
+///           friction power (Stein and Tu 1994; Bossmanns and Tu 1999 have the whole loop). P is
+///           taken at the load without the effect, so that the loop does not diverge.
 /// Domain:   speed >= 0.
 struct PreloadByOwnHeat {
   static constexpr std::string_view id = "thermal-preload";
@@ -60,12 +60,12 @@ struct ThermalPreload : PreloadByOwnHeat {
 ///
 ///   g = c P,   P = (M1 + M0) ω at the preload's share of the bearing
 ///
-/// Free expansion λ d_m/2 of 0.5 um/K and 0.01 to 0.1 K/W between the rings give 0.005 to
-/// 0.05 um/W. Beside measured ring temperatures, whose expansion is in the balance already, c is
-/// what those temperatures do not show.
+/// Free expansion λ d_m/2 of 0.5 um/K and 0.01 to 0.1 K/W between the rings give 0.005 to 0.05
+/// um/W. With measured ring temperatures, whose expansion the equilibrium already includes, c is
+/// the remainder.
 struct ShaftThermalPreload : PreloadByOwnHeat {
   static constexpr Form form = Form::shaft;
-  static constexpr bool for_spindle = false;  // its temperatures do that
+  static constexpr bool for_spindle = false;  // its temperatures include it
   static constexpr std::string_view mechanism =
       "Friction warms the inner rings and the balls more than the outer rings. They have no room, "
       "and the sets press harder against each other as the friction power grows.";

@@ -21,13 +21,13 @@ struct GrowthByRingTemperatures {
   }
 };
 
-/// Radial growth of the inner raceway against the outer one by measured ring temperatures, of a
-/// bearing on a rig [m].
+/// Radial growth of the inner raceway relative to the outer one from measured ring temperatures,
+/// for a bearing on a rig [m].
 ///
 ///   u = c λ (T_i - T_o) d_m/2        λ thermal expansion of the rings
 ///
 /// changes the contact angle, at an entered axial load, by cos α0 -> cos α0 + u/(B D).
-/// Source:   free thermal expansion, derived; c = 1 is rings that nothing holds.
+/// Source:   free thermal expansion, derived; c = 1 means unconstrained rings.
 /// Domain:   both ring temperatures measured. Balls at the temperature of the outer ring.
 struct ThermalRingGrowth : GrowthByRingTemperatures {
   static constexpr Form form = Form::rig;
@@ -59,16 +59,16 @@ struct ThermalRingGrowth : GrowthByRingTemperatures {
 ///
 ///   g = c (T_i - T_o)
 ///
-/// The free expansion of rings and balls at the temperatures of a row, or of the model, is in the
-/// balance of the sets already (bearing::thermal_shift), so that c = 0 is rings that nothing holds.
-/// c > 0: the housing keeps the outer ring from growing, or the sensors stand outside the rings and
-/// see less than the raceways; c < 0: the shaft holds the inner ring. -λ d_m/2 takes the whole
-/// radial expansion away.
+/// The free expansion of rings and balls at the temperatures of a row, or of the model, is already
+/// in the equilibrium of the sets (bearing::thermal_shift), so c = 0 means unconstrained rings. c >
+/// 0: the housing constrains the outer ring, or sensors outside the rings read less than the
+/// raceways; c < 0: the shaft constrains the inner ring. -λ d_m/2 cancels the whole radial
+/// expansion.
 /// Source:   derived.
 /// Domain:   both ring temperatures known.
 struct ShaftThermalRingGrowth : GrowthByRingTemperatures {
   static constexpr Form form = Form::shaft;
-  static constexpr bool for_spindle = false;  // its temperatures do that
+  static constexpr bool for_spindle = false;  // its temperatures include it
   static constexpr std::string_view title = "rings that do not grow freely with temperature";
   static constexpr std::string_view mechanism =
       "The free expansion of rings at their measured temperatures is part of every prediction. A "

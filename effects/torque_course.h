@@ -10,10 +10,10 @@
 
 #include "effects/effect.h"
 
-// Faults of a torque sensor that follow the course of the measurement.
+// Faults of a torque sensor that depend on the course of the measurement.
 namespace raceway::effects {
 
-/// A zero that creeps from the start of each day [N m].
+/// Zero drift from the start of each day [N m].
 ///
 ///   M_read = M + c t/1 h
 ///
@@ -53,7 +53,7 @@ struct TorqueCreep {
   }
 };
 
-/// Readings that depend on the direction in which a speed was reached [N m].
+/// Hysteresis of the reading with the direction of speed change [N m].
 ///
 ///   M_read = M + c/2  from below,   M - c/2  from above
 ///

@@ -10,12 +10,12 @@
 
 namespace raceway::effects {
 
-/// Another exponent of speed and viscosity in the viscous moment [N m], added:
+/// Correction of the exponent of speed and viscosity in the viscous moment [N m], added:
 ///
 ///   M = M0 ((max(ν n, 2000)/300000)^e - 1)        ν n in mm²/s rpm
 ///
-/// so that M0 goes with (ν n)^(2/3 + e); it is unchanged at ν n = 300 000, in the middle of what
-/// spindles do, which keeps e and f0 apart.
+/// so that M0 is proportional to (ν n)^(2/3 + e). It is unchanged at ν n = 300 000, in the middle
+/// of the range of spindles, which separates e and f0.
 /// Source:   exponents from 0.55 to 0.75 in place of 2/3, e of -0.12 to 0.08, are seen in tests
 ///           [Palmgren1959, form of the law; range assumed].
 /// Domain:   speed >= 0; constant below ν n = 2000, as the law of Palmgren is.

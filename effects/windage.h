@@ -8,12 +8,12 @@
 
 namespace raceway::effects {
 
-/// Friction moment of the air that turns with shaft, cage and balls [N m].
+/// Air drag on shaft, cage and balls [N m].
 ///
 ///   M = c (n/10 000 rpm)^1.8
 ///
-/// Moment of each bearing. On a rig that coasts down it is the moment of all rotating parts, with a
-/// flywheel, and counts once: not times the number of bearings.
+/// Moment per bearing. On a rig that coasts down it is the moment of all rotating parts, including
+/// a flywheel, and counts once, not per bearing.
 ///
 /// Source:   moment of a turning cylinder in a gap, C_f π ρ ω² R⁴ L with C_f ~ Re^-0.2 (Bilgen and
 ///           Boulos, turbulent): the exponent 2 - 0.2; the size is left to c.

@@ -8,7 +8,7 @@ namespace raceway::friction::contact {
 
 /// asinh(x) for x >= 0 to 1e-15 relative, without a branch or a call, so that a compiler can make
 /// several at once: log(1 + t) with t = x + x²/(1 + sqrt(1 + x²)), computed as 2 atanh(s) of the
-/// mantissa. `length` = sqrt(1 + x²).Used by slip_forces.cpp; film_traction.cpp has its own vector
+/// mantissa. `length` = sqrt(1 + x²). Used by slip_forces.cpp; film_traction.cpp has its own vector
 /// version.
 [[gnu::always_inline]] inline double area_sine(double x, double length) {
   const double t = x + x * x / (1.0 + length);

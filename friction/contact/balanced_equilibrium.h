@@ -66,9 +66,9 @@ struct BalancedEquilibrium {
 ///
 /// Domain:   as solve_bearing_equilibrium(); at standstill the attitudes change no force.
 ///           `options.race_control` and `rotations` are ignored.
-/// Accuracy: 1e-8 on the forces of each ball. Physically as good as traction at small slip: angles
-///           0.1 degrees in a full film, where traction hardly holds anything; between a film and
-///           boundary friction the pitch angle follows the asperities' share of load.
+/// Accuracy: 1e-8 on the forces of each ball. The physics is as accurate as traction at small slip:
+///           angles to 0.1 degrees in a full film, where traction is small. In mixed lubrication
+///           the pitch angle follows the asperities' share of load.
 [[nodiscard]] BalancedEquilibrium solve_balanced_equilibrium(
     const bearing::Bearing& bearing, const bearing::OperatingPoint& point, const OilState& oil,
     const ContactLaw& law, const bearing::EquilibriumOptions& options = {},
