@@ -13,14 +13,14 @@ namespace raceway::cli {
 [[nodiscard]] std::vector<double> axis(const std::string& text, const NumberRange& range,
                                        const std::string& flag);
 
-/// `--speed`, `--axial-load`, `--radial-load` and `--temperature` of a command that asks at many
+/// Flags `--speed`, `--axial-load`, `--radial-load` and `--temperature` of a command for many
 /// points.
 struct AxisFlags {
   std::string speed, axial_load, radial_load, temperature;
 
   /// Declares the flags; `speed_help` is the help text of the speed.
   void declare(CLI::App& command, const std::string& speed_help);
-  /// Values of each; none where a flag is not given.
+  /// Values of each flag; empty if a flag is not given.
   [[nodiscard]] session::AskedAxes asked() const;
 };
 

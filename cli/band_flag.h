@@ -9,7 +9,7 @@
 
 namespace raceway::cli {
 
-/// `--band` of a command: how sure its numbers are, as far as fitted parameters go.
+/// Flag `--band` of a command: uncertainty of its numbers from the fitted parameters.
 struct BandFlag {
   bool on = false;
 
@@ -20,7 +20,7 @@ struct BandFlag {
   [[nodiscard]] std::optional<model::Band> of(const files::ModelFile& file) const;
 };
 
-/// "+- 0.23" for a half width [SI] and the factor of its unit.
+/// Returns "+- 0.23" for a half width [SI] and the factor of its unit.
 [[nodiscard]] std::string band_text(double half_width, double unit = 1.0);
 
 }  // namespace raceway::cli

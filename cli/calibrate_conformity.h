@@ -10,8 +10,8 @@ struct ConformityFlags {
   bool json = false, force = false;
 };
 
-/// `raceway calibrate` without measurements: the groove conformity, which no maker prints, from the
-/// axial rigidities that it prints. Gives the exit status.
+/// Runs `raceway calibrate` without measurements: fits the groove conformity, which makers do not
+/// print, to the printed axial rigidities. Returns the exit status.
 int calibrate_conformity(const ConformityFlags& flags);
 
 }  // namespace raceway::cli

@@ -10,13 +10,14 @@
 
 namespace raceway::cli {
 
-/// Rows, noise and columns of a record, and which numbers can be fitted and effects be tested.
+/// Prints rows, noise and columns of a record, the parameters that can be fitted and the effects
+/// that can be tested.
 void print_check(const loop::Check& check, const record::Record& data);
-/// Between which rows the settings of a control hold.
+/// Prints the rows between which the settings of a control are constant.
 void print_settings_hold(record::SettingsHold hold);
-/// Clock, noise of a reading, last digits and printed transfer functions of a record over time.
+/// Prints clock, noise, last digits and transfer functions of a record over time.
 void print_check(const correction::RecordCheck& check);
-/// The numbers that a model leaves to the program, a line each.
+/// Prints the defaults used by a model, one per line.
 void print_defaults(const std::string& source, const std::vector<files::UsedDefault>& defaults);
 
 }  // namespace raceway::cli

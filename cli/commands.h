@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-/// The subcommands of `raceway`, one file each. A setup function declares the flags; what it
-/// returns runs the command after parsing and gives the exit status.
+/// Subcommands of `raceway`, one file each. A setup function declares the flags and returns the
+/// function that runs the command after parsing and gives the exit status.
 namespace raceway::cli {
 
 enum ExitStatus { done = 0, wrong_input = 1, not_converged = 2 };

@@ -8,11 +8,10 @@
 
 namespace raceway::cli {
 
-/// Errors of models in a terminal.
-/// One model against each measured channel.
+/// Prints the errors of one model against each measured channel.
 void print_comparison(const std::string& model, const std::vector<verdict::Comparison>& comparisons,
                       const record::Record& data);
-/// Several, a ladder for each channel of the first.
+/// Prints the errors of several models, one ladder for each channel of the first.
 void print_ladders(const std::vector<std::string>& models,
                    const std::vector<std::vector<verdict::Comparison>>& comparisons);
 

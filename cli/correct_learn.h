@@ -9,7 +9,7 @@
 
 namespace raceway::cli {
 
-/// `--learn`, `--every`, `--forget` and `--save` of `correct`.
+/// Flags `--learn`, `--every`, `--forget` and `--save` of `correct`.
 struct LearnFlags {
   bool learn = false;
   session::LearningChoices choices;
@@ -17,8 +17,8 @@ struct LearnFlags {
 
   /// Declares the flags.
   void declare(CLI::App& command);
-  /// Checks the flags before anything is read. Throws text::InputError: a flag without --learn, a
-  /// duration that is none, a file that cannot be written.
+  /// Checks the flags before reading files. Throws text::InputError: a flag without --learn, an
+  /// invalid duration, a file that cannot be written.
   void check(text::IfExists if_exists) const;
 };
 
@@ -30,7 +30,7 @@ struct CorrectOutput {
   text::IfExists if_exists = text::IfExists::refuse;
 };
 
-/// All of `correct --learn` behind reading its files.
+/// Runs `correct --learn` after its files are read.
 void run_learning(session::SeriesQuestion asked, const LearnFlags& flags,
                   const CorrectOutput& output);
 

@@ -24,8 +24,8 @@ struct CsvStyle {
   void check() const;
   /// Throws text::InputError where put() would.
   void require_writable(const std::string& path, text::IfExists if_exists) const;
-  /// Writes onto stdout for "-", else a file, and says "run.csv written, WHAT"; nothing for no
-  /// name.
+  /// Writes to stdout for "-", else to a file, and prints "run.csv written, WHAT". Does nothing for
+  /// an empty name.
   void put(const std::string& path, const std::string& csv, text::IfExists if_exists,
            std::string_view what) const;
 

@@ -8,12 +8,12 @@
 /// The catalogue of effects as text for a terminal.
 namespace raceway::cli {
 
-/// One line for each effect.
+/// Returns one line for each effect.
 void print_effect_list(std::span<const effects::Description> list);
-/// One line for each effect on a displacement over time.
+/// Returns one line for each effect on a displacement over time.
 void print_effect_list(std::span<const correction::EffectCard> cards);
 
-/// Everything that the catalogue knows about one effect.
+/// Returns all catalogue data of one effect.
 void print_effect_card(const effects::Description& effect);
 void print_effect_card(const correction::EffectCard& card);
 

@@ -7,18 +7,18 @@
 
 namespace raceway::cli {
 
-/// The unit of errors on a channel, for people: temperatures differ by K.
+/// Returns the unit of errors on a channel, for people: K for temperatures.
 [[nodiscard]] inline std::string error_unit(const record::Channel& channel) {
   return channel.offset == 0.0 ? std::string(channel.unit) : "K";
 }
 
-/// An error [SI] in that unit, without it.
+/// Converts an error [SI] to that unit; the text omits the unit.
 [[nodiscard]] inline std::string error_text(double error, const record::Channel& channel,
                                             int digits = 4) {
   return number(error / channel.factor, digits);
 }
 
-/// Number of channels from which they are lines of one table.
+/// Number of channels from which the errors are printed as one table.
 inline constexpr std::size_t many_channels = 3;
 
 }  // namespace raceway::cli

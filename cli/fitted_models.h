@@ -9,19 +9,19 @@
 
 namespace raceway::cli {
 
-/// Model files that a fit writes: one, or where records have values of their own one for each,
-/// FILE-RECORD.toml of FILE.toml.
+/// Model files written by a fit: one, or FILE-RECORD.toml for each record if records have values of
+/// their own.
 class FittedModels {
  public:
-  /// `output` may be empty: then nothing is written.
+  /// `output` may be empty: then no file is written.
   FittedModels(std::string output, text::IfExists if_exists)
       : output_(std::move(output)), if_exists_(if_exists) {}
 
-  /// Throws text::InputError where a file that will be written cannot be.
+  /// Throws text::InputError if an output file cannot be written.
   void require_writable(const fit::Subject& subject) const;
-  /// Writes the models that `calibration` found, and says so.
+  /// Writes the models in `calibration` and reports each file.
   void write(const session::LoopQuestion& asked, const verdict::Calibration& calibration) const;
-  /// "a.toml" or "a-monday.toml and a-friday.toml", for messages.
+  /// Names for messages: "a.toml" or "a-monday.toml and a-friday.toml".
   [[nodiscard]] std::string names(const fit::Subject& subject) const;
 
  private:

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-/// Help texts that fit the terminal, and the answer to a first argument that is no command.
+/// Help texts that fit the terminal, and the reply to a first argument that is not a command.
 namespace raceway::cli {
 
 /// Writes help with two columns, names and meanings, wrapped at the width of the terminal.
@@ -24,8 +24,8 @@ class HelpFormatter : public CLI::Formatter {
 /// Returns the commands that help, completions and man pages list, in their order there.
 [[nodiscard]] std::vector<const CLI::App*> listed_commands(const CLI::App& app);
 
-/// Returns how to start with a file that was given in the place of a command; empty if `name` is
-/// no file and does not look like one.
+/// Explains how to start with a file given instead of a command. Empty if `name` is not a file and
+/// does not look like one.
 [[nodiscard]] std::string file_as_command(std::string_view name);
 
 }  // namespace raceway::cli

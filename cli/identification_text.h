@@ -11,8 +11,8 @@
 
 namespace raceway::cli {
 
-/// Unit of a table with results of several displacements: above its columns where all have one
-/// unit, else behind each number.
+/// Unit of a table of several displacements: above its columns if they share one unit, else after
+/// each number.
 class CommonUnit {
  public:
   /// `results`: each with its `displacement`.
@@ -37,13 +37,13 @@ class CommonUnit {
 /// The line of trust.
 void print_trust(const record::Channel& displacement, const correction::Trust& trust);
 
-/// Errors that papers state in addition to RMS and fit: mean absolute, peak to peak, reduction of
-/// the largest; nothing where nothing was read.
+/// Prints errors that papers state in addition to RMS and fit: mean absolute, peak to peak,
+/// reduction of the largest. Prints nothing without readings.
 void print_more_errors(const record::Channel& displacement, const correction::Metrics& m);
 
-/// The text of an identification: lags, gains, and the error they leave.
+/// Prints the result of an identification: lags, gains and the remaining error.
 void print_identification(const correction::Identification& found, const record::Record& record);
-/// Prints a baseline that is shown and not written.
+/// Prints a baseline that is shown and not written to a file.
 void print_baseline(const record::Channel& displacement, const correction::ArxBaseline& found,
                     const record::Record& record);
 

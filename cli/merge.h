@@ -9,11 +9,11 @@
 
 namespace raceway::cli {
 
-/// Part of a table that `--slab i/N` asks for: "2/4" is the second of four. Throws
+/// Parses the part of a table in `--slab i/N`: "2/4" is the second of four. Throws
 /// text::InputError.
 [[nodiscard]] friction::TableSlab slab_of(const std::string& text);
 
-/// Joins the files that `table --slab` wrote to the table made in one go, for `table --merge`.
+/// Joins the files of `table --slab` to the table of a single run, for `table --merge`.
 void merge_slabs(const std::vector<std::string>& slabs, const std::string& output,
                  const CsvStyle& csv, text::IfExists if_exists);
 

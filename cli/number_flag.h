@@ -18,8 +18,8 @@ using text::signed_load_range;
 using text::speed_range;
 using text::temperature_range;
 
-/// A flag that takes one number of a range; `value` keeps what it has where the flag is not given.
-/// Parsing throws text::InputError for anything else.
+/// Declares a flag with one number in a range. `value` is unchanged if the flag is not given.
+/// Parsing throws text::InputError for other texts.
 CLI::Option* add_number(CLI::App& command, const std::string& flag, double& value,
                         const NumberRange& range, const std::string& help);
 

@@ -17,7 +17,7 @@ struct FlagProblem {
 [[nodiscard]] std::optional<FlagProblem> flag_problem(const CLI::App& command,
                                                       std::span<char* const> arguments);
 
-/// The required argument or flag that parsing did not find; empty where none is missing.
+/// Returns the required argument or flag that parsing did not find; empty if none is missing.
 [[nodiscard]] std::string missing_name(const CLI::App& command);
 
 }  // namespace raceway::cli

@@ -14,8 +14,8 @@ namespace raceway::cli {
 /// file size limit is an error like a full disk.
 void start_process();
 
-/// Raises a flag at the first Ctrl-C, instead of ending the process, and at the end of `seconds`,
-/// as long as it lives.
+/// Raises a flag at the first Ctrl-C, instead of ending the process, and after `seconds`, during
+/// its lifetime.
 class InterruptFlag {
  public:
   explicit InterruptFlag(double seconds);
@@ -31,14 +31,14 @@ class InterruptFlag {
   std::unique_ptr<Clock> clock_;
 };
 
-/// Writes to stderr, without terminal control characters. A failed write stops nothing.
+/// Writes to stderr, without terminal control characters. A failed write is ignored.
 void write_message(std::string_view text);
 
 /// Flushes stdout, so that a full disk or a closed pipe shows at the end. Returns the error, or an
 /// empty text.
 [[nodiscard]] std::string stdout_problem();
 
-/// Returns the same message for an error number that is known already.
+/// Returns the same message for a known error number.
 [[nodiscard]] std::string stdout_problem(int error);
 
 }  // namespace raceway::cli

@@ -8,23 +8,24 @@
 
 namespace raceway::cli {
 
-/// Ends a run before it has an answer.
+/// Exception that ends a run before it has a result.
 struct Refusal {
   std::string message;
   text::Place place = {};
 };
 
-/// The commands with their flags, and what runs them.
+/// Commands with their flags, and the functions that run them.
 class Program {
  public:
   Program();
 
   [[nodiscard]] std::string help() const { return app_.help(); }
 
-  /// The command of that name; throws Refusal if there is none.
+  /// Returns the command with this name; throws Refusal if there is none.
   [[nodiscard]] const CLI::App& command(const std::string& name) const;
 
-  /// Exit status. Throws Refusal, text::InputError and the exceptions of the libraries.
+  /// Runs the program and returns the exit status. Throws Refusal, text::InputError and the
+  /// exceptions of the libraries.
   int run(int argc, char** argv);
 
  private:

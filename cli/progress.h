@@ -7,13 +7,12 @@
 
 namespace raceway::cli {
 
-/// `[####......]  42 %  12 s left  step` in at most `width` characters; `elapsed` [s] says how fast
-/// it goes.
+/// Returns `[####......]  42 %  12 s left  step` in at most `width` characters. `elapsed` [s] gives
+/// the rate.
 [[nodiscard]] std::string progress_line(double share, double elapsed, std::string_view step,
                                         std::size_t width);
 
-/// A bar on stderr while long work is going on, and nothing left of it afterwards. To be made only
-/// where shows_progress().
+/// Progress bar on stderr during long work, removed at the end. Create it only if shows_progress().
 class Progress {
  public:
   Progress();
@@ -21,7 +20,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// The share that is done, 1 where nothing is left to do, files among it.
+  /// Share of the work done; 1 when all work, including files, is done.
   void show(double share, std::string_view step = {});
 
  private:

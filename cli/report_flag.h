@@ -9,16 +9,16 @@
 
 namespace raceway::cli {
 
-/// `--report page.html` of a command: results as one page that opens in a browser.
+/// Flag `--report page.html` of a command: results as one page for a browser.
 struct ReportFlag {
   std::string path;
 
   /// Declares the flag.
   void declare(CLI::App& command);
-  /// Refuses what could not be written, before the long calculation.
+  /// Throws if the page cannot be written, before the long calculation.
   void check(text::IfExists if_exists) const;
   void check(bool replace) const { check(on_existing(replace)); }
-  /// Writes the page, if one was asked for, and says so.
+  /// Writes the page if it was requested, and reports it.
   void write(const std::function<std::string()>& page, text::IfExists if_exists) const;
   void write(const std::function<std::string()>& page, bool replace) const {
     write(page, on_existing(replace));

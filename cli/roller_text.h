@@ -6,8 +6,8 @@
 
 namespace raceway::cli {
 
-/// A cylindrical roller bearing at one operating point in a terminal: rollers, stiffness,
-/// pressures, friction, life.
+/// Prints a cylindrical roller bearing at one operating point: rollers, stiffness, pressures,
+/// friction, life.
 void print_roller_state(const model::Model& model, const bearing::OperatingPoint& point,
                         const session::PointAnswer& answer);
 

@@ -4,7 +4,7 @@
 
 namespace raceway::cli {
 
-/// Prints the data of the model in order of influence; `all`: also data of little influence.
+/// Prints the data of the model in order of influence; `all` includes data of little influence.
 void print_sensitivity(const results::Sensitivity& sensitivity, bool all);
 
 }  // namespace raceway::cli

@@ -7,7 +7,8 @@
 
 namespace raceway::cli {
 
-/// `raceway solve` for a model with an arrangement; gives the exit status. `band` may be null.
+/// Runs `raceway solve` for a model with an arrangement; returns the exit status. `band` may be
+/// null.
 [[nodiscard]] int solve_shaft(const std::string& file, const model::Model& model,
                               const shaft::ShaftPoint& point, bool json, const model::Band* band);
 

@@ -7,15 +7,15 @@
 #include "session/reading.h"
 #include "text/output_file.h"
 
-/// Flags that several commands have, each declared once.
+/// Flags of several commands, each declared once.
 namespace raceway::cli {
 
-/// Behaviour for a file that exists, by --force.
+/// Behaviour for an existing file, set by --force.
 [[nodiscard]] inline text::IfExists on_existing(bool force) {
   return force ? text::IfExists::replace : text::IfExists::refuse;
 }
 
-/// Throws text::InputError where the JSON document and a file would both go to stdout.
+/// Throws text::InputError if the JSON document and a file would both go to stdout.
 void refuse_two_on_stdout(const std::string& command, bool json, const std::string& output);
 
 /// `--columns map.toml` and `--drop-nan` of a command that reads measurements.
@@ -27,7 +27,7 @@ void declare_beside(CLI::App& command, session::Reading& reading);
 /// `--from 20h` and `--until 24h` of a command on records over time.
 void declare(CLI::App& command, session::Period& period);
 
-/// `--channel COLUMN`, which was called `--displacement`.
+/// Flag `--channel COLUMN`, formerly `--displacement`.
 void declare_channel(CLI::App& command, std::string& channel);
 
 /// Flags of every command of the loop: the flags above and `--per-record f0,z`.

@@ -12,15 +12,15 @@
 
 namespace raceway::cli {
 
-/// A bearing at one operating point in a terminal: balls, stiffness, pressures, friction, life.
+/// Prints a bearing at one operating point: balls, stiffness, pressures, friction, life.
 void print_state(const model::Model& model, const bearing::OperatingPoint& point,
                  const session::PointAnswer& answer);
-/// Friction torque with its parts; the heat of the rings stands next to the first two.
+/// Prints the friction torque with its parts, and the heat of the rings next to the first two.
 void print_torque(const model::Model& model, const model::FrictionPrediction& friction,
                   const friction::HeatSplit& heat);
 
-/// Life, static safety and the frequencies of cage and outer race at a speed [rad/s]; `element`:
-/// "ball", "roller".
+/// Prints life, static safety and the frequencies of cage and outer race at a speed [rad/s];
+/// `element`: "ball", "roller".
 void print_life(const model::BearingLife& life, const bearing::BearingFrequencies& turns,
                 double speed, std::string_view element);
 

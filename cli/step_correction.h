@@ -10,20 +10,20 @@
 
 namespace raceway::cli {
 
-/// `--correction FILE`, `--law`, `--lags` and `--programme`: the correction of step responses, and
-/// how it compares with the whole simulation.
+/// Flags `--correction FILE`, `--law`, `--lags` and `--programme`: the correction from step
+/// responses, and its comparison with the full simulation.
 struct StepCorrectionFlags {
   std::string file, programme, law = "curve", lags = "auto";
 
   void declare(CLI::App& command);
-  /// Throws text::InputError for flags that do not go together; `has_model`: of the command.
+  /// Throws text::InputError for flags that exclude each other; `has_model`: of the command.
   void check(bool has_model) const;
-  /// Throws text::InputError where write() would.
+  /// Throws text::InputError if write() would.
   void require_writable(text::IfExists if_exists,
                         const std::vector<std::string>& load_channels) const;
-  /// Writes the model and its tables, if one was asked for.
+  /// Writes the model and its tables, if requested.
   void write(const session::SpindleSteps& steps, bool replace) const;
-  /// The written correction against the simulation over the programme, if there is one.
+  /// Compares the written correction with the simulation over the programme, if there is one.
   [[nodiscard]] std::optional<results::Superposition> superposition(
       const session::SpindleSteps& steps) const;
 };

@@ -4,7 +4,7 @@
 
 namespace raceway::cli {
 
-/// Step responses, one row each, and their laws, for a terminal.
+/// Prints step responses, one row each, and their laws.
 void print_steps(const session::SpindleSteps& steps);
 
 }  // namespace raceway::cli

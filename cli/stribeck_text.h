@@ -5,7 +5,7 @@
 
 namespace raceway::cli {
 
-/// A Stribeck table in a terminal: speed down, axial load across, a block for each radial load and
+/// Prints a Stribeck table: speed down, axial load across, a block for each radial load and
 /// temperature.
 void print_table(const model::Model& model, const friction::StribeckTable& table);
 

@@ -16,7 +16,7 @@ class TextTable {
     std::string name;
     std::string unit;
     bool left = false;   ///< left-aligned, for words
-    bool wraps = false;  ///< of the last column: its words fill the remaining width
+    bool wraps = false;  ///< for the last column: its words fill the remaining width
   };
   explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
@@ -24,14 +24,14 @@ class TextTable {
 
  private:
   [[nodiscard]] std::vector<std::size_t> widths() const;
-  /// The last column broken into lines that fit `width`, each in a row of its own.
+  /// Breaks the last column into lines that fit `width`, each in a separate row.
   [[nodiscard]] TextTable wrapped(std::size_t width) const;
 
   std::vector<Column> columns_;
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// Words in lines of at most `width` characters, longer only where a word is.
+/// Breaks text into lines of at most `width` characters; only a longer word exceeds it.
 [[nodiscard]] std::vector<std::string> filled(std::string_view words, std::size_t width);
 
 using text::number;

@@ -17,9 +17,8 @@ namespace raceway::effects {
 /// Source:   [SKFGeneral, p. 91-101]: K = 3e-8 for an oil bath of low level or an oil jet, 6e-8 for
 ///           grease and oil-air.
 ///           K_Z is of their single row angular contact bearings, see friction/skf.h.
-/// Domain:   speed >= 0. Not in an oil bath, taken as one that floods the contacts; a bath of so
-/// low
-///           a level that it starves is to be entered as a jet, which has the same K.
+/// Domain:   speed >= 0. Not for an oil bath, which is assumed to flood the contacts. Enter a
+///           starved bath of low level as a jet, which has the same K.
 struct ReplenishmentStarvation {
   static constexpr std::string_view id = "replenishment-starvation";
   static constexpr std::string_view title = "starvation: lubricant flows back too slowly";

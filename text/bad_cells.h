@@ -10,14 +10,14 @@
 
 namespace raceway::text {
 
-/// Collects errors in cells; one message lists all, the first ten in full, by line.
+/// Collects errors in cells. One message lists all by line, the first ten in full.
 class BadCells {
  public:
-  /// `rows` is the number of rows that the message speaks of.
+  /// `rows` is the number of rows in the message.
   BadCells(std::string source, std::size_t rows) : source_(std::move(source)), rows_(rows) {}
 
   void add(int line, std::string_view column, std::string_view cell, std::string_view problem);
-  /// Throws InputError if there is one.
+  /// Throws InputError if there is an error.
   void throw_if_any() const;
 
  private:
@@ -45,7 +45,7 @@ struct CellRange {
   return {channel.name, channel.lower, channel.upper, channel.unit};
 }
 
-/// Reads a cell in the unit of its column; text that is no number, or outside of the range, goes to
+/// Reads a cell in the unit of its column. Adds text that is not a number, or out of range, to
 /// `bad`.
 [[nodiscard]] ParsedNumber read_cell(const CsvTable& table, std::size_t row, std::size_t column,
                                      const CellRange& range, BadCells& bad);

@@ -12,53 +12,52 @@
 
 namespace raceway::text {
 
-/// Position of the header in a file that has more than a header and rows.
+/// Position of the header in a file with lines other than header and rows.
 struct CsvForm {
-  int header_line = 0;    ///< counted from 1; what stands above is skipped. 0: the first line
+  int header_line = 0;    ///< counted from 1; lines above are skipped. 0: the first line
   int unit_line = 0;      ///< a row of units below the header; 0: none
   char separator = '\0';  ///< '\0': as found in the header
 };
 
-/// A number, or why a cell is none.
+/// A number, or the reason why a cell is not a number.
 struct ParsedNumber {
   double value;              ///< NaN unless `problem` is empty
-  char decimal_mark = '\0';  ///< '.' or ',' where there was one
+  char decimal_mark = '\0';  ///< '.' or ',' if present
   std::string_view problem;  ///< "is not a number", ...: to be put after the cell's text
 };
 
-/// Which mark of a file is which, as its cells tell.
+/// Decimal and thousands marks of a file, as found in its cells.
 struct DecimalMarks {
-  char decimal = '\0';    ///< that was stated; '\0': not stated
+  char decimal = '\0';    ///< as stated; '\0': not stated
   char thousands = '\0';  ///< between groups of three digits; '\0': none
-  char asked = '\0';      ///< a mark that may be either
+  char asked = '\0';      ///< an ambiguous mark
 };
 
-/// A column of a table that is no file.
+/// A column of a table that does not come from a file.
 struct DataColumn {
   std::string name;
-  std::vector<double> numbers{};  ///< NaN where there is none; empty of texts
+  std::vector<double> numbers{};  ///< NaN where missing; empty for texts
   std::vector<std::string> texts{};
 };
 
-/// Finds it in a text of UTF-8.
+/// Finds the form in UTF-8 text.
 using FormFinder = std::function<CsvForm(std::string_view)>;
 
-/// A delimited text file as it stands: names of columns and cells of text, with their lines.
+/// Contents of a delimited text file: names of columns and text cells, with their lines.
 ///
 /// Separator: comma, semicolon or tab, as found in the header. Lines that begin with `#` are
 /// comments; the last one above the data is the header where its cells fit the first row, and below
-/// the header a line whose cells fit is a row ("#N/A,20,0.1"). Blank lines and rows of empty cells
-/// are skipped, as are the header where it stands again and words behind the last row. A cell may
-/// be quoted ("a ""b"""), not broken over lines. A unit behind every number of a column ("12.3 °C")
-/// is the unit of the column, in files of others. Blanks around cells are dropped, and an
-/// apostrophe in front of =, +, - or @, with which cells are kept from being formulas
-/// (text/detail/csv_text.h). Memory: the text plus 16 bytes per cell.
+/// the header a line whose cells fit is a row ("#N/A,20,0.1"). Blank lines, rows of empty cells,
+/// repeated headers and words after the last row are skipped. A cell may be quoted ("a ""b"""), not
+/// broken over lines. In files of other programs, a unit after every number of a column ("12.3 °C")
+/// is the unit of the column. Blanks around cells are dropped, as is an apostrophe before =, +, -
+/// or @ that prevents a formula (text/detail/csv_text.h). Memory: the text plus 16 bytes per cell.
 class CsvTable {
  public:
   std::string source;                 ///< file name, for messages
-  std::vector<std::string> comments;  ///< as they stand, wherever they stood
+  std::vector<std::string> comments;  ///< unchanged, from anywhere in the file
   std::vector<std::string> header;
-  std::vector<std::string> units;  ///< of the row of units, empty without
+  std::vector<std::string> units;  ///< from the row of units; empty without one
   int header_line = 0;             ///< counted from 1
   char separator = ',';
   bool byte_order_mark = false;
@@ -67,7 +66,7 @@ class CsvTable {
 
   [[nodiscard]] std::size_t rows() const { return lines_.size(); }
   [[nodiscard]] int line(std::size_t row) const { return lines_[row]; }
-  /// Only for a column of text: is_numeric() is false.
+  /// Returns a cell of a text column, where is_numeric() is false.
   [[nodiscard]] std::string_view cell(std::size_t row, std::size_t column) const {
     if (!columns_.empty()) return columns_[column].texts[row];
     const Cell& c = cells_[row * header.size() + column];
@@ -77,23 +76,24 @@ class CsvTable {
   [[nodiscard]] bool is_numeric(std::size_t column) const {
     return !columns_.empty() && columns_[column].texts.empty();
   }
-  /// A cell as messages and names have it, whatever the column came as; empty for no number.
+  /// Returns a cell as text for messages and names, for any type of column; empty if there is no
+  /// number.
   [[nodiscard]] std::string shown(std::size_t row, std::size_t column) const;
   [[nodiscard]] bool is_empty(std::size_t row, std::size_t column) const;
-  /// The number in a cell, or why there is none. Throws InputError for a cell that can be read in
-  /// two ways, as 1.200 next to 600.
+  /// Returns the number in a cell, or the reason why there is none. Throws InputError for an
+  /// ambiguous cell, as 1.200 next to 600.
   [[nodiscard]] ParsedNumber parsed(std::size_t row, std::size_t column) const;
   [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const;
-  /// Error in the header, in that column.
+  /// Place of an error in the header of this column.
   [[nodiscard]] Place header_place(std::string_view name = {}) const {
     return {.file = source, .line = header_line, .key = std::string(name)};
   }
-  /// The number in a cell; throws InputError with line and column for anything else.
+  /// Returns the number in a cell. Throws InputError with line and column for anything else.
   [[nodiscard]] double number(std::size_t row, std::size_t column) const;
-  /// Settles whether points or commas are decimal marks; the other one separates thousands. Without
-  /// this call it is found in the cells, and number() and parsed() ask where they do not tell.
+  /// Sets the decimal mark to point or comma; the other one separates thousands. Without this call
+  /// the cells decide, and number() and parsed() throw if they are ambiguous.
   void set_decimal_mark(char mark);
-  /// Leaves out rows; one answer for each.
+  /// Removes rows; `remove` has one value per row.
   void remove_rows(const std::vector<bool>& remove);
 
  private:
@@ -106,7 +106,7 @@ class CsvTable {
   friend CsvTable table_of_columns(std::string source, std::vector<DataColumn> columns);
   [[nodiscard]] ParsedNumber parsed_text(std::size_t row, std::size_t column,
                                          std::string_view text) const;
-  /// "12.3 °C" in all cells of a column becomes 12.3, and C the unit of the column.
+  /// Converts "12.3 °C" in all cells of a column to 12.3, and C to the unit of the column.
   void take_units_out_of_cells();
   std::string text_;
   std::vector<Cell> cells_;          // row by row
@@ -115,7 +115,7 @@ class CsvTable {
   DecimalMarks marks_;
 };
 
-/// A table of columns that are numbers or texts. Rows are counted as lines of a CSV with one line
+/// Makes a table of columns of numbers or texts. Rows are counted as lines of a CSV with one line
 /// of names. Throws InputError: no columns, no rows, columns of different lengths, a column twice
 /// or without name, a control character.
 [[nodiscard]] CsvTable table_of_columns(std::string source, std::vector<DataColumn> columns);
@@ -125,13 +125,13 @@ class CsvTable {
 /// another separator in a row than in the header.
 [[nodiscard]] CsvTable read_csv(const std::string& path, const FormFinder& find_form = {});
 
-/// As above, from text; `source` stands in messages.
+/// As above, from text; `source` is the name in messages.
 [[nodiscard]] CsvTable parse_csv(std::string text, const std::string& source,
                                  bool byte_order_mark = false, const FormFinder& find_form = {});
 
-/// Reads a whole cell as a number, whatever the locale. Nothing may follow or be left out: no
-/// blanks, no thousands separators, no hexadecimal, "nan" or "inf". A comma is a decimal mark only
-/// where `decimal_comma` allows it.
+/// Reads a whole cell as a number, in any locale. Nothing may follow or be left out: no blanks, no
+/// thousands separators, no hexadecimal, "nan" or "inf". A comma is a decimal mark only where
+/// `decimal_comma` allows it.
 [[nodiscard]] ParsedNumber parse_number(std::string_view cell, bool decimal_comma);
 
 /// True if the points of these numbers can separate thousands: each number with a point has groups

@@ -8,14 +8,14 @@
 
 namespace raceway::text {
 
-/// Looks for the header of a file of measurements among its first lines: the first line with a name
-/// that is `known`, else the line above the first row of numbers, if it has as many cells. A line
-/// of units alone, below it, is its row of units.
+/// Finds the header of a measurement file in its first lines: the first line with a name that is
+/// `known`, else the line above the first row of numbers, if it has as many cells. A line of units
+/// alone, below it, is its row of units.
 [[nodiscard]] CsvForm find_form(std::string_view text,
                                 const std::function<bool(std::string_view)>& known);
 
-/// The separator of a comment that is the header of the row below it: as many cells, all of them
-/// names, above a row of which half is readings. Nothing where it is no header.
+/// Returns the separator of a comment that is the header of the row below it: as many cells, all of
+/// them names, above a row with at least half readings. Nothing if it is not a header.
 [[nodiscard]] std::optional<char> separator_of_commented_header(std::string_view comment,
                                                                 std::string_view row);
 

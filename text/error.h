@@ -10,9 +10,9 @@ namespace raceway::text {
 
 using record::Place;
 
-/// An error in the user's input. The message is complete and meant to be shown as it stands:
-/// `FILE:LINE: key or column = value: what is wrong or allowed range`. It may have several lines;
-/// the place is then the place of the first.
+/// An error in the user's input. The message is complete and can be shown unchanged: `FILE:LINE:
+/// key or column = value: what is wrong or allowed range`. If it has several lines, the place
+/// belongs to the first one.
 struct InputError : std::runtime_error {
   explicit InputError(const std::string& message, Place where = {})
       : std::runtime_error(message), place(std::move(where)) {}

@@ -6,8 +6,8 @@
 
 namespace raceway::text {
 
-/// The head of a LabVIEW measurement file (LVM), which has the time of the first row and the step
-/// in the place of a column of times.
+/// Header of a LabVIEW measurement file (LVM), with the time of the first row and the time step
+/// instead of a time column.
 ///
 /// Source: NI, "Specification for the LabVIEW Measurement File (.lvm)", version 2: `X0`, `Delta_X`,
 /// `Decimal_Separator` and `X_Columns` (One, Multi, No). Not seen in print.
@@ -15,9 +15,9 @@ class LabviewHead {
  public:
   static constexpr std::string_view column = "X_Value";
 
-  /// Takes a line above the header.
+  /// Reads a line above the header.
   void take(std::string_view line);
-  /// The time of a row, as the file would have it; nothing where the head does not tell.
+  /// Returns the time of a row as text of the file; nothing if the head does not state it.
   [[nodiscard]] std::optional<std::string> time_of(std::size_t row) const;
 
  private:

@@ -4,8 +4,8 @@
 
 namespace raceway::text {
 
-/// Texts that instruments and spreadsheets write where there is no number: nothing, "nan", "#N/A",
-/// "-", "OVER", "1.#QNAN", "Bad Input", ...
+/// True for texts that instruments and spreadsheets write for a missing number: nothing, "nan",
+/// "#N/A", "-", "OVER", "1.#QNAN", "Bad Input", ...
 [[nodiscard]] bool is_missing(std::string_view cell);
 
 }  // namespace raceway::text

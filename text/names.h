@@ -14,22 +14,22 @@ using record::edit_distance;
 /// Removes blanks at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
-/// Letters of ASCII as small ones.
+/// Converts ASCII letters to lower case.
 [[nodiscard]] std::string lower_case(std::string_view text);
 
-/// The known name that was probably meant: within two changes (one in names of up to four letters),
-/// or `name` is a known name without its unit ("speed") or its first word ("load_N").
+/// Returns the known name that was probably meant: within two changes (one in names of up to four
+/// letters), or `name` is a known name without its unit ("speed") or its first word ("load_N").
 [[nodiscard]] std::optional<std::string> nearest_name(std::string_view name,
                                                       std::span<const std::string> known);
 
-/// Text in the form of TOML: "..." with quotes and backslashes written as \" and \\.
+/// Quotes text for TOML: "..." with quotes and backslashes written as \" and \\.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-/// "a, b and c", `last_word` being the word before the last.
+/// Returns "a, b and c"; `last_word` is the word before the last name.
 [[nodiscard]] std::string listed(std::span<const std::string> names,
                                  std::string_view last_word = "and");
 
-/// "; did you mean X?" for the nearest name, empty where there is none.
+/// Returns "; did you mean X?" for the nearest name; empty if there is none.
 [[nodiscard]] std::string suggestion(std::string_view name, std::span<const std::string> known);
 
 }  // namespace raceway::text

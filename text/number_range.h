@@ -5,7 +5,7 @@
 
 namespace raceway::text {
 
-/// Allowed range of a number that a person enters, both ends included, in the unit of its name.
+/// Allowed range of a number entered by a user, both ends included, in the unit of its name.
 struct NumberRange {
   double lower, upper;
   std::string_view unit;
@@ -19,7 +19,7 @@ inline constexpr NumberRange signed_load_range{-1e8, 1e8, "N"};
 inline constexpr NumberRange temperature_range{-100.0, 400.0, "C"};
 inline constexpr NumberRange moment_range{-1e9, 1e9, "N mm"};
 
-/// "must be from 0 to 1000000 rpm"
+/// Returns "must be from 0 to 1000000 rpm".
 [[nodiscard]] std::string range_text(const NumberRange& range);
 
 /// Throws InputError that names the number, its value and the range.

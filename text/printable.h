@@ -4,14 +4,15 @@
 #include <string>
 #include <string_view>
 
-/// Control characters: a terminal obeys them, and a line break in a name breaks the file that it is
-/// written into.
+/// Control characters. A terminal obeys them, and a line break in a name breaks the file that
+/// contains the name.
 namespace raceway::text {
 
-/// The first one but a tab as "U+001B", of UTF-8 text; none where there is none.
+/// Returns the first control character except tab in UTF-8 text as "U+001B"; nothing if there is
+/// none.
 [[nodiscard]] std::optional<std::string> control_character(std::string_view text);
 
-/// The text with each of them written as "\x1b", but those that are `kept`.
+/// Returns the text with each control character written as "\x1b", except those in `kept`.
 [[nodiscard]] std::string printable(std::string_view text, std::string_view kept = {});
 
 }  // namespace raceway::text

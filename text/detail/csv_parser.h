@@ -17,11 +17,11 @@ class CsvParser {
  public:
   using TakeRow = std::function<void(std::span<const CellSpan> cells, int line)>;
 
-  /// Tables of this program have columns of units of their own; files of others may have one behind
-  /// each value.
+  /// Origin of a table. Tables of this program have separate columns of units; other files may have
+  /// one after each value.
   enum class Origin { this_program, others };
 
-  /// `text` is changed in place, and may be appended to.
+  /// `text` is changed in place and may be appended to.
   CsvParser(CsvTable& table, std::string& text, const CsvForm& form, Origin origin,
             TakeRow take_row)
       : table_(table),
@@ -33,7 +33,7 @@ class CsvParser {
 
   /// Throws InputError as read_csv().
   void run();
-  /// Adds notes on lines that were skipped above, between and behind the rows.
+  /// Adds notes on lines skipped above, between and below the rows.
   void add_notes();
 
  private:
@@ -75,22 +75,22 @@ class CsvParser {
 
   CsvTable& table_;
   std::string& text_;
-  const std::size_t end_;  ///< of what the file has
+  const std::size_t end_;  ///< end of the file's own text
   const CsvForm form_;
   const Origin origin_;
   TakeRow give_row_;
 
   std::size_t at_ = 0;         ///< where the next line begins
-  int line_ = 0;               ///< number of the last one
-  Line comment_;               ///< the last one, behind its blanks
+  int line_ = 0;               ///< number of the last line
+  Line comment_;               ///< the last comment, without leading blanks
   std::vector<bool> is_unit_;  ///< by column of the file: the unit of the column before it
-  std::vector<Row> held_;      ///< rows that are a footer where no other row comes behind them
+  std::vector<Row> held_;      ///< rows that are a footer if no other row follows
   LabviewHead labview_;
-  std::size_t empty_ends_ = 0;  ///< separators behind the last name
+  std::size_t empty_ends_ = 0;  ///< separators after the last name
   std::size_t titles_ = 0, empty_rows_ = 0, headers_again_ = 0, rows_ = 0;
-  int footer_ = 0;  ///< line of the first one
+  int footer_ = 0;  ///< line of the first footer row
   std::size_t footers_ = 0, lines_between_ = 0;
-  bool behind_header_ = false;        ///< that stood again
+  bool behind_header_ = false;        ///< after a repeated header
   std::vector<CellSpan> cells_;       ///< of the current line
   bool begins_with_reading_ = false;  ///< the first row does
 };

@@ -9,17 +9,17 @@ namespace raceway::text {
 
 inline constexpr std::string_view model_mark = "#|";
 
-/// `# model:` and the text of a model as comments, each line behind `#| `.
+/// Appends `# model:` and the text of a model as comments, each line after `#| `.
 void append_model(fmt::memory_buffer& out, std::string_view model_text);
 
-/// Text as a cell of RFC 4180. No spreadsheet takes it for a formula: behind an apostrophe where it
-/// begins as one, or as one behind apostrophes. Control characters are written out.
+/// Appends text as a cell of RFC 4180. An apostrophe precedes text that a spreadsheet would take
+/// for a formula, also after other apostrophes. Control characters are written as escapes.
 void append_text(fmt::memory_buffer& out, std::string_view text);
 
-/// The text that append_text() put behind an apostrophe, as readers of CSV take it.
+/// Removes the apostrophe that append_text() wrote, for readers of CSV.
 [[nodiscard]] std::string_view without_guard(std::string_view cell);
 
-/// Appends a value with 12 digits; nothing for a value that is not finite.
+/// Appends a value with 12 digits; nothing if it is not finite.
 void append_value(fmt::memory_buffer& out, double value);
 
 }  // namespace raceway::text

@@ -7,7 +7,7 @@
 
 #include "record/note.h"
 
-/// The one writer of numbers as JSON; shared by the writers of results and pages.
+/// Writer of numbers as JSON; shared by the writers of results and pages.
 namespace raceway::text {
 
 using json = nlohmann::ordered_json;
@@ -17,11 +17,11 @@ using json = nlohmann::ordered_json;
 /// names) are replaced.
 [[nodiscard]] std::string text(const json& document);
 
-/// Puts the texts of notes at `key`, as people read them, and each note with its kind, code and
-/// place at the end of the member `said`, for programs.
+/// Writes the texts of notes for people at `key`. Adds each note with its kind, code and place to
+/// the end of the member `said`, for programs.
 void put_notes(json& document, std::string_view key, const std::vector<record::Note>& notes);
 
-/// Text of a value on one line, without a line end.
+/// Returns a value on one line, without a line end.
 [[nodiscard]] std::string line_text(const json& value);
 
 }  // namespace raceway::text

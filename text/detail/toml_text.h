@@ -8,8 +8,8 @@ namespace {
 [[noreturn]] void fail_in_parser() { throw std::logic_error("toml++ stopped"); }
 }  // namespace
 
-// toml++ 3.3 asserts where some malformed texts, such as `[ = 1`, should be errors: make them
-// errors in every build. The other headers are included before, so none of them sees these macros.
+// toml++ 3.3 asserts on some malformed texts, such as `[ = 1`. These macros make them errors in
+// every build. The other headers are included before, so the macros do not affect them.
 #undef NDEBUG
 #define TOML_ASSERT(condition) ((condition) ? void() : fail_in_parser())
 #include <toml++/toml.h>
@@ -19,17 +19,17 @@ namespace raceway::text {
 
 inline constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
 
-/// Tables of a file without the number of its format. Throws InputError with `source`, line and,
-/// where known, column.
+/// Returns the tables of a file without its format number. Throws InputError with `source`, line
+/// and, where known, column.
 [[nodiscard]] toml::table parse_toml(std::string_view text, std::string_view source);
 
-/// Byte at which a line begins; lines count from 1.
+/// Byte offset of the start of a line; lines count from 1.
 [[nodiscard]] std::size_t line_start(std::string_view text, std::size_t line);
-/// Byte of a place that toml++ gives as line and column, which counts code points. A mark of UTF-8
-/// at the beginning is no column.
+/// Byte offset of a place that toml++ gives as line and column, which counts code points. A UTF-8
+/// byte order mark does not count as a column.
 [[nodiscard]] std::size_t byte_of(std::string_view text, const toml::source_position& place);
 
-/// A value as the user wrote it, near enough.
+/// Approximate text of a value as the user wrote it.
 [[nodiscard]] std::string shown(const toml::node& node);
 
 }  // namespace raceway::text
