@@ -25,8 +25,7 @@ enum class Side { front, rear };
 /// One bearing of a set.
 struct MountedBearing {
   std::shared_ptr<const Bearing> bearing;
-  /// Additional compression of this bearing beyond the compression of its set, from its ground
-  /// faces [m].
+  /// Compression of this bearing in addition to that of its set, from its ground faces [m].
   double offset = 0.0;
   [[nodiscard]] bool operator==(const MountedBearing&) const = default;
 };
@@ -49,7 +48,7 @@ using Preload = std::variant<PreloadForce, PreloadOffset>;
 struct ArrangementDesign {
   Layout layout = Layout::back_to_back;
   std::vector<MountedBearing> front = {};
-  std::vector<MountedBearing> rear = {};  ///< none in tandem
+  std::vector<MountedBearing> rear = {};  ///< empty in tandem
   Mounting mounting = Mounting::rigid;
   Preload preload = {};
   double spring_rate = 0.0;  ///< rate of a spring mounting [N/m]; 0: constant force
@@ -66,8 +65,8 @@ struct ArrangementDesign {
   [[nodiscard]] bool operator==(const ArrangementDesign&) const = default;
 };
 
-/// Sets of bearings on a shaft, preloaded at standstill. Immutable; making one costs a solve at
-/// rest without ball unknowns, copying shares the bearings.
+/// Sets of bearings on a shaft, preloaded at standstill. Immutable; construction costs a solve at
+/// rest without ball unknowns; copies share the bearings.
 ///
 /// x is the shaft's axial position at the front set, positive towards the tool, zero as mounted: at
 /// standstill, at the mounting temperature, without external load. With d = 1 (X: -1) the inner
@@ -78,15 +77,15 @@ struct ArrangementDesign {
 ///           F_r = F_0 + k (d (x - e) - (δ_r - δ_r0))   spring, 1/k = 1/rate + c
 ///
 /// counted from where the balls of a bearing just touch at their nominal contact angle; e is the
-/// elongation of the shaft beyond the housing between the sets. In tandem the spring itself stands
-/// in the place of the rear set.
+/// elongation of the shaft beyond the housing between the sets. In tandem the spring replaces the
+/// rear set.
 class Arrangement {
  public:
   /// Throws std::invalid_argument: name, value with unit, allowed range.
   explicit Arrangement(ArrangementDesign design);
 
   [[nodiscard]] const ArrangementDesign& design() const { return design_; }
-  /// Front set first, from the tool to the rear.
+  /// Bearings from the tool to the rear, front set first.
   [[nodiscard]] std::span<const MountedBearing> bearings() const { return bearings_; }
   [[nodiscard]] std::size_t front_count() const { return design_.front.size(); }
   [[nodiscard]] Side side(std::size_t bearing) const {
@@ -126,24 +125,24 @@ class Arrangement {
 /// Source: geometry of the mounted state; F ~ δ^1.5 gives 2.83 preloads for a pair [SNFA, p. 33].
 struct LiftOff {
   double front = unset;  ///< the front set comes free; positive towards the tool
-  /// The rear set; NaN where a spring follows it, for ever or until the front set has long got
-  /// dents.
+  /// The rear set comes free. NaN if a spring keeps it loaded, or if the front set would be dented
+  /// long before.
   double rear = unset;
 };
 
 [[nodiscard]] LiftOff lift_off(const Arrangement& arrangement);
 
-/// Axial force of one bearing at standstill whose inner ring is displaced by `displacement` from
-/// the no-load position, the ball between them as two springs in series [N].
+/// Axial force of one bearing at standstill when the inner ring is displaced by `displacement` from
+/// the no-load position [N]. The ball acts as two springs in series.
 [[nodiscard]] double axial_force_at_rest(const Bearing& bearing, double displacement);
 
-/// Its inverse [m], for force >= 0.
+/// Inverse of axial force [m], for force >= 0.
 [[nodiscard]] double displacement_at_rest(const Bearing& bearing, double force);
 
-/// Gap that is ground into bearings whose faces are flush under a preload class: the displacement
-/// of one front bearing and one rear bearing under the force printed for a pair. Sets of such
-/// universally matched bearings have another preload than the pair: 1.35 times for two against
-/// one, 2 times for two against two [SNFA, p. 31].
+/// Gap ground into bearings with flush faces under a preload class: the displacement of one front
+/// bearing and one rear bearing under the force printed for a pair. Sets of universally matched
+/// bearings have a different preload than the pair: 1.35 times for two against one, 2 times for two
+/// against two [SNFA, p. 31].
 [[nodiscard]] PreloadOffset matched_preload(const Bearing& front, double front_force,
                                             const Bearing& rear, double rear_force);
 

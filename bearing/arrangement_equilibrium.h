@@ -23,7 +23,7 @@ struct ArrangementCondition {
   double speed = 0.0;          ///< [rad/s], >= 0
   double external_load = 0.0;  ///< axial, on the shaft, positive towards the tool [N]
   double elongation = 0.0;     ///< e: of the shaft beyond the housing, between the sets [m]
-  /// One for each bearing, the front set first; none means that nothing has moved.
+  /// One per bearing, front set first. Empty: no shift.
   std::vector<RingShift> shifts = {};
   [[nodiscard]] bool operator==(const ArrangementCondition&) const = default;
 };
@@ -41,8 +41,8 @@ struct SetTemperatures {
 ///   lengths λ_r (T - T0) f D - λ_b (T_b - T0) D/2
 ///   axial   λ_r ((T_i + T_o)/2 - T0) B D sin α0
 ///
-/// so that one temperature of everything only scales a bearing of one material.
-/// Source: derived. Fits and the stiffness of shaft and housing are left out.
+/// so a uniform temperature only scales a bearing of one material. Source: derived. Fits and the
+/// stiffness of shaft and housing are left out.
 [[nodiscard]] RingShift thermal_shift(const Bearing& bearing, const SetTemperatures& temperatures,
                                       double mounting_temperature);
 
@@ -52,13 +52,13 @@ struct SetTemperatures {
 void add_expansion(const Arrangement& arrangement, const SetTemperatures& temperatures,
                    ArrangementCondition& condition);
 
-/// One bearing in balance within its set. All its balls are alike.
+/// One bearing in equilibrium within its set. All its balls are alike.
 struct BearingInSet {
-  double axial_load = unset;    ///< F_i, what it carries [N], >= 0
-  double displacement = unset;  ///< δ_i, how far it is pressed, its offset and shift included [m]
-  double axial_stiffness = unset;                     ///< [N/m]
-  BallEquilibrium ball;                               ///< at azimuth 0
-  std::optional<GivenRotation> rotation;              ///< of the balls, where that was given
+  double axial_load = unset;              ///< F_i, its share [N], >= 0
+  double displacement = unset;            ///< δ_i, compression, with offset and shift [m]
+  double axial_stiffness = unset;         ///< [N/m]
+  BallEquilibrium ball;                   ///< at azimuth 0
+  std::optional<GivenRotation> rotation;  ///< of the balls, where that was given
   double inner_pressure = 0.0, outer_pressure = 0.0;  ///< largest in the contacts [Pa]
   /// Least axial load, see minimum_load() [N].
   double minimum_load = unset;
@@ -67,7 +67,7 @@ struct BearingInSet {
   [[nodiscard]] bool below_minimum() const { return axial_load < minimum_load; }
 };
 
-/// The shaft position at which the sets balance. Only `report` is set unless the solve converged.
+/// Shaft position at equilibrium of the sets. Only `report` is set unless the solve converged.
 struct ArrangementEquilibrium {
   double position = unset;  ///< x, from the mounted state, positive towards the tool [m]
   double front_force = unset, rear_force = unset;  ///< sums over the sides [N]
@@ -76,20 +76,20 @@ struct ArrangementEquilibrium {
   std::vector<BearingInSet> bearings;
   SolveReport report;
 
-  /// Bearing i as the friction laws want it: all balls, displacement and stiffness in x alone (the
-  /// other components of the stiffness are NaN).
+  /// Bearing i in the form of the friction laws: all balls, displacement and stiffness in x only
+  /// (the other stiffness components are NaN).
   [[nodiscard]] BearingEquilibrium bearing(std::size_t i, const Arrangement& arrangement) const;
   /// Given ball rotations of each bearing, for `EquilibriumOptions::rotations`; empty under race
   /// control.
   [[nodiscard]] std::vector<GivenRotation> rotations() const;
 };
 
-/// The options of an arrangement for its bearing i alone.
+/// Returns the options for bearing i of an arrangement.
 [[nodiscard]] EquilibriumOptions options_of_bearing(const EquilibriumOptions& options,
                                                     std::size_t i);
 
-/// Least axial load at which the balls of a bearing roll without skidding: the inner contacts press
-/// as hard outwards as the centrifugal forces do at the nominal contact angle [N],
+/// Least axial load for rolling without skidding: the radial force of the inner contacts equals the
+/// centrifugal forces at the nominal contact angle [N],
 ///
 ///   F_min = Z F_c tan α0
 ///
@@ -97,18 +97,18 @@ struct ArrangementEquilibrium {
 ///           its S series, 0.5 to 0.8 times for those with smaller balls (tests).
 [[nodiscard]] double minimum_load(const Bearing& bearing, double centrifugal_force);
 
-/// Finds the shaft position at which front set, rear set and external load balance.
+/// Finds the shaft position at equilibrium of front set, rear set and external load.
 ///
 /// Newton-Raphson on the shaft's position, the rear set's, and two coordinates of a ball of every
 /// bearing (thrust loads all balls alike), the balls eliminated (Schur complement), all derivatives
-/// analytic. Where the start from standstill or the neighbour fails, the solution is followed in
-/// speed squared, loads and shifts. Nothing is bracketed: where no position balances, the status is
-/// `no_equilibrium`; a shaft that nothing holds, both sets free, is `singular`.
+/// analytic. If the start from standstill or the neighbour fails, the solver continues the solution
+/// in speed squared, loads and shifts. Nothing is bracketed: without an equilibrium position the
+/// status is `no_equilibrium`; a free shaft, with both sets unloaded, is `singular`.
 ///
-/// A bearing that loses its inner contacts carries nothing, which is a legal state.
-/// Domain:   speed >= 0; a set that would have to pull is no balance.
-/// Accuracy: `options.tolerance` on forces relative to the largest; tilt is locked at zero.
-///           Physically as solve_bearing_equilibrium().
+/// A bearing without inner contacts carries no load, which is a valid state.
+/// Domain:   speed >= 0; a set in tension is not an equilibrium.
+/// Accuracy: `options.tolerance` on forces relative to the largest; tilt is locked at zero. The
+///           physics is that of solve_bearing_equilibrium().
 /// Throws std::invalid_argument for a condition that is not finite, or for another number of shifts
 /// or rotations than of bearings.
 [[nodiscard]] ArrangementEquilibrium solve_arrangement(

@@ -7,8 +7,8 @@
 #include "bearing/kinematics.h"
 #include "bearing/lanes.h"
 
-// Templates here take their number type from lanes.h: one ball, or the same ball of several
-// operating points side by side. Without suffix is what one ball in doubles is called.
+// Templates here take their number type from lanes.h: one ball, or the same ball at several
+// operating points at once. Names without suffix are for one ball in doubles.
 namespace raceway::bearing {
 
 /// Plane vector (axial, radial) in the plane of one ball.
@@ -53,7 +53,7 @@ struct BallForcesOf {
   T inner_approach, outer_approach;  ///< δi, δo [m]
 };
 
-/// Imbalance of one ball and what it does to the inner ring, with all first derivatives.
+/// Imbalance of one ball and its forces on the inner ring, with all first derivatives.
 ///
 /// In the (axial, radial) plane, outer groove centre at the origin, X the ball centre, A the inner
 /// groove centre, V = A - X; n and t are normal and tangent of a contact:
@@ -72,10 +72,10 @@ struct BallForcesOf {
 ///
 /// at both alike (λi = λo = 1) under inner control, Ti = To = 0.2 C m (1 - m) sin αi. (M_g with the
 /// ω_R and β of kinematics.h; the products of ω_R and sin β are rational in sines and cosines.)
-/// Sign: M_g > 0 lowers αo. [CaseStudy] eqs. (14) and (18) together give the wrong sign.
-/// A ball that has lost the inner race (δi <= 0) is under outer control and pushes on nothing.
-/// The race control jumps there when it is `inner`, so a load can fall into a gap without balance.
-/// A GivenRotation has its own m, Ti and To.
+/// Sign: M_g > 0 lowers αo. [CaseStudy] eqs. (14) and (18) together give the wrong sign. A ball
+/// without inner contact (δi <= 0) is under outer control and exerts no force on the inner ring.
+/// Race control `inner` is discontinuous there, so some loads have no equilibrium. A GivenRotation
+/// has its own m, Ti and To.
 template <typename T>
 struct BallBalanceOf : BallForcesOf<T> {
   PlaneOf<T> imbalance;  ///< r [N]
@@ -89,9 +89,9 @@ struct BallBalanceOf : BallForcesOf<T> {
 };
 using BallBalance = BallBalanceOf<double>;
 
-/// Contact of a ball with the inner race. `automatic` is the physics; the other two hold one side
-/// of the switch while a solver looks for a solution there. A `kept` contact may pull:
-/// Q = K δ |δ|^0.5, smooth through zero; such a solution counts only if no contact pulls.
+/// Contact of a ball with the inner race. `automatic` is the physical law; the other two fix one
+/// side of the switch while a solver searches there. A `kept` contact may pull: Q = K δ |δ|^0.5,
+/// smooth through zero; such a solution counts only if no contact pulls.
 enum class InnerContact : signed char { automatic, kept, lost };
 
 /// Sines and cosines of both contact angles, and 1/(1 + cos(αi - αo)).
@@ -103,7 +103,7 @@ struct ContactAngles {
 };
 
 /// Results of race control: orbital speed ratio m = ω_m/ω, frictions Ti and To, and their
-/// derivatives by the contact angles (_i, _o: per radian of αi, αo).
+/// derivatives with respect to the contact angles (_i, _o: per radian of αi, αo).
 template <typename T>
 struct RaceLaw {
   T m, m_i, m_o;
@@ -181,7 +181,7 @@ template <typename T>
   return law;
 }
 
-/// Derivatives of the frictions of a given rotation by the inner contact load [N/N].
+/// Derivatives of the frictions of a given rotation with respect to the inner contact load [N/N].
 struct FrictionGain {
   double inner, outer;
 };
@@ -192,7 +192,7 @@ struct FrictionGain {
   return {r.inner_friction * slope, r.outer_friction * slope};
 }
 
-/// The law of a ball whose inner contact may be lost in some lanes and then is under outer control.
+/// Law of a ball that is under outer control in the lanes without inner contact.
 template <Rotation rotation, typename T>
 [[nodiscard, gnu::always_inline]] inline RaceLaw<T> race_law(const BallConstantsOf<T>& c,
                                                              const ContactAngles<T>& a,
@@ -214,7 +214,7 @@ template <Rotation rotation, typename T>
   }
 }
 
-/// The balance of a ball, written once for all rotations; `given` where it is given.
+/// Ball equilibrium for all types of rotation; `given` is used for a given rotation.
 template <Rotation rotation, typename T>
 [[nodiscard, gnu::always_inline]] inline BallBalanceOf<T> ball_balance_under(
     const BallConstantsOf<T>& c, const PlaneOf<T>& groove_centre, const PlaneOf<T>& ball_centre,
@@ -228,8 +228,8 @@ template <Rotation rotation, typename T>
   const T delta_o = outer_length - c.outer_radius;
   const T delta_i = inner_length - c.inner_radius;
   const T product = outer_length * inner_length, straight = x1 * v1 + x2 * v2;
-  // The centre of the inner groove may come to lie behind a ball that has lost the race. There it
-  // is no groove that could touch, and cos(αi - αo) stays at -1/2, far from the pole at -1.
+  // For a ball without inner contact the inner groove centre may lie behind the ball. No contact is
+  // possible there, and cos(αi - αo) stays at -1/2, far from the pole at -1.
   const Mask<T> behind = straight < -0.5 * product;
   const Mask<T> touches = contact == InnerContact::automatic
                               ? delta_i > T(0.0) && !behind
@@ -314,7 +314,7 @@ template <Rotation rotation, typename T>
     r_n_1 = f1 - go * co;
     r_n_2 = f2 + go * so;
   }
-  // The ring feels the ball's place only through V, and through Ti that follows αo.
+  // The ball's position acts on the ring only through V, and through Ti, which follows αo.
   for (int j = 0; j < 6; ++j) b.f_x[j] = -b.f_a[j];
   if constexpr (inner_couple) {
     b.f_x[0] += ti_o * ci * tox1;
@@ -357,8 +357,8 @@ template <Rotation rotation, typename T>
                                                                    moment_arm_ratio, contact);
 }
 
-/// A ball of a bearing at rest, between groove centres at distance A: two springs in series on one
-/// line, (1/K)^(2/3) = (1/K_i)^(2/3) + (1/K_o)^(2/3). No ball unknowns are left.
+/// A ball at rest between groove centres at distance A: two springs in series on one line,
+/// (1/K)^(2/3) = (1/K_i)^(2/3) + (1/K_o)^(2/3). No ball unknowns remain.
 template <typename T>
 struct StaticBallOf {
   PlaneOf<T> ball_centre;  ///< X [m]
@@ -389,7 +389,7 @@ template <typename T>
   const T co = select(apart, a.radial * inv, T(1.0));
   const T free_length = c.inner_radius + c.outer_radius;
   const T delta = length - free_length;
-  // Without contact the ball lies where it likes; this keeps it between the grooves.
+  // Without contact the position of the ball is arbitrary; this keeps it between the grooves.
   const T outer_length = select(delta > T(0.0), c.outer_radius + delta * pair.outer_share,
                                 length * c.outer_radius / free_length);
   const T root = sqrt(max(delta, T(0.0)));

@@ -8,7 +8,7 @@
 
 namespace raceway::bearing {
 
-/// A ball in balance as it is reported; see BallEquilibrium.
+/// Reported results of a ball in equilibrium; see BallEquilibrium.
 template <typename T>
 struct BallReport {
   T inner_contact_angle, outer_contact_angle;
@@ -17,7 +17,7 @@ struct BallReport {
   T centrifugal_force, gyroscopic_moment;
 };
 
-/// The report of a ball in balance at X within a groove centred at A; at rest X is not used.
+/// Makes the report of a ball in equilibrium at X in a groove centred at A; X is not used at rest.
 template <bool at_rest, typename T>
 [[nodiscard, gnu::always_inline]] inline BallReport<T> ball_report(const BallForcesOf<T>& f,
                                                                    const PlaneOf<T>& a,

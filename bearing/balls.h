@@ -17,7 +17,7 @@ enum class Symmetry {
   none     ///< all balls, x, y, z (and θy, θz)
 };
 
-/// Balls of `count` that are not like another one: the first ones of the circle.
+/// Number of distinct balls out of `count`: the first ones of the circle.
 [[nodiscard, gnu::always_inline]] constexpr int distinct_balls(Symmetry symmetry, int count) {
   return symmetry == Symmetry::thrust ? 1 : symmetry == Symmetry::mirror ? count / 2 + 1 : count;
 }
@@ -33,26 +33,26 @@ enum class Symmetry {
 /// ψ of ball k from +y towards +z [rad].
 [[nodiscard]] constexpr double azimuth_of_ball(int k, int count) { return 2.0 * pi * k / count; }
 
-/// One ball in balance.
+/// One ball in equilibrium.
 struct BallEquilibrium {
   double azimuth = unset;              ///< ψ from +y towards +z [rad]
-  double inner_contact_angle = unset;  ///< αi [rad]; NaN where the ball has lost the inner race
-  double outer_contact_angle = unset;  ///< αo [rad]; NaN where the ball is loose (only at rest)
+  double inner_contact_angle = unset;  ///< αi [rad]; NaN without contact at the inner race
+  double outer_contact_angle = unset;  ///< αo [rad]; NaN if the ball is loose (only at rest)
   double inner_load = unset;           ///< Qi [N]
   double outer_load = unset;           ///< Qo [N]
-  double inner_friction = unset;       ///< Ti that carries the gyroscopic moment [N]
+  double inner_friction = unset;       ///< Ti that balances the gyroscopic moment [N]
   double outer_friction = unset;       ///< To [N]
   double centrifugal_force = unset;    ///< Fc [N]
   double gyroscopic_moment = unset;    ///< M_g [N m]
 };
 
-/// All balls of a bearing in balance, ball k at azimuth 2 π k/Z. Balls that the load leaves alike
-/// are kept once: `distinct()` with `weight()` are enough for a sum over all.
+/// All balls of a bearing in equilibrium, ball k at azimuth 2 π k/Z. Balls that are equal by
+/// symmetry are stored once: `distinct()` with `weight()` are enough for a sum over all.
 class Balls {
  public:
   Balls() = default;
 
-  /// Room for the distinct balls of `count`, to be filled by the solver.
+  /// Allocates the distinct balls of `count`, for the solver to fill.
   std::span<BallEquilibrium> reset(int count, Symmetry symmetry) {
     count_ = count;
     symmetry_ = symmetry;

@@ -8,8 +8,8 @@
 
 namespace raceway::bearing {
 
-/// A bearing ready to be solved: valid geometry, materials, and what follows from both. Immutable;
-/// making one costs two elliptic integrals, so make it once for many operating points.
+/// Bearing ready for the solvers: valid geometry, materials and derived constants. Immutable.
+/// Construction costs two elliptic integrals, so reuse it for many operating points.
 class Bearing {
  public:
   /// Throws std::invalid_argument as validated(geometry) and validate(material) do.

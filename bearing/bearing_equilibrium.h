@@ -15,27 +15,27 @@ namespace raceway::bearing {
 using Vector5 = Eigen::Matrix<double, 5, 1>;
 using Matrix5 = Eigen::Matrix<double, 5, 5>;
 
-/// Tilt of the inner ring: held at zero (a shaft does so), or free to carry the given moments.
+/// Tilt of the inner ring: locked at zero, as by a shaft, or free to balance the given moments.
 enum class Tilt { locked, free };
 
 struct EquilibriumOptions {
   RaceControl race_control = RaceControl::outer;
   Tilt tilt = Tilt::locked;
-  bool gyroscopic_moment = true;  ///< false leaves M_g out, for comparison
+  bool gyroscopic_moment = true;  ///< false omits M_g, for comparison
   double tolerance = 1e-11;       ///< on the scaled residual [1]
   int max_iterations = 2000;      ///< Newton steps over all stages
-  /// Rotation of the balls where race control does not decide it: one for each ball of the bearing
-  /// by azimuth (those that the load leaves alike have the same), or one for all; of an arrangement
-  /// one for each bearing. Not looked at at rest. The span must outlive the solve.
+  /// Rotation of the balls without race control: one per ball by azimuth (equal for balls equal by
+  /// symmetry), or one for all; for an arrangement one per bearing. Ignored at rest. The span must
+  /// outlive the solve.
   std::span<const GivenRotation> rotations = {};
 };
 
-/// The inner-ring displacement that carries a load, and all that follows from it.
-/// Only `report` is set unless the solve converged.
+/// Displacement of the inner ring in equilibrium with a load, and the results. Only `report` is set
+/// unless the solve converged.
 struct BearingEquilibrium {
-  /// x, y, z [m], θ_y, θ_z [rad] of the inner ring at the plane of its groove centres, counted from
-  /// the no-load position at standstill, where balls just touch at the nominal contact angle
-  /// (deep groove, α0 = 0: from the centred position).
+  /// x, y, z [m], θ_y, θ_z [rad] of the inner ring at the plane of its groove centres, measured
+  /// from the no-load position at standstill, where the balls just touch at the nominal contact
+  /// angle (deep groove, α0 = 0: from the centred position).
   Vector5 displacement = Vector5::Constant(unset);
   Balls balls;
   /// Given rotation of each of balls.distinct(); empty under race control.
@@ -45,10 +45,10 @@ struct BearingEquilibrium {
   Matrix5 stiffness = Matrix5::Constant(unset);
   SolveReport report;
 
-  /// Balls that carry nothing at the inner race [1].
+  /// Balls without inner contact load [1].
   [[nodiscard]] int lost_balls() const;
-  /// Ball speeds of ball k: as its rotation was given, else by race control; under outer control
-  /// where the inner race is lost.
+  /// Returns the speeds of ball k: from its given rotation, else by race control. Outer control
+  /// applies without inner contact.
   [[nodiscard]] BallSpeeds speeds(std::size_t k, const Bearing& bearing, double speed,
                                   RaceControl race_control) const;
 };
@@ -56,12 +56,11 @@ struct BearingEquilibrium {
 /// Finds the displacement of the inner ring at which the balls carry the applied load.
 ///
 /// Newton-Raphson on ring and balls together, the two unknowns of each ball eliminated (Schur
-/// complement), all derivatives analytic; loads that leave all balls alike, or are mirrored about
-/// the x-y plane, are solved with one ball or half of them. Where a cold start fails the solution
-/// is followed from the pure thrust case in load and from standstill in speed, and under inner
-/// control searched over the balls that may have lost the race (equilibrium_search.h says what that
-/// covers). `no_equilibrium` is returned where all this finds nothing, and where no load presses
-/// the rings together.
+/// complement), all derivatives analytic; loads with symmetry use one ball (thrust) or half of the
+/// balls (x-y plane). If a cold start fails, the solver continues from pure thrust in load and from
+/// standstill in speed; under inner control it searches over the balls that may have lost the race
+/// (equilibrium_search.h says what that covers). It returns `no_equilibrium` if none of these finds
+/// a solution, or if no load presses the rings together.
 ///
 /// Domain:   speed >= 0; a bearing with contact angle carries axial load only in +x.
 /// Accuracy: `tolerance` on the residual scaled by the applied load, near rounding in practice.

@@ -4,8 +4,8 @@
 
 namespace raceway::bearing {
 
-/// Largest Hertz pressures over the balls of a bearing [Pa]; 0 where no ball touches that race, NaN
-/// without balance.
+/// Largest Hertz pressures over the balls of a bearing [Pa]; 0 if no ball touches that race, NaN
+/// without equilibrium.
 struct ContactPressure {
   double inner = unset, outer = unset;
 };
@@ -13,8 +13,8 @@ struct ContactPressure {
 [[nodiscard]] ContactPressure largest_pressure(const Bearing& bearing,
                                                const BearingEquilibrium& equilibrium);
 
-/// Hertz pressure under which a ball contact keeps a dent of a ten thousandth of the ball's
-/// diameter, by which static ratings of ball bearings are defined [Pa]. Source: [ISO76].
+/// Hertz pressure of the static rating of ball bearings, which leaves a permanent dent of 1/10 000
+/// of the ball diameter [Pa]. Source: [ISO76].
 inline constexpr double static_limit_pressure = 4200e6;
 
 }  // namespace raceway::bearing

@@ -6,15 +6,15 @@
 
 namespace raceway::bearing {
 
-/// A set of kept and lost inner contacts, and where ring and balls stood when it occurred.
+/// A set of kept and lost inner contacts, with the positions of ring and balls where it occurred.
 struct ScannedSet {
   std::vector<InnerContact> contacts;  ///< of the balls that are unknowns
   RingState state;
   double imbalance;  ///< largest component of the unbalanced load, by the load [1]
 };
 
-/// Under inner control: which inner contacts can be kept together, from a scan over places of the
-/// ring. The last resort, where statics (load_shares.h) and the paths have led to no balance.
+/// Finds inner contacts that can exist together under inner control, by a scan over ring positions.
+/// It is the last resort when statics (load_shares.h) and continuation find no equilibrium.
 ///
 /// The ring is put to the nodes of a grid: axially, along the load and, with free tilt, turned
 /// about the axis across it. At each node every ball is balanced by itself in all the ways in which
@@ -23,13 +23,13 @@ struct ScannedSet {
 /// are returned in rising order of imbalance: each from the node that leaves least (within a
 /// third), and from earlier ones that at their time were the nearest by such a margin.
 ///
-/// A set is a start and no balance: whether its contacts hold, Newton's method says.
+/// A set is a start, not an equilibrium; Newton's method decides if its contacts hold.
 ///
-/// Source:   the brute-force search of bench/equilibrium_scan.h, made quick: a ball depends on the
-///           place of its groove alone, so balls come from a table over these places.
+/// Source:   the brute-force search of bench/equilibrium_scan.h, accelerated: a ball depends only
+///           on its groove position, so balls come from a table over these positions.
 /// Domain:   inner control at speed, two balls or more as unknowns. `direction` is the azimuth of
-///           the load [rad]; a ring that stands across it is not looked at.
-/// Accuracy: a set that occurs between the nodes alone is missed; docs/solver.md says how often.
+///           the load [rad]; ring positions across it are not tested.
+/// Accuracy: a set that occurs only between nodes is missed; docs/solver.md gives the frequency.
 /// Cost:     6 to 8 ms for the bearings of a spindle, up to 25 ms for 200 balls.
 [[nodiscard]] std::vector<ScannedSet> scan_contacts(const RingSystem& system, double direction);
 

@@ -8,15 +8,14 @@
 
 namespace raceway::bearing {
 
-/// One bearing whose inner ring is held: the balls find their places between the grooves, and what
-/// they press on the ring with follows. The other way round than solve_bearing_equilibrium().
-/// For one speed and for many displacements and states of the rings; each is solved from the one
-/// before it. Keeps a reference to the bearing.
+/// Bearing with a given displacement of the inner ring: solves the balls and their forces on the
+/// ring. This is the inverse of solve_bearing_equilibrium(). For one speed and many displacements
+/// and ring states; each solve starts from the previous one. Keeps a reference to the bearing.
 ///
 /// Domain:   speed >= 0; grooves that a shift has moved, see RingShift.
-/// Accuracy: `options.tolerance` on the balance of each ball, relative to what presses on it.
-///           Physically as solve_bearing_equilibrium(). An angular-contact bearing whose rings
-///           have come apart touches nothing, as in solve_arrangement().
+/// Accuracy: `options.tolerance` on the balance of each ball, relative to the forces on it.
+///           Physically as solve_bearing_equilibrium(). An angular-contact bearing with separated
+///           rings has no contacts, as in solve_arrangement().
 class DisplacedBearing {
  public:
   DisplacedBearing(const Bearing& bearing, double speed, const RingShift& shift = {},
@@ -24,15 +23,14 @@ class DisplacedBearing {
 
   /// Moves the rings to another state of the same bearing.
   void set_shift(const RingShift& shift);
-  /// Balances the balls at this displacement of the inner ring, counted as in BearingEquilibrium;
-  /// the shift comes on top. False where a ball finds no balance: force and stiffness are not
-  /// valid then.
+  /// Solves the balls at this displacement of the inner ring, defined as in BearingEquilibrium; the
+  /// shift is added. False if a ball has no equilibrium; force and stiffness are then not valid.
   [[nodiscard]] bool hold(const Vector5& displacement);
-  /// F_x, F_y, F_z [N], M_y, M_z [N m] that hold the ring against its balls.
+  /// Forces on the ring that balance its balls: F_x, F_y, F_z [N], M_y, M_z [N m].
   [[nodiscard]] const Vector5& force() const { return force_; }
-  /// ∂force/∂displacement, the balls following.
+  /// ∂force/∂displacement with the balls in equilibrium.
   [[nodiscard]] const Matrix5& stiffness() const { return stiffness_; }
-  /// All of it at the last displacement, the axial one with the shift as BearingInSet has it.
+  /// All results at the last displacement; the axial one includes the shift, as in BearingInSet.
   [[nodiscard]] BearingEquilibrium equilibrium() const;
 
  private:
@@ -62,8 +60,9 @@ class DisplacedBearing {
   Matrix5 stiffness_ = Matrix5::Constant(unset);
 };
 
-/// The bearings of an arrangement in balance with their whole tangent stiffness, in the frame of
-/// each: +x where its inner ring is pressed. Front set first. `condition` belongs to the balance.
+/// Bearings of an arrangement in equilibrium with their full tangent stiffness, in the frame of
+/// each bearing: +x in the direction of its load. Front set first. `condition` must be that of the
+/// equilibrium.
 [[nodiscard]] std::vector<BearingEquilibrium> bearings_in_set(
     const Arrangement& arrangement, const ArrangementCondition& condition,
     const ArrangementEquilibrium& equilibrium, const EquilibriumOptions& options = {});

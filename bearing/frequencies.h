@@ -8,8 +8,8 @@
 
 namespace raceway::bearing {
 
-/// Frequencies at which a damaged part of a bearing is heard, per shaft revolution [1]. Times the
-/// shaft's revolutions per second they are in Hz.
+/// Damage frequencies of a bearing per shaft revolution [1]. Multiply by the shaft's revolutions
+/// per second for Hz.
 struct BearingFrequencies {
   double cage = unset;        ///< FTF, fundamental train: ω_m/ω, outer ring still
   double outer_race = unset;  ///< BPFO, balls over a point of the outer race: Z m
@@ -19,7 +19,7 @@ struct BearingFrequencies {
   [[nodiscard]] bool operator==(const BearingFrequencies&) const = default;
 };
 
-/// From one contact angle at both races, as catalogues print them.
+/// Frequencies from one contact angle at both races, as printed in catalogues.
 ///
 ///   FTF = (1 - g cos α)/2,   BSF = (1 - g² cos² α)/(2 g),   g = D/d_m
 ///
@@ -44,11 +44,11 @@ struct BearingFrequencies {
   return nominal_frequencies(g.roller_count, g.diameter_ratio(), 0.0);
 }
 
-/// From the balls as they run, at their own contact angles: the mean over all balls, which one cage
-/// makes of the orbits that differ under radial load.
+/// Frequencies from the balls at their own contact angles: the mean over all balls, because one
+/// cage averages the orbits that differ under radial load.
 ///
 /// Domain: converged equilibrium with a loaded ball, else NaN; at standstill the limit of slow
-/// rotation. A ball that touches no race says nothing.
+/// rotation. A ball without contact does not count.
 [[nodiscard]] inline BearingFrequencies running_frequencies(const Bearing& bearing,
                                                             const BearingEquilibrium& equilibrium,
                                                             RaceControl control) {

@@ -17,8 +17,8 @@ struct BearingGeometry {
   double radial_clearance = 0.0;  ///< diametral play of a deep-groove bearing [m], only at α0 = 0
   double bore = unset;            ///< d [m], default d_m - 1.5 D
   double outer_diameter = unset;  ///< outer diameter of the outer ring [m], default d_m + 1.5 D
-  double static_load_rating = unset;  ///< C0 [N]; friction laws that use it demand it
-  /// Diameters of the shoulders that the balls run against, where known [m]; see shoulder.h.
+  double static_load_rating = unset;  ///< C0 [N]; required by friction laws that use it
+  /// Diameters of the ring shoulders next to the grooves, if known [m]; see shoulder.h.
   double inner_shoulder_diameter = unset, outer_shoulder_diameter = unset;
 
   /// Distance of the two groove centres without load, B D = (f_i + f_o - 1) D [m].
@@ -32,8 +32,8 @@ struct BearingGeometry {
   [[nodiscard]] double diameter_ratio() const;
 };
 
-/// Fills in what has a default and throws std::invalid_argument for the first value that is missing
-/// or impossible: name, value with unit, allowed range.
+/// Fills in defaults. Throws std::invalid_argument for the first value that is missing or
+/// impossible: name, value with unit, allowed range.
 [[nodiscard]] BearingGeometry validated(BearingGeometry geometry);
 
 }  // namespace raceway::bearing

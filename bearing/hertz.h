@@ -7,7 +7,7 @@ namespace raceway::bearing {
 
 enum class Race { inner, outer };
 
-/// Curvatures of a contact of ball and groove, from the four principal curvatures.
+/// Curvatures of a contact between ball and groove, from the four principal curvatures.
 struct Curvature {
   double sum = unset;         ///< Σρ [1/m]
   double difference = unset;  ///< F(ρ) [1], in [0, 1)
@@ -22,7 +22,7 @@ struct Curvature {
 [[nodiscard]] Curvature groove_curvature(const BearingGeometry& geometry, Race race,
                                          double contact_angle);
 
-/// A Hertz point contact: everything but the load.
+/// Load-independent constants of a Hertz point contact.
 ///
 ///   Q = K δ^1.5,  a = a* s,  b = b* s,  δ = δ* s² Σρ/2,  s = (3 Q η / (2 Σρ))^(1/3)
 ///   a* = (2 κ² E / π)^(1/3),  b* = (2 E / (π κ))^(1/3),  δ* = (2 F/π) (π / (2 κ² E))^(1/3)

@@ -4,12 +4,11 @@
 
 namespace raceway::bearing {
 
-/// Race that controls the ball: at that race the ball rolls without spin.
+/// Race that controls the ball: the ball rolls without spin at that race.
 enum class RaceControl { outer, inner };
 
 /// Speeds of a ball from its contact angles, the inner ring turning at ω. All laws here are
-/// rational in the sines and cosines, so a solver that has them as ratios of lengths needs no
-/// trigonometry.
+/// rational in the sines and cosines, so a solver with ratios of lengths needs no trigonometry.
 ///
 /// Orbital (cage) speed, ratio m = ω_m/ω [1]:
 ///
@@ -62,7 +61,7 @@ struct BallSpeeds {
 /// Source: [Harris2006, vol. 2, ch. 5]; the reduced forms follow by inserting tan β and agree with
 /// the general formula to rounding (tested).
 ///
-/// First without the attitude, which takes an arc tangent that not all need.
+/// The first struct omits the attitude, which costs an arc tangent.
 struct BallRotation {
   double cage_speed;                          ///< ω_m [rad/s]
   double along, across;                       ///< ω_R along and across the bearing axis [rad/s]
@@ -111,7 +110,7 @@ struct BallRotation {
   return p / (p + q);
 }
 
-/// Rotation of a ball by a friction balance: it rolls about its axis, and the cage creeps.
+/// Rotation of a ball from a friction balance: it rolls about its axis, and the cage creeps.
 [[nodiscard]] inline BallRotation ball_rotation(const GivenRotation& given,
                                                 double inner_contact_angle,
                                                 double outer_contact_angle, double diameter_ratio,

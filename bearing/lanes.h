@@ -5,13 +5,13 @@
 #include <cstring>
 #include <utility>
 
-/// Code that is written once for one operating point and for several side by side: its numbers are
-/// `double`, or SIMD batches with one point per lane. Batches bring arithmetic, comparisons, sqrt
-/// and so on with them (found by their arguments); here is the same for `double`, and what
-/// both need beyond that. Where lanes may differ, such code selects by mask instead of branching.
+/// Number types for code that serves one operating point or several at once: `double`, or SIMD
+/// batches with one point per lane. Batches define arithmetic, comparisons, sqrt and so on (found
+/// by argument-dependent lookup); this header adds the same for `double` and further common
+/// functions. Where lanes may differ, code selects by mask instead of branching.
 namespace raceway::bearing {
 
-/// Result of a comparison of two T, and how many points a T holds.
+/// Result of a comparison of two T, and the number of points in a T.
 template <typename T>
 struct Lanes {
   using Mask = typename T::batch_bool_type;
@@ -36,12 +36,12 @@ inline constexpr bool is_scalar = Lanes<T>::count == 1;
 [[gnu::always_inline]] inline bool any(bool mask) { return mask; }
 [[gnu::always_inline]] inline bool all(bool mask) { return mask; }
 
-/// Sine and cosine together; batches have this with them.
+/// Returns sine and cosine together; batches define their own.
 [[gnu::always_inline]] inline std::pair<double, double> sincos(double x) {
   return {std::sin(x), std::cos(x)};
 }
 
-/// Neither infinite nor NaN. Holds without a classification of each lane.
+/// True if neither infinite nor NaN. Does not classify each lane.
 template <typename T>
 [[gnu::always_inline]] inline Mask<T> finite(const T& x) {
   return x - x == T(0.0);
@@ -71,7 +71,7 @@ template <std::size_t count = 1, typename T, typename U, template <typename> cla
                 count * sizeof(double));
 }
 
-/// Memory for eight points side by side, which batches of any width are loaded from.
+/// Memory for eight points; batches of any width load from it.
 struct alignas(64) Eight {
   static constexpr std::size_t size = 8;
   double lanes[size];

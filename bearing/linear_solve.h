@@ -4,8 +4,8 @@
 
 namespace raceway::bearing {
 
-/// Solves a x = b by elimination with partial pivoting; b becomes x, a is used up. Where a is
-/// singular x is not finite.
+/// Solves a x = b by elimination with partial pivoting. b becomes x; a is overwritten. x is not
+/// finite if a is singular.
 template <int n, typename T>
 [[gnu::always_inline]] inline void solve_linear(T (&a)[n][n], T (&b)[n]) {
   using std::abs;

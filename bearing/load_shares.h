@@ -7,8 +7,8 @@
 
 namespace raceway::bearing {
 
-/// Under inner control: which balls can keep the inner race, and where ring and balls then stand,
-/// from statics alone and without a Newton step.
+/// Finds the balls that can keep the inner race under inner control, and the positions of ring and
+/// balls, from statics alone without a Newton step.
 ///
 /// The load is spread over the kept balls linearly in c = cos(ψ - φ), φ the direction of the load
 /// (with locked tilt evenly). A kept ball carries an axial force f with its groove centre at radius
@@ -23,14 +23,14 @@ class LoadShares {
  public:
   LoadShares(const RingSystem& system, double direction);
 
-  /// Chooses the kept balls. False where statics says nothing, as for a load without axial part.
+  /// Chooses the kept balls. False if statics cannot decide, as for a load without axial part.
   [[nodiscard]] bool choose(std::vector<InnerContact>& contacts, RingState& state) const;
-  /// Ring and balls with these contacts, the lost balls thrown against the outer race.
+  /// Returns ring and balls with these contacts; the lost balls lie against the outer race.
   [[nodiscard]] bool spread(const std::vector<InnerContact>& contacts, RingState& state) const;
-  /// Ring and balls as spread(). Returns by how much the worst contact violates its assumed side
+  /// Computes ring and balls as spread(). Returns the worst violation of an assumed contact side
   /// [m]; NaN if no ring position is found.
   [[nodiscard]] double violation(const std::vector<InnerContact>& contacts, RingState& state) const;
-  /// Balls in falling order of c.
+  /// Balls in decreasing order of c.
   [[nodiscard]] const std::vector<std::size_t>& order() const { return order_; }
   [[nodiscard]] Plane thrown_ball() const { return thrown_; }
 
@@ -43,7 +43,7 @@ class LoadShares {
   /// A kept ball.
   struct Share {
     double radial;      ///< force on the ring [N]
-    double inner_load;  ///< negative where the contact would have to pull [N]
+    double inner_load;  ///< negative if the contact would be in tension [N]
     double outer_load;
     double tau;  ///< Ti/sin αi [N]
     double inner_angle, outer_angle;
@@ -51,9 +51,10 @@ class LoadShares {
     Plane groove, ball;
   };
 
-  /// Share of a ball under this axial force, groove centre at this radius; `near` is the start.
+  /// Share of a ball under this axial force with its groove centre at this radius; `near` is the
+  /// start.
   [[nodiscard]] Share share_at(double axial, double radius, const Share& near) const;
-  /// All that follows from the inner angle.
+  /// Computes all results of the inner angle.
   void set_outer_angle(double axial, Share& share) const;
   [[nodiscard]] bool ring_of(const Sums& sums, Vector5& ring) const;
   [[nodiscard]] bool even_ring(const Sums& sums, Vector5& ring) const;
@@ -61,7 +62,8 @@ class LoadShares {
   [[nodiscard]] bool untilted_ring(const Sums& sums, Vector5& ring, double& moment) const;
   [[nodiscard]] double axial_share(const Sums& sums, double moment, double c) const;
   [[nodiscard]] Sums sums_of(const std::vector<InnerContact>& contacts) const;
-  /// The lost ball that reaches furthest into the race, as a place in order(); none: its size.
+  /// Position in order() of the lost ball that penetrates the race most; the size of order() if
+  /// none.
   [[nodiscard]] std::size_t reaching(const Vector5& ring, std::size_t first,
                                      std::size_t last) const;
 

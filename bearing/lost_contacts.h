@@ -7,20 +7,19 @@
 
 namespace raceway::bearing {
 
-/// Under inner control: looks for a state of balance with each ball's inner contact held kept or
-/// lost. With the contact the gyroscopic couple vanishes, by which a ball moves further from the
-/// race: within a range of places of the groove a ball can stand either way, so sets of kept balls
-/// are tried, and a solution counts where no kept ball pulls and no lost one reaches into the race.
+/// Searches for an equilibrium under inner control with each inner contact fixed as kept or lost.
+/// The gyroscopic couple vanishes with the contact, and the ball then moves further from the race.
+/// So for a range of groove positions both states are possible, and the search tries sets of kept
+/// balls. A solution is valid if no kept ball is in tension and no lost ball penetrates the race.
 class ContactSearch {
  public:
   explicit ContactSearch(RingSystem& system) : system_(system) {}
 
-  /// From the kept balls that statics chooses (load_shares.h): a ball on the wrong side changes it,
-  /// until none is left; where that comes back to a set it has seen, sets like the chosen one,
-  /// those first that statics thinks fit best, then sets that differ by one ball from those that
-  /// came near.
+  /// Searches from the kept balls that statics chooses (load_shares.h). A ball on the wrong side
+  /// changes sides until none is left. If a set recurs, the search tries similar sets, best statics
+  /// fit first, then sets that differ by one ball from the near misses.
   [[nodiscard]] bool settle(RingState& state);
-  /// More of the last, with balls that turn far over.
+  /// Tries more of the last kind, with balls that turn far over.
   [[nodiscard]] bool widen(RingState& state);
   /// As a last resort: from the sets that a scan over places of the ring finds (contact_scan.h),
   /// then from those that differ from one of them by one ball.
@@ -29,11 +28,11 @@ class ContactSearch {
  private:
   using Contacts = std::vector<InnerContact>;
 
-  /// A set of contacts whose balance exists, but in which one ball at least is on the wrong side.
+  /// A set of contacts with an equilibrium, but with at least one ball on the wrong side.
   struct OpenSet {
     Contacts contacts;
     RingState state;
-    bool pulls;  ///< a kept ball does; else a lost one reaches into the race
+    bool pulls;  ///< true if a kept ball is in tension; else a lost one penetrates the race
   };
 
   [[nodiscard]] double direction() const;

@@ -9,7 +9,7 @@
 #include "bearing/bearing_equilibrium.h"
 #include "bearing/lanes.h"
 
-// The balance of one inner ring: sums over its balls, with derivatives, and what each ball reports.
+// Equilibrium of one inner ring: sums over its balls with derivatives, and the report of each ball.
 // Lengths and forces only: tilts are multiplied by R_i, moments divided by it, so that one scale
 // fits all components.
 namespace raceway::bearing {
@@ -45,7 +45,7 @@ struct ModelConstant {
   static constexpr BallModel value = model;
 };
 
-/// Calls f with a ModelConstant; for points side by side, whose balls are under race control.
+/// Calls f with a ModelConstant, for several points at once with balls under race control.
 template <typename F>
 decltype(auto) with_race_control(BallModel model, F&& f) {
   switch (model) {
@@ -60,7 +60,7 @@ decltype(auto) with_race_control(BallModel model, F&& f) {
   return f(ModelConstant<BallModel::inner_control>());
 }
 
-/// Calls f with a ModelConstant, any of them.
+/// Calls f with a ModelConstant for any ball model.
 template <typename F>
 decltype(auto) with_model(BallModel model, F&& f) {
   if (model == BallModel::given_rotation) return f(ModelConstant<BallModel::given_rotation>());
@@ -88,7 +88,7 @@ struct BallCircle {
   }
 };
 
-/// A bearing, a speed and a load, as the balance needs them. Numbers only, see copy_lanes().
+/// Bearing, speed and load as inputs of the equilibrium. Numbers only, see copy_lanes().
 template <typename T>
 struct RingPoint {
   BallConstantsOf<T> ball;
@@ -105,7 +105,7 @@ struct RingPoint {
 /// A bearing at rest without load.
 [[nodiscard]] RingPoint<double> unloaded_point(const Bearing& bearing,
                                                const EquilibriumOptions& options);
-/// Gives a point of this bearing its speed and load.
+/// Sets speed and load of a point of this bearing.
 void set_operating_point(RingPoint<double>& ring, const Bearing& bearing,
                          const OperatingPoint& point, const EquilibriumOptions& options);
 [[nodiscard]] BallCircle ball_circle(const Bearing& bearing, const OperatingPoint& point,
@@ -113,7 +113,7 @@ void set_operating_point(RingPoint<double>& ring, const Bearing& bearing,
 [[nodiscard]] BallModel ball_model(const RingPoint<double>& ring,
                                    const EquilibriumOptions& options);
 
-/// The step a ball would take, and what bounds it.
+/// Newton step of a ball, and its limit.
 template <typename T>
 struct BallStep {
   T own[2];          ///< for a ring at rest [m]
@@ -160,7 +160,7 @@ template <BallModel model, typename T>
     // follow = -r_x⁻¹ r_a, own = -r_x⁻¹ r; one division for this and for the imbalance.
     const T scale = p.ball_scale + b.outer_load;
     const T squared = scale * scale;
-    // Nothing moves a ball that lies in the outer race with less than a digit of approach.
+    // A ball in the outer race with less than one digit of approach is not moved.
     const T product = b.r_x[0] * b.r_x[3] - b.r_x[1] * b.r_x[2];
     const Mask<T> lies = product == T(0.0);
     const T determinant = select(lies, T(1.0), product);
@@ -172,7 +172,7 @@ template <BallModel model, typename T>
     step.follow[1] = inv * (b.r_x[3] * b.r_a[1] - b.r_x[1] * b.r_a[3]);
     step.follow[2] = inv * (b.r_x[0] * b.r_a[2] - b.r_x[2] * b.r_a[0]);
     step.follow[3] = inv * (b.r_x[0] * b.r_a[3] - b.r_x[2] * b.r_a[1]);
-    // Under outer control the moment's row is the axial one.
+    // Under outer control the moment row equals the axial row.
     constexpr int rows = rotation == Rotation::outer_control ? 2 : 3;
     for (int j = 0; j < rows; ++j) {
       const T fx0 = b.f_x[2 * j], fx1 = b.f_x[2 * j + 1];
@@ -233,7 +233,7 @@ struct RingSums {
     }
   }
 
-  /// Adds ball k, turned from its plane into the bearing's axes.
+  /// Adds ball k, rotated from its plane into the bearing's axes.
   [[gnu::always_inline]] void add(const BallCircle& circle, int k, const BallShare<T>& share) {
     const double c = circle.cosine[k], s = circle.sine[k], w = circle.weight(k);
     // What a unit of each coordinate moves the groove centre, axially or radially; the ring feels
@@ -275,7 +275,7 @@ void complete(const BallCircle& circle, RingSums<AllCoordinates, T>& sums) {
     k[3][2] = -k41;
     for (int i = 1; i < 5; ++i) sums.carried[i] = zero;
   } else if (circle.symmetry == Symmetry::mirror) {
-    // What cancels between the two halves.
+    // Terms that cancel between the two halves.
     for (const int odd : {2, 3}) {
       sums.carried[odd] = zero;
       for (const int even : {0, 1, 4}) k[odd][even] = k[even][odd] = zero;
@@ -296,8 +296,8 @@ struct RingReport {
   T recovered_load_error;
 };
 
-/// Angles and forces of all balls used at a state of balance, and the loads summed again from
-/// these: an independent check of the frame and of everything between the unknowns and the report.
+/// Angles and forces of all balls used at equilibrium, and the loads summed again from these: an
+/// independent check of the frame and of everything between the unknowns and the report.
 template <BallModel model, typename T>
 void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, const T* ring,
                  const PlaneOf<T>* balls, BallReport<T>* reports, RingReport<T>& report) {
@@ -322,7 +322,7 @@ void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, co
         ball_report<model == BallModel::at_rest>(f, a, x, diameter);
 
     const T angle = select(touches, b.inner_contact_angle, zero);
-    // A ball that lies loose at rest has no outer angle either.
+    // A ball that is loose at rest has no outer angle either.
     look(select(b.outer_load > zero, b.outer_contact_angle, zero));
     for (const T& number :
          {angle, b.inner_load, b.outer_load, b.outer_friction, b.centrifugal_force})
@@ -355,8 +355,8 @@ void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, co
   report.recovered_load_error = error / p.load_scale + nothing;
 }
 
-/// Sets all of `result` but status and iterations at a ring in balance and the balls used, all in
-/// lane i. T is double or Eight.
+/// Sets all of `result` except status and iterations, from a ring in equilibrium and the balls
+/// used, all in lane i. T is double or Eight.
 template <typename T>
 void fill_equilibrium(const T& lever, const BallCircle& circle, const T* ring,
                       const RingReport<T>& report, const BallReport<T>* balls, std::size_t i,

@@ -23,8 +23,8 @@ struct NewtonProgress {
   Mask<T> not_finite, singular, exhausted;
 };
 
-/// Newton's method on ring and balls together, for the point of each lane by itself: lanes begin
-/// and end whenever they like, and what one computes does not depend on the others.
+/// Newton's method on ring and balls together, with an independent point in each lane: lanes begin
+/// and end at any time, and results do not depend on other lanes.
 ///
 /// A step is shortened to half the free distance of ring and balls, then halved up to six times
 /// while it worsens the balance, and cut where it would lift a ball off the outer race. A ball that
@@ -41,7 +41,7 @@ class RingNewton {
   T steps = T(0.0);     ///< made since the start
   T residual = T(0.0);  ///< at `ring` and `balls` [1]
 
-  /// The trial state of this lane is a start and not a step.
+  /// The trial state of this lane is a start, not a step.
   void begin(std::size_t i) {
     set_lane(fresh_, i, 1.0);
     set_lane(steps, i, 0.0);
@@ -52,7 +52,8 @@ class RingNewton {
     for (auto* v : {&now_, &trial_}) v->resize(used);
   }
 
-  /// Looks at the trial state of every lane, takes it or halves the step, and prepares the next.
+  /// Evaluates the trial state of every lane, accepts it or halves the step, and prepares the next
+  /// one.
   template <BallModel model, class C>
   NewtonProgress<T> pass(const BallCircle& circle, const NewtonLimits& limits,
                          const InnerContact* contacts = nullptr);
@@ -154,7 +155,7 @@ template <BallModel model, class C>
     PlaneOf<T> next{
         x.axial + fraction_ * (e.own[0] + e.follow[0] * da.axial + e.follow[1] * da.radial),
         x.radial + fraction_ * (e.own[1] + e.follow[2] * da.axial + e.follow[3] * da.radial)};
-    // The centrifugal force keeps every ball on the outer race; a step that leaves it is cut.
+    // The centrifugal force keeps every ball on the outer race; a step that leaves it is shortened.
     const T least = outer_radius + 0.1 * e.outer_approach;
     const T squared = next.axial * next.axial + next.radial * next.radial;
     const Mask<T> leaves = squared < least * least;
@@ -177,7 +178,7 @@ NewtonProgress<T> RingNewton<T>::pass(const BallCircle& circle, const NewtonLimi
   const T accept = select(halvings_ == T(0.0), T(limits.rise), T(1.0));
   NewtonProgress<T> progress;
   progress.taken = fresh || trial_merit_ <= accept * merit_ || halvings_ == T(6.0);
-  // As near as rounding lets it come, which under a tiny load is not within the tolerance.
+  // As accurate as rounding allows; under a very small load this is not within the tolerance.
   const T near = min(max(T(10.0 * limits.tolerance), point.rounding), T(0.1 * largest_load_error));
   const Mask<T> stalled = !fresh && trial_residual_ <= near && trial_merit_ > 0.25 * merit_;
   take<C>(progress.taken, circle.used());

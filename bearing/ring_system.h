@@ -22,9 +22,8 @@ struct RingWorkspace {
   std::vector<BallReport<double>> reports;
 };
 
-/// The balance of one inner ring under one load, and Newton's method on it. Internal to the solver:
-/// which states to start from is equilibrium_search.h's business. No allocation once the first
-/// point has been solved.
+/// Equilibrium of one inner ring under one load, solved by Newton's method. Internal to the solver;
+/// equilibrium_search.h chooses the starting states. No allocation after the first point.
 class RingSystem {
  public:
   RingSystem(const Bearing& bearing, const OperatingPoint& point, const EquilibriumOptions& options,
@@ -32,9 +31,9 @@ class RingSystem {
 
   void set_point(const OperatingPoint& point);
 
-  /// Iterates from `state` to balance within the tolerance. False leaves `state` anywhere.
+  /// Iterates from `state` to equilibrium within the tolerance. If false, `state` is undefined.
   [[nodiscard]] bool newton(RingState& state);
-  /// Sets all of `result` but status and iterations at a state of balance.
+  /// Sets all of `result` except status and iterations at equilibrium.
   void fill(const RingState& state, BearingEquilibrium& result) const;
 
   [[nodiscard]] const Bearing& bearing() const { return bearing_; }
@@ -43,20 +42,20 @@ class RingSystem {
   [[nodiscard]] const BallConstantsOf<double>& constants() const { return point_.ball; }
   [[nodiscard]] Symmetry symmetry() const { return circle_.symmetry; }
   [[nodiscard]] bool at_rest() const { return model_ == BallModel::at_rest; }
-  /// Applied, moments divided by the lever [N].
+  /// Applied load; moments are divided by the lever [N].
   [[nodiscard]] Vector5 load() const { return Eigen::Map<const Vector5>(point_.load); }
   [[nodiscard]] double load_scale() const { return point_.load_scale; }
   [[nodiscard]] double lever() const { return point_.lever; }
   [[nodiscard]] Plane free_groove_centre() const { return point_.free; }
   [[nodiscard]] int iterations() const { return iterations_; }
-  /// Why newton() failed: no_equilibrium unless every attempt was singular or not finite.
+  /// Reason of a failed newton(): no_equilibrium unless every attempt was singular or not finite.
   [[nodiscard]] SolveStatus failure() const { return failure_; }
-  /// Limits the following search to that many steps, in addition to the limit of the options.
+  /// Limits the following search to this number of steps, in addition to the limit of the options.
   void allow(int steps) { end_ = std::min(options_.max_iterations, iterations_ + steps); }
-  /// The steps that were allowed have been made; newton() then makes none.
+  /// True if the allowed steps are used up; newton() then makes none.
   [[nodiscard]] bool exhausted() const { return iterations_ >= end_; }
 
-  /// Balls that are unknowns: one, half of them, or all.
+  /// Number of balls that are unknowns: one, half of them, or all.
   [[nodiscard]] std::size_t balls_used() const { return static_cast<std::size_t>(circle_.used()); }
   /// Number of balls that ball k represents [1].
   [[nodiscard]] double weight(std::size_t k) const { return circle_.weight(static_cast<int>(k)); }

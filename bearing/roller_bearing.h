@@ -97,8 +97,8 @@ struct LineContact {
   }
 };
 
-/// A cylindrical roller bearing ready to be solved: valid geometry, materials, and what follows
-/// from both. Immutable.
+/// Cylindrical roller bearing ready for the solvers: valid geometry, materials and derived
+/// constants. Immutable.
 class RollerBearing {
  public:
   /// Throws std::invalid_argument as validated(geometry) and validate(material) do.

@@ -27,7 +27,7 @@ struct RollerOptions {
   int max_iterations = 500;  ///< Newton steps
 };
 
-/// One roller in balance.
+/// One roller in equilibrium.
 struct LoadedRoller {
   double azimuth = unset;     ///< ψ from +y towards +z [rad]
   double inner_load = unset;  ///< Qi [N]
@@ -38,8 +38,8 @@ struct LoadedRoller {
   std::array<double, lamina_count> inner_laminae{}, outer_laminae{};
 };
 
-/// Displacement of the inner ring under its load, and the rollers in balance.
-/// Only `report` is set unless the solve converged.
+/// Displacement of the inner ring under its load, with the rollers in equilibrium. Only `report` is
+/// set unless the solve converged.
 struct RollerEquilibrium {
   /// y, z [m], θ_y, θ_z [rad] of the inner ring at the middle plane of the rollers, counted from
   /// the centred position.
@@ -47,7 +47,7 @@ struct RollerEquilibrium {
   /// F_y, F_z [N], M_y, M_z [N m] that act on the inner ring. The moments are reactions where the
   /// tilt is locked.
   Vector4 load = Vector4::Constant(unset);
-  /// Tangent stiffness ∂load/∂displacement, the rollers following. Symmetric.
+  /// Tangent stiffness ∂load/∂displacement with the rollers in equilibrium. Symmetric.
   Matrix4 stiffness = Matrix4::Constant(unset);
   std::vector<LoadedRoller> rollers;
   double clearance = unset;          ///< s of this balance [m]
@@ -55,12 +55,12 @@ struct RollerEquilibrium {
   /// ∂(Σ Qi)/∂s, and of Σ Qo alike, where forces and tilt of the ring stay as they are: what a
   /// clearance takes from the rollers, below zero [N/m].
   double sum_by_clearance = unset;
-  /// No load, and nothing touches the inner ring: it lies anywhere within its play. Counts as a
-  /// balance, with no displacement and no stiffness.
+  /// True without load and inner contacts: the ring lies anywhere within its clearance. Counts as
+  /// an equilibrium, with no displacement and no stiffness.
   bool loose = false;
   SolveReport report;
 
-  /// Status as the JSON results write it: "loose", "converged" and so on.
+  /// Status in JSON results: "loose", "converged" and so on.
   [[nodiscard]] std::string_view status() const { return loose ? "loose" : name(report.status); }
   /// Σ Qi and Σ Qo over all rollers [N].
   [[nodiscard]] double inner_sum() const;
@@ -97,10 +97,10 @@ struct RollerEquilibrium {
 
 class RollerBalance;
 
-/// One bearing whose inner ring is held: the rollers find their places between the raceways. As
-/// DisplacedBearing of balls, in the same five coordinates; the axial one changes nothing. For many
-/// displacements and clearances, each solved from the one before it. Keeps a reference to the
-/// bearing.
+/// Roller bearing with a given displacement of the inner ring: solves the rollers between the
+/// raceways. Like DisplacedBearing, in the same five coordinates; the axial one has no effect. For
+/// many displacements and clearances; each solve starts from the previous one. Keeps a reference to
+/// the bearing.
 class DisplacedRollerBearing {
  public:
   /// `clearance` NaN: of the geometry.
@@ -110,13 +110,13 @@ class DisplacedRollerBearing {
   ~DisplacedRollerBearing();
 
   void set_clearance(double clearance);
-  /// False where the rollers find no balance: force and stiffness are not valid then.
+  /// False if the rollers have no equilibrium; force and stiffness are then not valid.
   [[nodiscard]] bool hold(const Vector5& displacement);
-  /// F_x = 0, F_y, F_z [N], M_y, M_z [N m] that hold the ring against its rollers.
+  /// Forces on the ring that balance its rollers: F_x = 0, F_y, F_z [N], M_y, M_z [N m].
   [[nodiscard]] const Vector5& force() const { return force_; }
-  /// ∂force/∂displacement, the rollers following.
+  /// ∂force/∂displacement with the rollers in equilibrium.
   [[nodiscard]] const Matrix5& stiffness() const { return stiffness_; }
-  /// All of it at the last displacement.
+  /// All results at the last displacement.
   [[nodiscard]] RollerEquilibrium equilibrium() const;
 
  private:
@@ -127,21 +127,21 @@ class DisplacedRollerBearing {
   Matrix5 stiffness_ = Matrix5::Constant(unset);
 };
 
-/// Balances the rollers below an inner ring that is held at a displacement; `load` is what holds
-/// it there. `clearance` NaN: of the geometry.
+/// Solves the rollers at a given displacement of the inner ring; `load` is the reaction there.
+/// `clearance` NaN: from the geometry.
 [[nodiscard]] RollerEquilibrium displaced_roller_bearing(const RollerBearing& bearing,
                                                          const Vector4& displacement, double speed,
                                                          double clearance = unset);
 
-/// Largest Hertz pressures over all slices [Pa]; 0 where nothing touches that race, NaN without
-/// balance.
+/// Largest Hertz pressures over all slices [Pa]; 0 without contact at that race, NaN without
+/// equilibrium.
 [[nodiscard]] ContactPressure largest_pressure(const RollerBearing& bearing,
                                                const RollerEquilibrium& equilibrium);
 
 /// Hertz pressure by which static ratings of roller bearings are defined [Pa]. Source: [ISO76].
 inline constexpr double static_limit_pressure_of_lines = 4000e6;
 
-/// Tilt above which the ends of the rollers are overloaded, about [rad]. From memory.
+/// Approximate tilt above which the ends of the rollers are overloaded [rad]. From memory.
 inline constexpr double usual_tilt_limit = 1.2e-3;
 
 }  // namespace raceway::bearing

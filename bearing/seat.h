@@ -8,15 +8,15 @@ namespace raceway::bearing {
 
 /// Position of the loaded balls of an angular-contact bearing in the inner groove.
 enum class Seat {
-  shoulder,       ///< against the shoulders, as the bearing is meant to run
+  shoulder,       ///< against the shoulders, the intended position
   groove_bottom,  ///< at the bottom, without contact angle
   far_side        ///< some beyond the bottom, where such a bearing has no shoulder
 };
 
-/// The seat in the words of the JSON results, e.g. "groove_bottom".
+/// Name of the seat in JSON results, e.g. "groove_bottom".
 [[nodiscard]] std::string_view name(Seat seat);
 
-/// The seat by the least and the largest inner contact angle of the balls that touch [rad].
+/// Determines the seat from the least and largest inner contact angles of the loaded balls [rad].
 ///
 /// A ball at a contact angle pushes the ring away along the axis. Under a radial load alone these
 /// pushes have to vanish together, and with a shoulder on one side only they are all of one sign:

@@ -7,15 +7,14 @@
 
 namespace raceway::bearing {
 
-/// Positions that are unknown: of the shaft, of the rear set, and of a ball of every bearing.
+/// Unknown positions: the shaft, the rear set, and one ball of every bearing.
 struct ShaftState {
   double shaft = 0.0;  ///< y = d x [m]
   double rear = 0.0;   ///< δ_r [m]
   std::vector<Plane> balls;
 };
 
-/// Forces of one bearing, their derivative with the ball eliminated, and the step the ball would
-/// take.
+/// Forces of one bearing, their derivative with the ball eliminated, and the ball's Newton step.
 struct BearingShare {
   double force = 0.0;      ///< Z f_axial [N]
   double gain = 0.0;       ///< its change by the ball's own Newton step [N]
@@ -35,7 +34,7 @@ struct ShaftAssembly {
   double merit;              ///< sum of squares of the same
 };
 
-/// The balance of a shaft in its sets, and Newton's method on it. Internal to the solver.
+/// Equilibrium of a shaft in its sets, solved by Newton's method. Internal to the solver.
 class ShaftSystem {
  public:
   ShaftSystem(const Arrangement& arrangement, const EquilibriumOptions& options);
@@ -43,7 +42,7 @@ class ShaftSystem {
   /// `share` of the speed squared, and of loads and shifts.
   void set_condition(const ArrangementCondition& condition, double speed_share = 1.0,
                      double load_share = 1.0);
-  /// Iterates from `state` to balance within the tolerance. False leaves `state` anywhere.
+  /// Iterates from `state` to equilibrium within the tolerance. If false, `state` is undefined.
   [[nodiscard]] bool newton(ShaftState& state);
   [[nodiscard]] const ShaftAssembly& solution() const { return now_; }
 
@@ -60,9 +59,10 @@ class ShaftSystem {
   [[nodiscard]] double load() const { return load_; }
   [[nodiscard]] double displacement(const ShaftState& state, std::size_t i) const;
   [[nodiscard]] Plane groove_centre(const ShaftState& state, std::size_t i) const;
-  /// A ball that nothing but its centrifugal force presses on.
+  /// Position of a ball under its centrifugal force alone.
   [[nodiscard]] Plane thrown_ball(std::size_t i) const;
-  /// Bearing i > 0 is in the same condition and balance as the one before, on the same side.
+  /// True if bearing i > 0 has the same condition and equilibrium as the previous one on the same
+  /// side.
   [[nodiscard]] bool alike(const ShaftState& state, std::size_t i) const {
     return members_[i].like_last && (at_rest_ || state.balls[i] == state.balls[i - 1]);
   }
@@ -72,13 +72,13 @@ class ShaftSystem {
   [[nodiscard]] double rear_force(const ShaftState& state) const;
   [[nodiscard]] int iterations() const { return iterations_; }
   [[nodiscard]] bool exhausted() const { return iterations_ >= options_.max_iterations; }
-  /// Why newton() failed: no_equilibrium unless every attempt was singular or not finite.
+  /// Reason of a failed newton(): no_equilibrium unless every attempt was singular or not finite.
   [[nodiscard]] SolveStatus failure() const { return failure_; }
-  /// Forgets iterations and failures.
+  /// Clears iterations and failures.
   void restart();
 
  private:
-  /// A bearing in its set, as shifted.
+  /// A bearing in its set, with its shift.
   struct Member {
     BallConstants constants;
     Plane free;      ///< inner groove centre without displacement

@@ -31,7 +31,7 @@ namespace raceway::bearing {
 ///           or so, some 1 deg.
 struct ShoulderMargins {
   double inner = unset, outer = unset;
-  /// Share of the ellipse's length that is cut off, at the ball that the margin is of [1].
+  /// Share of the ellipse's length that is cut off, at the ball with the least margin [1].
   double inner_cut = 0.0, outer_cut = 0.0;
 };
 [[nodiscard]] ShoulderMargins shoulder_margins(const Bearing& bearing,
@@ -45,7 +45,7 @@ struct ShoulderMargins {
 /// Accuracy: 1e-9 relative. A limit of the geometry: the pressure there may be above 4.2 GPa.
 struct PermissibleLoads {
   double inner = unset, outer = unset;
-  /// The smaller one of those that are known.
+  /// Returns the smaller of the known values.
   [[nodiscard]] double least() const { return std::fmin(inner, outer); }
 };
 [[nodiscard]] PermissibleLoads permissible_axial_loads(const Bearing& bearing);

@@ -6,7 +6,7 @@
 
 namespace raceway::bearing {
 
-/// Eight operating points on their way through a kernel. Axial loads > 0.
+/// Eight operating points during a kernel. Axial loads > 0.
 struct KernelBlock {
   RingPoint<Eight> points;
   bool converged[Eight::size];
@@ -15,8 +15,8 @@ struct KernelBlock {
   RingReport<Eight> report;
 };
 
-/// Points that share ball count, symmetry, ball model and free coordinates. Where they do not fill
-/// the last block, some point stands in the rest of it.
+/// Points with equal ball count, symmetry, ball model and free coordinates. If they do not fill the
+/// last block, some point fills the rest.
 struct KernelCall {
   BallCircle circle;
   BallModel model;
@@ -27,9 +27,9 @@ struct KernelCall {
   BallReport<Eight>* balls;  ///< circle.used() for each block
 };
 
-// Newton's method from the closed-form thrust start on many points side by side, and their reports.
-// Points that do not converge so are left to the search that one point has for itself. What a point
-// gets does not depend on the others of the call. One source, compiled for each instruction set.
+// Newton's method from the closed-form thrust start on many points at once, with their reports.
+// Points that do not converge are left to the search for single points. A result does not depend on
+// the other points of the call. One source is compiled for each instruction set.
 void solve_sse2(const KernelCall& call);
 void solve_avx2(const KernelCall& call);
 void solve_avx512(const KernelCall& call);

@@ -8,9 +8,9 @@
 #include "bearing/simd_kernel.h"
 #include "bearing/thrust_start.h"
 
-// Included by one source for each instruction set. What is compiled with the flags of that set must
-// not be taken by the linker for another: here all functions are named by T, or always inlined.
-// (Not so xsimd's reduction of very large angles, which contact angles never reach.)
+// Included by one source for each instruction set. The linker must not merge code compiled for
+// different sets, so each function is templated on T or always inlined. (xsimd's reduction of very
+// large angles is an exception; contact angles never reach it.)
 namespace raceway::bearing {
 
 /// Memory of a kernel, kept between calls. One per thread.
@@ -61,13 +61,13 @@ class KernelRun {
     }
   }
 
-  /// Every lane works on one point; where one ends, the next point takes its lane.
+  /// Each lane works on one point; when it is done, the next point takes the lane.
   void iterate() {
     constexpr int most_steps = 40;
     const NewtonLimits limits{.tolerance = call_.tolerance, .steps = most_steps};
     std::size_t next = 0, working = 0;
     for (std::size_t i = 0; i < width; ++i) {
-      // A lane without work goes through the motions of some point.
+      // A lane without work repeats some point.
       copy_lanes(memory_.newton.point, i, call_.blocks[0].points, 0);
       point_of_[i] = none;
       working += begin(i, next);
