@@ -25,7 +25,7 @@ enum class Side { front, rear };
 /// One bearing of a set.
 struct MountedBearing {
   std::shared_ptr<const Bearing> bearing;
-  /// Compression of this bearing in addition to that of its set, from its ground faces [m].
+  /// Compression of this bearing beyond the compression of its set, from its ground faces [m].
   double offset = 0.0;
   [[nodiscard]] bool operator==(const MountedBearing&) const = default;
 };

@@ -4,7 +4,7 @@
 
 namespace raceway::bearing {
 
-/// True if statics alone excludes an equilibrium: the ring cannot move under any load, or an axial
+/// True if statics alone excludes an equilibrium: no load acts on a free coordinate, or an axial
 /// load pulls the ring of an angular-contact bearing off its shoulder. Its balls push the ring in
 /// one direction only, so their axial forces cannot sum to that load.
 [[nodiscard]] bool cannot_balance(const RingSystem& system, const OperatingPoint& point);

@@ -9,7 +9,7 @@
 
 namespace raceway::c {
 
-/// Notes and warnings as a text, a line each.
+/// Text of notes and warnings, one per line.
 class MessageText : public session::Messages {
  public:
   void hear(const record::Note& note) override {
@@ -22,11 +22,11 @@ class MessageText : public session::Messages {
   std::string text_;
 };
 
-/// A text of the caller's, which is empty until something is put there.
+/// Text buffer of the caller, empty until text is stored.
 class Reply {
  public:
   Reply(char* text, std::size_t size) noexcept;
-  /// Stores the text up to the size of the buffer, cut between characters of UTF-8, with a final 0.
+  /// Stores the text up to the size of the buffer, cut between UTF-8 characters, with a final 0.
   void put(std::string_view text) noexcept;
 
  private:
@@ -34,11 +34,11 @@ class Reply {
   std::size_t size_;
 };
 
-/// Puts the current exception into the reply, in the words of the command. Only for use in a
-/// `catch`.
+/// Stores the message of the current exception in the reply, as the command prints it. Only for use
+/// in a `catch`.
 void explain(Reply& reply) noexcept;
 
-/// The result of `work`; `failed` where it throws, and the reply says why.
+/// Returns the result of `work`; `failed` if it throws, with the message in the reply.
 template <typename Result, typename Work>
 [[nodiscard]] Result guarded(Reply& reply, Result failed, const Work& work) noexcept {
   try {

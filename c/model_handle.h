@@ -9,7 +9,7 @@
 #include "files/model_file.h"
 #include "session/source.h"
 
-/// Object behind the caller's pointer. It never changes, so threads may share it.
+/// Object behind the caller's pointer. It is immutable, so threads may share it.
 struct raceway_model {
   raceway::files::ModelFile file;
   std::string messages;
@@ -24,8 +24,7 @@ namespace raceway::c {
 /// Code of raceway.h (RACEWAY_...) for a status of the solver.
 [[nodiscard]] int status_number(bearing::SolveStatus status);
 
-/// Names of these columns; empty, which stands for all, of none. Throws text::InputError for one
-/// that there is not.
+/// Reads names of columns. An empty list means all. Throws text::InputError for an unknown name.
 [[nodiscard]] std::vector<std::string> column_names(const raceway_model& model, const int* columns,
                                                     std::size_t count);
 

@@ -25,8 +25,8 @@
 extern "C" {
 #endif
 
-/// A model that was read: a bearing on a rig, the bearing sets of a shaft, or a spindle, whose sets
-/// are solved as for a shaft.
+/// A loaded model: a bearing on a rig, the bearing sets of a shaft, or a spindle, whose sets are
+/// solved as for a shaft.
 typedef struct raceway_model raceway_model;
 
 /// Return values of the functions.
@@ -35,7 +35,7 @@ enum { RACEWAY_DONE = 0, RACEWAY_WRONG_INPUT = 1, RACEWAY_NOT_CONVERGED = 2 };
 /// Solution status of a state; raceway_status_name() gives the words.
 enum {
   RACEWAY_STATUS_CONVERGED = 0,
-  RACEWAY_STATUS_NO_EQUILIBRIUM = 1,  ///< nothing balances this load
+  RACEWAY_STATUS_NO_EQUILIBRIUM = 1,  ///< no equilibrium with this load
   RACEWAY_STATUS_ITERATION_LIMIT = 2,
   RACEWAY_STATUS_SINGULAR = 3,    ///< the load leaves a displacement undetermined
   RACEWAY_STATUS_NOT_FINITE = 4,  ///< the numbers left the range of doubles
@@ -45,8 +45,8 @@ enum {
 /// Version of the library, as "0.2.0". Static: do not free it.
 RACEWAY_API const char* raceway_version(void);
 
-/// A status in the words of tables and JSON, as "no_equilibrium"; "unknown" for any other number.
-/// Static: not to be freed.
+/// Returns a status as in tables and JSON, such as "no_equilibrium"; "unknown" for other numbers.
+/// Static: do not free it.
 RACEWAY_API const char* raceway_status_name(int status);
 
 /// Reads a model from the text of a model file. `source_name` stands for the file in messages;
@@ -62,14 +62,14 @@ RACEWAY_API raceway_model* raceway_create(const char* toml_text, const char* sou
 RACEWAY_API raceway_model* raceway_create_from_file(const char* path, char* message,
                                                     size_t message_size);
 
-/// Ends a model; nothing of it may be used afterwards. NULL does nothing.
+/// Frees a model, which must not be used afterwards. NULL does nothing.
 RACEWAY_API void raceway_free(raceway_model* model);
 
 /// Notes from reading the model, such as the number of defaults used and doubtful values. Format as
 /// `message` above; valid as long as the model. Empty for NULL.
 RACEWAY_API const char* raceway_messages(const raceway_model* model);
 
-/// Number of result columns of raceway_solve() and raceway_table(); 0 of NULL.
+/// Number of result columns of raceway_solve() and raceway_table(); 0 for NULL.
 RACEWAY_API size_t raceway_column_count(const raceway_model* model);
 
 /// Name of a column with its unit, as "power_loss_W"; columns count from 0, the first is
@@ -77,7 +77,7 @@ RACEWAY_API size_t raceway_column_count(const raceway_model* model);
 /// NULL for a column that does not exist.
 RACEWAY_API const char* raceway_column_name(const raceway_model* model, size_t column);
 
-/// The column of that name, -1 where there is none.
+/// Index of the column with this name; -1 if there is none.
 RACEWAY_API int raceway_column_index(const raceway_model* model, const char* name);
 
 /// Solves `count` states of a bearing, or of a shaft, side by side on all cores. Neither the number

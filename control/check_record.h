@@ -23,12 +23,12 @@ namespace raceway::control {
 [[nodiscard]] ControlCheck made_up_check(const ControlPlan& plan,
                                          const std::vector<correction::Model>& models);
 
-/// Sensors whose last digit, as the record has it, moves an axis at once by half a micrometre or
-/// more, and that nothing smooths: a sentence each.
+/// Returns one sentence for each sensor whose last digit in the record moves an axis at once by
+/// half a micrometre or more, without smoothing.
 [[nodiscard]] std::vector<std::string> coarse_sensors(const ControlPlan& plan,
                                                       const record::Record& record);
 
-/// allow_to_stand() for what every sensor does in a record: a sentence each.
+/// Applies allow_to_stand() to every sensor of a record; returns one sentence for each change.
 [[nodiscard]] std::vector<std::string> allow_still_sensors(ControlPlan& plan,
                                                            const record::Record& record);
 

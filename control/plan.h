@@ -9,7 +9,7 @@
 #include "correction/control_settings.h"
 #include "correction/model.h"
 
-/// Corrections as numbers for a control; every format of `export` is written from them.
+/// Corrections as numbers for a control, the source of every format of `export`.
 ///
 /// Units are the units of the files throughout: um (of an angle urad in its place), C, K, W, rpm,
 /// m/min, s, N mm. Every slow part is a sum of parallel sections. Each section has a state that
@@ -17,21 +17,21 @@
 ///
 ///   s += (1 - exp(-dt/tau)) (target - s),   dt the time since the last call, as measured
 ///
-/// For an input that goes straight between two samples, as temperatures do, the exact step for a
-/// ramp is used. Polynomials become sections where their poles are poles of lags; else they run as
-/// the difference equation that they are, at one interval between calls.
+/// Inputs that vary linearly between two samples, as temperatures, use the exact ramp step.
+/// Polynomials with poles of lags become sections; others run as difference equations with a fixed
+/// interval between calls.
 namespace raceway::control {
 
 inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
-/// A number that the control gives at each call.
+/// A number that the control supplies at each call.
 struct ControlInput {
   std::string column{};      ///< "front_bearing_temperature_C"
-  std::string identifier{};  ///< the same for languages that know no hyphen, unlike all others
+  std::string identifier{};  ///< unique name for languages without hyphens
   std::string unit{};        ///< "C"
   bool temperature = false;
-  bool by_amount = true;  ///< acts without its sign: speeds, feeds, coolant
-  /// Range of the input in the data of the fit; NaN where it is not known.
+  bool by_amount = true;  ///< acts by magnitude: speeds, feeds, coolant
+  /// Range of the input in the data of the fit; NaN if not known.
   double lowest = unset, highest = unset;
   /// Plausible range, largest rate [1/s] and longest standstill [s]; NaN: not checked.
   double plausible_low = unset, plausible_high = unset, fastest_per_s = unset, stuck_s = unset;
@@ -47,11 +47,11 @@ struct ControlTogether {
   double farthest = unset;
 };
 
-/// Friction torque of a spindle, straight between its points, held beyond them. A load counts by
-/// its amount where its axis has no negative one.
+/// Friction torque of a spindle, linear between its points, constant beyond them. A load enters by
+/// magnitude if its axis has no negative value.
 struct ControlTable {
   std::string file{};
-  /// Rising, one value or more each; of one value where no input of the drive reads the axis.
+  /// Increasing values, at least one per axis; exactly one if no input of the drive reads the axis.
   std::vector<double> speed_rpm{}, axial_load_N{}, radial_load_N{}, temperature_C{};
   std::vector<double> torque_Nmm{};  ///< in this order, speed runs fastest
 };
@@ -66,7 +66,7 @@ struct ControlDrive {
   } kind = Kind::size;
   std::vector<std::size_t> inputs{};  ///< inputs of rise and size
   std::size_t reference = nowhere;    ///< of rise
-  /// Inputs at which the table of a power is read.
+  /// Inputs for reading the table of a power.
   std::size_t axial_load = nowhere, radial_load = nowhere, temperature = nowhere;
   double temperature_C = unset;            ///< value if no input has it
   std::size_t table = nowhere;             ///< of power
@@ -74,27 +74,27 @@ struct ControlDrive {
   double decay_rpm = unset;                ///< of motor
   double lowest = unset, highest = unset;  ///< of power, as for an input
   std::string unit{};                      ///< "K"
-  /// Share with which the parts of the drive act at this input: 0 outside of the outer points, 1
-  /// between the inner ones, straight between.
+  /// Share of the drive's parts at this input: 0 outside of the outer points, 1 between the inner
+  /// ones, linear between.
   std::size_t window = nowhere;
   double window_from = unset, window_full_from = unset, window_full_to = unset, window_to = unset;
   bool window_of_drive = false;  ///< it is of u, else of what the parts add to the displacement
 };
 
-/// A lag of what drives it.
+/// A lag of its drive.
 struct ControlSection {
   std::string channel{};
   std::size_t drive = nowhere;
   double gain = unset;  ///< [um] per unit of the drive
   double time_constant_s = unset;
-  bool straight = false;  ///< u goes straight between samples; else it holds until the next
+  bool straight = false;  ///< u is linear between samples; else constant until the next
   double direct = 0.0;    ///< of gain u that comes through at once: a sensor that lags
   double off_gain = 1.0, off_time_constant = 1.0;  ///< ratios where coolant_on is 0
   double speed_factor = 0.0, gain_power = 1.0;     ///< tau f, K f^g, f = 1/(1 + s n/10 000 rpm)
   double falling = 1.0;                            ///< ratio of tau where the target is nearer 0
 };
 
-/// A number over the drive: a line, a power law, or a table that holds beyond its ends.
+/// A function of the drive: a line, a power law, or a table that is constant beyond its ends.
 struct ControlCurve {
   enum class Kind { line, power_law, table } kind = Kind::line;
   double factor = 0.0;  ///< slope of a line
@@ -102,25 +102,25 @@ struct ControlCurve {
   std::vector<double> input{}, value{};
 };
 
-/// A section of which target and time constant go with the drive, a power or a load.
+/// A section with target and time constant that depend on the drive, a power or a load.
 struct ControlElement {
   std::string channel{};
   std::size_t drive = nowhere;
   double scale = 1.0;
   ControlCurve gain_um{}, time_constant_s{};
-  /// Drive that it takes, in its unit: from `from` on and below `limit`; beyond it stands still.
-  /// -1e30 and infinite where there is no bound.
+  /// Range of the drive, in its unit: from `from` on and below `limit`; outside it the section
+  /// stands still. -1e30 and infinite mean no bound.
   double from = 0.0, limit = unset;
 };
 
-/// gain u, at once.
+/// Instant part: gain u.
 struct ControlFeedthrough {
   std::string channel{};
   std::size_t drive = nowhere;
   double gain = unset;  ///< [um] per unit of the drive
 };
 
-/// A difference equation with poles that belong to no lag:
+/// A difference equation with poles other than lags:
 ///
 ///   y(k) = sum numerator(i) u(k-i) - sum denominator(i) y(k-i),   denominator(0) = 1
 ///
@@ -133,10 +133,10 @@ struct ControlEquation {
   std::vector<double> numerator{}, denominator{};  ///< [um] per unit of the drive; [1], alike long
 };
 
-/// Share of the sampling by which an interval between two calls may differ from it.
+/// Largest deviation of an interval between two calls from the sampling, as a share of it.
 inline constexpr double interval_tolerance = 0.05;
 
-/// A n^(1 - B exp(-C n)), at once.
+/// Instant part: A n^(1 - B exp(-C n)).
 struct ControlKinematic {
   double A_um = unset, B = unset, C_per_rpm = unset;
 };
@@ -149,12 +149,11 @@ struct ControlAxis {
   std::string letter{};      ///< axis that it moves: "z"; empty if not given
   double sign = -1.0, limit_um = 100.0, slew_um_s = 1.0;
   double unit_um = 1.0;  ///< of the output
-  bool counts = false;   ///< whole numbers of it
+  bool counts = false;   ///< output in whole numbers of it
   std::string output{};  ///< "offset_z_um", "offset_z_mm", "offset_z_counts", "offset_b_urad"
   bool angle = false;    ///< urad in the place of um in all of its numbers
   double offset_um = 0.0;
-  /// Trust in its model, in the words of correction::name(), and the reason; empty where that is
-  /// not known.
+  /// Trust in its model, in the words of correction::name(), and the reason; empty if not known.
   std::string trust{}, trust_because{};
   std::vector<ControlSection> sections{};
   std::vector<ControlElement> elements{};
@@ -163,15 +162,14 @@ struct ControlAxis {
   std::vector<ControlKinematic> kinematics{};
 };
 
-/// A record with the result of `correct`, stored with the numbers, to check the program that runs
-/// them.
+/// A record with the result of `correct`, stored with the numbers to check the program.
 struct ControlCheck {
   struct Row {
     double time_s = unset;
     std::vector<double> inputs{};            ///< in their units, in the order of the plan
     std::vector<double> displacements_um{};  ///< one for each axis of the plan
   };
-  std::vector<Row> rows{};  ///< none where there is no record
+  std::vector<Row> rows{};  ///< empty without a record
 };
 
 struct ControlPlan {
@@ -179,7 +177,7 @@ struct ControlPlan {
   std::vector<ControlInput> inputs{};
   std::size_t speed = nowhere,
               coolant = nowhere;            ///< indices of the inputs with a special role
-  std::vector<ControlTogether> together{};  ///< one for each model that says it
+  std::vector<ControlTogether> together{};  ///< one for each model that states it
   std::vector<ControlTable> tables{};
   std::vector<ControlDrive> drives{};
   std::vector<ControlAxis> axes{};
@@ -187,24 +185,24 @@ struct ControlPlan {
   correction::ControlSettings settings{};  ///< settings for all inputs and axes
   /// Parts of the models that are missing in the plan or differ, a sentence each.
   std::vector<std::string> notes{};
-  /// Properties of its parts that no machine has, a sentence each.
+  /// Physically implausible properties of its parts, one sentence each.
   std::vector<std::string> warnings{};
 };
 
-/// Throws InputError for what no control can run: polynomials that never decay, polynomials of two
-/// samplings, a formula of the user's own.
+/// Makes a plan. Throws InputError for parts that no control can run: polynomials that never decay,
+/// polynomials with two samplings, a user-made formula.
 [[nodiscard]] ControlPlan control_plan(const std::vector<correction::Model>& models,
                                        const correction::ControlSettings& settings,
                                        const std::string& source);
 
-/// Drives and tables that are alike become one, in the order in which axes use them, and inputs and
-/// displacements get the names that languages know.
+/// Merges equal drives and tables, in the order in which axes use them, and gives inputs and
+/// displacements names valid in the target languages.
 void in_order(ControlPlan& plan);
 
-/// Gives the sensor of an input more time until it counts as stuck, where one that did not stick
-/// stood still for longer: half as long again, in whole 10 minutes, one day at most; only a
-/// temperature for which `settings` leave stuck_s to its default. Returns a sentence, empty where
-/// nothing changed. `where`: it stood still, "in drift.csv".
+/// Extends the time until a sensor counts as stuck, if a working sensor stood still for longer:
+/// half as long again, in whole 10 minutes, one day at most; only a temperature for which
+/// `settings` leave stuck_s to its default. Returns a sentence, empty where nothing changed.
+/// `where`: it stood still, "in drift.csv".
 [[nodiscard]] std::string allow_to_stand(ControlInput& input, double still_s,
                                          const correction::ControlSettings& settings,
                                          const std::string& where);
@@ -214,16 +212,16 @@ void in_order(ControlPlan& plan);
   return axis.angle ? "urad" : "um";
 }
 
-/// The line of trust of an axis; empty where it is not known.
+/// Text on the trust of an axis; empty if not known.
 [[nodiscard]] std::string trust_line(const ControlAxis& axis);
 
-/// Offsets in whole counts of every axis, as LinuxCNC takes them.
+/// Offsets of every axis in whole counts, for LinuxCNC.
 void count_in_whole_numbers(ControlPlan& plan);
 
-/// Interval between two calls that the equations of a plan need [s]; NaN where it has none.
+/// Interval between two calls required by the equations of a plan [s]; NaN without equations.
 [[nodiscard]] double sampling_of(const ControlPlan& plan);
 
-/// Places of the inputs that an axis goes by, rising.
+/// Indices of the inputs used by an axis, increasing.
 [[nodiscard]] std::vector<std::size_t> used_inputs(const ControlPlan& plan,
                                                    const ControlAxis& axis);
 

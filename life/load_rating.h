@@ -10,12 +10,12 @@ namespace raceway::life {
 ///
 /// Source:   [ISO281, table 2], print not seen; two transcripts that agree were read.
 /// Domain:   γ from 0.01 to 0.40; no number outside.
-/// Trap:     it belongs to grooves of f_i <= 0.52, f_o <= 0.53. Closer ones do not raise it; wider
+/// Trap:     it holds for grooves of f_i <= 0.52, f_o <= 0.53. Closer ones do not raise it; wider
 ///           ones lower the true rating, which the standard leaves to ISO/TR 1281-1.
 [[nodiscard]] double rating_factor(double gamma);
 
-/// Dynamic radial load rating of one row of balls [N]: what 90 % of bearings carry for a million
-/// revolutions.
+/// Dynamic radial load rating of one row of balls [N]: 90 % of bearings survive a million
+/// revolutions at this load.
 ///
 ///   C = 1.3 f_c cos^0.7 α Z^(2/3) D^1.8              D <= 25.4 mm
 ///   C = 1.3 f_c cos^0.7 α Z^(2/3) 3.647 D^1.4        D >  25.4 mm

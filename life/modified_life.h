@@ -2,7 +2,7 @@
 
 namespace raceway::life {
 
-/// Viscosity that a bearing asks for [m²/s].
+/// Reference viscosity of a bearing [m²/s].
 ///
 ///   ν1 = 45000 n^-0.83 d_m^-0.5     n < 1000 rpm
 ///   ν1 = 4500 n^-0.5 d_m^-0.5       n >= 1000 rpm
@@ -28,7 +28,7 @@ namespace raceway::life {
 /// Source:   [ISO281, eqs. 31 to 33], print not seen; read in two texts. One public program has p =
 ///           0.019087 in the middle line, a misprint: its line would not meet the others.
 /// Domain:   κ >= 0.1, no number below; fatigue_ratio >= 0. Steel; undefined for hybrid bearings,
-///           whose makers take the same.
+///           although their makers use the same factor.
 [[nodiscard]] double life_modification(double viscosity_ratio, double fatigue_ratio);
 
 /// Life modification factor of radial roller bearings [1].
@@ -39,13 +39,13 @@ namespace raceway::life {
 /// Source:   [ISO281], print not seen; read in a text. Domain: as life_modification().
 [[nodiscard]] double roller_life_modification(double viscosity_ratio, double fatigue_ratio);
 
-/// Factor a1 of a reliability [%] on a life of 90 % [1], linear between the printed values.
+/// Life factor a1 for a reliability [%], relative to 90 % [1], linear between the printed values.
 ///
 /// Source:   [ISO281:2007, table 12], from memory; no print or transcript was found to check.
 /// Domain:   90 to 99.95 %; no number outside.
 [[nodiscard]] double reliability_factor(double reliability_percent);
 
-/// Hours of a life in millions of revolutions at a speed [rad/s]; infinite at standstill.
+/// Converts a life in millions of revolutions to hours at a speed [rad/s]; infinite at standstill.
 [[nodiscard]] double life_hours(double million_revolutions, double speed);
 
 }  // namespace raceway::life

@@ -5,7 +5,7 @@
 
 namespace raceway::life {
 
-/// Loads of one ball that each race carries for a million revolutions [N].
+/// Dynamic ball load ratings of the races, for a million revolutions [N].
 ///
 ///   Q_ci = C/(0.407 Z cos α) (1 + T^(10/3))^0.3,   Q_ce = C/(0.389 Z cos α) (1 + T^(-10/3))^0.3
 ///   T = 1.044 ((1 - γ)/(1 + γ))^1.72 (f_i (2 f_o - 1)/(f_o (2 f_i - 1)))^0.41,  γ = D cos α/d_m

@@ -19,13 +19,13 @@
 /// effect.
 namespace raceway::report {
 
-/// A correction as it is drawn, or a spindle: that with each channel that was measured.
+/// A correction as drawn, or a spindle with each measured channel.
 struct DrawnModel {
-  std::string name{};                             ///< as people read it
+  std::string name{};                             ///< name for people
   std::shared_ptr<const fit::Subject> subject{};  ///< of a correction: aligned with the record
-  std::vector<fit::HeldOutReading> held_out{};    ///< where a fit left parts of the record out
+  std::vector<fit::HeldOutReading> held_out{};    ///< readings that a fit held out
   std::vector<files::UsedDefault> defaults{};     ///< that its file used
-  std::vector<double> tolerances{};  ///< of a spindle: of each channel that was measured [SI]
+  std::vector<double> tolerances{};               ///< for a spindle: of each measured channel [SI]
 };
 
 /// The page around the document that `command` prints with `--json`. Models of one channel share

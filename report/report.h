@@ -20,27 +20,28 @@
 
 /// Results as one HTML page with pictures that needs no network. It holds the document that
 /// `--json` prints, the rows behind the pictures, and the script that draws them (report/page/).
-/// The same results give the same bytes. Of several measured channels a page draws the first.
+/// The same results give the same bytes. With several measured channels, the page draws the first
+/// one.
 namespace raceway::report {
 
 /// False in a program built with -DRACEWAY_REPORT=OFF; the functions below then throw InputError.
 [[nodiscard]] bool report_available();
 
-/// A model whose law, factors, oil and defaults the page names.
+/// A model with its law, factors, oil and defaults, which the page names.
 struct ModelOfPage {
   std::string file;
   model::Model model;  ///< as it was used
   std::vector<files::UsedDefault> defaults;
 };
 
-/// The models in the order in which they were made, as they were compared; of each the comparisons
-/// of its measured channels. `facts` may be empty, here and below.
+/// Page of models in the order of their creation, with comparisons of their measured channels.
+/// `facts` may be empty, here and below.
 [[nodiscard]] std::string comparison_report(
     const std::vector<std::string>& model_files, const std::vector<model::Model>& models,
     const std::vector<std::vector<verdict::Comparison>>& comparisons, const record::Record& record,
     const std::vector<ModelOfPage>& facts = {});
 
-/// `subject` is the one that was diagnosed.
+/// Page of a diagnosis. `subject` is the diagnosed model.
 [[nodiscard]] std::string diagnosis_report(const std::string& model_file,
                                            const fit::Subject& subject,
                                            const record::Record& record,
@@ -51,7 +52,7 @@ struct ModelOfPage {
                                      const verdict::AddResult& result,
                                      const std::vector<ModelOfPage>& facts = {});
 
-/// Points of a bearing with their predicted balance, drawn in addition to the curves.
+/// Points of a bearing with their predicted equilibrium, drawn in addition to the curves.
 using BearingStates = std::vector<std::pair<bearing::OperatingPoint, model::FrictionPrediction>>;
 
 /// `measured` may be null. Its friction torque is the sum over all bearings of the rig.
@@ -61,7 +62,7 @@ using BearingStates = std::vector<std::pair<bearing::OperatingPoint, model::Fric
                                        const std::vector<ModelOfPage>& facts = {},
                                        const std::vector<std::string>& warnings = {});
 
-/// The fitted law of a shaft's displacement, or why there is none.
+/// The fitted law of a shaft's displacement, or the reason why there is none.
 struct LawOfReport {
   std::optional<shaft::KinematicLawFit> fit;
   std::string statement;  ///< fit quality of the law, or the reason for no fit
@@ -75,7 +76,7 @@ struct LawOfReport {
     const LawOfReport& law, const std::vector<std::string>& warnings,
     const std::vector<ModelOfPage>& facts = {}, const model::Findings& findings = {});
 
-/// The page around a document: JSON as text, in which no `<` is left to end the data early.
+/// Returns the page around a document: JSON as text, without any `<` that could end the data early.
 [[nodiscard]] std::string report_page(const std::string& document);
 
 }  // namespace raceway::report

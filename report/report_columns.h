@@ -14,11 +14,11 @@ class ReportColumns {
  public:
   explicit ReportColumns(std::size_t rows) : rows_(rows) {}
 
-  /// `values` of all rows, in the unit that `name` ends with.
+  /// Adds `values` of all rows, in the unit at the end of `name`.
   void add(std::string name, std::vector<double> values);
-  /// Keeps these rows too when others are left out.
+  /// Keeps these rows too if others are omitted.
   void keep(std::size_t row) { wanted_.push_back(row); }
-  /// Keeps those where `values` are highest and lowest in each of 500 stretches of the rows.
+  /// Keeps the rows with the highest and lowest `values` in each of 500 stretches.
   void keep_extremes(const std::vector<double>& values);
   /// Adds the column and keeps its extremes, for a curve over time.
   void add_course(std::string name, std::vector<double> values) {

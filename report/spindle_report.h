@@ -8,19 +8,19 @@
 #include "results/spindle_results.h"
 #include "spindle/drawn_run.h"
 
-/// The pages of `raceway spindle`: what runs.csv holds as pictures, and the cross-section with the
+/// Pages of `raceway spindle`: the contents of runs.csv as pictures, and the cross-section with the
 /// temperature of each cell.
 namespace raceway::report {
 
-/// The temperatures of all cells at one time, or at one speed.
+/// Temperatures of all cells at one time, or at one speed.
 struct DrawnField {
-  double time = unset;   ///< [s]; NaN of a steady state
+  double time = unset;   ///< [s]; NaN for a steady state
   double speed = unset;  ///< [rad/s]
   std::vector<spindle::FieldCell> cells;
 };
 
-/// `results`: the output of `--json` without its rows, which `drawn` has. `mesh_text`: the text of
-/// the command on the cells.
+/// `results`: the output of `--json` without its rows, which are in `drawn`. `mesh_text`: the text
+/// of the command on the cells.
 [[nodiscard]] std::string spindle_run_report(
     const ModelOfPage& model, const std::string& programme, std::size_t rows_asked,
     const spindle::Run& run, const spindle::DrawnRun& drawn, std::span<const DrawnField> fields,

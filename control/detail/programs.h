@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-/// The programs that a plan is put into, from program.*.in; see text.h.
+/// Program templates of a plan, from program.*.in; see text.h.
 namespace raceway::control {
 
 extern const std::string_view python_program, c_program, python_main, linuxcnc_main;

@@ -6,8 +6,7 @@
 
 #include "control/plan.h"
 
-/// Names of the numbers of a plan in its table of coefficients, for the writer and the reader of
-/// it.
+/// Names of the numbers of a plan in its table of coefficients, for writer and reader.
 namespace raceway::control {
 
 template <typename Part>
@@ -15,7 +14,7 @@ struct NumberField {
   std::string_view name;
   double Part::*number;
   std::string_view unit;  ///< "u": of the drive's gain; "input": of the input
-  bool required = false;  ///< else it may be left out, and is as a new Part has it
+  bool required = false;  ///< else optional, with the default of a new Part
   double lowest = -1e30;
   double highest = 1e30;
 };
@@ -24,7 +23,7 @@ template <typename Part>
 struct TextField {
   std::string_view name;
   std::string Part::*text;
-  std::string_view allowed{};  ///< words in blanks; empty: any text
+  std::string_view allowed{};  ///< allowed words between blanks; empty: any text
 };
 
 inline constexpr std::string_view table_mark = "# raceway coefficient table 1";

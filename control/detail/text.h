@@ -7,17 +7,17 @@
 
 #include "control/plan.h"
 
-/// The writers of a ControlPlan share this.
+/// Text functions shared by the writers of a ControlPlan.
 namespace raceway::control {
 
-/// Letters, digits, blanks and harmless signs; anything else, which could end a comment or a text
-/// of the language that it is written into, becomes "_".
+/// Keeps letters, digits, blanks and harmless signs. Any other character could end a comment or a
+/// text of the target language and becomes "_".
 [[nodiscard]] std::string harmless(std::string_view text);
 
-/// 15 digits; `endless` where it is infinite or not known.
+/// Returns 15 digits; `endless` for an infinite or unknown number.
 [[nodiscard]] std::string control_number(double value, std::string_view endless);
 
-/// Joined by ", ", each wrapped in `before` and `after`.
+/// Joins texts by ", ", each wrapped in `before` and `after`.
 [[nodiscard]] std::string control_numbers(const std::vector<double>& values,
                                           std::string_view before = {},
                                           std::string_view after = {});
@@ -34,23 +34,23 @@ struct TableAxis {
   std::vector<double> points{};
   bool by_amount = false;
 };
-/// Those of the table of a power, the one that runs fastest first.
+/// Axes of the table of a power, the fastest running first.
 [[nodiscard]] std::vector<TableAxis> axes_of(const ControlPlan& plan, const ControlDrive& power);
-/// " at 300 N": the axial load of its table, where no input has it.
+/// Returns " at 300 N": the axial load of its table, if no input gives it.
 [[nodiscard]] std::string fixed_load(const ControlPlan& plan, const ControlDrive& power);
 
-/// Hash of the numbers of a plan; a saved state belongs to the plan with the same stamp.
+/// Hash of the numbers of a plan. A saved state belongs to the plan with the same stamp.
 [[nodiscard]] std::uint32_t stamp(const ControlPlan& plan);
 
-/// The lines that every file begins with: what it is, of which model, and what is not in it. Each
-/// begins with `mark`.
+/// Header lines of every file: its kind, its model and the missing parts. Each line begins with
+/// `mark`.
 [[nodiscard]] std::string control_heading(const ControlPlan& plan, std::string_view mark);
-/// The source, a note and a warning in such a line, read back; empty in others.
+/// Reads the source, a note and a warning from such a line; empty for other lines.
 [[nodiscard]] std::string source_in_heading(std::string_view line, std::string_view mark);
 [[nodiscard]] std::string note_in_heading(std::string_view line, std::string_view mark);
 [[nodiscard]] std::string warning_in_heading(std::string_view line, std::string_view mark);
 
-/// `text` with every `@KEY@` replaced.
+/// Returns `text` with every `@KEY@` replaced.
 struct Replacement {
   std::string_view key;
   std::string text;

@@ -6,7 +6,8 @@
 
 namespace raceway::life {
 
-/// Between the points of a printed table, linear; the ends hold beyond them. x increases.
+/// Linear interpolation between the points of a printed table, constant beyond its ends. x
+/// increases.
 [[nodiscard]] inline double between(std::span<const double> x, std::span<const double> y,
                                     double at) {
   if (!(at > x.front())) return at == at ? y.front() : at;

@@ -18,13 +18,13 @@ namespace raceway::python {
 
 namespace py = pybind11;
 
-/// Measurements as Python keeps them; null for none.
+/// Measurements held by Python; null for none.
 using Data = std::shared_ptr<session::Source>;
 
 /// Columns by name, in the units of files.
 using NamedColumns = std::vector<std::pair<std::string, std::vector<double>>>;
 
-/// Result as Python shows it.
+/// Result in the form shown by Python.
 struct EngineAnswer {
   std::string json{};
   std::function<std::string()> page{};
@@ -32,7 +32,7 @@ struct EngineAnswer {
   std::function<NamedColumns()> rows{};
   std::vector<record::Note> notes{}, warnings{};
   bool converged = true;
-  std::string refused{};  ///< why an effect was not added; empty where it was
+  std::string refused{};  ///< reason why an effect was not added; empty if added
   session::FittedTexts fitted{};
 };
 
@@ -42,18 +42,18 @@ inline std::vector<session::Source> sources(const std::vector<Data>& data) {
   return list;
 }
 
-/// The columns of a record as it was understood.
+/// Returns the columns of a record as interpreted.
 [[nodiscard]] NamedColumns columns_of(const record::Record& record);
-/// Values of a channel [SI] in the unit of files.
+/// Converts values of a channel [SI] to the unit of files.
 [[nodiscard]] std::vector<double> in_unit(const record::Channel& channel,
                                           std::span<const double> si);
 /// Returns the columns as arrays of numpy.
 [[nodiscard]] py::dict arrays_of(NamedColumns columns);
 
-/// Options of a question as keyword arguments of Python have them, but for what stands in models.
+/// Options of a question from keyword arguments of Python, except those in models.
 [[nodiscard]] session::LoopOptions options_of(const py::kwargs& given);
 
-/// Runs `work` on a question and gives the answer what was said meanwhile.
+/// Runs `work` on a question and adds its messages to the answer.
 template <typename Work>
 EngineAnswer answered(const Waiting& waiting, std::atomic<bool>& cancelled,
                       const Progress& progress, const Work& work) {

@@ -16,15 +16,14 @@ namespace raceway::python {
 
 namespace py = pybind11;
 
-/// An array of Python by reference: doubles, of any shape and strides.
+/// Array of Python by reference: doubles, of any shape and strides.
 using Doubles = py::array_t<double>;
 
-/// A setting as it was entered. The way to SI and back moves the last digit of a double, and a
-/// filter such as frame.speed_rpm == 1500 would not find its rows.
+/// A setting as entered. Conversion to SI and back changes the last digit of a double, and a filter
+/// such as frame.speed_rpm == 1500 would find no rows.
 inline double as_entered(double value) { return record::with_digits(value, 13); }
 
-/// The shape that numpy gives arrays that are used together. Throws text::InputError where there is
-/// none.
+/// Returns the broadcast shape of arrays as in numpy. Throws text::InputError if there is none.
 inline std::vector<std::size_t> broadcast_shape(
     const std::vector<std::pair<std::string, Doubles>>& arrays) {
   std::size_t dimensions = 0;
@@ -51,7 +50,7 @@ inline std::vector<std::size_t> broadcast_shape(
   return shape;
 }
 
-/// The numbers of an array where they stand, repeated along the dimensions that it lacks.
+/// Reads the numbers of an array in place, repeated along missing dimensions.
 inline session::NumberArray number_array(const Doubles& array,
                                          const std::vector<std::size_t>& shape) {
   session::NumberArray numbers;
@@ -65,7 +64,7 @@ inline session::NumberArray number_array(const Doubles& array,
   return numbers;
 }
 
-/// A vector as an array of that shape which owns it: nothing is copied.
+/// Moves a vector into an array of that shape without a copy.
 template <typename Number>
 py::array_t<Number> owned(std::vector<Number> values, const std::vector<std::size_t>& shape) {
   auto* const kept = new std::vector<Number>(std::move(values));

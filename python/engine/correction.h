@@ -28,7 +28,7 @@ class EngineCorrection final : public EngineFile {
   [[nodiscard]] py::list parameters() const;
   /// Columns that a record needs.
   [[nodiscard]] py::list inputs() const;
-  /// The line of trust of each displacement.
+  /// Text on the trust of each displacement.
   [[nodiscard]] py::dict trust() const;
 
  private:

@@ -13,25 +13,25 @@
 
 namespace raceway::python {
 
-/// A model file as Python holds it. It never changes: several threads may ask it at once.
+/// A model file held by Python. It is immutable, so several threads may use it at once.
 class EngineFile {
  public:
   virtual ~EngineFile() = default;
 
-  /// Notes of the opening.
+  /// Notes from reading the file.
   [[nodiscard]] const Heard& heard() const { return heard_; }
-  /// The file, for a question.
+  /// Returns the file for a question.
   [[nodiscard]] virtual session::Source source() const = 0;
   [[nodiscard]] virtual session::Part part() const = 0;
   [[nodiscard]] virtual std::vector<std::string> defaults() const = 0;
-  /// Puts into a model what no file can say.
+  /// Adds data to a model that a file cannot contain.
   virtual void amend(files::ModelFile&) const {}
 
  protected:
   Heard heard_;
 };
 
-/// Files that a model names, as Python keeps them: name, path and text of each.
+/// Files named by a model and kept by Python: name, path and text of each.
 using HeldFiles = std::vector<std::tuple<std::string, std::string, std::string>>;
 
 [[nodiscard]] inline std::vector<files::NamedFile> named_files(const HeldFiles& held) {

@@ -43,10 +43,9 @@ struct Waiting {
   py::object progress = py::none();  ///< called with share and step, some ten times a second
 };
 
-/// Runs long work on a thread of its own without the lock of the interpreter, so that other Python
-/// threads go on, and asks for signals meanwhile: KeyboardInterrupt sets `cancelled`, which the
-/// work looks at, and is raised when the work has ended. A time limit does the same with
-/// TimeoutError.
+/// Runs long work on a separate thread without the interpreter lock, so that other Python threads
+/// continue. It checks for signals: KeyboardInterrupt sets `cancelled`, which the work checks, and
+/// is raised when the work has ended. A time limit does the same with TimeoutError.
 template <typename Work>
 auto interruptible(std::atomic<bool>& cancelled, const Progress& progress, const Waiting& waiting,
                    const Work& work) {
@@ -76,7 +75,7 @@ auto interruptible(std::atomic<bool>& cancelled, const Progress& progress, const
     const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
     if (elapsed > waiting.time_limit) out_of_time = cancelled = true;
   }
-  // Where work that was cancelled fails, whatever it says comes from that.
+  // Errors of cancelled work are caused by the cancellation.
   if (error) {
     task.wait();
     throw std::move(*error);

@@ -15,7 +15,7 @@
 
 namespace raceway::python {
 
-/// A model of a bearing, a shaft or a spindle, with effects of the user's own.
+/// Model of a bearing, a shaft or a spindle, with user-made effects.
 class EngineModel final : public EngineFile {
  public:
   EngineModel(const std::string& source, const std::string& text, const py::list& own,
@@ -30,13 +30,13 @@ class EngineModel final : public EngineFile {
     return files::lines(file_.defaults);
   }
   void amend(files::ModelFile& file) const override;
-  /// The band by the covariance of its fitted parameters, where it is wanted. Throws
-  /// text::InputError where it has none.
+  /// Returns the band from the covariance of its fitted parameters, if requested. Throws
+  /// text::InputError if there is no covariance.
   [[nodiscard]] std::optional<model::Band> band(bool wanted) const;
-  /// "rig", "shaft" or "spindle".
+  /// Returns "rig", "shaft" or "spindle".
   [[nodiscard]] std::string kind() const;
   [[nodiscard]] py::list parameters() const;
-  /// The text with these numbers, by names of parameters.
+  /// Returns the text with these numbers, by names of parameters.
   [[nodiscard]] std::string with_values(const py::dict& values) const;
 
  private:

@@ -11,17 +11,17 @@ namespace raceway::python {
 
 namespace py = pybind11;
 
-/// An effect whose moment is a function of Python: what it is called, its numbers, and
-/// `function(columns, values)`, which gives torques [N mm] for columns of rows.
+/// An effect with a Python function as its moment: id, title, numbers and `function(columns,
+/// values)`, which returns torques [N mm] for columns of rows.
 struct OwnEffect {
   effects::UserMadeEffect described;
   py::object function;
 
-  /// As an effect of a model, with these numbers.
+  /// Makes an effect of a model with these numbers.
   [[nodiscard]] effects::Effect effect() const;
 };
 
-/// Of tuples (id, title, [(name, unit, value, lower, upper)], function).
+/// Reads tuples (id, title, [(name, unit, value, lower, upper)], function).
 [[nodiscard]] std::vector<OwnEffect> own_effects(const py::list& given);
 
 }  // namespace raceway::python

@@ -6,14 +6,14 @@
 
 namespace raceway::report {
 
-/// The document of a report in the making: its members in order. Shared by the reports.
+/// Report document under construction: its members in order. Shared by the reports.
 class Document {
  public:
   explicit Document(const std::string& kind);
   void add(const std::string& key, text::json value) {
     add_text(key, text::line_text(std::move(value)));
   }
-  /// A member that is JSON already.
+  /// Adds a member that is already JSON.
   void add_text(const std::string& key, const std::string& value) {
     text_ += (text_.empty() ? "{" : ",\n") + text::line_text(key) + ":" + value;
   }

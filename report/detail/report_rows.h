@@ -16,18 +16,18 @@ namespace raceway::report {
 /// predictions. Names of columns end with the unit; readings are in the unit of the channel.
 class ReportRows {
  public:
-  /// `rows` of the record, rising.
+  /// `rows` of the record, in increasing order.
   ReportRows(const record::Record& record, const record::Channel& channel,
              std::vector<std::size_t> rows);
 
   [[nodiscard]] const std::vector<std::size_t>& rows() const { return rows_; }
-  /// Numbers in the order of the errors of a comparison, by row of the page; NaN elsewhere.
+  /// Places numbers in the order of the errors of a comparison by row of the page; NaN elsewhere.
   [[nodiscard]] std::vector<double> by_row(const verdict::Comparison& comparison,
                                            std::span<const double> values) const;
 
-  /// A column of readings by row of the page [SI]. Returns its name, which is `name` and the unit.
+  /// Adds a column of readings by row of the page [SI]. Returns its name: `name` and the unit.
   std::string add_readings(const std::string& name, std::vector<double> values);
-  /// The standard deviation of each reading [SI], NaN where not known.
+  /// Adds the standard deviation of each reading [SI], NaN if not known.
   void add_std(std::vector<double> std);
   /// Adds the predictions of a model as the next of the columns `predicted_0_UNIT`, ..., and its
   /// errors on the plan. Call it after add_std().
@@ -37,8 +37,7 @@ class ReportRows {
 
  private:
   void add_inputs();
-  /// Returns true for several records, which take the place of runs unless there are more runs than
-  /// records.
+  /// Returns true for several records. They replace runs unless there are more runs than records.
   [[nodiscard]] bool by_record() const {
     return !record_.parts.empty() && record_.runs.size() <= record_.parts.size();
   }
@@ -47,18 +46,18 @@ class ReportRows {
 
   const record::Record& record_;
   const record::Channel& channel_;
-  std::vector<std::size_t> rows_, place_;  // of the record by row of the page, and the other way
+  std::vector<std::size_t> rows_, place_;  // of the record by row of the page, and the inverse
   std::vector<double> std_;
   std::vector<std::string> inputs_;
   text::json models_ = text::json::array();
   ReportColumns columns_;
 };
 
-/// Rows of a record at which a channel was read.
+/// Returns the rows of a record with a reading of the channel.
 [[nodiscard]] std::vector<std::size_t> rows_read(const record::Record& record,
                                                  const record::Channel& channel);
 
-/// Rows of a record that a comparison compares, rising.
+/// Returns the rows of a record used in a comparison, in increasing order.
 [[nodiscard]] std::vector<std::size_t> rows_compared(const verdict::Comparison& comparison);
 
 }  // namespace raceway::report
