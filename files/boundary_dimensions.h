@@ -10,12 +10,12 @@ struct BoundaryDimensions {
   double bore, outer_diameter, width;  ///< [m]
 };
 
-/// Dimensions of a size: dimension series "18", "19", "10", "02" or "03" (width series, diameter
-/// series) and bore code, "14" for 70 mm. Nothing for a size outside of the table, whose bores end
-/// at 200 mm (series 03: 120 mm).
+/// Returns the dimensions of a size: dimension series "18", "19", "10", "02" or "03" (width series,
+/// diameter series) and bore code, "14" for 70 mm. Nothing outside of the table, whose bores end at
+/// 200 mm (series 03: 120 mm).
 ///
-/// Source:   ISO 15, as others print it: series 10 and 19 to 130 mm by NTN-SNR (ULTAGE, 7000 and
-///           7900) and [GMN4000], series 02 to 100 mm by GB/T 276. The other sizes were not
+/// Source:   ISO 15, from secondary sources: series 10 and 19 to 130 mm by NTN-SNR (ULTAGE, 7000
+///           and 7900) and [GMN4000], series 02 to 100 mm by GB/T 276. The other sizes were not
 ///           compared with a print.
 [[nodiscard]] std::optional<BoundaryDimensions> boundary_dimensions(
     std::string_view dimension_series, std::string_view bore_code);

@@ -14,7 +14,7 @@ struct PairPreload {
   double axial_rigidity = unset;  ///< of the pair [N/m]
 };
 
-/// One row of a maker's catalogue of bearings. What the maker leaves blank is NaN.
+/// One row of a maker's catalogue of bearings. Blank values are NaN.
 struct CatalogueBearing {
   std::string maker;
   std::string designation;
@@ -28,34 +28,33 @@ struct CatalogueBearing {
   double speed_limit_oil = unset;                     ///< [rad/s]
   double speed_limit_grease = unset;                  ///< [rad/s]
   PairPreload light, medium, strong;
-  double spring_preload_at_speed_limit = unset;  ///< least spring preload there [N]
+  double spring_preload_at_speed_limit = unset;  ///< least spring preload at that limit [N]
 
   /// "GMN S 6014 C TA".
   [[nodiscard]] std::string full_name() const { return maker + " " + designation; }
 };
 
-/// Path of a file or folder among the data that come with the program or the shared library: in
-/// share/raceway next to it, else in the source tree it was built from, else where it was to be
-/// installed; empty where none of them has it.
+/// Path of a file or folder in the data of the program or the shared library: in share/raceway next
+/// to it, else in its source tree, else in the installation folder; empty if not found.
 [[nodiscard]] std::string data_file(const std::string& name);
 
-/// Folder that holds the catalogues, bearings/, among these data; empty where there is none.
+/// Folder of the catalogues, bearings/, in these data; empty if not found.
 [[nodiscard]] std::string data_directory();
 
-/// The user's own folder: the environment variable RACEWAY_DATA, empty where it is not set. Throws
-/// InputError where that is no folder.
+/// The user's data folder: the environment variable RACEWAY_DATA, empty if not set. Throws
+/// InputError if it is not a folder.
 [[nodiscard]] std::string own_data_directory();
 
-/// One file of a catalogue. The maker is named in a line `# maker: NAME`, else by the file's name
-/// up to its first underscore. Throws InputError as read_csv(), and for impossible values.
+/// Reads one file of a catalogue. The maker is named in a line `# maker: NAME`, else by the file's
+/// name up to its first underscore. Throws InputError as read_csv(), and for impossible values.
 [[nodiscard]] std::vector<CatalogueBearing> read_catalogue(const std::string& path);
 
 /// Parses a catalogue from its text.
 [[nodiscard]] std::vector<CatalogueBearing> parse_catalogue(std::string text,
                                                             const std::string& path);
 
-/// All rows of bearings/*.csv in the data directory, file by file, behind the rows of the user's
-/// own folder (its bearings/*.csv, else its *.csv). Throws InputError where neither has any.
+/// Returns the rows of the user's folder (its bearings/*.csv, else its *.csv), then all rows of
+/// bearings/*.csv in the data directory, file by file. Throws InputError if neither has any.
 [[nodiscard]] std::vector<CatalogueBearing> read_catalogues();
 
 /// Rows whose name contains `filter` (case, blanks and a trailing "TA" do not matter); all if
@@ -63,7 +62,7 @@ struct CatalogueBearing {
 [[nodiscard]] std::vector<CatalogueBearing> matching_bearings(
     const std::vector<CatalogueBearing>& rows, std::string_view filter);
 
-/// The row of that name, null where there is none.
+/// Returns the row with this name; null if there is none.
 [[nodiscard]] const CatalogueBearing* known_bearing(const std::vector<CatalogueBearing>& rows,
                                                     std::string_view name);
 

@@ -18,7 +18,7 @@ namespace raceway::files {
 /// Conversion of a cell to SI.
 struct CellUnit {
   const text::Unit* unit = nullptr;  ///< null: the channel's own
-  double factor = 1.0;               ///< of the user's own, before all else: -1 turns a sign
+  double factor = 1.0;               ///< the user's factor, applied first: -1 changes the sign
 
   [[nodiscard]] double to_SI(const record::Channel& channel, double cell) const {
     return unit ? unit->to_SI(cell * factor) : channel.to_SI(cell * factor);
@@ -28,18 +28,18 @@ struct CellUnit {
   }
 };
 
-/// A channel as its name in a file says it.
+/// A channel as identified by its name in a file.
 struct NamedChannel {
   const record::Channel* channel;
   const text::Unit* unit =
       nullptr;  ///< null where it is the channel's own, or the channel has none
 };
 
-/// The unit of a channel in the table of units; null for one without (a run, a count).
+/// Unit of a channel in the table of units; null without a unit (a run, a count).
 [[nodiscard]] const text::Unit* unit_of(const record::Channel& channel);
 
-/// The channel of that name, also in another unit of its kind: "friction_torque_Nm", "speed
-/// [1/min]".
+/// Returns the channel with this name, also in another unit of its kind: "friction_torque_Nm",
+/// "speed [1/min]".
 [[nodiscard]] std::optional<NamedChannel> named_channel(
     std::string_view name, std::span<const record::Channel* const> channels);
 
@@ -47,7 +47,8 @@ struct NamedChannel {
 /// [mm]".
 [[nodiscard]] std::optional<NamedChannel> named_series_channel(std::string_view name);
 
-/// As above, for a record of a spindle, whose temperatures are measured but for those around it.
+/// As above, for a record of a spindle, whose temperatures are measured except those of its
+/// surroundings.
 [[nodiscard]] std::optional<NamedChannel> named_spindle_channel(std::string_view name);
 
 /// One line of [columns]: the source of one of our columns.
@@ -57,7 +58,7 @@ struct ColumnRule {
   const text::Unit* key_unit;        ///< unit at the end of the key, null for the channel's own
   std::string header{};              ///< header of their column; empty for a constant
   std::optional<double> constant{};  ///< for all rows, in the unit of the key
-  const text::Unit* unit = nullptr;  ///< of their column, where the rule says it
+  const text::Unit* unit = nullptr;  ///< of their column, if the rule states it
   bool excel_date = false;           ///< their numbers are days since 1900, as Excel has them
   double factor = 1.0;               ///< their numbers are multiplied by it
   text::Place place{};               ///< in the map
@@ -84,26 +85,26 @@ struct ColumnMap {
   std::vector<Combination> transducers{};               ///< of records over time
 
   [[nodiscard]] const ColumnRule* find(std::string_view header) const;
-  /// The transducer of a name, in any unit of length: "x1_um", "x1 [nm]".
+  /// Returns the transducer with this name, in any unit of length: "x1_um", "x1 [nm]".
   [[nodiscard]] std::optional<NamedChannel> find_transducer(std::string_view name) const;
 };
 
 /// Options for reading a file of measurements.
 struct ReadOptions {
   ColumnMap columns{};
-  /// By which a column torque_signal_V becomes friction torque.
+  /// Calibration that converts a column torque_signal_V to friction torque.
   std::optional<rig::TorqueSensor> sensor{};
-  bool drop_nan = false;    ///< rows with a cell that has no number are left out and told
+  bool drop_nan = false;    ///< rows with a missing number are omitted and reported
   bool over_time = false;   ///< columns of records over time
   bool of_spindle = false;  ///< and, among these, columns of a spindle's
   bool of_several = false;  ///< columns of the map may stand in another file of the same record
 };
 
-/// All channels that a file may have: of a record, of a fall between two speeds, of a torque
-/// sensor and of its calibration.
+/// All channels that a file may have: of a record, a fall between two speeds, a torque sensor and
+/// its calibration.
 [[nodiscard]] std::span<const record::Channel* const> file_channels();
 
-/// A file with [columns], [transducers] or both alone. Throws InputError as read_model().
+/// Reads a file with only [columns], [transducers] or both. Throws InputError as read_model().
 [[nodiscard]] ColumnMap read_column_map(const std::string& path);
 [[nodiscard]] ColumnMap parse_column_map(std::string_view text, const std::string& source);
 

@@ -12,7 +12,7 @@
 
 namespace raceway::files {
 
-/// Correction models as read from their file: one for each displacement.
+/// Correction models read from their file, one for each displacement.
 struct CorrectionFile {
   std::vector<correction::Model> models;
   std::string source;                     ///< file name, for messages
@@ -30,24 +30,24 @@ struct CorrectionFile {
 /// Throws InputError naming file, line, key, value and allowed range.
 [[nodiscard]] CorrectionFile read_correction(const std::string& path);
 
-/// Parses [correction] from text; `source` stands in messages, and file names are relative to it.
-/// Files of `held` are not read again.
+/// Parses [correction] from text; `source` is the name in messages, and file names are relative to
+/// it. Files in `held` are not read again.
 [[nodiscard]] CorrectionFile parse_correction(std::string text, const std::string& source,
                                               std::vector<NamedFile> held = {});
 
 /// The table [correction.prior] of a model; empty without priors.
 [[nodiscard]] std::string prior_text(const correction::Model& model);
 
-/// The line of a window in a channel or an effect.
+/// Returns the line of a window in a channel or an effect.
 [[nodiscard]] std::string window_text(const correction::Window& window);
 
-/// A file of these models alone: channels of columns, offsets, tolerances and ranges. `comment`:
-/// its first line.
+/// Writes a file of these models alone: channels of columns, offsets, tolerances and ranges.
+/// `comment`: its first line.
 [[nodiscard]] std::string new_corrections(const std::vector<correction::Model>& models,
                                           const std::string& comment);
 
-/// The text with the numbers, sections, channels, effects and ranges of these models, which come
-/// from the file or grew out of it; comments and all else are kept.
+/// Returns the text with the numbers, sections, channels, effects and ranges of these models, which
+/// come from the file or extend it; comments and all else are kept.
 [[nodiscard]] std::string with_corrections(const CorrectionFile& file,
                                            const std::vector<correction::Model>& models);
 

@@ -9,13 +9,13 @@
 
 namespace raceway::files {
 
-/// Contents of a bearing's designation, by the systems of SKF, SNFA, FAG, Barden, NSK, NTN and GMN.
+/// Data in a bearing's designation, in the systems of SKF, SNFA, FAG, Barden, NSK, NTN and GMN.
 ///
 /// Most names have the digits of ISO's system, 7014. Those of SNFA (VEX 70), NTN's fast series
 /// (HSE014), Barden (114HC) and NSK's robust series (70BNR10) have forms of their own. Makers use
 /// the same letters for the same angles, with exceptions that are rows of the table in
 /// designation.cpp: E is 25 deg behind "B7014-" of FAG and "S 6014 " of GMN, and a design of SKF
-/// behind C or AC. Cage, seals and precision are passed over.
+/// behind C or AC. Cage, seals and precision are ignored.
 ///
 /// Source: SKF, Super-precision bearings, 13383, and for the series of SNFA 06939 (HB, HX) and
 /// 06981 (E 200); Schaeffler, Super Precision Bearings, SP 1; Barden, MRO Catalog C8A, p. 4; NSK,
@@ -28,7 +28,7 @@ struct Designation {
   std::string series{};          ///< as written: "70", "719", "VEX"; of GMN "60", "619"
   std::string dimensions{};      ///< dimension series of ISO 15: "10", "19"; empty where unknown
   std::string bore_code{};       ///< "14"
-  double contact_angle = unset;  ///< [rad]; NaN where it is not stated
+  double contact_angle = unset;  ///< [rad]; NaN if not stated
   std::string angle_code{};      ///< "AC"
   bool ceramic_balls = false;
   std::string ball_code{};    ///< "HC": what says so
@@ -36,13 +36,13 @@ struct Designation {
   std::string arrangement{};  ///< "DB", "DF", "DT"
   std::string other_type{};   ///< "a cylindrical roller bearing": no angular contact
 
-  /// "6014" of "B7014-C": what bearings of one size have in common; empty where it is not known.
+  /// Size of a bearing: "6014" for "B7014-C"; empty if not known.
   [[nodiscard]] std::string size() const;
   /// Boundary dimensions of that size by ISO 15.
   [[nodiscard]] std::optional<BoundaryDimensions> boundary() const;
 };
 
-/// Never throws: what is not known stays empty.
+/// Parses a designation. Never throws: unknown data stay empty.
 [[nodiscard]] Designation read_designation(std::string_view text);
 
 /// Throws InputError for a bearing of another type, by name.

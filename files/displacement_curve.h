@@ -11,7 +11,7 @@
 
 namespace raceway::files {
 
-/// A displacement curve as read.
+/// A displacement curve read from a file.
 struct DisplacementCurve {
   std::string source;  ///< file name, for messages
   std::vector<shaft::DisplacementPoint> points = {};

@@ -13,22 +13,22 @@
 
 namespace raceway::files {
 
-/// A question about what stands in a record.
+/// A question about the contents of a record.
 struct Doubt {
-  /// A column that may be in another unit than it was read in.
+  /// A column that may be in a different unit.
   struct Guess {
     const record::Channel* channel;
     std::string_view unit;  ///< as files have it: "kgf"
   };
   std::string text;
-  std::vector<Guess> units{};  ///< empty where it is about no unit
+  std::vector<Guess> units{};  ///< empty if the question is not about a unit
 };
 
 /// A temperature from `from` to `to` [C] that looks like K or F.
 [[nodiscard]] Doubt other_temperature(const record::Channel& channel, double from, double to,
                                       std::string_view unit);
 
-/// The record with a channel in another unit than it was read in.
+/// Returns the record with a channel in a different unit.
 [[nodiscard]] record::Record in_other_unit(record::Record data, const record::Channel& channel,
                                            const text::Unit& unit);
 

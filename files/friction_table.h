@@ -10,14 +10,14 @@ namespace raceway::files {
 
 /// Reads a friction table of a bearing or a spindle: columns speed_rpm, axial_load_N,
 /// radial_load_N, temperature_C and friction_torque_Nmm, also in other units, as `raceway table`
-/// writes them or as a rig gives them. A load or a temperature without a column is one for all.
-/// The band of the torque is friction_torque_band_Nmm (half width, 95 %) or std_Nmm (standard
-/// deviation), its part by the load load_Nmm; further columns are welcome. Throws InputError: a
+/// writes them or as a rig gives them. A load or a temperature without a column is one for all. The
+/// band of the torque is friction_torque_band_Nmm (half width, 95 %) or std_Nmm (standard
+/// deviation), its part by the load load_Nmm; further columns are allowed. Throws InputError: a
 /// column or a point of the grid that is missing, a point twice, cells that are no numbers.
 [[nodiscard]] friction::TorqueTable parse_friction_table(std::string text,
                                                          const std::string& source);
 
-/// The torques of a table as a correction reads them.
+/// Returns the torques of a table in the form of a correction.
 [[nodiscard]] correction::FrictionTable of_correction(friction::TorqueTable table);
 
 /// Input of a table of gains or time constants: "power" of "power_W", or a column of a record.

@@ -14,7 +14,7 @@
 /// lists all of them.
 namespace raceway::files {
 
-/// Values that a key takes.
+/// Kinds of values of a key.
 struct Form {
   std::string_view kind;                ///< "number", "text", "true or false", "list" or "table"
   double lower = unset, upper = unset;  ///< closed range of a number, in `unit`
@@ -35,11 +35,11 @@ struct Form {
 
 struct Required {};
 
-/// Value of a key that the file leaves out.
+/// Value of a key that is missing in the file.
 struct Default {
   double value = unset;      ///< value of a number, in its unit; `unset` alone: no default
   std::string_view words{};  ///< one of the words of its form, or what the default depends on
-  bool required = false;     ///< nothing: the key must stand there wherever its table does
+  bool required = false;     ///< no default: the key is required in its table
 
   constexpr Default() = default;
   template <std::floating_point Number>
@@ -51,7 +51,7 @@ struct Default {
 };
 
 struct Key {
-  std::string_view name;  ///< with its unit; a part in capitals is one's own
+  std::string_view name;  ///< with its unit; a part in capitals is chosen by the user
   Form form;
   Default fallback;
   std::string_view meaning;

@@ -9,14 +9,14 @@
 
 namespace raceway::files {
 
-/// A key of model files with the table that it stands in.
+/// A key of model files with its table.
 struct ListedKey {
   std::string_view table;  ///< as KeyTable::name
   std::string_view only;   ///< as KeyTable::only
   Key key;
 
   [[nodiscard]] std::string meaning() const;
-  /// A number, a word in quotes, or words on what it depends; empty where it has none.
+  /// Default as text: a number, a word in quotes, or words on its origin; empty without a default.
   [[nodiscard]] std::string fallback() const;
 };
 

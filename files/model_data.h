@@ -12,7 +12,7 @@
 
 namespace raceway::files {
 
-/// A number that a model rests on, as its file has it.
+/// A number of a model, as in its file.
 struct ModelDatum {
   enum class Origin { file, by_default, catalogue };
 
@@ -22,12 +22,12 @@ struct ModelDatum {
   double value;  ///< in the unit of its name
   Origin origin = Origin::file;
   bool whole = false;   ///< a count
-  bool marked = false;  ///< its comment in the file marks it as a guess
+  bool marked = false;  ///< marked as a guess in its file
 };
 
-/// All numbers that a model rests on: numbers of its file, defaults that were used, and numbers of
-/// the bearing that [bearing] catalogue picks. A default that follows from other numbers (a bore
-/// from pitch circle and balls) is not one of them.
+/// Returns all numbers used by a model: numbers of its file, defaults, and numbers of the bearing
+/// selected by [bearing] catalogue. A default that follows from other numbers (a bore from pitch
+/// circle and balls) is not one of them.
 ///
 /// Left out are numbers that no prediction is made of, as [calibration] and [columns], the settings
 /// of [solver] and how many bearings stand in a set, which is a choice and no datum.

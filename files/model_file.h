@@ -17,12 +17,12 @@
 
 namespace raceway::files {
 
-/// A model as read from its file.
+/// A model read from its file.
 struct ModelFile {
   model::Model model;
   std::string source;  ///< file name, for messages
   std::string text;    ///< of the file, to be edited with with_values() or with_model()
-  /// Full name of the row that [bearing] catalogue picked; empty where it picks none.
+  /// Full name of the row selected by [bearing] catalogue; empty without one.
   std::string catalogue = {};
   /// Entries on bearings and solver other than defaults and catalogue: keys of [bearing], of
   /// the bearings of an [arrangement] and of [solver].
@@ -34,7 +34,7 @@ struct ModelFile {
   ColumnMap columns = {};  ///< columns of its measurements
   /// Sensor that measures its torque, if the file names one.
   std::optional<rig::TorqueSensor> sensor = {};
-  std::vector<NamedFile> files = {};  ///< that it names, as they were when it was read
+  std::vector<NamedFile> files = {};  ///< files named in it, as read
 };
 
 /// Reads a TOML model (keys with their units: raceway keys) into SI.
@@ -44,8 +44,8 @@ struct ModelFile {
 /// that are none.
 [[nodiscard]] ModelFile read_model(const std::string& path);
 
-/// As above, from text; `source` stands in messages, and names of files are relative to it. Files
-/// of `held` are not read again.
+/// As above, from text; `source` is the name in messages, and names of files are relative to it.
+/// Files in `held` are not read again.
 [[nodiscard]] ModelFile parse_model(std::string text, const std::string& source,
                                     std::vector<NamedFile> held = {});
 
@@ -66,8 +66,8 @@ struct KeyValue {
 /// a value that is not finite.
 [[nodiscard]] std::string with_values(std::string_view text, std::span<const KeyValue> changes);
 
-/// The text with this effect as one more [[effect]] at its end; nothing else changed. It reads back
-/// as it is. Throws std::invalid_argument for a value that is not finite.
+/// Returns the text with this effect added as [[effect]] at its end; nothing else changes. It reads
+/// back exactly. Throws std::invalid_argument for a value that is not finite.
 [[nodiscard]] std::string with_effect(std::string_view text, const effects::Effect& effect);
 
 /// The text of a file with every number of model::parameters() as `fitted` has it, at all its
@@ -77,7 +77,7 @@ struct KeyValue {
 /// braces, and std::invalid_argument for the covariance of a parameter that is not there.
 [[nodiscard]] std::string with_model(const ModelFile& file, const model::Model& fitted);
 
-/// A commented model of a catalogue bearing, with every default of its law written out.
+/// Returns a commented model of a catalogue bearing, with every default of its law written out.
 [[nodiscard]] std::string new_model_text(
     const CatalogueBearing& row, friction::FrictionLaw law = friction::FrictionLaw::palmgren);
 
@@ -90,7 +90,7 @@ struct ModelRemarks {
   bool of_spindle = false;  ///< in place of the rig a spindle with three of it
   std::string oil{};        ///< its ISO VG grade; empty: a thin spindle oil
 };
-/// As above, for a bearing that may be in no catalogue (then it has no maker).
+/// As above, for a bearing that may be missing in the catalogues (then it has no maker).
 [[nodiscard]] std::string model_text(const CatalogueBearing& row, const ModelRemarks& remarks);
 
 }  // namespace raceway::files

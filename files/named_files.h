@@ -6,14 +6,14 @@
 
 namespace raceway::files {
 
-/// A file that a model names, as it was when the model was opened.
+/// A file named by a model, as it was when the model was opened.
 struct NamedFile {
   std::string name;  ///< as the model names it: relative to its folder, or from the root
   std::string path;  ///< from the root
   std::string text;  ///< content of the file
 };
 
-/// Files that a model names. Each is read once.
+/// Files named by a model. Each is read once.
 class NamedFiles {
  public:
   /// `model`: its file; names are relative to its folder. Files of `held` are not read again.
@@ -23,7 +23,7 @@ class NamedFiles {
   [[nodiscard]] const NamedFile& read(const std::string& name);
   /// Name of the file in messages.
   [[nodiscard]] std::string shown(const std::string& name) const;
-  /// Files that were read.
+  /// Returns the files read so far.
   [[nodiscard]] const std::vector<NamedFile>& list() const { return read_; }
 
  private:

@@ -13,10 +13,11 @@ struct OilGrade {
   double at_100_C = unset;  ///< of an oil of viscosity index 100, by ISO 2909 [mm2/s]
 };
 
-/// The oil of "VG 32", "ISO VG 32" or "32". Throws text::InputError, with all grades, for another.
+/// Returns the oil of "VG 32", "ISO VG 32" or "32". Throws text::InputError, with all grades, for
+/// others.
 [[nodiscard]] OilGrade oil_grade(std::string_view words);
 
-/// Table [lubricant] of a new model: viscosities of the oil, those of a thin spindle oil where
+/// Writes the table [lubricant] of a new model: viscosities of the oil, or of a thin spindle oil if
 /// `oil` is empty. Throws as oil_grade().
 [[nodiscard]] std::string lubricant_lines(std::string_view oil);
 

@@ -5,11 +5,11 @@
 
 #include "bearing/geometry.h"
 
-/// Checks for numbers that lie in their range but are unlikely: one line for the user with the
-/// likely meaning, empty for a usual number.
+/// Checks for unlikely numbers within their range. Each returns one line with the likely meaning;
+/// empty for a usual number.
 namespace raceway::files {
 
-/// A temperature in C that would be a usual one in K.
+/// Checks a temperature in C that would be usual in K.
 [[nodiscard]] std::string looks_like_kelvin(std::string_view name, double temperature_C);
 
 /// Balls so small that their circle is almost empty, or their rating far beyond what such balls can

@@ -12,7 +12,7 @@ namespace raceway::files {
 /// True for a designation of a cylindrical roller bearing: N1012, NU 210, NN3014.
 [[nodiscard]] bool names_rollers(std::string_view designation);
 
-/// A cylindrical roller bearing of series N10. No maker prints its rollers.
+/// A cylindrical roller bearing of series N10. Makers do not print its rollers.
 struct EstimatedRollers {
   std::string designation{};
   bearing::RollerGeometry geometry{};

@@ -9,7 +9,7 @@
 #include "record/note.h"
 #include "rig/sensor_calibration.h"
 
-/// The calibration of a torque sensor: its readings and the result.
+/// Calibration of a torque sensor: readings and result.
 namespace raceway::files {
 
 /// Readings in the order of the file.
@@ -25,7 +25,7 @@ struct SensorReadings {
 [[nodiscard]] SensorReadings read_sensor_readings(const Source& source,
                                                   const ReadOptions& options = {});
 
-/// The table [torque_sensor], to be put into a model or a file of its own; it reads back.
+/// Writes the table [torque_sensor] for a model or a separate file; it reads back.
 [[nodiscard]] std::string torque_sensor_text(const rig::SensorCalibration& calibration,
                                              std::string_view source);
 

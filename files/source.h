@@ -10,7 +10,7 @@
 
 namespace raceway::files {
 
-/// A file, or what stands for one: a text, or the columns of a table.
+/// A file, or its replacement: a text, or the columns of a table.
 struct Source {
   std::string name;                         ///< path of the file; in messages, of the others too
   std::shared_ptr<const std::string> text;  ///< null: as it stands in the file

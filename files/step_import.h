@@ -7,7 +7,7 @@
 #include "spindle/step_response.h"
 #include "text/error.h"
 
-/// Step responses that another program computed, as a finite-element run of a spindle.
+/// Step responses computed by another program, such as a finite-element run of a spindle.
 namespace raceway::files {
 
 /// One constant load from rest at t = 0, rising in time.
@@ -15,7 +15,7 @@ struct LoadCase {
   std::string name = {};
   double power_start = unset, power_end = unset;  ///< [W]; NaN: the power at its speed
   double speed = unset;                           ///< [rad/s]; NaN: only its power is known
-  double at_once = 0.0;                           ///< displacement of the row at t = 0 [m]
+  double at_once = 0.0;                           ///< displacement at t = 0 [m]
   std::vector<double> time = {};                  ///< [s]
   std::vector<double> displacement = {};          ///< after subtracting at_once [m]
   text::Place place = {};                         ///< place of its first row
@@ -33,7 +33,7 @@ struct LoadCase {
 /// Parses load cases from text; `source` stands in messages.
 [[nodiscard]] std::vector<LoadCase> parse_load_cases(std::string text, const std::string& source);
 
-/// Units of two columns without a head.
+/// Units of two columns without a header.
 struct HistoryUnits {
   double time = 1.0, length = um;
 };
@@ -49,7 +49,7 @@ struct HistoryUnits {
 /// or a displacement that is not finite or out of range.
 [[nodiscard]] LoadCase read_history(const std::string& given, const HistoryUnits& units);
 
-/// Fits each of them; a case without a power keeps none. Throws InputError for one that cannot be
+/// Fits each case; a case without a power keeps none. Throws InputError for a case that cannot be
 /// fitted.
 [[nodiscard]] std::vector<spindle::StepResponse> fit_load_cases(const std::vector<LoadCase>& cases);
 

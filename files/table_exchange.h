@@ -5,7 +5,7 @@
 
 #include "friction/stribeck_table.h"
 
-/// Stribeck tables for other programs. They are not read back.
+/// Writers of Stribeck tables for other programs. The files are not read back.
 namespace raceway::files {
 
 /// CSV with one header line and names that are identifiers (spin_friction_Nmm), so that pandas and

@@ -9,11 +9,11 @@
 
 namespace raceway::files {
 
-/// A Stribeck table as read from its file.
+/// A Stribeck table read from its file.
 struct TableFile {
   friction::StribeckTable table;
   std::string source;      ///< file name, for messages
-  std::string model_text;  ///< TOML of the model it came from, empty where the file carries none
+  std::string model_text;  ///< TOML of its model; empty if the file has none
 };
 
 /// A Stribeck table as CSV: `#` lines with title, version and the model's text (each line behind
@@ -34,13 +34,13 @@ struct TableFile {
 /// twice, and for a slab.
 [[nodiscard]] TableFile read_table(const std::string& path);
 
-/// A file by name, to be joined.
+/// A named file to be joined.
 struct SlabText {
   std::string name;  ///< for messages
   std::string text;
 };
 
-/// The table whose slabs these are, to the last byte what table_text() makes of the whole. Throws
+/// Joins slabs to their table, byte for byte the result of table_text() for the whole. Throws
 /// InputError for a file that is no slab, slabs of different tables (model, version, grid or
 /// columns), one that is missing or comes twice, and rows that are too few or too many.
 [[nodiscard]] std::string merged_table_text(const std::vector<SlabText>& slabs);

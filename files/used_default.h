@@ -8,8 +8,7 @@
 
 namespace raceway::files {
 
-/// A value that a model assumes: the reader took it where the file says nothing, or the file marks
-/// it as a guess.
+/// A value assumed by a model: the default of a missing key, or a value marked as a guess.
 struct UsedDefault {
   enum class Origin {
     marked,     ///< stands in the file, marked in the comment `why`

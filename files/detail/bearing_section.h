@@ -18,13 +18,12 @@
 /// models.
 namespace raceway::files {
 
-/// A bearing as a table of the file describes it, and the row of the catalogue that it started
-/// from.
+/// A bearing as described by a table of the file, and its row of the catalogue.
 struct NamedBearing {
   bearing::Bearing bearing;
   std::string name;
   std::optional<CatalogueBearing> row = {};
-  std::string catalogue{};  ///< the designation that its file names; empty where it has all numbers
+  std::string catalogue{};  ///< the designation in its file; empty if all numbers are given
 };
 
 [[nodiscard]] std::vector<KeyTable> bearing_tables();
@@ -35,7 +34,7 @@ struct NamedBearing {
 [[nodiscard]] std::vector<std::pair<std::string, double>> keys_of(
     const bearing::BearingGeometry& geometry);
 
-/// Required keys that are missing in [bearing], where it names no row of the catalogue.
+/// Returns the required keys missing in [bearing], if it names no row of the catalogue.
 [[nodiscard]] Names missing_keys_of_bearing(const ModelTables& tables);
 
 class BearingReader {
@@ -43,8 +42,8 @@ class BearingReader {
   /// Reads the tables [material.NAME]. Throws InputError as read_model() does.
   explicit BearingReader(ModelTables& tables);
 
-  /// A table of a bearing; where there is a `base`, the keys that are left out are its own.
-  /// `further` keys are allowed in it.
+  /// Reads a table of a bearing. With a `base`, omitted keys keep its values. `further` keys are
+  /// allowed in it.
   [[nodiscard]] NamedBearing read(const Section& table, const NamedBearing* base, Keys further);
 
   /// The keys of the tables read so far, each once, that say something: not `name` and `catalogue`,
@@ -52,7 +51,7 @@ class BearingReader {
   /// new_model_text() writes them.
   [[nodiscard]] const Names& written() const { return written_; }
 
-  /// The material that a key of a bearing names, steel where it names none.
+  /// Returns the material named by a key of a bearing; steel if none is named.
   [[nodiscard]] bearing::Material material(const Section& s, const char* key,
                                            const bearing::Material* inherited = nullptr);
 

@@ -9,13 +9,14 @@
 #include "files/column_map.h"
 #include "text/csv.h"
 
-/// Columns of somebody else's file that may be columns of ours; shared by all that proposes them.
+/// Columns of another program's file that may match our columns; shared by the functions that
+/// propose them.
 namespace raceway::files {
 
 struct ColumnProposal {
   const record::Channel* channel;
   std::size_t column;
-  const text::Unit* unit = nullptr;  ///< null where none was found
+  const text::Unit* unit = nullptr;  ///< null if not found
   /// As the file states it; empty where it states none, or a known one.
   std::string unknown_unit{};
   bool excel_date = false, stamped = false;
@@ -24,14 +25,14 @@ struct ColumnProposal {
   std::size_t score = 0;
 };
 
-/// Small letters, everything between words as "_", without the unit.
+/// Converts text to small letters, everything between words to "_", without the unit.
 [[nodiscard]] std::string plain_name(std::string_view header);
 
 /// Letters of the longest of these words, which blanks separate, that is in the name; 0 for none. A
 /// word of one or two letters must stand alone.
 [[nodiscard]] std::size_t longest_word_in(std::string_view name, std::string_view words);
 
-/// Numbers of a column as they stand there, without cells that are none.
+/// Returns the numbers of a column, without cells that are not numbers.
 [[nodiscard]] std::vector<double> numbers_in(const text::CsvTable& table, std::size_t column);
 
 /// The column as the channel, with its unit; its score is 20 where that is stated, 10 for dates, 1

@@ -26,26 +26,26 @@ class ColumnReader {
       const ColumnSource& source, bool with_sign,
       const std::function<bool(std::size_t row)>& may_be_empty);
 
-  /// Whether the column has dates.
+  /// True if the column has dates.
   [[nodiscard]] bool is_stamped(const ColumnSource& source) const;
   /// Times of a column of dates or of elapsed times, from that of the first row on [s]. `order` of
   /// dates with slashes, where it is stated. Throws InputError where it is not and changes the
   /// times.
   [[nodiscard]] std::vector<double> times(const ColumnSource& source,
                                           std::optional<text::DateOrder> order);
-  /// How the clock of times() counts, and where it stood in the first row [s]: seconds since 1970,
-  /// since midnight or since anything.
+  /// Type of clock of times(), and its reading in the first row [s]: seconds since 1970, since
+  /// midnight or since an unknown time.
   enum class ClockKind { dates, elapsed };
   struct ClockStart {
     ClockKind kind;
     double begin;
   };
   [[nodiscard]] const std::optional<ClockStart>& clock_start() const { return clock_start_; }
-  /// Indices into `names`, which gets the texts of the cells in the order in which they come.
+  /// Returns indices into `names`, which receives the texts of the cells in order of appearance.
   [[nodiscard]] std::vector<double> named(const ColumnSource& source,
                                           std::vector<std::string>& names);
 
-  /// Throws InputError where some cells have a decimal comma and others a point.
+  /// Throws InputError if some cells have a decimal comma and others a point.
   void check_decimal_marks() const;
   /// How the file is written where that is not the usual way, and what was said of it.
   [[nodiscard]] std::vector<record::Note> notes_on_form() const;
@@ -56,9 +56,9 @@ class ColumnReader {
     std::string cell;
   };
   [[nodiscard]] bool is_missing(std::size_t row, std::size_t column) const;
-  /// The cells of a row that are its time, as one text.
+  /// Returns the cells of a row that form its time, as one text.
   [[nodiscard]] std::string stamp(const ColumnSource& source, std::size_t row) const;
-  /// Times of a column as one order of its dates has them.
+  /// Times of a column for one order of its dates.
   struct Reading {
     text::DateOrder order;
     std::vector<double> elapsed;  ///< since the first row [s]
@@ -85,7 +85,7 @@ class ColumnReader {
   std::vector<record::Note> notes_;  // on dates and missing readings
 
  public:
-  text::BadCells bad;  ///< what is wrong with cells so far
+  text::BadCells bad;  ///< errors in cells so far
 };
 
 }  // namespace raceway::files

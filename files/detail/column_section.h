@@ -5,12 +5,12 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
-/// [columns] of a model file; shared with the reader of models.
+/// Reader of [columns] of a model file; shared with the reader of models.
 namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> column_tables();
 
-/// Empty where there is none. Throws InputError as read_model() does.
+/// Empty without the table. Throws InputError as read_model() does.
 [[nodiscard]] ColumnMap read_columns(const ModelTables& tables);
 
 }  // namespace raceway::files

@@ -13,16 +13,16 @@
 #include "text/bad_cells.h"
 #include "text/csv.h"
 
-/// Files of measurements: which column of a file holds which channel, in which unit; shared by the
-/// readers of measurements.
+/// Columns of a measurement file with their channels and units; shared by the readers of
+/// measurements.
 namespace raceway::files {
 
 struct ColumnSource {
   const record::Channel* channel;
   std::size_t column;  ///< of the file
-  std::string name;    ///< as its header has it, for messages
+  std::string name;    ///< as in its header, for messages
   CellUnit cells{};
-  bool excel_date = false;             ///< days since 1900 rather than a time
+  bool excel_date = false;             ///< days since 1900 instead of a time
   bool unit_stated = false;            ///< by a rule of [columns]
   std::optional<std::size_t> dates{};  ///< column of the date, where `column` is the time of day
 };
@@ -35,22 +35,22 @@ struct Recognised {
   };
   std::vector<ColumnSource> columns{};  ///< in the order of file_channels()
   std::vector<Constant> constants{};
-  std::vector<std::string> others{};          ///< headers that nobody knows
+  std::vector<std::string> others{};          ///< unknown headers
   std::vector<const ColumnRule*> not_here{};  ///< rules for columns that another file may have
   std::vector<record::Note> notes{};          ///< on units that were converted
 
   [[nodiscard]] const ColumnSource* find(const record::Channel& channel) const;
 };
 
-/// Throws InputError for a column of the map that is not there, for two columns of one quantity and
-/// for a unit that contradicts that of the header.
+/// Finds the columns. Throws InputError for a column of the map that is missing, for two columns of
+/// one quantity and for a unit that contradicts the unit in the header.
 [[nodiscard]] Recognised recognise(const text::CsvTable& table, const ReadOptions& options);
 
 /// True if a column holds dates or times of day rather than numbers.
 [[nodiscard]] bool is_stamped(const text::CsvTable& table, const ColumnSource& source);
 
-/// A cell in SI; what is no number or out of range goes to `bad`. `with_sign`: an input that may be
-/// below zero here.
+/// Converts a cell to SI; a cell that is not a number or out of range is added to `bad`.
+/// `with_sign`: an input that may be below zero here.
 [[nodiscard]] text::ParsedNumber si_of_cell(const text::CsvTable& table, std::size_t row,
                                             const ColumnSource& source, bool with_sign,
                                             text::BadCells& bad);
@@ -59,7 +59,7 @@ struct Recognised {
 /// columns and by those of the map.
 [[nodiscard]] text::CsvTable read_measurements(const Source& source, const ReadOptions& options);
 
-/// What a cell of a column may be, in the unit of the file. `with_sign` as in si_of_cell().
+/// Allowed range of a cell of a column, in the unit of the file. `with_sign` as in si_of_cell().
 [[nodiscard]] text::CellRange range_of(const ColumnSource& source, bool with_sign);
 
 /// Takes these rows out, and says how many `have` what and where; nothing where there is none.

@@ -14,17 +14,17 @@
 /// does.
 namespace raceway::files {
 
-/// The keys of the contact law in a table. In tables of data they may stand with any law.
+/// Returns the keys of the contact law in a table. Tables of data may have them with any law.
 [[nodiscard]] std::span<const Key> contact_keys(std::string_view table);
 
 /// Tables of [bearing] and [life].
 [[nodiscard]] std::vector<KeyTable> contact_tables();
 
-/// `used`: the law is `contact`, so that defaults matter and are named. `supply` is read already.
+/// `used`: true for the law `contact`, whose defaults are then reported. `supply` is read already.
 [[nodiscard]] friction::contact::ContactData read_contact(ModelTables& tables, bool used,
                                                           std::optional<friction::Supply> supply);
 
-/// Keys of the contact law that a file has in its tables of data.
+/// Returns the keys of the contact law that a file has in its tables of data.
 [[nodiscard]] Names written_contact_keys(const ModelTables& tables);
 
 /// The number of the law that is of the lubricant.

@@ -13,7 +13,7 @@
 /// The header of a measurement file; shared with the reader of records.
 namespace raceway::files {
 
-/// Columns of a file of times between two speeds, which become rows of torque.
+/// Columns of a file of times between two speeds, which are converted to torque.
 inline constexpr record::Channel speed_from{.name = "speed_from_rpm",
                                             .variable = "speed_from",
                                             .words = "speed from",
@@ -33,23 +33,23 @@ inline constexpr record::Channel fall_time{
 inline constexpr record::Channel fall_time_deviation{
     .name = "std_time_s", .unit = "s", .lower = 1e-9, .upper = 1e9};
 
-/// Which columns of a file hold which channels.
+/// Columns of a file with their channels.
 struct DataColumns {
   using Place = ColumnSource;
   std::vector<Place> places;  ///< in the order of the table of channels
   /// Measured channels that are kept, and those that are not. Both are empty for a coast-down.
   std::vector<const record::Channel*> measured, unused;
-  std::vector<Place> falls;  ///< of times between two speeds; empty where the file has none
+  std::vector<Place> falls;  ///< of times between two speeds; empty if the file has none
   /// Of the sensor that measures the torque, where its calibration is known; `places` has it as the
   /// friction torque.
   std::optional<Place> signal, signal_deviation;
   std::vector<Recognised::Constant> constants;  ///< of channels without a column
-  std::vector<std::string> others;              ///< headers that nobody knows
+  std::vector<std::string> others;              ///< unknown headers
   std::vector<record::Note> notes;              ///< on units
 
-  /// Null where the file has no such column.
+  /// Null if the file has no such column.
   [[nodiscard]] const Place* find(const record::Channel& channel) const;
-  /// Null where there is none.
+  /// Null if there is none.
   [[nodiscard]] const Recognised::Constant* constant(const record::Channel& channel) const;
   [[nodiscard]] bool coast_down() const { return measured.empty(); }
   /// False for a measured channel that is not kept, and for its deviation.

@@ -6,7 +6,7 @@
 #include "record/expression.h"
 #include "record/units.h"
 
-/// Sections with a formula of the user's own share this.
+/// Functions shared by sections with a user-made formula.
 namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> formula_tables();

@@ -30,7 +30,7 @@ struct LubricantOfFile {
   std::optional<friction::Supply> supply;
 };
 
-/// What [lubricant], [friction] and, for the law, [bearing] must have and have not.
+/// Keys that [lubricant], [friction] and, for the law, [bearing] must have or must not have.
 [[nodiscard]] Names missing_keys_of_friction(const ModelTables& tables);
 
 [[nodiscard]] LubricantOfFile read_lubricant(const ModelTables& tables);
@@ -48,7 +48,7 @@ struct LubricantOfFile {
 [[nodiscard]] LawOfFile read_palmgren_of_rollers(ModelTables& tables, const Section& s,
                                                  std::optional<friction::Supply> supply);
 
-/// Refuses a bearing, read from `table`, that lacks what the law needs.
+/// Refuses a bearing, read from `table`, without data that the law needs.
 void require_data(friction::FrictionLaw law, const bearing::Bearing& bearing, const Section& table);
 
 }  // namespace raceway::files

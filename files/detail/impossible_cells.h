@@ -8,7 +8,7 @@
 
 #include "files/detail/column_source.h"
 
-/// Numbers that are no readings; shared by the readers of measurements.
+/// Placeholder numbers in measurements; shared by the readers of measurements.
 namespace raceway::files {
 
 /// Numbers of one column that instruments and loggers write in the place of a reading: -9999,
@@ -39,8 +39,8 @@ class ImpossibleCells {
 /// in the place of a reading, and that no other one comes near.
 [[nodiscard]] std::vector<std::size_t> places_of_marks(std::span<const double> numbers);
 
-/// Takes out rows with such a cell in one of these columns, and says which; nothing where there is
-/// none. Throws InputError where no row is left.
+/// Removes rows with such a cell in one of these columns, and reports them. Returns nothing if
+/// there is none. Throws InputError if no row remains.
 [[nodiscard]] std::string drop_impossible_rows(text::CsvTable& table,
                                                const std::vector<ColumnSource>& columns);
 

@@ -6,17 +6,17 @@
 #include "record/record.h"
 #include "text/csv.h"
 
-/// Columns of a file of measurements that no model asks for; shared by the readers of measurements.
+/// Columns of a measurement file that no model uses; shared by the readers of measurements.
 namespace raceway::files {
 
 struct KeptColumns {
-  std::vector<record::Column> columns{};  ///< of numbers, NaN where there is none
-  std::vector<std::string> texts{};       ///< headers of those that are none
-  /// "column A is unknown: kept, and not used", for all of them.
+  std::vector<record::Column> columns{};  ///< of numbers, NaN where missing
+  std::vector<std::string> texts{};       ///< headers of text columns
+  /// Returns "column A is unknown: kept, and not used", for all of them.
   [[nodiscard]] std::vector<std::string> statements(bool named_by_user) const;
 };
 
-/// The columns under these headers, in the unit that their header or the row of units states.
+/// Returns the columns under these headers, in the unit stated by the header or the row of units.
 [[nodiscard]] KeptColumns kept_columns(const text::CsvTable& table,
                                        const std::vector<std::string>& headers);
 

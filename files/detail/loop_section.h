@@ -20,11 +20,11 @@ namespace raceway::files {
 /// Full names of the parameters that may be fitted.
 [[nodiscard]] Names read_free(ModelTables& tables, const model::Model& model);
 
-/// [calibration.covariance]; nothing where there is none.
+/// Reads [calibration.covariance]; nothing without it.
 [[nodiscard]] std::optional<fit::Covariance> read_covariance(const ModelTables& tables,
                                                              const model::Model& model);
 
-/// Describes a covariance that belongs to other values than the model has; empty where the values
+/// Describes a covariance that does not belong to the values of the model; empty if the values
 /// agree.
 [[nodiscard]] std::string other_values(const fit::Covariance& covariance,
                                        const model::Model& model);

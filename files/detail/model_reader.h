@@ -9,8 +9,8 @@
 
 namespace raceway::files {
 
-/// The model that these tables describe, `text` being the text of its file; throws as read_model().
-/// Shared by the readers of models.
+/// Returns the model described by these tables; `text` is the text of its file. Throws as
+/// read_model(). Shared by the readers of models.
 [[nodiscard]] ModelFile model_of_tables(ModelTables& tables, std::string text);
 
 }  // namespace raceway::files

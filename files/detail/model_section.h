@@ -31,7 +31,7 @@ inline std::string range(const Key& key) {
                      with_unit(fmt::format("{}", key.form.upper), key.form.unit));
 }
 
-/// The names of enumerators as words of a form, which lie in the result.
+/// Names of enumerators as words of a form, stored in the result.
 template <typename Enumerators>
 std::string names_as_words(const Enumerators& all) {
   std::string words;
@@ -51,7 +51,7 @@ inline std::string_view kind(const toml::node& node) {
   return "a date or time";
 }
 
-/// A key that must stand in the file and does not.
+/// A required key that the file lacks.
 struct MissingKey : text::InputError {
   using text::InputError::InputError;
 };
@@ -124,7 +124,7 @@ class Section {
     throw std::logic_error(fmt::format("[{}] has no key {}", name_, name));
   }
 
-  /// Nothing where the key is not there and need not be.
+  /// Nothing if the optional key is absent.
   [[nodiscard]] std::optional<double> number(std::string_view name) const {
     return number(key(name));
   }
@@ -142,7 +142,7 @@ class Section {
                                  with_unit(text::shown(*node), key.form.unit), range(key)));
     return value;
   }
-  /// The number, or the default of its key.
+  /// Returns the number, or the default of its key.
   [[nodiscard]] double value(std::string_view name) const {
     return number(name).value_or(key(name).fallback.value);
   }
@@ -161,7 +161,7 @@ class Section {
   [[nodiscard]] std::optional<std::string> text(std::string_view name) const {
     return text_of(key(name).name);
   }
-  /// A text; empty for all else, a list among them.
+  /// Returns a text; empty for all else, including a list.
   [[nodiscard]] std::string text_or_empty(std::string_view key) const {
     const toml::node* const node = find(key);
     return node && node->is_string() ? *node->value<std::string>() : std::string();
@@ -179,7 +179,8 @@ class Section {
     return value;
   }
 
-  /// Puts the libraries' `ball_diameter = -12 mm: ...` into the words and the place of this file.
+  /// Converts a library message such as `ball_diameter = -12 mm: ...` to the words and the place of
+  /// this file.
   [[noreturn]] void fail(const std::invalid_argument& error) const {
     std::string message = error.what();
     const std::string owner =

@@ -20,17 +20,18 @@ inline constexpr Key covariance_keys[]{
     {"correlation", a_list, is_required, "row by row up to the parameter with itself, which is 1"},
 };
 
-/// The value of a key that must be there.
+/// Returns the value of a required key.
 [[nodiscard]] const toml::node& required_node(const Section& s, std::string_view key);
 
 [[noreturn]] void fail_count(const Section& s, std::string_view key, const toml::node& node,
                              std::size_t count);
 
-/// So many finite numbers.
+/// Reads a list with this count of finite numbers.
 [[nodiscard]] std::vector<double> numbers(const Section& s, std::string_view key,
                                           const toml::node& node, std::size_t count);
 
-/// The covariance that `std` and the lower triangle `correlation`, with its diagonal of ones, say.
+/// Returns the covariance given by `std` and the lower triangle `correlation`, including its
+/// diagonal of ones.
 [[nodiscard]] Eigen::MatrixXd covariance_of(const Section& s, std::size_t count);
 
 }  // namespace raceway::files

@@ -16,7 +16,7 @@ namespace raceway::files {
 
 [[nodiscard]] model::Rig read_rig(ModelTables& tables, Keys further);
 
-/// `tilt` of [solver], which alone a bearing with cylindrical rollers has.
+/// Reads `tilt` of [solver], the only key there for a bearing with cylindrical rollers.
 [[nodiscard]] bearing::Tilt read_tilt(ModelTables& tables);
 
 /// [solver], and whether a race holds the balls or, under the contact law alone, none.

@@ -14,7 +14,7 @@ namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> torque_sensor_tables();
 
-/// Nothing where the model says none. Throws InputError as read_model().
+/// Nothing if the model names none. Throws InputError as read_model().
 [[nodiscard]] std::optional<rig::TorqueSensor> read_torque_sensor(ModelTables& tables);
 
 }  // namespace raceway::files

@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-/// The writer of a table and its reader share these.
+/// Names shared by the writer of a table and its reader.
 namespace raceway::files {
 
 inline constexpr std::array<std::string_view, 5> leading_columns{

@@ -7,11 +7,11 @@
 #include "files/column_map.h"
 #include "record/record.h"
 
-/// Several transducers that together read position and angle of a tool.
+/// Combinations of transducers that give position and angle of a tool.
 namespace raceway::files {
 
-/// Returns the combinations of a map that make one of the `wanted` displacements; all of them if
-/// `wanted` is empty.
+/// Returns the combinations of a map for the `wanted` displacements; all of them if `wanted` is
+/// empty.
 [[nodiscard]] std::vector<const Combination*> combinations_for(
     const ColumnMap& map, const std::vector<const record::Channel*>& wanted);
 
