@@ -41,8 +41,8 @@ struct SetTemperatures {
 ///   lengths λ_r (T - T0) f D - λ_b (T_b - T0) D/2
 ///   axial   λ_r ((T_i + T_o)/2 - T0) B D sin α0
 ///
-/// so a uniform temperature only scales a bearing of one material. Source: derived. Fits and the
-/// stiffness of shaft and housing are left out.
+/// so a uniform temperature only scales a bearing of one material.
+/// Source: derived. Fits and the stiffness of shaft and housing are left out.
 [[nodiscard]] RingShift thermal_shift(const Bearing& bearing, const SetTemperatures& temperatures,
                                       double mounting_temperature);
 
@@ -52,7 +52,7 @@ struct SetTemperatures {
 void add_expansion(const Arrangement& arrangement, const SetTemperatures& temperatures,
                    ArrangementCondition& condition);
 
-/// One bearing in equilibrium within its set. All its balls are alike.
+/// One bearing in equilibrium within its set. All its balls are equal.
 struct BearingInSet {
   double axial_load = unset;              ///< F_i, its share [N], >= 0
   double displacement = unset;            ///< δ_i, compression, with offset and shift [m]

@@ -277,8 +277,8 @@ template <Rotation rotation, typename T>
   b.outer_approach = delta_o;
   b.inner_approach = delta_i;
 
-  // With dV = dA - dX: dδi = n_i·dV, dαi = t_i·dV/|V|; with dX alike at the outer contact.
-  // f_ai, r_ai: what one radian of αi does to f and to r; f_ao, r_ao: the same of αo.
+  // With dV = dA - dX: dδi = n_i·dV, dαi = t_i·dV/|V|; likewise with dX at the outer contact. f_ai,
+  // r_ai: derivatives of f and r with respect to αi; f_ao, r_ao: with respect to αo.
   T f_ai_1 = qi * ci, f_ai_2 = -qi * si;
   T r_ao_1 = to * so - (qo + to_o) * co, r_ao_2 = fc_o + (qo + to_o) * so + to * co;
   if constexpr (inner_couple) {
@@ -291,7 +291,8 @@ template <Rotation rotation, typename T>
   const T tiv1 = ci * inv_li, tiv2 = -si * inv_li;  // ∂αi/∂V
   const T tox1 = co * inv_lo, tox2 = -so * inv_lo;  // ∂αo/∂X
 
-  [[maybe_unused]] T r_n_1(0.0), r_n_2(0.0);  // what a metre of δi does to r by a given rotation
+  [[maybe_unused]] T r_n_1(0.0),
+      r_n_2(0.0);  // derivative of r with respect to δi for a given rotation
   const T n11 = ki * si * si, n12 = ki * si * ci, n22 = ki * ci * ci;
   b.f_a[0] = b.f_a[4] = n11 + f_ai_1 * tiv1;
   b.f_a[1] = b.f_a[5] = n12 + f_ai_1 * tiv2;

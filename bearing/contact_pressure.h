@@ -14,7 +14,8 @@ struct ContactPressure {
                                                const BearingEquilibrium& equilibrium);
 
 /// Hertz pressure of the static rating of ball bearings, which leaves a permanent dent of 1/10 000
-/// of the ball diameter [Pa]. Source: [ISO76].
+/// of the ball diameter [Pa].
+/// Source: [ISO76].
 inline constexpr double static_limit_pressure = 4200e6;
 
 }  // namespace raceway::bearing

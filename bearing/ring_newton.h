@@ -67,7 +67,7 @@ class RingNewton {
   void advance(const BallCircle& circle);
 
   std::vector<BallStep<T>> now_, trial_;
-  T trial_force_[5], trial_stiffness_[5][5];  // what the ring misses once the balls have stepped
+  T trial_force_[5], trial_stiffness_[5][5];  // imbalance of the ring after the balls' steps
   T trial_residual_, trial_merit_;
   T fresh_ = T(1.0), merit_ = T(0.0), fraction_ = T(1.0), halvings_ = T(0.0);
   T step_[5] = {T(0.0), T(0.0), T(0.0), T(0.0), T(0.0)};
@@ -87,7 +87,7 @@ template <BallModel model, class C>
     const auto i = static_cast<std::size_t>(k);
     const PlaneOf<T> centre = groove_centre<C>(point, circle, trial_ring, k);
     bool alike = false;
-    // Worth a look for one point: from a thrust start all balls begin alike.
+    // Useful for one point: from a thrust start all balls begin equal.
     if constexpr (is_scalar<T>)
       alike = centre == last_centre && trial_balls[i] == last_ball && !contacts &&
               circle.rotations.size() <= 1;

@@ -78,7 +78,7 @@ struct ControlDrive {
   /// ones, linear between.
   std::size_t window = nowhere;
   double window_from = unset, window_full_from = unset, window_full_to = unset, window_to = unset;
-  bool window_of_drive = false;  ///< it is of u, else of what the parts add to the displacement
+  bool window_of_drive = false;  ///< of u; else of the parts' share of the displacement
 };
 
 /// A lag of its drive.
@@ -128,9 +128,10 @@ struct ControlFeedthrough {
 struct ControlEquation {
   std::string channel{};
   std::size_t drive = nowhere;
-  double scale = 1.0;                              ///< of y
-  double sampling_s = unset;                       ///< equal in all equations of a plan
-  std::vector<double> numerator{}, denominator{};  ///< [um] per unit of the drive; [1], alike long
+  double scale = 1.0;         ///< of y
+  double sampling_s = unset;  ///< equal in all equations of a plan
+  std::vector<double> numerator{},
+      denominator{};  ///< [um] per unit of the drive; [1], of equal length
 };
 
 /// Largest deviation of an interval between two calls from the sampling, as a share of it.
@@ -151,7 +152,7 @@ struct ControlAxis {
   double unit_um = 1.0;  ///< of the output
   bool counts = false;   ///< output in whole numbers of it
   std::string output{};  ///< "offset_z_um", "offset_z_mm", "offset_z_counts", "offset_b_urad"
-  bool angle = false;    ///< urad in the place of um in all of its numbers
+  bool angle = false;    ///< urad instead of um in all of its numbers
   double offset_um = 0.0;
   /// Trust in its model, in the words of correction::name(), and the reason; empty if not known.
   std::string trust{}, trust_because{};

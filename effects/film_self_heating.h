@@ -48,7 +48,7 @@ struct FilmSelfHeating {
     if (!(resistance > 0.0) || !(in.state.speed > 0.0)) return;
     friction::BearingState<double> s = in.state;
     const double outside = s.temperature;
-    const auto rise = [&](double temperature) {  // less what its own power gives
+    const auto rise = [&](double temperature) {  // minus the rise by its own power
       s.temperature = temperature;
       s.kinematic_viscosity = in.lubricant.kinematic_viscosity(temperature);
       return temperature - outside - resistance * in.base.film_moment(s) * s.speed;

@@ -15,8 +15,8 @@ namespace raceway::effects {
 ///
 /// Dimensional as published: M [N mm], d_m [mm], F [N], ν [mm²/s], n [rpm]; converted here. μ is
 /// the excess of boundary friction over the full film, 0.05 to 0.12; d_m the mean of bore and outer
-/// diameter. Source:   φ_bl, S1 = 1.30e-2 and S2 = 0.68 of the sliding moment in [SKFGeneral, p.
-/// 91-101].
+/// diameter.
+/// Source:   φ_bl, S1 = 1.30e-2 and S2 = 0.68 of the sliding moment in [SKFGeneral, p. 91-101].
 ///           S1 and S2 are for bearings of 40 deg, see friction/skf.h.
 /// Domain:   speed >= 0; all of it at standstill, nothing on a full film.
 struct MixedLubrication {

@@ -32,8 +32,8 @@ struct Doubt {
 [[nodiscard]] record::Record in_other_unit(record::Record data, const record::Channel& channel,
                                            const text::Unit& unit);
 
-/// Throws InputError for doubts about units of columns of `source` that no [columns] has answered:
-/// each question, and the line of [columns] that answers it. Returns the others, which are
+/// Throws InputError for doubts about units of columns of `source` that [columns] does not answer:
+/// each question, and the line of [columns] with the answer. Returns the others, which are
 /// warnings.
 [[nodiscard]] std::vector<record::Note> asked_about(const std::vector<Doubt>& doubts,
                                                     const Source& source,

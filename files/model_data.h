@@ -42,8 +42,8 @@ class ModelData {
   /// that key. Throws InputError with the nearest names.
   [[nodiscard]] std::size_t find(std::string_view name) const;
 
-  /// The model with these data (by index) at other values, read as from a file: throws InputError
-  /// for what no file may say. May be called by several threads at once.
+  /// Returns the model with these data (by index) at other values, read as from a file: throws
+  /// InputError for invalid data. Several threads may call it at once.
   [[nodiscard]] ModelFile with(std::span<const std::pair<std::size_t, double>> changes) const;
 
  private:

@@ -39,9 +39,9 @@ struct ModelFile {
 
 /// Reads a TOML model (keys with their units: raceway keys) into SI.
 ///
-/// Throws InputError naming file, line, key, value and allowed range: text that is no TOML, unknown
-/// and missing keys and tables, wrong types, values out of range, bearings that cannot be, formulas
-/// that are none.
+/// Throws InputError naming file, line, key, value and allowed range: invalid TOML, unknown and
+/// missing keys and tables, wrong types, values out of range, impossible bearings, invalid
+/// formulas.
 [[nodiscard]] ModelFile read_model(const std::string& path);
 
 /// As above, from text; `source` is the name in messages, and names of files are relative to it.
@@ -60,21 +60,20 @@ struct KeyValue {
   std::string comment = {};
 };
 
-/// The text with these values and nothing else changed: comments, order and blanks are kept. A key
-/// that was left to its default is added to its table. The values read back exactly.
-/// Throws InputError where the text is no TOML or has no such [[effect]], std::invalid_argument for
-/// a value that is not finite.
+/// Returns the text with these values; comments, order and blanks are kept. A key with a default is
+/// added to its table. The values read back exactly. Throws InputError where the text is no TOML or
+/// has no such [[effect]], std::invalid_argument for a value that is not finite.
 [[nodiscard]] std::string with_values(std::string_view text, std::span<const KeyValue> changes);
 
 /// Returns the text with this effect added as [[effect]] at its end; nothing else changes. It reads
 /// back exactly. Throws std::invalid_argument for a value that is not finite.
 [[nodiscard]] std::string with_effect(std::string_view text, const effects::Effect& effect);
 
-/// The text of a file with every number of model::parameters() as `fitted` has it, at all its
-/// addresses, the effects that the file lacks, and the covariance of what was fitted in the place
-/// of the old one; nothing else changed. Numbers that differ from the file's have the 15 digits
-/// that results show. Throws as with_values(), InputError where the file has its covariance in
-/// braces, and std::invalid_argument for the covariance of a parameter that is not there.
+/// Returns the text of a file with every number of model::parameters() from `fitted`, at all its
+/// addresses, the effects missing in the file, and the covariance of the fitted numbers; nothing
+/// else changes. Numbers that differ from the file's have the 15 digits that results show. Throws
+/// as with_values(), InputError where the file has its covariance in braces, and
+/// std::invalid_argument for the covariance of a parameter that is not there.
 [[nodiscard]] std::string with_model(const ModelFile& file, const model::Model& fitted);
 
 /// Returns a commented model of a catalogue bearing, with every default of its law written out.

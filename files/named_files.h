@@ -31,8 +31,8 @@ class NamedFiles {
   std::vector<NamedFile> held_, read_;
 };
 
-/// The text of a model for a file at `path`, from whose folder its names lead to the same files;
-/// from the root where there is no path. Nothing else is changed.
+/// Returns the text of a model for a file at `path`, with file names relative to its folder;
+/// absolute without a path. Nothing else is changed.
 [[nodiscard]] std::string with_names_from(std::string text, const std::vector<NamedFile>& files,
                                           const std::string& path);
 

@@ -12,8 +12,8 @@ namespace raceway::files {
 /// Checks a temperature in C that would be usual in K.
 [[nodiscard]] std::string looks_like_kelvin(std::string_view name, double temperature_C);
 
-/// Balls so small that their circle is almost empty, or their rating far beyond what such balls can
-/// carry, and right if the numbers were inches.
+/// Checks for balls so small that their circle is almost empty, or that the rating far exceeds
+/// them, with numbers that would be right in inches.
 [[nodiscard]] std::string looks_like_inches(const bearing::BearingGeometry& geometry);
 
 }  // namespace raceway::files

@@ -10,11 +10,10 @@
 namespace raceway::files {
 
 /// Reads a record over time (columns with their units: docs/files.md) into SI: time_s or dates,
-/// what a machine knows, and displacements. Columns of other names are named and ignored.
+/// inputs of the machine, and displacements. Other columns are reported and ignored.
 ///
-/// An empty cell in a displacement means that it was not read then. Inputs are filled between their
-/// readings (files/detail/filled_inputs.h).
-/// Of the displacements `wanted` are kept; all where that is empty.
+/// An empty cell in a displacement means no reading. Inputs are filled between their readings
+/// (files/detail/filled_inputs.h). Of the displacements `wanted` are kept; all where that is empty.
 ///
 /// Throws InputError: time_s missing, going back or standing still within a run; a column of
 /// `needed` missing; a column that looks misspelt; cells that are empty, no numbers or impossible,

@@ -13,7 +13,7 @@ namespace raceway::files {
 /// A file, or its replacement: a text, or the columns of a table.
 struct Source {
   std::string name;                         ///< path of the file; in messages, of the others too
-  std::shared_ptr<const std::string> text;  ///< null: as it stands in the file
+  std::shared_ptr<const std::string> text;  ///< null: contents of the file
   std::shared_ptr<const text::CsvTable> table;  ///< of measurements; null: as text or file have it
   /// Files that a model names, as they were when it was read; others are read where they stand.
   std::vector<NamedFile> files{};
@@ -30,8 +30,7 @@ struct Source {
       : name(columns->source), table(std::move(columns)) {}
 };
 
-/// A source that can be read again: what is no file of its own, as standard input and pipes,
-/// becomes a text.
+/// Returns a source that can be read again: standard input and pipes become a text.
 [[nodiscard]] Source repeatable(const Source& source);
 
 }  // namespace raceway::files

@@ -30,7 +30,7 @@ struct LoadCase {
 /// in a case, a speed that changes within one.
 [[nodiscard]] std::vector<LoadCase> read_load_cases(const std::string& path);
 
-/// Parses load cases from text; `source` stands in messages.
+/// Parses load cases from text; `source` is the name in messages.
 [[nodiscard]] std::vector<LoadCase> parse_load_cases(std::string text, const std::string& source);
 
 /// Units of two columns without a header.

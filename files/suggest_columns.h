@@ -15,8 +15,8 @@ namespace raceway::files {
 [[nodiscard]] std::string suggested_columns(const Source& source,
                                             const model::ModelSubject& subject);
 
-/// Suggests [columns] for a record over time, for the corrections of a file: columns that they ask
-/// for by the words of their names, others under names of their own.
+/// Suggests [columns] for a record over time and the corrections of a file: their columns by the
+/// words of their names, others under names of their own.
 [[nodiscard]] std::string suggested_columns(const Source& source,
                                             const std::vector<correction::Model>& models);
 

@@ -45,7 +45,7 @@ struct SlabText {
 /// columns), one that is missing or comes twice, and rows that are too few or too many.
 [[nodiscard]] std::string merged_table_text(const std::vector<SlabText>& slabs);
 
-/// Parses a table from text; `source` stands in messages.
+/// Parses a table from text; `source` is the name in messages.
 [[nodiscard]] TableFile parse_table(std::string text, const std::string& source);
 
 }  // namespace raceway::files

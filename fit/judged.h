@@ -99,16 +99,15 @@ class Judged {
   [[nodiscard]] virtual std::string lacks(const std::string& id, const Record& record) const;
   /// Returns the levels without which parameters of the model act almost alike; empty if none.
   [[nodiscard]] virtual std::string lacks_levels(const std::string& id, const Record& record) const;
-  /// Default: Returns faults of the record. Default: none.
+  /// Returns faults of the record. Default: none.
   [[nodiscard]] virtual std::vector<Fault> faults(const Record& record) const;
   /// Describes a doubt about the unit or the sign of readings; empty if none.
   [[nodiscard]] virtual std::string doubt(const Record& record,
                                           std::span<const double> predicted) const;
 
   // Noise and hold-out.
-  /// Default: Returns the columns of the saturated regression. Default: a polynomial of degree four
-  /// in the first varying input, and for every other input its square and its products with the
-  /// first.
+  /// Returns the columns of the saturated regression. Default: a polynomial of degree four in the
+  /// first varying input, and for every other input its square and its products with the first.
   [[nodiscard]] virtual Saturation saturation(const Record& record) const;
   /// Returns inputs whose recorded values scatter about the true values. Default: none.
   [[nodiscard]] virtual std::vector<const Channel*> scattering(const Record& record) const;
@@ -117,13 +116,13 @@ class Judged {
   [[nodiscard]] virtual std::vector<Factor> factors(const Record& record) const;
   /// Returns the formula of a shape; empty if the model supports none.
   [[nodiscard]] virtual std::optional<Formula> formula(const Record& record) const;
-  /// Default: Returns the blockings for hold-out tests. Default: one level or range of levels of
-  ///          one input at a time; runs if there are few inputs.
+  /// Returns the blockings for hold-out tests. Default: one level or range of levels of one input
+  /// at a time; runs if there are few inputs.
   [[nodiscard]] virtual std::vector<Blocking> blockings(const Record& record) const;
 
   // Next measurements.
-  /// Default: Returns the axes for the next measurements. Default: the range of every setting. The
-  ///          result is empty if single points carry no information.
+  /// Returns the axes for the next measurements. Default: the range of every setting. The result is
+  /// empty if single points carry no information.
   [[nodiscard]] virtual std::vector<Axis> axes(const Record& record) const;
   /// Describes a point. Default: "995 rpm, 100 N".
   [[nodiscard]] virtual std::string words(std::span<const Setting> point) const;

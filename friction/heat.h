@@ -10,8 +10,8 @@ namespace raceway::friction {
 
 /// Friction power, which becomes heat, P = M ω [W].
 ///
-/// M is the friction moment of the whole bearing; the number of balls does not enter. Source:
-/// [CaseStudy, eq. 19], where the factor Z is a misprint.
+/// M is the friction moment of the whole bearing; the number of balls does not enter.
+/// Source: [CaseStudy, eq. 19], where the factor Z is a misprint.
 template <typename T>
 T power_loss(const T& friction_moment, const T& speed) {
   return friction_moment * speed;

@@ -33,8 +33,8 @@ inline constexpr double roller_sum_ratio = 1.25803095402823;
 ///   F_r       the external load
 ///   rollers   F = max(F_r, (Σ Qi + Σ Qo)/(2 · 1.25803))
 ///
-/// At zero clearance and at rest both are F_r; a preloaded bearing without load has torque. Source:
-/// derived; the printed laws use F_r only.
+/// At zero clearance and at rest both are F_r; a preloaded bearing without load has torque.
+/// Source: derived; the printed laws use F_r only.
 [[nodiscard]] double counted_load(const RollerState& state);
 
 /// Load-dependent friction moment of a cylindrical roller bearing [N m].
@@ -52,7 +52,8 @@ struct RollerPalmgrenLoad {
 };
 
 /// f0 of a cylindrical roller bearing by lubricant supply [1]: grease 0.8, oil-air 1.5, bath 3, jet
-/// 6; 1.5 without a supply. Source: read in the public program thermca, after Jungnickel.
+/// 6; 1.5 without a supply.
+/// Source: read in the public program thermca, after Jungnickel.
 [[nodiscard]] double usual_roller_f0(std::optional<Supply> supply);
 
 /// Constants of the SKF model of cylindrical roller bearings with a cage, dimension series 10

@@ -8,7 +8,7 @@
 
 namespace raceway::friction {
 
-/// The sizes the SKF model works with [m].
+/// Dimensions in the SKF model [m].
 struct RingSize {
   double bore;            ///< d
   double outer_diameter;  ///< diameter of the outer ring, D
@@ -24,9 +24,9 @@ struct SkfConstants {
 };
 
 /// Single row angular contact ball bearings. Source: [SKFGeneral, p. 91-101, tables 2a to 5].
-/// Domain: the bearings of that catalogue are of 40 deg (72 BE, 73 BE). Spindle bearings of 15 to
-/// 25 deg take the same constants here, which the source does not claim: R2 and S2, the weight of
-/// an axial load, belong to the steeper angle.
+/// Domain: the bearings of that catalogue have 40 deg (72 BE, 73 BE). Spindle bearings of 15 to 25
+/// deg use the same constants here, beyond the source: R2 and S2, the weight of an axial load, are
+/// for the steeper angle.
 inline constexpr SkfConstants skf_angular_contact{.R1 = 5.03e-7,
                                                   .R2 = 1.97,
                                                   .R3 = 1.90e-12,
@@ -43,7 +43,7 @@ inline constexpr SkfConstants skf_angular_contact{.R1 = 5.03e-7,
   return balls.density < 5000.0 ? 0.41 : 1.0;
 }
 
-/// Share of the rolling moment that is left by shear heating in the inlet of the contacts [1].
+/// Share of the rolling moment that remains under inlet shear heating [1].
 ///
 ///   φ_ish = 1 / (1 + 1.84e-9 (n d_m)^1.28 ν^0.64)
 ///
@@ -57,7 +57,7 @@ T inlet_shear_factor(const T& speed, const T& viscosity, double mean_diameter) {
   return 1.0 / (1.0 + 1.84e-9 * pow(n_dm, 1.28) * pow(viscosity / mm2_per_s, 0.64));
 }
 
-/// Share of the rolling moment that is left where lubricant flows back too slowly [1].
+/// Share of the rolling moment that remains under replenishment starvation [1].
 ///
 ///   φ_rs = exp(-K_rs ν n (d + D) sqrt(K_Z / (2 (D - d))))
 ///

@@ -20,7 +20,7 @@ struct TableAxes {
   std::vector<double> radial_load;  ///< along +y [N], >= 0
   std::vector<double> temperature;  ///< temperatures of the lubricant [K], > 0
 
-  /// Number of points; the largest number there is where they cannot be counted.
+  /// Number of points; the largest integer if it overflows.
   [[nodiscard]] std::size_t size() const;
 };
 
@@ -30,8 +30,8 @@ void validate(const TableAxes& axes);
 
 /// Values at one point of a table.
 struct TablePoint {
-  /// `converged` where all values are finite. A law that needs no balls has a moment also where
-  /// they find no balance; the status then tells about the balance.
+  /// `converged` if all values are finite. A law without balls has a moment even if the balls have
+  /// no equilibrium; the status then describes the equilibrium.
   bearing::SolveStatus status = bearing::SolveStatus::not_run;
   double friction_moment = unset;  ///< [N m]
   std::span<double> columns;       ///< the further values, in the order of StribeckTable::columns
@@ -83,13 +83,12 @@ using TableLine =
 
 /// Fills a table, or one slab of it, on all cores.
 ///
-/// Points are handed out in pieces of at most 256, cut at the same places whatever the number of
-/// threads, so that number never changes a digit if `line` depends on its points alone. If what it
-/// makes of a point depends on that point alone, slabs joined are the table made in one go.
-/// `progress` is called with the finished fraction, up to 1, by one thread at a time. What `line`
-/// or `progress` throw ends the build and is passed on. Throws std::invalid_argument as
-/// validate(axes) does, and for a slab that is none. Memory: what the result holds, and one piece
-/// per thread.
+/// Threads get pieces of at most 256 points, cut at the same places for any number of threads. So
+/// that number changes no digit if `line` depends only on its points. If a result depends only on
+/// its point, joined slabs equal the whole table. `progress` is called with the finished fraction,
+/// up to 1, by one thread at a time. An exception of `line` or `progress` ends the build and is
+/// passed on. Throws std::invalid_argument as validate(axes) does, and for an invalid slab.
+/// Memory: what the result holds, and one piece per thread.
 [[nodiscard]] StribeckTable build_stribeck_table(const TableAxes& axes,
                                                  std::vector<std::string> columns,
                                                  const TableLine& line,
@@ -99,7 +98,7 @@ using TableLine =
 /// Treatment of a query outside the table.
 enum class Outside {
   error,  ///< throws std::invalid_argument: name, value with unit, range
-  clamp,  ///< the nearest edge answers, and the answer says so
+  clamp,  ///< uses the nearest edge, and reports it
 };
 
 /// Query point of a table.
@@ -111,8 +110,8 @@ struct TablePosition {
 };
 
 struct InterpolatedMoment {
-  double friction_moment = unset;  ///< [N m]; NaN where a grid point that it rests on has no value
-  bool clamped = false;            ///< the position was outside and has been moved to the edge
+  double friction_moment = unset;  ///< [N m]; NaN if it depends on a grid point without value
+  bool clamped = false;            ///< true if the position was outside and moved to the edge
   [[nodiscard]] bool has_value() const { return !std::isnan(friction_moment); }
 };
 
@@ -123,9 +122,8 @@ struct InterpolatedMoment {
 /// answers for that value only. Grid points without value make a position NaN that rests on them.
 ///
 /// Source:   Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5 (1984), as in Boost.Math.
-/// Domain:   a whole table, no slab; the closed range of each axis, with 1e-9 relative to spare for
-/// rounding of units;
-///           positions that are not finite are an error in either case.
+/// Domain:   a whole table, no slab; the closed range of each axis, with a relative margin of
+///           1e-9 for rounding of units; positions that are not finite are an error in either case.
 /// Accuracy: exact at grid points. The error falls with the cube of an equal spacing, with its
 ///           square next to the ends and to an extremum. Along a grid line the moment is monotone
 ///           wherever its points are; between grid lines that is usual, but not certain.

@@ -8,13 +8,13 @@
 
 namespace raceway::friction {
 
-/// Friction moment of a bearing as it was measured, or computed before: the base law `table`.
+/// Measured or precomputed friction moment of a bearing: the base law `table`.
 ///
 ///   M = scale M(n, F_a, F_r, T)
 ///
 /// interpolated as interpolate() does, in speed, loads and the temperature of the lubricant.
-/// Domain:   beyond an axis the value at its edge, so that the power there is in proportion to the
-///           speed; holds() tells such a state. An axis that the file lacks takes every value.
+/// Domain:   beyond an axis the value at its edge, so the power there is proportional to speed;
+///           holds() detects such a state. An axis missing in the file accepts every value.
 /// Accuracy: of the readings themselves `band`, where the file has it; between them interpolate().
 struct TorqueTable {
   static constexpr std::array parameters{
@@ -22,23 +22,24 @@ struct TorqueTable {
 
   std::string file{};    ///< as the model names it
   StribeckTable grid{};  ///< friction moment at every point
-  /// Half width of the 95 % band of its error, on the same grid; no points where it is not known.
+  /// Half width of the 95 % band of its error, on the same grid; empty if not known.
   StribeckTable band{};
-  /// Part of the moment that goes by the loads of the contacts, on the same grid, as tables of
-  /// `raceway table` have it: it shares heat between the rings. No points where it is not known.
+  /// Load-dependent part of the moment, on the same grid, as in tables of `raceway table`. It
+  /// shares heat between the rings. Empty if not known.
   StribeckTable load{};
   /// Axes that the file has; the others stand in the grid with one value.
   bool has_axial_load = true, has_radial_load = true, has_temperature = true;
-  bool of_shaft = false;  ///< torque of all bearings of a shaft over the load at its nose: no law
+  bool of_shaft =
+      false;  ///< torque of all bearings of a shaft over the load at its nose: not a law
 
   [[nodiscard]] bool has_band() const { return !band.friction_moment.empty(); }
-  /// [N m]; NaN for a state that has no number.
+  /// Friction moment [N m]; NaN for a state without a number.
   [[nodiscard]] double moment(const BearingState<>& state) const { return value(grid, state); }
-  /// Half width of the band there [N m]; NaN without one.
+  /// Half width of the band at a state [N m]; NaN without one.
   [[nodiscard]] double half_width(const BearingState<>& state) const {
     return has_band() ? value(band, state) : unset;
   }
-  /// That part there [N m]; 0 where it is not known.
+  /// Load-dependent part at a state [N m]; 0 if not known.
   [[nodiscard]] double load_moment(const BearingState<>& state) const {
     return load.friction_moment.empty() ? 0.0 : value(load, state);
   }

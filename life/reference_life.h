@@ -27,8 +27,7 @@ struct RaceRatings {
 /// Source:   [ISO16281, eqs. 5 to 9]. All lives that a commercial program prints for a deep-groove
 ///           bearing are met within 3e-4.
 /// Domain:   inner ring turning; NaN where a load is. Infinite where nothing is loaded. At speed
-/// the
-///           loads of either race stand for their own race; the standard knows no speed.
+///           the loads of either race apply to that race; the standard does not cover speed.
 /// Accuracy: the formula to rounding. For hybrid bearings it is the formula of steel on their own
 ///           ball loads, as their makers do it; ISO 281 has none for them.
 [[nodiscard]] double reference_life(const RaceRatings& ratings, const bearing::Balls& balls);
@@ -37,7 +36,7 @@ struct RaceRatings {
 [[nodiscard]] double reference_life(const RaceRatings& ratings, double inner_mean,
                                     double outer_mean);
 
-/// P_ref = C/L10r^(1/3) [N]: the load of which ISO 281 would make that life.
+/// Returns the load of this life by ISO 281, P_ref = C/L10r^(1/3) [N].
 /// Source: [ISO16281, eq. 11].
 [[nodiscard]] double reference_load(double load_rating, double reference_life);
 

@@ -51,7 +51,8 @@ using FormFinder = std::function<CsvForm(std::string_view)>;
 /// repeated headers and words after the last row are skipped. A cell may be quoted ("a ""b"""), not
 /// broken over lines. In files of other programs, a unit after every number of a column ("12.3 °C")
 /// is the unit of the column. Blanks around cells are dropped, as is an apostrophe before =, +, -
-/// or @ that prevents a formula (text/detail/csv_text.h). Memory: the text plus 16 bytes per cell.
+/// or @ that prevents a formula (text/detail/csv_text.h).
+/// Memory: the text plus 16 bytes per cell.
 class CsvTable {
  public:
   std::string source;                 ///< file name, for messages

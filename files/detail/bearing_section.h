@@ -14,8 +14,7 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
-/// Tables of bearings in a model file, and of what they are made of; shared with the reader of
-/// models.
+/// Tables of bearings and their materials in a model file; shared with the reader of models.
 namespace raceway::files {
 
 /// A bearing as described by a table of the file, and its row of the catalogue.

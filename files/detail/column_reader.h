@@ -47,7 +47,7 @@ class ColumnReader {
 
   /// Throws InputError if some cells have a decimal comma and others a point.
   void check_decimal_marks() const;
-  /// How the file is written where that is not the usual way, and what was said of it.
+  /// Notes on an unusual format of the file, and on its interpretation.
   [[nodiscard]] std::vector<record::Note> notes_on_form() const;
 
  private:

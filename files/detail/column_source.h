@@ -62,14 +62,14 @@ struct Recognised {
 /// Allowed range of a cell of a column, in the unit of the file. `with_sign` as in si_of_cell().
 [[nodiscard]] text::CellRange range_of(const ColumnSource& source, bool with_sign);
 
-/// Takes these rows out, and says how many `have` what and where; nothing where there is none.
-/// Throws InputError where no row is left.
+/// Removes these rows and reports how many `have` the given problem, and where; nothing if there is
+/// none. Throws InputError if no row remains.
 [[nodiscard]] std::string drop_rows(text::CsvTable& table,
                                     const std::function<bool(std::size_t row)>& is_wrong,
                                     std::string_view have);
 
-/// Takes rows out in which one of these columns is empty, "nan", "#N/A" or the like, and says how
-/// many and which; nothing where there is none.
+/// Removes rows in which one of these columns is empty, "nan", "#N/A" or the like, and reports
+/// their number and position; nothing if there is none.
 [[nodiscard]] std::string drop_empty_rows(text::CsvTable& table,
                                           const std::vector<ColumnSource>& columns);
 

@@ -25,8 +25,8 @@ struct FormulaNumber {
                                                 const std::string& name, const toml::node& node,
                                                 const Names& taken);
 
-/// Throws InputError: file, line and column of what is wrong with the formula under `key`, and the
-/// formula with a mark under it. `known`: the names that it may use.
+/// Throws InputError: file, line and column of the error in the formula under `key`, and the
+/// formula with a mark under the error. `known`: the names that it may use.
 [[noreturn]] void fail_formula(const Section& s, const std::string& key, const std::string& id,
                                const std::string& formula, const record::FormulaError& error,
                                const Names& known);

@@ -11,10 +11,10 @@
 /// Placeholder numbers in measurements; shared by the readers of measurements.
 namespace raceway::files {
 
-/// Numbers of one column that instruments and loggers write in the place of a reading: -9999,
-/// 9999.9, and 9.9e37 of IEEE 488.2, where no other reading of the column comes near; and those of
-/// temperatures and readings that are beyond the range of their channel, where these are at most a
-/// tenth: more of them are in another unit.
+/// Finds numbers of one column that instruments and loggers write instead of a reading: -9999,
+/// 9999.9, and 9.9e37 of IEEE 488.2, if no other reading of the column is near them. Temperatures
+/// and readings beyond the range of their channel count too, if they are at most a tenth; a larger
+/// share indicates another unit.
 class ImpossibleCells {
  public:
   /// `with_sign`: an input that may be below zero here. Both arguments outlive it.
@@ -35,8 +35,8 @@ class ImpossibleCells {
   double lower_ = std::numeric_limits<double>::infinity(), upper_ = -lower_;  ///< of all others
 };
 
-/// Places of the numbers of a column, as they stand in the file, that instruments and loggers write
-/// in the place of a reading, and that no other one comes near.
+/// Returns the positions of such placeholder numbers in a column of the file, if no other number is
+/// near them.
 [[nodiscard]] std::vector<std::size_t> places_of_marks(std::span<const double> numbers);
 
 /// Removes rows with such a cell in one of these columns, and reports them. Returns nothing if

@@ -9,8 +9,8 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
-/// Sections [calibration] and [loop] of a model file; shared with the reader of models. Both look
-/// at the model that all other tables make, and throw InputError as read_model() does.
+/// Sections [calibration] and [loop] of a model file; shared with the reader of models. Both use
+/// the model of all other tables and throw InputError as read_model() does.
 namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> loop_tables();

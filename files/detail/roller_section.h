@@ -26,7 +26,7 @@ void refuse_keys_of_rollers(const Section& bearing);
 [[nodiscard]] std::vector<model::RollerOnShaft> read_rollers_on_shaft(ModelTables& tables);
 
 /// Reads the model of a bearing with cylindrical rollers on a rig from its own tables. The reader
-/// of all models reads what is fitted, tolerated and recorded.
+/// of all models reads calibration, tolerances and records.
 [[nodiscard]] model::Model read_roller_model(ModelTables& tables);
 
 }  // namespace raceway::files

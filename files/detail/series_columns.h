@@ -15,8 +15,8 @@ struct SeriesColumns {
   bool all_ours = false;  ///< the file has our names and needs no table
 };
 
-/// As suggested_columns(): what these models ask for, then all else that a record over time can
-/// have. Columns that `given` names are as it says.
+/// Works as suggested_columns(): first the columns that these models need, then all others of a
+/// record over time. Columns in `given` are kept.
 [[nodiscard]] SeriesColumns series_columns(const text::CsvTable& table,
                                            const std::vector<correction::Model>& models,
                                            const ColumnMap& given);

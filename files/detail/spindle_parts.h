@@ -13,7 +13,7 @@
 /// Parts of the reader of spindles; see files/detail/spindle_section.h.
 namespace raceway::files {
 
-inline constexpr double longest_mm = 1e5;  ///< of a spindle and all that stands on it
+inline constexpr double longest_mm = 1e5;  ///< of a spindle and all its parts
 inline constexpr Form anywhere = between(-longest_mm, longest_mm, "mm"),
                       on_the_shaft = between(0, longest_mm, "mm"),
                       a_length = between(0.001, longest_mm, "mm");
@@ -57,17 +57,17 @@ inline constexpr Form anywhere = between(-longest_mm, longest_mm, "mm"),
 /// [[heat]]; `bearings`: names of all on the shaft, in the order of model::rings_of().
 [[nodiscard]] std::vector<model::HeatSource> read_heat_sources(ModelTables& tables,
                                                                const Names& bearings);
-/// Of [drive]; none where it has no force.
+/// Reads the force of [drive]; nothing if it has none.
 [[nodiscard]] std::optional<model::Belt> read_belt(const ModelTables& tables);
 [[nodiscard]] std::vector<model::ThermometerPlace> read_sensors(const ModelTables& tables);
 [[nodiscard]] model::Network read_network(const ModelTables& tables, const model::Ambient& ambient);
 
-/// Every node of a network, its surroundings too. Refuses [[sensor]].
+/// Reads every node of a network, including its surroundings. Refuses [[sensor]].
 [[nodiscard]] std::vector<model::ThermometerPlace> sensors_of_network(
     const ModelTables& tables, const model::Network& network);
 
-/// What no table can see alone: bearings on the shaft and in the housing, sensors inside what they
-/// measure, ... Adds to `notes` what is odd, but can be.
+/// Checks relations between tables: bearings on the shaft and in the housing, sensors inside their
+/// parts, ... Adds unusual but possible values to `notes`.
 void check_spindle(const ModelTables& tables, const model::Spindle& spindle,
                    const model::Shaft& shaft, Names& notes);
 

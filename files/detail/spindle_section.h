@@ -9,7 +9,7 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/bearing_section.h"
 
-/// The tables that make a model file one of a spindle; shared with the reader of models. All throw
+/// Tables that only the model file of a spindle has; shared with the reader of models. All throw
 /// InputError as read_model() does.
 namespace raceway::files {
 
@@ -20,13 +20,13 @@ namespace raceway::files {
 /// has one of the two, both kinds, or another table of a spindle without them.
 [[nodiscard]] bool is_spindle(const ModelTables& tables);
 
-/// Keys of a spindle in tables that other models have too; none where the file is of none.
+/// Returns the keys of a spindle in tables that other models share; empty for other files.
 [[nodiscard]] Keys spindle_keys(std::string_view table, bool spindle);
 
 [[nodiscard]] std::vector<KeyTable> spindle_tables();
 
-/// Everything of a spindle that is not its bearings, lubricant and arrangement. `notes`: what is
-/// odd, but can be.
+/// Reads a spindle except bearings, lubricant and arrangement. `notes`: unusual but possible
+/// values.
 [[nodiscard]] model::Spindle read_spindle(ModelTables& tables, const NamedBearing& bearing,
                                           const model::Shaft* shaft, Names& notes);
 

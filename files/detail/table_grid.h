@@ -15,8 +15,8 @@ using TableInputs = std::array<std::vector<double>, 4>;
 /// Throws InputError for a file that is one slab of a table.
 void refuse_slab(const text::CsvTable& csv);
 
-/// Fills in the axes of a table and returns the point of each row. Throws InputError for axes that
-/// are none, a point that stands twice, and rows that do not form a whole grid.
+/// Fills in the axes of a table and returns the point of each row. Throws InputError for invalid
+/// axes, repeated points, and rows that do not form a complete grid.
 [[nodiscard]] std::vector<std::size_t> points_of_rows(const text::CsvTable& csv,
                                                       const TableInputs& inputs,
                                                       friction::StribeckTable& table);

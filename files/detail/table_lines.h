@@ -7,10 +7,10 @@
 // Last: see text/detail/toml_text.h.
 #include "text/detail/toml_text.h"
 
-/// Lines of a table in the text of a model file, for those that edit it.
+/// Lines of a table in the text of a model file, for editing.
 namespace raceway::files {
 
-/// Last line of a table and of all that stands in it.
+/// Returns the last line of a table and its contents.
 inline toml::source_index last_line(const toml::node& node) {
   toml::source_index last = node.source().end.line;
   if (const toml::table* const table = node.as_table())
@@ -20,7 +20,7 @@ inline toml::source_index last_line(const toml::node& node) {
   return last;
 }
 
-/// Start of the comment lines right above a line that starts at `at`; `at` where there are none.
+/// Start of the comment lines directly above a line that starts at `at`; `at` without comments.
 inline std::size_t with_comment_above(const std::string& text, std::size_t at) {
   while (at > 1) {
     const std::size_t before = text.rfind('\n', at - 2) + 1;

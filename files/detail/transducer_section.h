@@ -11,8 +11,8 @@ namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> transducer_tables();
 
-/// Reads [transducers]; empty where there is none. Throws InputError for a combination that is
-/// none, one that follows from those before it, and a transducer without a factor.
+/// Reads [transducers]; empty where there is none. Throws InputError for an invalid combination,
+/// one that follows from earlier combinations, and a transducer without a factor.
 [[nodiscard]] std::vector<Combination> read_transducers(const ModelTables& tables);
 
 }  // namespace raceway::files

@@ -15,8 +15,8 @@ namespace raceway::files {
 [[nodiscard]] std::vector<const Combination*> combinations_for(
     const ColumnMap& map, const std::vector<const record::Channel*>& wanted);
 
-/// Puts the displacements that they make in the place of the transducers, and says so. A reading of
-/// which a transducer is missing is missing. A record without any transducer stays.
+/// Replaces the transducers by the displacements that they give, and reports it. A reading with a
+/// missing transducer is missing. A record without any transducer is unchanged.
 void combine_transducers(record::Record& record, const ColumnMap& map,
                          const std::vector<const record::Channel*>& wanted);
 

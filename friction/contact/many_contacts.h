@@ -11,8 +11,8 @@ namespace raceway::friction::contact {
 ///
 /// All states should name one bearing and one ContactData; states that name others than the first,
 /// at standstill, without equilibrium or without race control are computed one by one. A result
-/// depends only on its state and the instruction set, to the last bit. Memory: a fixed amount per
-/// thread, kept between calls; none per state.
+/// depends only on its state and the instruction set, to the last bit.
+/// Memory: a fixed amount per thread, kept between calls; none per state.
 /// Accuracy: film, rolling and hysteresis to 1e-11 of contact_result(). Sliding, of the same points
 ///           in single precision, to 2e-4 of it at worst in 4000 random states, in most to 1e-6
 ///           (5e-7 of the torque of a 7014 at speed), slip to 5e-4, what a film can hold to 2 %.

@@ -73,8 +73,7 @@ struct RollingEllipse {
 /// Power lost in the oil of one inlet, P = 2 F u [W]: F acts on both surfaces.
 ///
 /// Source:   derived from the power integral of the same paper (its eq. 37); the 6 r F of
-/// [Balan2015]
-///           for three balls between two plates says the same.
+///           [Balan2015] for three balls between two plates agrees.
 [[nodiscard]] inline double rolling_power(double force, double speed) {
   return 2.0 * force * speed;
 }

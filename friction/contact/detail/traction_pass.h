@@ -7,8 +7,8 @@ namespace raceway::friction::contact {
 // Interface of film_traction.cpp to traction_pass_*.cpp. One source, compiled for each instruction
 // set.
 
-/// Points of the unit circle in rows of sixteen that go side by side: the angles of a ring where
-/// the ball spins; the rings at an angle where it does not, and what is at y < 0 mirrors y > 0.
+/// Points of the unit circle in rows of sixteen for vectorization: the angles of a ring where the
+/// ball spins; the rings at an angle where it does not, and what is at y < 0 mirrors y > 0.
 inline constexpr std::size_t side_by_side = 16;
 inline constexpr std::size_t most_rings = 16;
 
