@@ -61,7 +61,7 @@ class DisplacedBearing {
 };
 
 /// Bearings of an arrangement in equilibrium with their full tangent stiffness, in the frame of
-/// each bearing: +x in the direction of its load. Front set first. `condition` must be that of the
+/// each bearing: +x in the direction of its load. Front set first. `condition` belongs to the
 /// equilibrium.
 [[nodiscard]] std::vector<BearingEquilibrium> bearings_in_set(
     const Arrangement& arrangement, const ArrangementCondition& condition,

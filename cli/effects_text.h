@@ -8,12 +8,12 @@
 /// The catalogue of effects as text for a terminal.
 namespace raceway::cli {
 
-/// Returns one line for each effect.
+/// Prints one line for each effect.
 void print_effect_list(std::span<const effects::Description> list);
-/// Returns one line for each effect on a displacement over time.
+/// Prints one line for each effect on a displacement over time.
 void print_effect_list(std::span<const correction::EffectCard> cards);
 
-/// Returns all catalogue data of one effect.
+/// Prints all catalogue data of one effect.
 void print_effect_card(const effects::Description& effect);
 void print_effect_card(const correction::EffectCard& card);
 

@@ -12,13 +12,13 @@
 /// docs/control.md. `name` is the file name without extension, as an identifier.
 namespace raceway::control {
 
-/// Writes a file for Python 2.7 and 3 that needs only the standard library.
+/// Returns a file for Python 2.7 and 3 that needs only the standard library.
 [[nodiscard]] std::string control_python(const ControlPlan& plan);
 
-/// Writes one C99 header that needs only math.h, in double or float.
+/// Returns one C99 header that needs only math.h, in double or float.
 [[nodiscard]] std::string control_c(const ControlPlan& plan, std::string_view name);
 
-/// Writes a component of LinuxCNC's HAL in Python.
+/// Returns a component of LinuxCNC's HAL in Python.
 [[nodiscard]] std::string control_linuxcnc(const ControlPlan& plan);
 
 /// Returns the lines of HAL that load the component `name` from the file `program` and connect it
@@ -29,7 +29,7 @@ namespace raceway::control {
 [[nodiscard]] std::string control_hal_shutdown(const ControlPlan& plan, std::string_view name,
                                                std::string_view program);
 
-/// Writes one number per row, with its unit and its part.
+/// Returns one number per row, with its unit and its part.
 [[nodiscard]] std::string control_csv(const ControlPlan& plan);
 
 }  // namespace raceway::control

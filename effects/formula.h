@@ -25,7 +25,7 @@ class OwnMoment {
 };
 
 /// A user-made friction moment as a formula in the units of the files: "c * (speed_rpm/1000)^2" in
-/// N mm. Names are those of variables() and its own parameters; muParser provides operators and
+/// N mm. Names come from variables() and its own parameters; muParser provides operators and
 /// functions. Several threads may evaluate it at once.
 class Formula : public OwnMoment {
  public:

@@ -41,7 +41,7 @@ struct CorrectionFile {
 /// Returns the line of a window in a channel or an effect.
 [[nodiscard]] std::string window_text(const correction::Window& window);
 
-/// Writes a file of these models alone: channels of columns, offsets, tolerances and ranges.
+/// Returns a file of these models alone: channels of columns, offsets, tolerances and ranges.
 /// `comment`: its first line.
 [[nodiscard]] std::string new_corrections(const std::vector<correction::Model>& models,
                                           const std::string& comment);

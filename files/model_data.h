@@ -25,7 +25,7 @@ struct ModelDatum {
   bool marked = false;  ///< marked as a guess in its file
 };
 
-/// Returns all numbers used by a model: numbers of its file, defaults, and numbers of the bearing
+/// All numbers used by a model: numbers of its file, defaults, and numbers of the bearing
 /// selected by [bearing] catalogue. A default that follows from other numbers (a bore from pitch
 /// circle and balls) is not one of them.
 ///

@@ -17,8 +17,8 @@ struct OilGrade {
 /// others.
 [[nodiscard]] OilGrade oil_grade(std::string_view words);
 
-/// Writes the table [lubricant] of a new model: viscosities of the oil, or of a thin spindle oil if
-/// `oil` is empty. Throws as oil_grade().
+/// Returns the table [lubricant] of a new model: viscosities of the oil, or of a thin spindle oil
+/// if `oil` is empty. Throws as oil_grade().
 [[nodiscard]] std::string lubricant_lines(std::string_view oil);
 
 }  // namespace raceway::files

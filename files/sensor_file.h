@@ -25,7 +25,7 @@ struct SensorReadings {
 [[nodiscard]] SensorReadings read_sensor_readings(const Source& source,
                                                   const ReadOptions& options = {});
 
-/// Writes the table [torque_sensor] for a model or a separate file; it reads back.
+/// Returns the table [torque_sensor] for a model or a separate file; it reads back.
 [[nodiscard]] std::string torque_sensor_text(const rig::SensorCalibration& calibration,
                                              std::string_view source);
 

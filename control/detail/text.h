@@ -50,7 +50,7 @@ struct TableAxis {
 [[nodiscard]] std::string note_in_heading(std::string_view line, std::string_view mark);
 [[nodiscard]] std::string warning_in_heading(std::string_view line, std::string_view mark);
 
-/// Returns `text` with every `@KEY@` replaced.
+/// A replacement of `@KEY@` in a text.
 struct Replacement {
   std::string_view key;
   std::string text;

@@ -29,7 +29,7 @@ void stresses_in(const CirclePoints<double>& points, const RingPressures& p,
   }
 }
 
-/// Returns the stress at a slip v = v2/|v| and its slope, for the parts that rub.
+/// Stress at a slip v = v2/|v| and its slope, for the parts that rub.
 template <class V>
 struct Stress {
   V stress, tangent;
