@@ -108,7 +108,7 @@ struct ArrangementEquilibrium {
 /// A bearing without inner contacts carries no load, which is a valid state.
 /// Domain:   speed >= 0; a set in tension is not an equilibrium.
 /// Accuracy: `options.tolerance` on forces relative to the largest; tilt is locked at zero. The
-///           physics is that of solve_bearing_equilibrium().
+///           physics is as in solve_bearing_equilibrium().
 /// Throws std::invalid_argument for a condition that is not finite, or for another number of shifts
 /// or rotations than of bearings.
 [[nodiscard]] ArrangementEquilibrium solve_arrangement(

@@ -47,7 +47,7 @@ struct NamedChannel {
 /// [mm]".
 [[nodiscard]] std::optional<NamedChannel> named_series_channel(std::string_view name);
 
-/// As above, for a record of a spindle, whose temperatures are measured except those of its
+/// As above, for a record of a spindle, whose temperatures are measured except in its
 /// surroundings.
 [[nodiscard]] std::optional<NamedChannel> named_spindle_channel(std::string_view name);
 

@@ -140,7 +140,7 @@ struct Traction {
 
 /// Finds the zero of an increasing function by Newton's method inside a bracket. A step that does
 /// not halve the value is replaced by bisection, because dry friction changes direction within a
-/// millionth of a slip. value(v) returns {value, slope, size}; It ends where |value| <= tolerance
+/// millionth of a slip. value(v) returns {value, slope, size}. It ends where |value| <= tolerance
 /// size, or where the bracket is as narrow as `tolerance` of the first.
 struct GrowingValue {
   double value, slope, size;
