@@ -153,6 +153,51 @@ test('the bearing is typed beside the columns; a name that is none gets the word
   await close();
 });
 
+test('the catalogue is offered for what is typed, by its name or by its size; an entry is chosen by keyboard or by mouse', async () => {
+  const { page, faults, close } = await open();
+  await drop(page, join(rigs, 'dev-05/train.csv'));
+  const shown = () => page.$$eval('[role="option"] b', (all) => all.map((b) => b.textContent));
+  const names = (filter) => JSON.parse(raceway('bearings', filter, '--json')).bearings.map((b) => b.name);
+  await page.focus('#designation');
+  await page.keyboard.type('7014');
+  await page.waitForSelector('[role="option"]');
+  assert.deepEqual(await shown(), names('7014'));
+  assert.match(await page.textContent('.catalogue .note'), /^7014 is not in the catalogue; \d+ bearings of its size/);
+  assert.match(await page.textContent('[role="option"]'), /70 × 110 mm, 21 balls of 11\.91 mm, 15°/);
+  await page.keyboard.press('ArrowUp');
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('ArrowDown');
+  assert.equal(await page.$eval('#designation', (input) => document.getElementById(input.getAttribute('aria-activedescendant')).querySelector('b').textContent), names('7014')[1]);
+  await page.keyboard.press('Enter');
+  assert.equal(await page.inputValue('#designation'), names('7014')[1]);
+  assert.equal(await page.getAttribute('#designation', 'aria-expanded'), 'false');
+  // Escape closes the list alone, and the words stay.
+  await page.fill('#designation', 'SM 60');
+  await page.waitForSelector('[role="option"]');
+  await page.keyboard.press('Escape');
+  assert.equal(await page.locator('[role="option"]:visible').count(), 0);
+  assert.equal(await page.inputValue('#designation'), 'SM 60');
+  // An empty field offers all; a name that is none offers nothing.
+  await page.fill('#designation', '');
+  await page.keyboard.press('ArrowDown');
+  await page.waitForSelector('[role="option"]');
+  assert.deepEqual(await shown(), names(''));
+  await page.fill('#designation', 'nothing');
+  await page.waitForSelector('[role="option"]', { state: 'hidden' });
+  await page.fill('#designation', '6014');
+  await page.waitForSelector('[role="option"]');
+  await page.click('[role="option"]:nth-child(2)');
+  assert.equal(await page.inputValue('#designation'), names('6014')[1]);
+  await page.keyboard.press('Tab');
+  await page.keyboard.type('VG 32');
+  await page.keyboard.press('Enter');
+  await idle(page);
+  assert.deepEqual(await errors(page), []);
+  assert.match(await page.textContent('#step-model'), new RegExp(names('6014')[1]));
+  assert.deepEqual(faults, []);
+  await close();
+});
+
 test('several files are one record: their rows are counted, drawn and checked together', async () => {
   const { page, faults, close } = await open();
   const [head, ...rows] = readFileSync(join(rigs, 'dev-05/train.csv'), 'utf8').trim().split('\n');

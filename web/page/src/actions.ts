@@ -21,6 +21,7 @@ import {
   type LawTried,
   type Line,
   type Machine,
+  type Offer,
   type Panel,
   type Problem,
   type Reading,
@@ -511,6 +512,17 @@ export class Actions {
       await this.evaluate(`${designation}${oil.trim() ? `, ${oil.trim()}` : ''}`);
     } catch (error) {
       this.store.change({ problem: { at: 'model', text: error instanceof Error ? error.message : String(error) } });
+    }
+  }
+
+  /// Bearings of the catalogue for what is typed; none where the engine knows none, or was stopped.
+  async offers(typed: string): Promise<Offer> {
+    try {
+      const { document, answer } = await this.asking.document<Pick<Offer, 'bearings'>>('Looking in the catalogue', ask.bearings(typed));
+      return { bearings: document.bearings, sameSize: answer.err.includes('note: ') };
+    } catch (error) {
+      if (error instanceof Refused || error instanceof Stopped) return { bearings: [], sameSize: false };
+      throw error;
     }
   }
 

@@ -1,5 +1,6 @@
 // The model: a designation and an oil make it; each key has its field, and the text stays in step.
 import { alone, baseLaws, type Actions } from './actions';
+import { withCatalogue } from './catalogue';
 import { capital, el, plain, printed } from './report';
 import { doubled, pieces, withoutPiece, withPiece } from './shaft_pieces';
 import { crossSection } from './spindle_panels';
@@ -106,7 +107,7 @@ export function designation(s: State, actions: Actions): HTMLElement {
   const form = el(
     'form',
     { class: 'designation' },
-    el('label', {}, el('span', {}, 'Designation of the bearing'), name),
+    withCatalogue('Designation of the bearing', name, actions),
     el('label', {}, el('span', {}, 'Oil, ISO VG grade'), oil),
     el('label', {}, el('span', {}, spindle ? 'Preload as mounted [N]' : 'Preload [N], where the data have no axial load'), load),
     el('datalist', { id: 'grades' }, ...grades.map((grade) => el('option', { value: `VG ${grade}` }))),

@@ -58,6 +58,11 @@ export function newModel(designation: string, spindle = false, oil = ''): Questi
   return { arguments: ['new', ...(designation ? [designation] : []), ...(spindle ? ['--spindle'] : ['--law', 'palmgren']), ...(oil ? ['--oil', oil] : []), '-o', 'model.toml'], files: {} };
 }
 
+/// Entries of the catalogue with this in their name; of a designation that is in none, those of its size.
+export function bearings(filter: string): Question {
+  return { arguments: ['bearings', ...(filter ? [filter] : []), '--json'], files: {} };
+}
+
 export function diagnose(of: Case, model: string): Question {
   const { data, columns, files } = rig(of);
   return { arguments: ['diagnose', 'model.toml', ...data, ...columns, ...span(of), '--json', '--report', 'report.html'], files: { 'model.toml': model, ...files } };

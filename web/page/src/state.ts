@@ -123,6 +123,12 @@ export interface EffectCard {
   formula: string;
 }
 
+/// Entries of the catalogue for what was typed.
+export interface Offer {
+  bearings: { name: string; bore_mm: number; outer_diameter_mm: number; ball_diameter_mm: number; ball_count: number; contact_angle_deg: number }[];
+  sameSize: boolean; // none has that name: they have the size that it stands for
+}
+
 /// A base law in place of that of the model, all refitted.
 export interface LawTried {
   law: string;
