@@ -2,18 +2,15 @@
 //   node --test tests/workbench/assembled_test.mjs
 // Environment: that of tests/report/pages.mjs, and WORKBENCH, the file (cmake --build --preset wasm).
 import assert from 'node:assert/strict';
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { file, raceway, ROOT, visit } from '../report/pages.mjs';
+import { bars, designate, drop, errors, idle, saved, sentence } from './steps.mjs';
 
 const rigs = join(ROOT, 'tests/hidden_effect/rigs');
 const address = pathToFileURL(process.env.WORKBENCH).href;
-const idle = (page) => page.waitForFunction(() => document.documentElement.dataset.idle === 'yes', undefined, { timeout: 60000 });
-const sentence = async (page) => (await page.textContent('#sentence')).replaceAll('\u00a0', ' ');
-const errors = (page) => page.$$eval('.callout.error', (all) => all.map((e) => e.textContent));
-const bars = (page) => page.$$eval('#error-bars .bar-now', (all) => all.map((bar) => Number.parseFloat(bar.style.width)));
 const headline = (...words) => JSON.parse(raceway('diagnose', ...words, '--json')).headline.replace('->', '→');
 
 async function open() {
@@ -50,26 +47,19 @@ test('the verdict of the built-in rig is that of the program; an effect is added
 
 test('a file is dropped, a bearing named: the model and verdict are those of the program; a wrong file gets its words', async () => {
   const { page, faults, close } = await open();
-  const drop = async (files) => {
-    await page.setInputFiles('#file', files);
-    await idle(page);
-  };
-  await drop({ name: 'wrong.csv', mimeType: 'text/csv', buffer: Buffer.from('speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n1000,500,30,12\n2000,500,30,x\n') });
+  await drop(page, 'wrong.csv', 'speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n1000,500,30,12\n2000,500,30,x\n');
   assert.match((await errors(page))[0], /wrong\.csv:3: /);
-  await drop(join(rigs, 'dev-05/train.csv'));
+  await drop(page, join(rigs, 'dev-05/train.csv'));
   await page.click('#next');
-  await page.fill('#designation', '7014 AC');
-  await page.fill('#oil', 'VG 32');
-  await page.keyboard.press('Enter');
-  await idle(page);
+  await designate(page, '7014 AC', 'VG 32');
   assert.deepEqual(await errors(page), []);
   const said = await sentence(page);
   await page.click('#step-home');
   const folder = file('assembled');
   mkdirSync(folder);
   for (const id of ['model', 'columns']) {
-    const [download] = await Promise.all([page.waitForEvent('download'), page.click(`#save-${id}`)]);
-    writeFileSync(join(folder, download.suggestedFilename()), readFileSync(await download.path()));
+    const { name, text } = await saved(page, `#save-${id}`);
+    writeFileSync(join(folder, name), text);
   }
   assert.equal(said, headline(join(folder, 'model.toml'), join(rigs, 'dev-05/train.csv'), '--columns', join(folder, 'columns.toml')));
   assert.deepEqual(faults, []);

@@ -11,6 +11,7 @@ import { nativeEngine } from '../../web/engine/native.mjs';
 import { withRecorded, workbench } from '../../web/page/bundle.mjs';
 import { serve } from '../../web/page/dev_server.mjs';
 import { file, raceway, RACEWAY, ROOT, visit } from '../report/pages.mjs';
+import { bars, click, designate, drop, errors, idle, press, reach, saved, sentence } from './steps.mjs';
 
 const rigs = join(ROOT, 'tests/hidden_effect/rigs');
 const german = join(ROOT, 'data/measurements/german_export.csv');
@@ -25,38 +26,10 @@ before(async () => {
 });
 after(() => server?.close());
 
-const idle = (page) => page.waitForFunction(() => document.documentElement.dataset.idle === 'yes', undefined, { timeout: 120000 });
-const sentence = async (page) => (await page.textContent('#sentence')).replaceAll('\u00a0', ' ');
-const errors = (page) => page.$$eval('.callout.error', (all) => all.map((e) => e.textContent));
-const bars = (page) => page.$$eval('#error-bars .bar-now', (all) => all.map((bar) => Number.parseFloat(bar.style.width)));
-
 async function open(options = {}) {
   const opened = await visit(address, options, undefined, [`${address}ask`]);
   await idle(opened.page);
   return opened;
-}
-
-/// A path, files, or a name with its text.
-async function drop(page, name, text) {
-  await page.setInputFiles('#file', text === undefined ? name : { name, mimeType: 'text/csv', buffer: Buffer.from(text) });
-  await idle(page);
-}
-
-async function click(page, selector) {
-  await page.click(selector);
-  await idle(page);
-}
-
-async function designate(page, designation, oil) {
-  await page.fill('#designation', designation);
-  await page.fill('#oil', oil);
-  await page.keyboard.press('Enter');
-  await idle(page);
-}
-
-async function saved(page, selector) {
-  const [download] = await Promise.all([page.waitForEvent('download'), page.click(selector)]);
-  return { name: download.suggestedFilename(), text: readFileSync(await download.path(), 'utf8') };
 }
 
 test('shows a rig that lacks something; a click adds it, the error falls in the fit and on rows left out, undo brings it back', async () => {
@@ -546,26 +519,90 @@ test('a spindle begins with a template whose assumptions are marked; a dropped p
   await close();
 });
 
-test('by keyboard alone', async () => {
+test('candidates are switched and undone by keyboard alone', async () => {
   const { page, faults, close } = await open();
-  const reach = async (id) => {
-    for (let k = 0; k < 60; ++k) {
-      if ((await page.evaluate(() => document.activeElement.id)) === id) return;
-      await page.keyboard.press('Tab');
-    }
-    assert.fail(`${id} is not reached`);
-  };
-  await reach('add-0');
-  await page.keyboard.press('Enter');
-  await idle(page);
+  await press(page, 'add-0');
   assert.match(await sentence(page), /^With lubricant drag/);
-  await reach('candidate-windage');
-  await page.keyboard.press('Space');
-  await idle(page);
+  await press(page, 'candidate-windage', 'Space');
   assert.equal(await page.getAttribute('#candidate-windage', 'aria-checked'), 'true');
   await page.keyboard.press('Control+z');
   await idle(page);
   assert.equal(await page.getAttribute('#candidate-windage', 'aria-checked'), 'false');
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('from a file to the improved model and the report by keyboard alone', async () => {
+  const { page, faults, close } = await open();
+  await reach(page, 'file');
+  const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.keyboard.press('Enter')]);
+  await chooser.setFiles(join(rigs, 'dev-05/train.csv'));
+  await idle(page);
+  assert.match(await sentence(page), /Which bearing was measured/);
+  await reach(page, 'designation');
+  await page.keyboard.type('7014');
+  await page.waitForSelector('[role="option"]');
+  await page.keyboard.type(' AC');
+  await page.keyboard.press('Tab');
+  assert.equal(await page.inputValue('#designation'), '7014 AC');
+  await page.keyboard.type('VG 32');
+  await page.keyboard.press('Enter');
+  await idle(page);
+  assert.deepEqual(await errors(page), []);
+  await press(page, 'add-0');
+  assert.match(await sentence(page), /^With /);
+  await press(page, 'step-home');
+  for (const name of ['improved', 'report']) {
+    await reach(page, `save-${name}`);
+    const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Enter')]);
+    assert.match(readFileSync(await download.path(), 'utf8'), name === 'report' ? /<title>raceway report/ : /^\[\[effect\]\]/m);
+  }
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('files are dragged onto the page: it shows where they may fall, reads them, and forgets those that are drawn away', async () => {
+  const { page, faults, close } = await open();
+  const browser = await page.context().newCDPSession(page);
+  const drag = (type, ...files) => browser.send('Input.dispatchDragEvent', { type, x: 640, y: 500, data: { items: [], files, dragOperationsMask: 1 } });
+  const [model, rows] = ['model.toml', 'train.csv'].map((name) => join(rigs, 'dev-03', name));
+  const marked = () => page.evaluate(() => document.getElementById('workbench').classList.contains('dragging'));
+  const before = await sentence(page);
+  await drag('dragEnter', rows);
+  await drag('dragOver', rows);
+  assert.equal(await marked(), true);
+  await drag('dragCancel', rows);
+  await page.waitForFunction(() => !document.getElementById('workbench').classList.contains('dragging'), undefined, { timeout: 10000 });
+  assert.equal(await sentence(page), before);
+  await drag('dragEnter', rows, model);
+  await drag('dragOver', rows, model);
+  await drag('drop', rows, model);
+  await page.waitForFunction(() => /train\.csv/.test(document.getElementById('step-data').textContent));
+  await idle(page);
+  assert.equal(await marked(), false);
+  assert.deepEqual(await errors(page), []);
+  assert.equal(await sentence(page), JSON.parse(raceway('diagnose', model, rows, '--json')).headline.replace('->', '→'));
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('cells are pasted from the clipboard, anywhere on the page', async () => {
+  const { page, faults, close } = await open();
+  const lines = readFileSync(join(rigs, 'dev-05/train.csv'), 'utf8').trim().split('\n').filter((line) => !line.startsWith('#'));
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+  await page.evaluate((cells) => navigator.clipboard.writeText(cells), lines.map((line) => line.replaceAll(',', '\t')).join('\r\n'));
+  await page.click('h1');
+  await page.keyboard.press('Control+v');
+  await page.waitForFunction(() => /pasted\.csv/.test(document.getElementById('step-data').textContent));
+  await idle(page);
+  assert.deepEqual(await errors(page), []);
+  assert.match(await page.textContent('#step-data'), new RegExp(`pasted\\.csv, ${lines.length - 1} rows`));
+  // A name in its field is no table.
+  await page.evaluate(() => navigator.clipboard.writeText('7014 AC'));
+  await page.focus('#designation');
+  await page.keyboard.press('Control+v');
+  assert.equal(await page.inputValue('#designation'), '7014 AC');
+  assert.match(await sentence(page), /Which bearing was measured/);
   assert.deepEqual(faults, []);
   await close();
 });
