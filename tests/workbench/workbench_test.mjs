@@ -94,13 +94,17 @@ test('from a file and a designation to the improved model, which the command run
   const { rmse } = JSON.parse(raceway('compare', join(folder, 'improved.toml'), data, '--json'));
   assert.ok(Math.abs(rmse - shown) < 0.01 * shown, `${rmse} ${shown}`);
   assert.match(readFileSync(join(folder, 'report.html'), 'utf8'), /<title>raceway report/);
-  // The commands of the page write the same models, from the data and the map of columns.
+  // The commands of the page write the same models: of the data alone, and, twice, beside all that was saved.
+  const { name: script, text: commands } = await saved(page, '#save-shell');
   const again = file('again');
   mkdirSync(again);
-  writeFileSync(join(again, 'columns.toml'), readFileSync(join(folder, 'columns.toml')));
-  writeFileSync(join(again, 'train.csv'), readFileSync(data));
-  execFileSync('bash', ['-ec', await page.textContent('#shell')], { cwd: again, stdio: 'pipe', env: { ...process.env, PATH: `${dirname(RACEWAY)}:${process.env.PATH}` } });
+  for (const at of [again, folder, folder]) {
+    writeFileSync(join(at, script), commands);
+    writeFileSync(join(at, 'train.csv'), readFileSync(data));
+    execFileSync('bash', ['-e', script], { cwd: at, stdio: 'pipe', env: { ...process.env, PATH: `${dirname(RACEWAY)}:${process.env.PATH}` } });
+  }
   for (const name of ['model.toml', 'improved.toml']) assert.equal(readFileSync(join(again, name), 'utf8'), readFileSync(join(folder, name), 'utf8'));
+  assert.equal(readFileSync(join(folder, 'before-improved.toml'), 'utf8'), readFileSync(join(folder, 'improved.toml'), 'utf8'));
   assert.deepEqual(faults, []);
   await close();
 });
@@ -282,6 +286,7 @@ test('wrong files get the words of the command, and hostile names, cells and tex
     ['empty.csv', '', /the file is empty/],
     ['words.csv', 'hello\n', /no data rows/],
     [`${hostile}.csv`, `"${hostile}",speed_rpm,friction_torque_Nmm\n1,2,${hostile}\n2,3,4\n`, /^_img_src_x_onerror_alert_1__\.csv:1: the axial load is neither in a column/],
+    ['a -o $(touch b).csv', 'hello\n', /no data rows/],
     ['-o.csv', 'speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n1000,nan,40,3\n', /axial_load_N/],
   ];
   for (const [name, text, words] of cases) {
@@ -289,7 +294,8 @@ test('wrong files get the words of the command, and hostile names, cells and tex
     assert.match((await errors(page)).join(), words, name);
     assert.equal(await page.locator('img').count(), 0, name);
     await click(page, '#step-home');
-    assert.ok((await page.textContent('#shell')).includes(name.startsWith('-') ? `./${name}` : name.startsWith('<') ? `'${name}'` : name), name);
+    assert.ok((await page.textContent('#shell')).includes(name.startsWith('-') ? `./${name}` : /[<$]/.test(name) ? `'${name}'` : name), name);
+    assert.doesNotMatch(await page.textContent('#shell'), /^for.*\$\(/m);
   }
   // What no column has can be a number.
   await drop(page, 'no load.csv', 'speed_rpm,temperature_C,friction_torque_Nmm\n1000,40,3\n2000,40,4\n');

@@ -140,17 +140,35 @@ const forPython = (text: string): string => JSON.stringify(text);
 /// File names as people have them on their disk; "./" where one begins with a dash.
 const named = ({ name }: TextFile): string => (name.startsWith('-') ? `./${name}` : name);
 
-/// The commands that do the same.
+/// Makes lines of a shell, and remembers the files that they write.
+class Lines {
+  readonly written = new Set<string>();
+
+  private static shell = (words: string[]): string => ['raceway', ...words].map(forShell).join(' ');
+
+  run(...words: string[]): string {
+    words.forEach((word, k) => /^(-o|--report)$/.test(word) && this.written.add(words[k + 1] as string));
+    return Lines.shell(words);
+  }
+
+  /// Writes a file that may have been saved from the page: then that one is taken.
+  unlessSaved(name: string, ...words: string[]): string {
+    return `[ -e ${name} ] || ${Lines.shell([...words, '-o', name])}`;
+  }
+}
+
+/// The commands that do the same. They begin with the files that were saved; what they write anew is kept under another name.
 export function shellCommands(of: Case): string {
-  const line = (...words: string[]) => ['raceway', ...words].map(forShell).join(' ');
-  const lines: string[] = [];
+  const make = new Lines();
   const spindle = of.model !== undefined && isSpindle(of.model.text);
-  if (of.designation) lines.push(line(...newModel(of.designation, spindle, of.oil).arguments), '# Then put your other values into model.toml, or save the one of this page in its place.');
-  lines.push(...(spindle && !of.data.length ? ofSpindle(of, line) : ofData(of, line)));
+  const lines = spindle && !of.data.length ? ofSpindle(of, make) : ofData(of, make);
+  if (of.designation) lines.unshift('# The model of this page, if it was saved here; else as the catalogue or its rules have it.', make.unlessSaved('model.toml', ...newModel(of.designation, spindle, of.oil).arguments.slice(0, -2)));
+  if (make.written.size) lines.unshift('# Files that are written anew below are kept under another name.', `for file in ${[...make.written].map(forShell).join(' ')}; do [ ! -e $file ] || mv $file before-$file; done`);
   return `${lines.join('\n')}\n`;
 }
 
-function ofSpindle(of: Case, line: (...words: string[]) => string): string[] {
+function ofSpindle(of: Case, make: Lines): string[] {
+  const line = make.run.bind(make);
   const coolant = of.coolantOff ? ['--coolant', 'off'] : [];
   return [
     line('spindle', 'model.toml', ...state(of), '--report', 'steady.html'),
@@ -159,16 +177,17 @@ function ofSpindle(of: Case, line: (...words: string[]) => string): string[] {
   ];
 }
 
-function ofData(of: Case, line: (...words: string[]) => string): string[] {
+function ofData(of: Case, make: Lines): string[] {
+  const line = make.run.bind(make);
   const data = of.data.map(named);
   const columns = reading(of);
   const fit = [...columns, ...span(of)];
   const force = of.forced ? ['--force'] : [];
   const lines: string[] = [];
   const first = of.start ? 'start.toml' : 'model.toml';
-  if (of.fromRecord) lines.push(line('new', '--record', ...data.slice(0, 1), ...(of.map ? ['--columns', 'columns.toml'] : []), '-o', first));
+  if (of.fromRecord) lines.push(make.unlessSaved(first, 'new', '--record', ...data.slice(0, 1), ...(of.map ? ['--columns', 'columns.toml'] : [])));
   if (of.start) lines.push(line('identify', first, ...data.slice(0, 1), ...fit, ...(of.bank ? ['--lags', 'auto'] : []), '-o', 'model.toml'));
-  if (of.map) lines.unshift(line('check', first, ...data.slice(0, 1), '--suggest-columns', '-o', 'columns.toml'));
+  if (of.map) lines.unshift(make.unlessSaved('columns.toml', 'check', first, ...data.slice(0, 1), '--suggest-columns'));
   let model = 'model.toml';
   if (of.law) {
     lines.push(line('add', model, `law:${of.law}`, '--data', ...data, ...fit, ...force, '-o', `${of.law}.toml`));
@@ -199,7 +218,7 @@ function pythonOfSpindle(of: Case): string[] {
     '',
     'spindle = raceway.Model.read("model.toml")',
     `print(spindle.steady(${numbers(of.speed)}${coolant}${loads}).to_frame())`,
-    ...(of.programme ? [`run = spindle.simulate(raceway.Record.read(${forPython(named(of.programme))})${coolant})`, 'run.save("run.csv")'] : []),
+    ...(of.programme ? [`run = spindle.simulate(raceway.Record.read(${forPython(named(of.programme))})${coolant})`, 'run.save("run.csv", overwrite=True)'] : []),
     `print(spindle.modes(${numbers(of.modeSpeeds)}).to_frame())`,
   ];
 }
@@ -213,8 +232,9 @@ function seconds(time: string): string {
 function pythonOfData(of: Case): string[] {
   const columns = `${of.map ? ', columns=open("columns.toml").read()' : ''}${of.dropNan ? ', drop_nan=True' : ''}`;
   const until = span(of).length ? `, until_s=${seconds(of.until)}` : '';
-  const rows = `${of.rows ? ', rows=True' : ''}${until}`;
-  const judged = `${of.rows ? ', rows=True' : ''}${until ? `, from_s=${seconds(of.until)}, zero="none"` : ''}`;
+  const own = `${of.rows ? ', rows=True' : ''}${of.channel ? `, channel=${forPython(of.channel)}` : ''}`;
+  const rows = `${own}${until}`;
+  const judged = `${own}${until ? `, from_s=${seconds(of.until)}, zero="none"` : ''}`;
   const records = of.data.map((d) => `raceway.Record.read(${forPython(named(d))}${columns})`);
   const lines = ['import raceway', '', `record = ${records.length > 1 ? `[${records.join(', ')}]` : (records[0] ?? '')}`];
   if (of.start) lines.push('start = raceway.read("start.toml")', `model = start.identify(record${of.bank ? ', lags_s="auto"' : ''}${until}).correction`);
@@ -223,6 +243,6 @@ function pythonOfData(of: Case): string[] {
   lines.push(`print(model.diagnose(record${rows}).headline)`);
   if (of.on.length) lines.push(`better = model.add([${of.on.map(forPython).join(', ')}], record${rows}).model`, `print(better.diagnose(record${rows}).headline)`);
   else lines.push(of.start ? 'better = model' : `better = model.calibrate(record${rows}).model`);
-  lines.push(`print(better.compare(record${judged}))`, 'better.save("improved.toml")');
+  lines.push(`print(better.compare(record${judged}))`, 'better.save("improved.toml", overwrite=True)');
   return lines;
 }
