@@ -46,8 +46,8 @@ export function historyPanel(actions: Actions): Panelled {
                 el(
                   'tr',
                   {},
-                  ...['', 'step', ...(spindle ? ['nose before', 'nose after', 'front set'] : ['error before', 'error after', s.until ? `after ${s.until}` : 'on rows left out']), ''].map((h, k) =>
-                    el('th', { scope: 'col', class: k === 0 || (k > 1 && k < 5) ? 'number' : '' }, h),
+                  ...['no.', 'step', ...(spindle ? ['nose before', 'nose after', 'front set'] : ['error before', 'error after', s.until ? `after ${s.until}` : 'on rows left out']), ''].map((h, k) =>
+                    h ? el('th', { scope: 'col', class: k === 0 || (k > 1 && k < 5) ? 'number' : '' }, h) : el('td', {}),
                   ),
                 ),
               ),

@@ -153,7 +153,7 @@ function shaftTable(text: string, actions: Actions): HTMLElement | undefined {
     });
     return el('tr', {}, el('td', { class: 'number' }, String(k + 1)), ...cells, el('td', {}, twice, ' ', out));
   });
-  const head = ['', ...columns.map(([, words]) => words), ''].map((words) => el('th', { scope: 'col', class: words ? '' : 'number' }, words));
+  const head = [...['piece', ...columns.map(([, words]) => words)].map((words) => el('th', { scope: 'col', class: 'number' }, words)), el('td', {})];
   return el('div', { class: 'scroll wide', tabindex: '0' }, el('table', { class: 'pieces' }, el('thead', {}, el('tr', {}, ...head)), el('tbody', {}, ...rows)));
 }
 
