@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { file, raceway, ROOT, visit } from '../report/pages.mjs';
-import { bars, designate, drop, errors, idle, saved, sentence } from './steps.mjs';
+import { bars, designate, drag, drop, errors, idle, saved, sentence } from './steps.mjs';
 
 const rigs = join(ROOT, 'tests/hidden_effect/rigs');
 const address = pathToFileURL(process.env.WORKBENCH).href;
@@ -49,7 +49,7 @@ test('a file is dropped, a bearing named: the model and verdict are those of the
   const { page, faults, close } = await open();
   await drop(page, 'wrong.csv', 'speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n1000,500,30,12\n2000,500,30,x\n');
   assert.match((await errors(page))[0], /wrong\.csv:3: /);
-  await drop(page, join(rigs, 'dev-05/train.csv'));
+  await drag(page, join(rigs, 'dev-05/train.csv'));
   await page.click('#next');
   await designate(page, '7014 AC', 'VG 32');
   assert.deepEqual(await errors(page), []);

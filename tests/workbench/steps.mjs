@@ -13,6 +13,21 @@ export async function drop(page, name, text) {
   await idle(page);
 }
 
+/// Drags files onto the page as the desktop does: it shows that they may fall.
+export async function drag(page, ...files) {
+  const browser = await page.context().newCDPSession(page);
+  const marked = () => page.evaluate(() => document.getElementById('workbench').classList.contains('dragging'));
+  const step = (type) => browser.send('Input.dispatchDragEvent', { type, x: 200, y: 400, data: { items: [], files, dragOperationsMask: 1 } });
+  await step('dragEnter');
+  await step('dragOver');
+  assert.equal(await marked(), true);
+  await step('drop');
+  const name = files.at(-1).split('/').pop();
+  await page.waitForFunction((name) => document.getElementById('step-data').textContent.includes(name), name);
+  await idle(page);
+  assert.equal(await marked(), false);
+}
+
 export async function click(page, selector) {
   await page.click(selector);
   await idle(page);

@@ -219,7 +219,7 @@ function pythonOfSpindle(of: Case): string[] {
     'spindle = raceway.Model.read("model.toml")',
     `print(spindle.steady(${numbers(of.speed)}${coolant}${loads}).to_frame().T)`,
     ...(of.programme ? [`run = spindle.simulate(raceway.Record.read(${forPython(named(of.programme))})${coolant})`, 'run.save("run.csv", overwrite=True)'] : []),
-    `print(spindle.modes(${numbers(of.modeSpeeds)}).to_frame())`,
+    `print(spindle.modes(${numbers(of.modeSpeeds)}).to_frame()[["speed_rpm", "frequency_Hz", "whirl"]])`,
   ];
 }
 
