@@ -55,6 +55,10 @@ def data_files() -> list[tuple[str, list[str]]]:
         if file.is_file():
             path = file.relative_to(ROOT)
             folders.setdefault(str("share/raceway" / path.parent.relative_to("data")), []).append(str(path))
+    # The page of `raceway workbench`, where scripts/workbench has made it.
+    page = Path("build/share/raceway/workbench.html")
+    if (ROOT / page).is_file():
+        folders.setdefault("share/raceway", []).append(str(page))
     return list(folders.items())
 
 
