@@ -540,9 +540,10 @@ test('candidates are switched and undone by keyboard alone', async () => {
 
 test('from a file to the improved model and the report by keyboard alone', async () => {
   const { page, faults, close } = await open();
+  const chooser = page.waitForEvent('filechooser'); // well before the key: the browser has to know that somebody waits
   await reach(page, 'file');
-  const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.keyboard.press('Enter')]);
-  await chooser.setFiles(join(rigs, 'dev-05/train.csv'));
+  await page.keyboard.press('Enter');
+  await (await chooser).setFiles(join(rigs, 'dev-05/train.csv'));
   await idle(page);
   assert.match(await sentence(page), /Which bearing was measured/);
   await reach(page, 'designation');
