@@ -23,8 +23,8 @@ using text::temperature_range;
 CLI::Option* add_number(CLI::App& command, const std::string& flag, double& value,
                         const NumberRange& range, const std::string& help);
 
-/// Throws text::InputError for numbers that can be read in two ways: 1.200 is 1.2 or, as Germans
-/// write it, 1200, if both are in the range.
+/// Throws text::InputError for numbers that can be read in two ways. 1.200 is 1.2 in English and
+/// 1200 in German. The function accepts it if 1200 is outside the range.
 void ask_about_thousands(std::span<const std::string_view> numbers, const NumberRange& range,
                          const std::string& flag);
 

@@ -55,8 +55,8 @@ struct FilmSelfHeating {
     };
     double low = outside, f_low = rise(low);
     double high = outside - f_low, f_high = rise(high);  // power there is less than at `low`
-    // Where it is slow and hot, thinner oil shifts load to the asperities, and the power grows with
-    // temperature.
+    // At low speed and high temperature, thinner oil shifts load to the asperities. The power then
+    // grows with temperature.
     for (int i = 0; i < 20 && f_high < 0.0; ++i) {
       low = high;
       f_low = f_high;

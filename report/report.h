@@ -20,7 +20,7 @@
 
 /// Results as one HTML page with pictures that needs no network. It holds the document that
 /// `--json` prints, the rows behind the pictures, and the script that draws them (report/page/).
-/// The same results give the same bytes. With several measured channels, the page draws the first
+/// Equal results give equal bytes. With several measured channels, the page draws the first
 /// one.
 namespace raceway::report {
 

@@ -30,7 +30,7 @@ inline Model synthetic_model() {
           .free = {}};
 }
 
-/// The same with the contact law and its usual numbers.
+/// The synthetic model with the contact law and the initial values of its parameters.
 inline Model contact_model() {
   Model model = synthetic_model();
   model.law = friction::FrictionLaw::contact;

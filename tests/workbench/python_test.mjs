@@ -56,17 +56,22 @@ function prints(printed, shown) {
 
 const shownError = async (page) => /error ([\d.]+)/.exec((await page.textContent('#step-compare .summary')).replaceAll('\u00a0', ' '))[1];
 
+/// The commands print the verdict and the error of the page first, and write the same improved model. Returns what they print.
+async function agrees(page, verdict, model, ...asked) {
+  const { printed, folder, files } = await run(page, ...asked);
+  assert.equal(printed.split('\n')[0], verdict);
+  prints(printed, await shownError(page));
+  assert.deepEqual(improved(folder), values(files[model]));
+  return printed;
+}
+
 test('a rig with its effect: verdicts, error and improved model of Python are those of the page', async () => {
   const { page, faults, close } = await open();
   const before = await sentence(page);
   await click(page, '#add-0');
   const after = (await sentence(page)).replace(/^With [^:]*: /, '');
-  const { printed, folder, files } = await run(page, 'rig', ['improved', 'model', 'data']);
-  const [first, second] = printed.split('\n');
-  assert.equal(first, before);
-  assert.equal(second.toLowerCase(), after.toLowerCase());
-  prints(printed, await shownError(page));
-  assert.deepEqual(improved(folder), values(files.improved));
+  const printed = await agrees(page, before, 'improved', 'rig', ['improved', 'model', 'data']);
+  assert.equal(printed.split('\n')[1].toLowerCase(), after.toLowerCase());
   assert.deepEqual(faults, []);
   await close();
 });
@@ -83,11 +88,7 @@ test('a foreign file with its map, under another base law', async () => {
   await click(page, '#law-skf');
   if (await page.locator('#force').count()) await click(page, '#force');
   assert.deepEqual(await errors(page), []);
-  const verdict = await sentence(page);
-  const { printed, folder, files } = await run(page, 'foreign', ['improved', 'model', 'columns'], german);
-  assert.equal(printed.split('\n')[0], verdict);
-  prints(printed, await shownError(page));
-  assert.deepEqual(improved(folder), values(files.improved));
+  await agrees(page, await sentence(page), 'improved', 'foreign', ['improved', 'model', 'columns'], german);
   assert.deepEqual(faults, []);
   await close();
 });
@@ -96,11 +97,7 @@ test('the measured spindle: the lags of all its sensors, judged by the hours tha
   const { page, faults, close } = await open();
   await click(page, '#example-record');
   await click(page, '#find-lags');
-  const verdict = await sentence(page);
-  const { printed, folder, files } = await run(page, 'record', ['start', 'model', 'data']);
-  assert.equal(printed.split('\n')[0], verdict);
-  prints(printed, await shownError(page));
-  assert.deepEqual(improved(folder), values(files.model));
+  await agrees(page, await sentence(page), 'model', 'record', ['start', 'model', 'data']);
   assert.deepEqual(faults, []);
   await close();
 });
