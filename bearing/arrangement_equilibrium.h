@@ -58,7 +58,7 @@ struct BearingInSet {
   double displacement = unset;            ///< δ_i, compression, with offset and shift [m]
   double axial_stiffness = unset;         ///< [N/m]
   BallEquilibrium ball;                   ///< at azimuth 0
-  std::optional<GivenRotation> rotation;  ///< of the balls, where that was given
+  std::optional<GivenRotation> rotation;  ///< rotation of the balls, if it was given
   double inner_pressure = 0.0, outer_pressure = 0.0;  ///< largest in the contacts [Pa]
   /// Least axial load, see minimum_load() [N].
   double minimum_load = unset;

@@ -98,7 +98,7 @@ enum class InnerContact : signed char { automatic, kept, lost };
 template <typename T>
 struct ContactAngles {
   T si, ci, so, co;
-  T cos_difference, sin_difference;  ///< of αi - αo
+  T cos_difference, sin_difference;  ///< cosine and sine of αi - αo
   T inv;
 };
 
@@ -373,7 +373,7 @@ using StaticBall = StaticBallOf<double>;
 template <typename T>
 struct SpringPairOf {
   T stiffness;    ///< K [N/m^1.5]
-  T outer_share;  ///< of the approach, at the outer race [1]
+  T outer_share;  ///< share of the approach at the outer race [1]
 };
 
 [[nodiscard]] SpringPairOf<double> spring_pair(const BallConstants& constants);

@@ -8,7 +8,7 @@ namespace raceway::bearing {
 
 /// A set of kept and lost inner contacts, with the positions of ring and balls where it occurred.
 struct ScannedSet {
-  std::vector<InnerContact> contacts;  ///< of the balls that are unknowns
+  std::vector<InnerContact> contacts;  ///< contacts of the balls that are unknowns
   RingState state;
   double imbalance;  ///< largest component of the unbalanced load, by the load [1]
 };
@@ -16,12 +16,12 @@ struct ScannedSet {
 /// Finds inner contacts that can exist together under inner control, by a scan over ring positions.
 /// It is the last resort when statics (load_shares.h) and continuation find no equilibrium.
 ///
-/// The ring is put to the nodes of a grid: axially, along the load and, with free tilt, turned
-/// about the axis across it. At each node every ball is balanced by itself in all the ways in which
-/// it can stand there: on the inner race at a larger or a smaller contact angle, or off it. Of
-/// these ways the balls take, by turns, those that leave the least of the load. The sets that occur
-/// are returned in rising order of imbalance: each from the node that leaves least (within a
-/// third), and from earlier ones that at their time were the nearest by such a margin.
+/// The ring visits the nodes of a grid: axially, along the load and, with free tilt, turned about
+/// the axis across the load. At each node the scan solves the equilibrium of each ball alone. A
+/// ball has up to three states: on the inner race at a larger or a smaller contact angle, or off
+/// it. One ball after the other takes the state that reduces the imbalance of the ring most. The
+/// sets that occur are returned in rising order of imbalance. A set is returned from its first
+/// node, and again from a later node if the imbalance fell to 0.7 of its last one or less.
 ///
 /// A set is a start, not an equilibrium; Newton's method decides if its contacts hold.
 ///

@@ -33,7 +33,7 @@ T cage_speed_ratio(RaceControl control, const T& cos_inner, const T& cos_outer,
 /// frictions stay as they are while contact angles move, and the frictions vanish with the inner
 /// contact. The default is outer control of a ball off the inner race, where αo = 0.
 struct GivenRotation {
-  double cos_pitch = 1.0, sin_pitch = 0.0;            ///< of β
+  double cos_pitch = 1.0, sin_pitch = 0.0;            ///< cosine and sine of β
   double creep = 0.0;                                 ///< m_c [1]
   double inner_friction = 0.0, outer_friction = 0.0;  ///< Ti, To as in BallBalance [N]
   double inner_load = 1.0;                            ///< Qi for this friction [N], > 0

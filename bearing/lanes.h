@@ -8,7 +8,7 @@
 /// Number types for code that serves one operating point or several at once: `double`, or SIMD
 /// batches with one point per lane. Batches define arithmetic, comparisons, sqrt and so on (found
 /// by argument-dependent lookup); this header adds the same for `double` and further common
-/// functions. Where lanes may differ, code selects by mask instead of branching.
+/// functions. Code selects by mask instead of branching if lanes may differ.
 namespace raceway::bearing {
 
 /// Result of a comparison of two T, and the number of points in a T.

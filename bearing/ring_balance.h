@@ -127,7 +127,7 @@ struct BallShare {
   T force[3];              ///< f_axial, f_radial, f_m [N]
   T gain[3];               ///< change of these by the ball's own Newton step [N]
   T tangent[6];            ///< their derivatives by (A_axial, A_radial), row-major 3x2 [N/m]
-  T imbalance;             ///< of the ball, squared and scaled [1]
+  T imbalance;             ///< imbalance of the ball, squared and scaled [1]
   BallForcesOf<T> forces;  ///< for the report
 };
 
@@ -236,8 +236,8 @@ struct RingSums {
   /// Adds ball k, rotated from its plane into the bearing's axes.
   [[gnu::always_inline]] void add(const BallCircle& circle, int k, const BallShare<T>& share) {
     const double c = circle.cosine[k], s = circle.sine[k], w = circle.weight(k);
-    // What a unit of each coordinate moves the groove centre, axially or radially; the ring feels
-    // the ball's force with the same factors, and the tilts feel f_m.
+    // Displacement of the groove centre per unit of each coordinate, axial or radial (`column`).
+    // The force of the ball acts on the ring with the same factors; f_m acts on the tilts (`row`).
     const double unit[] = {1.0, c, s, s, -c};
     constexpr int row[] = {0, 1, 1, 2, 2}, column[] = {0, 1, 1, 0, 0};
     for (int i = 0; i < C::count; ++i) {

@@ -10,7 +10,7 @@ namespace raceway::bearing {
 
 struct NewtonLimits {
   double tolerance;  ///< on the scaled residual [1]
-  int steps;         ///< of one lane
+  int steps;         ///< most steps of one lane
   /// Factor by which a whole step may raise the merit; a ball that changes sides may do so once.
   double rise = 4.0;
 };
@@ -19,17 +19,17 @@ struct NewtonLimits {
 template <typename T>
 struct NewtonProgress {
   Mask<T> taken;      ///< has moved to its trial state, and goes on from there unless it is in:
-  Mask<T> converged;  ///< balance within the tolerance, better still at the trial state
+  Mask<T> converged;  ///< residual within the tolerance, smaller still at the trial state
   Mask<T> not_finite, singular, exhausted;
 };
 
 /// Newton's method on ring and balls together, with an independent point in each lane: lanes begin
 /// and end at any time, and results do not depend on other lanes.
 ///
-/// A step is shortened to half the free distance of ring and balls, then halved up to six times
-/// while it worsens the balance, and cut where it would lift a ball off the outer race. A ball that
-/// changes between contact and none may raise the residual once. Where the balance is within the
-/// tolerance the step that this look gives is taken too, near rounding; it is not counted.
+/// A step moves the ring by at most half the distance of the groove centres. It is halved up to six
+/// times while it raises the merit, and cut if it would lift a ball off the outer race. A whole
+/// step may raise the merit by NewtonLimits::rise, because a ball may gain or lose contact. At
+/// convergence the trial state is one more step ahead, near rounding. This step is not counted.
 template <typename T>
 class RingNewton {
  public:

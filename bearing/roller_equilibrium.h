@@ -73,21 +73,26 @@ struct RollerEquilibrium {
 
 /// Finds the displacement of the inner ring at which the rollers carry the applied load.
 ///
-///   approach at azimuth ψ, x from the middle:   e = y cos ψ + z sin ψ + x (θ_z cos ψ - θ_y sin ψ)
-///   - s/2 slices   inner  q = c1 (e - u - x f - P(x))^(10/9),   outer  q = c1 (u + x f -
-///   P(x))^(10/9) rollers  Σ qo - Σ qi = Fc,   Σ x qo = Σ x qi ring     Σ qi cos ψ = F_y, Σ qi sin
-///   ψ = F_z, and the moments alike K = Σ B'(Ki - Ki (Ki + Ko)^-1 Ki) B
+///   approach at azimuth ψ, x from the middle:
+///     e = y cos ψ + z sin ψ + x (θ_z cos ψ - θ_y sin ψ) - s/2
 ///
-/// The balance is the minimum of a convex energy of ring and rollers. Newton's method on all
-/// unknowns, the two of each roller eliminated, with a line search on the derivative along the
-/// step. (Ki + Ko) of a roller that touches with a single slice is singular; K takes the
-/// pseudo-inverse.
+///   slices    qi = c1 (e - u - x f - P(x))^(10/9),   qo = c1 (u + x f - P(x))^(10/9)
+///
+///   rollers   Σ qo - Σ qi = Fc,   Σ x qo = Σ x qi
+///
+///   ring      Σ qi cos ψ = F_y,   Σ qi sin ψ = F_z, and the moments alike
+///
+///   K = Σ B'(Ki - Ki (Ki + Ko)^-1 Ki) B
+///
+/// The equilibrium is the minimum of a convex energy of ring and rollers. Newton's method solves
+/// for all unknowns, with a line search on the derivative along the step. The two unknowns of each
+/// roller are eliminated. (Ki + Ko) is singular if a roller touches with a single slice; K takes
+/// the pseudo-inverse.
 ///
 /// Source:   at rest [ISO16281], read in two programs; two contacts in series and Fc derived.
 /// Domain:   speed >= 0; axial_load = 0, the bearing carries none: else std::invalid_argument.
-///           Without load and preload nothing touches the inner ring: `loose`. Where a load leaves
-///           a direction without stiffness (one loaded roller), there is no displacement in that
-///           direction.
+///           Without load and preload nothing touches the inner ring: `loose`. The ring does not
+///           move in a direction that the load leaves without stiffness (one loaded roller).
 /// Accuracy: `tolerance`; physically rigid rings, quasi-static; no skew, flange friction, cage slip
 ///           or film. An approach below 1e-15 m is no contact: 1e-19 mm of rounding at 90 deg would
 ///           be 1 % of a stiffness, since q' goes with the ninth root.

@@ -19,7 +19,7 @@ struct BearingShare {
   double force = 0.0;      ///< Z f_axial [N]
   double gain = 0.0;       ///< its change by the ball's own Newton step [N]
   double stiffness = 0.0;  ///< its derivative by the bearing's displacement [N/m]
-  double imbalance = 0.0;  ///< of the ball, squared and scaled [1]
+  double imbalance = 0.0;  ///< imbalance of the ball, squared and scaled [1]
   double own[2] = {};      ///< step of the ball for a ring at rest [m]
   double follow[2] = {};   ///< step of the ball per axial step of its groove centre [1]
   BallForcesOf<double> ball{};
@@ -29,7 +29,7 @@ struct ShaftAssembly {
   std::vector<BearingShare> bearings;
   BearingShare front, rear;  ///< sums over the sides
   double shaft_imbalance;    ///< F_f - F_r + d P [N]
-  double seat_imbalance;     ///< of the rear set's seat, in the unit of Arrangement::Seat
+  double seat_imbalance;     ///< imbalance of the rear set's seat, in the unit of Arrangement::Seat
   double residual;           ///< largest of all, scaled [1]
   double merit;              ///< sum of squares of the same
 };

@@ -10,7 +10,7 @@ namespace raceway::bearing {
 struct KernelBlock {
   RingPoint<Eight> points;
   bool converged[Eight::size];
-  int steps[Eight::size];  ///< of Newton's method
+  int steps[Eight::size];  ///< number of Newton steps
   Eight ring[5];           ///< displacement, tilts times the lever [m]
   RingReport<Eight> report;
 };
@@ -23,7 +23,7 @@ struct KernelCall {
   bool tilts;
   double tolerance;
   KernelBlock* blocks;
-  std::size_t count;         ///< of points
+  std::size_t count;         ///< number of points
   BallReport<Eight>* balls;  ///< circle.used() for each block
 };
 

@@ -8,7 +8,7 @@ namespace raceway::bearing {
 /// Approximate position of every ball under pure thrust: the start of all other solves.
 template <typename T>
 struct ThrustStart {
-  T axial_displacement;    ///< of the inner ring [m]
+  T axial_displacement;    ///< displacement of the inner ring [m]
   PlaneOf<T> ball_centre;  ///< X [m]
 };
 
@@ -111,7 +111,7 @@ Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, 
                            ThrustStart<T>& start) {
   using std::abs, std::cbrt, std::max, std::min, std::sqrt;
   using M = Mask<T>;
-  constexpr double last_step = 0.01;  // of c and of αo [rad]
+  constexpr double last_step = 0.01;  // largest change of c [1] and of αo [rad] in the last step
   const T one(1.0), zero(0.0), lowest(0.02), highest(0.999);
   const T inner_share = one / c.inner_stiffness, outer_share = one / c.outer_stiffness;
   const T inv_thrust = one / thrust;
@@ -160,7 +160,7 @@ Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, 
     const T li = c.inner_radius + inner_approach, lo = c.outer_radius + outer_approach;
     const T excess = lo * co + li * ci - free.radial;
 
-    // How αo follows c and m, and with it Lo.
+    // Slopes of αo over c and m, and with it of Lo.
     const T flatter = ci * inv_si, inv_si2 = inv_si * inv_si, so2 = so * so;
     const T t_c = inv_si2 * inv_si;
     const T fc_m = 2.0 * c.full_centrifugal * m;
@@ -172,7 +172,7 @@ Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, 
     const T li_c = (2.0 / 3.0) * inner_approach * ci * inv_si2;
     const T e_c = li + li_c * ci + lo * co_t * t_c + co * lo_c;
     const T e_m = lo * co_t * t_m + co * lo_m;
-    // The same of F - m.
+    // Slopes of F - m over c and m.
     const T cd = ci * co + si * so, sd = si * co - ci * so;
     const T inv = one / (one + cd);
     T ratio, ratio_c, ratio_t;
@@ -248,7 +248,7 @@ Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const 
     low = select(steeper, select(low > T(0.05), 0.7 * low, low - 0.5), low);
     at_low = select(steeper, excess(low, steeper), at_low);
   }
-  // Where the edge of what statics allows lies between low and high: look for a root before it.
+  // Statics may end between low and high: search for a root on the side of high.
   for (int i = 0; i < 60; ++i) {
     const M outside = rooted && at_low != at_low;
     if (!any(outside)) break;

@@ -65,20 +65,20 @@ struct ControlDrive {
     motor   ///< exp(-n/n0) while it turns, else 0
   } kind = Kind::size;
   std::vector<std::size_t> inputs{};  ///< inputs of rise and size
-  std::size_t reference = nowhere;    ///< of rise
+  std::size_t reference = nowhere;    ///< reference temperature of a rise
   /// Inputs for reading the table of a power.
   std::size_t axial_load = nowhere, radial_load = nowhere, temperature = nowhere;
   double temperature_C = unset;            ///< value if no input has it
-  std::size_t table = nowhere;             ///< of power
-  double exponent = 1.0;                   ///< of size
-  double decay_rpm = unset;                ///< of motor
-  double lowest = unset, highest = unset;  ///< of power, as for an input
+  std::size_t table = nowhere;             ///< table of a power
+  double exponent = 1.0;                   ///< exponent of a size
+  double decay_rpm = unset;                ///< n0 of a motor
+  double lowest = unset, highest = unset;  ///< range of a power, as for an input
   std::string unit{};                      ///< "K"
   /// Share of the drive's parts at this input: 0 outside of the outer points, 1 between the inner
   /// ones, linear between.
   std::size_t window = nowhere;
   double window_from = unset, window_full_from = unset, window_full_to = unset, window_to = unset;
-  bool window_of_drive = false;  ///< of u; else of the parts' share of the displacement
+  bool window_of_drive = false;  ///< the window multiplies u; else the displacement of the parts
 };
 
 /// A lag of its drive.
@@ -88,7 +88,7 @@ struct ControlSection {
   double gain = unset;  ///< [um] per unit of the drive
   double time_constant_s = unset;
   bool straight = false;  ///< u is linear between samples; else constant until the next
-  double direct = 0.0;    ///< of gain u that comes through at once: a sensor that lags
+  double direct = 0.0;    ///< share of gain u that acts at once, for a sensor that lags
   double off_gain = 1.0, off_time_constant = 1.0;  ///< ratios where coolant_on is 0
   double speed_factor = 0.0, gain_power = 1.0;     ///< tau f, K f^g, f = 1/(1 + s n/10 000 rpm)
   double falling = 1.0;                            ///< ratio of tau where the target is nearer 0
@@ -128,7 +128,7 @@ struct ControlFeedthrough {
 struct ControlEquation {
   std::string channel{};
   std::size_t drive = nowhere;
-  double scale = 1.0;         ///< of y
+  double scale = 1.0;         ///< factor of y [1]
   double sampling_s = unset;  ///< equal in all equations of a plan
   std::vector<double> numerator{},
       denominator{};  ///< [um] per unit of the drive; [1], of equal length
@@ -149,7 +149,7 @@ struct ControlAxis {
   std::string name{};        ///< name of the model
   std::string letter{};      ///< axis that it moves: "z"; empty if not given
   double sign = -1.0, limit_um = 100.0, slew_um_s = 1.0;
-  double unit_um = 1.0;  ///< of the output
+  double unit_um = 1.0;  ///< unit of the output
   bool counts = false;   ///< output in whole numbers of it
   std::string output{};  ///< "offset_z_um", "offset_z_mm", "offset_z_counts", "offset_b_urad"
   bool angle = false;    ///< urad instead of um in all of its numbers

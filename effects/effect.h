@@ -40,7 +40,7 @@ enum class Need {
   preload_levels,       ///< more than one preload of the sets
   viscosity_levels,     ///< more than one temperature
   time,                 ///< a time of every row
-  ring_temperatures,    ///< of inner and outer ring
+  ring_temperatures,    ///< temperatures of inner and outer ring
   loads,                ///< loads above zero, so that the balls can be solved for
   several_axial_loads,  ///< more than one axial load, even if other settings vary
   several_bearings,     ///< a rig that measures the torque of two or more bearings
@@ -104,7 +104,7 @@ struct ConditionInputs {
   const bearing::Bearing& bearing;       ///< as entered
   const bearing::OperatingPoint& point;  ///< as entered
   const Record& record;
-  double power;  ///< of the base law at the entered load [W]; see Requirements::uses_power
+  double power;  ///< loss of the base law at the entered load [W]; see Requirements::uses_power
 };
 
 /// True condition of the bearing, as a change from the entered one. Changes of several effects add.
@@ -114,9 +114,10 @@ struct Condition {
   double tilt = 0.0;              ///< tilt of the inner ring about z, held by the shaft [rad]
   double other_balls = 0.0;       ///< share of the way from the entered ball material to the other
                                   ///< one of steel and silicon nitride [1]
-  double other_mounting = 0.0;    ///< of the sets on a shaft: share of the way from the entered
-                                  ///< mounting to the other one of rigid and spring [1]
-  double preload_error = 0.0;     ///< of a force of preload: real over entered, less one [1]
+  double other_mounting = 0.0;    ///< share of the way from the entered mounting of the sets to
+                                  ///< the other one of rigid and spring [1]
+  double preload_error = 0.0;     ///< relative error of an entered preload force: real over
+                                  ///< entered, less one [1]
   [[nodiscard]] bool operator==(const Condition&) const = default;
   [[nodiscard]] bool finite() const;
   [[nodiscard]] bool changes_bearing() const { return radial_growth != 0.0 || other_balls != 0.0; }
@@ -139,14 +140,14 @@ struct Film {
 /// Inputs of an added moment.
 struct MomentInputs {
   const friction::BearingState<double>& state;  ///< true loads, viscosity of the film
-  friction::BaseMoments<double> base;           ///< of the base law there [N m]
+  friction::BaseMoments<double> base;           ///< moments of the base law there [N m]
   const Record& record;
 };
 
 /// Inputs of an effect on the reading of a measured channel.
 struct ReadingInputs {
-  double value;                          ///< of that channel, as predicted [SI]
-  const bearing::OperatingPoint& point;  ///< of a shaft: axial load is the external one
+  double value;                          ///< predicted value of that channel [SI]
+  const bearing::OperatingPoint& point;  ///< on a shaft, the axial load is external
   const Record& record;
 };
 

@@ -11,7 +11,7 @@ namespace raceway::files {
 /// Light, medium or strong preload of a mounted pair as the maker prints it.
 struct PairPreload {
   double force = unset;           ///< [N]
-  double axial_rigidity = unset;  ///< of the pair [N/m]
+  double axial_rigidity = unset;  ///< rigidity of the pair [N/m]
 };
 
 /// One row of a maker's catalogue of bearings. Blank values are NaN.

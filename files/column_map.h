@@ -58,7 +58,7 @@ struct ColumnRule {
   const text::Unit* key_unit;        ///< unit at the end of the key, null for the channel's own
   std::string header{};              ///< header of their column; empty for a constant
   std::optional<double> constant{};  ///< for all rows, in the unit of the key
-  const text::Unit* unit = nullptr;  ///< of their column, if the rule states it
+  const text::Unit* unit = nullptr;  ///< unit of their column, if the rule states it
   bool excel_date = false;           ///< their numbers are days since 1900, as Excel has them
   double factor = 1.0;               ///< their numbers are multiplied by it
   text::Place place{};               ///< in the map
@@ -81,8 +81,8 @@ struct ColumnMap {
   std::vector<ColumnRule> rules{};
   char decimal_mark = '\0';                             ///< mark of the file; '\0': not given
   std::optional<text::DateOrder> date_order{};          ///< order in dates with slashes
-  std::optional<record::SettingsHold> settings_hold{};  ///< of records over time
-  std::vector<Combination> transducers{};               ///< of records over time
+  std::optional<record::SettingsHold> settings_hold{};  ///< only for a record over time
+  std::vector<Combination> transducers{};               ///< only for a record over time
 
   [[nodiscard]] const ColumnRule* find(std::string_view header) const;
   /// Returns the transducer with this name, in any unit of length: "x1_um", "x1 [nm]".

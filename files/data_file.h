@@ -13,8 +13,8 @@ namespace raceway::files {
 /// channels.
 ///
 /// Loads, temperature and the inertia that turns a coast-down (time and speed alone) into friction
-/// torque may come from the model, as Expected says. Of the measured columns, the ones that the
-/// subject predicts are kept; if there are none, the first of Expected::measured, which the subject
+/// torque may come from the model, as Expected says. The reader keeps the measured columns that the
+/// subject predicts. If there are none, it keeps the first of Expected::measured, which the subject
 /// may then refuse. `notes` lists everything that was filled in, ignored or left out.
 ///
 /// An empty cell is an error, except in a measured column with others: it counts as not read.

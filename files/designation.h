@@ -25,7 +25,7 @@ namespace raceway::files {
 /// NSK, NTN and FAG were compared with tables of dealers, the digits of angles of SNFA with
 /// nothing.
 struct Designation {
-  std::string series{};          ///< as written: "70", "719", "VEX"; of GMN "60", "619"
+  std::string series{};          ///< as written: "70", "719", "VEX", GMN "60", "619"
   std::string dimensions{};      ///< dimension series of ISO 15: "10", "19"; empty where unknown
   std::string bore_code{};       ///< "14"
   double contact_angle = unset;  ///< [rad]; NaN if not stated

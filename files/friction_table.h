@@ -23,7 +23,7 @@ namespace raceway::files {
 /// Input of a table of gains or time constants: "power" of "power_W", or a column of a record.
 struct CurveInput {
   std::string column, variable;
-  double unit = 1.0;  ///< of the column [SI]
+  double unit = 1.0;  ///< unit of the column [SI]
 };
 
 /// Two columns, the input, rising, and `value` (in a unit of its kind): a gain or a time constant

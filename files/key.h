@@ -69,7 +69,7 @@ struct Key {
 struct KeyTable {
   std::string_view name;  ///< "bearing", "correction.channel"; a part in capitals is one's own
   std::span<const Key> keys;
-  std::string_view only{};  ///< where they may stand there: "of a spindle"; "" everywhere
+  std::string_view only{};  ///< restriction, "of a spindle", "law skf"; "" without one
 };
 
 // Helpers for writing tables of keys.

@@ -21,7 +21,7 @@ namespace raceway::files {
 struct ModelFile {
   model::Model model;
   std::string source;  ///< file name, for messages
-  std::string text;    ///< of the file, to be edited with with_values() or with_model()
+  std::string text;    ///< text of the file; with_values() and with_model() edit it
   /// Full name of the row selected by [bearing] catalogue; empty without one.
   std::string catalogue = {};
   /// Entries on bearings and solver other than defaults and catalogue: keys of [bearing], of
@@ -82,7 +82,7 @@ struct KeyValue {
 
 /// Comments of a new model on its keys.
 struct ModelRemarks {
-  std::string title{};  ///< of a rig; empty: that every default is written out
+  std::string title{};  ///< title for a rig; empty: that every default is written out
   std::string ball_material = "steel";
   std::vector<std::pair<std::string_view, std::string>> of_key{};  ///< in place of the usual remark
   friction::FrictionLaw law = friction::FrictionLaw::palmgren;

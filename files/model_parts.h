@@ -9,7 +9,7 @@ namespace raceway::files {
 /// the reason.
 struct ModelParts {
   bool bearing = false;                      ///< has [bearing]
-  std::vector<std::string> displacements{};  ///< of [correction], or of each [[correction]]
+  std::vector<std::string> displacements{};  ///< names in [correction] or in each [[correction]]
 };
 [[nodiscard]] ModelParts parts_of(const std::string& text);
 /// Contents of a file, or of standard input for `-`, which can still be read afterwards. Empty for

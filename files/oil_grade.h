@@ -10,7 +10,7 @@ namespace raceway::files {
 /// Kinematic viscosities of a mineral oil.
 struct OilGrade {
   int grade = 0;            ///< its ISO VG, the viscosity at 40 C by ISO 3448 [mm2/s]
-  double at_100_C = unset;  ///< of an oil of viscosity index 100, by ISO 2909 [mm2/s]
+  double at_100_C = unset;  ///< viscosity at 100 C for viscosity index 100, by ISO 2909 [mm2/s]
 };
 
 /// Returns the oil of "VG 32", "ISO VG 32" or "32". Throws text::InputError, with all grades, for

@@ -13,8 +13,8 @@ struct UsedDefault {
   enum class Origin {
     marked,     ///< stands in the file, marked in the comment `why`
     key,        ///< the default of its key
-    catalogue,  ///< of the bearing that the file names
-    derived,    ///< of other values, as `why` says
+    catalogue,  ///< value of the bearing that the file names
+    derived,    ///< follows from other values, as `why` says
   };
   std::string table, key;  ///< `effect[0]` is the first effect
   std::string value;       ///< as the file would have it, or in words

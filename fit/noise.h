@@ -39,7 +39,7 @@ struct Stop {
   double time = unset;  ///< time of its first reading [s]
   int readings = 0;
   double mean = unset;  ///< [SI]
-  double std = unset;   ///< of one reading, from this stop only [SI]; NaN for a single reading
+  double std = unset;  ///< standard deviation of one reading, from this stop only [SI]; NaN for one
 };
 
 /// Repeatability of a measured channel over all stops.

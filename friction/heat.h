@@ -19,8 +19,8 @@ T power_loss(const T& friction_moment, const T& speed) {
 
 /// Friction moments of one bearing by the place of their heat [N m].
 struct HeatSources {
-  double load = 0.0;              ///< of the base law
-  double viscous = 0.0;           ///< of the base law, and moments without a known place
+  double load = 0.0;              ///< load moment of the base law
+  double viscous = 0.0;           ///< viscous moment, and moments without a known place
   double spin_coefficient = 0.0;  ///< friction coefficient of `spin-friction` [1], 0 without it
 };
 

@@ -13,9 +13,9 @@ struct ContactData;
 }
 struct TorqueTable;
 
-/// The load that the factor f1 of Palmgren's load moment counts: the static equivalent load P0, as
-/// its source has it, or F_b, as in files made for that form. Of cylindrical rollers the external
-/// radial load F_r, or what the rollers carry, see counted_load().
+/// Load in Palmgren's load moment. For balls it acts in the factor f1: the static equivalent load
+/// P0, as the source has it, or F_b, as in files made for that form. For cylindrical rollers it is
+/// F, the external radial load F_r or the load on the rollers, see counted_load().
 enum class F1Load { P0, F_b, F_r, rollers };
 
 /// Everything a friction law may use of one bearing at one operating point. T is double or an
@@ -31,7 +31,7 @@ struct BearingState {
   /// Further inputs of the contact law; other laws ignore them.
   const Lubricant* lubricant = nullptr;
   const contact::ContactData* contact = nullptr;
-  const TorqueTable* table = nullptr;  ///< of the law `table`; other laws ignore it
+  const TorqueTable* table = nullptr;  ///< table of the law `table`; other laws ignore it
   T speed = T(0.0);                    ///< [rad/s]
   T axial_load = T(0.0);               ///< F_a [N]
   T radial_load = T(0.0);              ///< F_r [N], magnitude

@@ -59,7 +59,7 @@ struct TableSlab {
 /// temperature.
 struct StribeckTable {
   TableAxes axes;
-  TableSlab slab;  ///< of all points of the axes, those that the values below are of
+  TableSlab slab;                            ///< part of all points that has the values below
   std::vector<std::string> columns;          ///< names; their units are the writer's business
   std::vector<double> friction_moment;       ///< [N m]; NaN where there is no value
   std::vector<bearing::SolveStatus> status;  ///< why

@@ -26,7 +26,7 @@ class FittedModel {
  private:
   Model model_;
   std::vector<ParameterPlace> places_;
-  std::vector<Stage> stages_;  // of the places
+  std::vector<Stage> stages_;  // stages of the places
   std::vector<double> last_;
   bool known_ = false;
 };

@@ -100,13 +100,13 @@ struct Seat {
   double roughness = 0.8 * um;         ///< Ra [m]
   double slope = 0.15;                 ///< mean asperity slope of the surfaces [1]
   double hardness = 3e9;               ///< hardness of the softer surface [Pa]
-  /// contact of a ring with a shoulder or another ring [W/(m² K)]
+  /// Conductance of the contact of a ring with a shoulder or another ring [W/(m² K)].
   double shoulder_conductance = 8000.0;
   /// Conductance from a side face of an outer ring to a collar of the shaft that runs against it
   /// [W/(m² K)]. The default assumes a contact as at a shoulder. An open gap of 0.1 mm with air
   /// would conduct 270.
   double collar_conductance = 8000.0;
-  /// of the outer seats; replaces the other data if given [W/(m² K)]
+  /// Conductance of the outer seats [W/(m² K)]. If given, it replaces the other data.
   double outer_conductance = unset;
 };
 

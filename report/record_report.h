@@ -22,7 +22,7 @@ namespace raceway::report {
 /// A correction as drawn, or a spindle with each measured channel.
 struct DrawnModel {
   std::string name{};                             ///< name for people
-  std::shared_ptr<const fit::Subject> subject{};  ///< of a correction: aligned with the record
+  std::shared_ptr<const fit::Subject> subject{};  ///< a correction is aligned with the record
   std::vector<fit::HeldOutReading> held_out{};    ///< readings that a fit held out
   std::vector<files::UsedDefault> defaults{};     ///< that its file used
   std::vector<double> tolerances{};               ///< for a spindle: of each measured channel [SI]

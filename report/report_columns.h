@@ -9,7 +9,8 @@ namespace raceway::report {
 /// Rows of numbers for the pictures of a report, column by column, as compact JSON: seven digits,
 /// a column of one value as that value, null where a number is not known.
 ///
-/// A page takes so many rows and numbers. Of more, rows evenly spread over the file are kept.
+/// A file with more than `most_rows` rows or `most_numbers` numbers is thinned: rows at equal
+/// distances stay, and the rows of keep().
 class ReportColumns {
  public:
   explicit ReportColumns(std::size_t rows) : rows_(rows) {}

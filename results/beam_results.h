@@ -84,7 +84,7 @@ struct DeflectionResult {
   std::optional<spindle::LoadedShaft> unloaded = {};
   std::vector<std::string> roller_names = {};
   double displacement = unset;  ///< at the force, in its direction [m]
-  double nose = unset;          ///< of the nose face in that direction [m]
+  double nose = unset;          ///< displacement of the nose face in that direction [m]
   double slope = unset;         ///< slope of the section at the nose [rad]
   double tangent = unset;       ///< displacement at the force from the unloaded stiffness [m]
   [[nodiscard]] bool converged() const { return sets.converged() && shaft.report.converged(); }

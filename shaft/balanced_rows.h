@@ -32,7 +32,7 @@ class BalancedRows {
     std::size_t balance = 0;  // index into balances_
     bearing::ArrangementCondition condition{};
     model::BallTurning turning{};
-    int version = 0;  // of the balance that it belongs to
+    int version = 0;  // version() of its ShaftBalance when it was solved
   };
 
   /// The record must live longer than this object. Throws std::invalid_argument for a model without

@@ -25,7 +25,7 @@ struct ShaftPrediction {
   /// u: shaft position relative to standstill with the same external load, as mounted and at the
   /// mounting temperature, positive towards the tool [m].
   double displacement = unset;
-  std::vector<model::FrictionPrediction> friction;  ///< of each bearing, front set first
+  std::vector<model::FrictionPrediction> friction;  ///< friction of each bearing, front set first
   std::vector<friction::HeatSplit> heat;            ///< heat of each bearing
   double torque = unset;                            ///< sum over all bearings [N m]
   double power_loss = unset;                        ///< torque times speed [W]

@@ -19,7 +19,7 @@ namespace raceway::files {
 
 struct ColumnSource {
   const record::Channel* channel;
-  std::size_t column;  ///< of the file
+  std::size_t column;  ///< index in the file
   std::string name;    ///< as in its header, for messages
   CellUnit cells{};
   bool excel_date = false;             ///< days since 1900 instead of a time

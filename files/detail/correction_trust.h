@@ -14,8 +14,8 @@ namespace raceway::files {
 [[nodiscard]] std::vector<KeyTable> trust_tables();
 
 /// Reads [correction.together], [correction.covariance], [correction.residual] and
-/// [correction.trust] into a model whose numbers were read. Where the covariance is of other
-/// numbers, all but the first are left out, and a note says which number differs.
+/// [correction.trust] into a model whose numbers were read. If the covariance belongs to other
+/// numbers, only the first table is kept, and a note says which number differs.
 void read_trust(const Section& correction, correction::Model& model,
                 std::vector<std::string>& notes);
 

@@ -39,11 +39,11 @@ struct DataColumns {
   std::vector<Place> places;  ///< in the order of the table of channels
   /// Measured channels that are kept, and those that are not. Both are empty for a coast-down.
   std::vector<const record::Channel*> measured, unused;
-  std::vector<Place> falls;  ///< of times between two speeds; empty if the file has none
-  /// Of the sensor that measures the torque, where its calibration is known; `places` has it as the
-  /// friction torque.
+  std::vector<Place> falls;  ///< times between two speeds; empty if the file has none
+  /// Signal of the torque sensor, if its calibration is known. `places` has it as the friction
+  /// torque.
   std::optional<Place> signal, signal_deviation;
-  std::vector<Recognised::Constant> constants;  ///< of channels without a column
+  std::vector<Recognised::Constant> constants;  ///< values of channels without a column
   std::vector<std::string> others;              ///< unknown headers
   std::vector<record::Note> notes;              ///< on units
 

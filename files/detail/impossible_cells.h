@@ -32,7 +32,8 @@ class ImpossibleCells {
   text::CellRange range_;
   bool judges_range_;
   bool looked_ = false, few_beyond_ = false;
-  double lower_ = std::numeric_limits<double>::infinity(), upper_ = -lower_;  ///< of all others
+  /// Range of all other numbers.
+  double lower_ = std::numeric_limits<double>::infinity(), upper_ = -lower_;
 };
 
 /// Returns the positions of such placeholder numbers in a column of the file, if no other number is

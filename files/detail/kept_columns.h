@@ -10,7 +10,7 @@
 namespace raceway::files {
 
 struct KeptColumns {
-  std::vector<record::Column> columns{};  ///< of numbers, NaN where missing
+  std::vector<record::Column> columns{};  ///< columns of numbers, NaN where missing
   std::vector<std::string> texts{};       ///< headers of text columns
   /// Returns "column A is unknown: kept, and not used", for all of them.
   [[nodiscard]] std::vector<std::string> statements(bool named_by_user) const;

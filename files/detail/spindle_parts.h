@@ -13,7 +13,7 @@
 /// Parts of the reader of spindles; see files/detail/spindle_section.h.
 namespace raceway::files {
 
-inline constexpr double longest_mm = 1e5;  ///< of a spindle and all its parts
+inline constexpr double longest_mm = 1e5;  ///< limit for a spindle and its parts
 inline constexpr Form anywhere = between(-longest_mm, longest_mm, "mm"),
                       on_the_shaft = between(0, longest_mm, "mm"),
                       a_length = between(0.001, longest_mm, "mm");

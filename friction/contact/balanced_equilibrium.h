@@ -49,7 +49,7 @@ struct BalancedEquilibrium {
   /// Equilibrium, with `rotations`. Its report counts the Newton steps of all passes and gives the
   /// force residual.
   bearing::BearingEquilibrium equilibrium;
-  std::vector<BallAttitude> attitudes;  ///< of equilibrium.balls.distinct()
+  std::vector<BallAttitude> attitudes;  ///< attitudes of equilibrium.balls.distinct()
   /// Status of the complete solution. Iterations are passes over forces and attitudes. The residual
   /// is the change of the forces on a ball in the last pass, relative to its load [1].
   bearing::SolveReport report;

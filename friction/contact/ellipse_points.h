@@ -20,7 +20,7 @@ struct EllipsePoints {
   std::array<double, Radial> s{};       ///< p/p0 [1]
   std::array<double, Radial> radius{};  ///< r [1]
   std::array<double, Radial>
-      weight{};  ///< of a point of the half: s ds dθ [1]; Σ Angles weight = π/2
+      weight{};  ///< weight of a point of the half: s ds dθ [1]; Σ Angles weight = π/2
   std::array<double, Angles> cosine{}, sine{};
 
   EllipsePoints() {

@@ -29,7 +29,7 @@ struct FrictionColumns {
   std::span<double> inner_heat{}, outer_heat{};                  ///< [W]
   std::span<double> smallest_film{};                             ///< h_min [m]
   std::span<double> smallest_film_ratio{};                       ///< Λ [1]
-  std::span<double> kinematic_viscosity{};  ///< of the oil at the point [m²/s]
+  std::span<double> kinematic_viscosity{};  ///< viscosity of the oil at the point [m²/s]
   /// Equivalent loads of the races, which a life by ISO/TS 16281 takes with that viscosity [N]:
   /// inner Q_ei = (Σ Q^3/Z)^(1/3), turning; outer Q_ee = (Σ Q^(10/3)/Z)^(3/10), standing.
   std::span<double> inner_equivalent_load{}, outer_equivalent_load{};
@@ -40,7 +40,7 @@ struct FrictionOfMany {
   const bearing::Bearing* bearing = nullptr;
   const Lubricant* lubricant = nullptr;
   const ContactData* data = nullptr;
-  std::span<const double> values;  ///< of contact_parameters
+  std::span<const double> values;  ///< values of contact_parameters
 };
 
 /// Equilibrium and friction of one bearing at many operating points (speed, loads, temperature),

@@ -46,7 +46,7 @@ class ReportRows {
 
   const record::Record& record_;
   const record::Channel& channel_;
-  std::vector<std::size_t> rows_, place_;  // of the record by row of the page, and the inverse
+  std::vector<std::size_t> rows_, place_;  // row of the record by row of the page, and the inverse
   std::vector<double> std_;
   std::vector<std::string> inputs_;
   text::json models_ = text::json::array();

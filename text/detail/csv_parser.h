@@ -80,7 +80,7 @@ class CsvParser {
   const Origin origin_;
   TakeRow give_row_;
 
-  std::size_t at_ = 0;         ///< where the next line begins
+  std::size_t at_ = 0;         ///< start of the next line
   int line_ = 0;               ///< number of the last line
   Line comment_;               ///< the last comment, without leading blanks
   std::vector<bool> is_unit_;  ///< by column of the file: the unit of the column before it
@@ -91,7 +91,7 @@ class CsvParser {
   int footer_ = 0;  ///< line of the first footer row
   std::size_t footers_ = 0, lines_between_ = 0;
   bool behind_header_ = false;        ///< after a repeated header
-  std::vector<CellSpan> cells_;       ///< of the current line
+  std::vector<CellSpan> cells_;       ///< cells of the current line
   bool begins_with_reading_ = false;  ///< the first row does
 };
 

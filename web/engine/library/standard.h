@@ -22,7 +22,7 @@
 #include <string>
 #include <string_view>
 
-/// Gives a file a free name. Of Linux; here nothing else runs that could take the name in between.
+/// Gives a file a free name, as on Linux. Nothing else runs here that could take the name first.
 #define RENAME_NOREPLACE 1
 inline int renameat2(int, const char* from, int, const char* to, unsigned) {
   if (access(to, F_OK) != 0) return std::rename(from, to);
