@@ -62,8 +62,7 @@ struct BallForcesOf {
 ///   Q = K δ^1.5,  δo = |X| - (f_o - 0.5) D,  δi = |V| - (f_i - 0.5) D
 ///   imbalance   r = Qi ni + Ti ti + (0, Fc) - Qo no - To to = 0
 ///   force on the ring   f = Qi ni + Ti ti
-///   moment arm force    f_m = f_axial - (f_i D / R_i) Ti     (Ti acts at the groove, not its
-///   centre)
+///   moment arm force    f_m = f_axial - (f_i D / R_i) Ti   (Ti acts at the groove surface)
 ///
 /// Fc = C m² with m = ω_m/ω, C = m_ball d_m ω²/2. The gyroscopic couple M_g = J ω_m ω_R sin β is
 /// carried by friction T = λ M_g/D: at the outer race alone (λo = 2) under outer control,

@@ -12,18 +12,19 @@ namespace raceway::bearing {
 /// Finds an equilibrium at the system's operating point, from a neighbour's solution if given,
 /// otherwise by
 ///   1. Newton from the closed-form thrust solution,
-///   2. under inner control, from the balls that statics lets keep the inner race
-///   (lost_contacts.h),
+///   2. under inner control, from the inner contacts that statics allows (lost_contacts.h),
 ///   3. following the solution from pure thrust to the full radial load and moment,
 ///   4. following it from standstill to full speed,
-///   5. where the axial load is small, following it from the radial load alone,
-///   6. under inner control, from states without the balls that carry least, and more of 2,
-///   7. under inner control, from the sets of contacts that a scan over the places of the ring
-///   finds (contact_scan.h).
-/// Under outer control the forces are continuous in the displacement and the paths find every state
-/// known to exist. Under inner control the gyroscopic couple vanishes with the contact, a state can
-/// hang on a combination of lost balls; 2 and 6 try those that are likely, 7 those that occur at
-/// the nodes of a grid. The search misses 0.01 % of the existing states (docs/solver.md).
+///   5. if the axial load is small, following it from the radial load alone,
+///   6. under inner control, from states without the least loaded balls, and more of 2,
+///   7. under inner control, from the contacts that occur on a grid of ring positions
+///      (contact_scan.h).
+///
+/// Under outer control the forces are continuous in the displacement, and the paths find every
+/// state known to exist. Under inner control the gyroscopic couple vanishes with the contact, so a
+/// state can depend on a combination of lost balls. Steps 2 and 6 try the likely combinations, step
+/// 7 those that occur on the grid. The search misses 0.01 % of the existing states
+/// (docs/solver.md).
 [[nodiscard]] SolveStatus find_equilibrium(RingSystem& system, const OperatingPoint& point,
                                            const BearingEquilibrium* neighbour, RingState& state);
 

@@ -56,11 +56,10 @@ inline constexpr std::size_t lamina_count = 41;
 
 /// Relief of a crowned roller at a distance from its middle [m].
 ///
-///   P = 0.00035 D ln(1/(1 - (2x/L)²))                                  L <= 2.5 D
-///   P = 0.0005 D ln(1/(1 - ((2|x| - L + 2.5 D)/(2.5 D))²))             L > 2.5 D, |x| > (L - 2.5
-///   D)/2
+///   P = 0.00035 D ln(1/(1 - (2x/L)²))                          L <= 2.5 D
+///   P = 0.0005 D ln(1/(1 - ((2|x| - L + 2.5 D)/(2.5 D))²))     L > 2.5 D, |x| > (L - 2.5 D)/2
 ///
-/// and zero in the straight middle of a long roller.
+/// P is zero in the straight middle of a long roller.
 /// Source:   [ISO16281], print not seen. The first line was read in two programs. The brackets of
 ///           the second line are from memory; one program prints them differently.
 /// Domain:   |x| < L/2.

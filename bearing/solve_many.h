@@ -8,33 +8,33 @@
 
 namespace raceway::bearing {
 
-/// Instructions that a processor may have: 2, 4 or 8 operating points side by side.
+/// Instruction sets of a processor, for 2, 4 or 8 operating points in parallel.
 enum class InstructionSet { sse2, avx2, avx512 };
 
 [[nodiscard]] std::string_view name(InstructionSet set);
-/// Returns the widest instruction set that this machine can run.
+/// Returns the widest instruction set of this machine.
 [[nodiscard]] InstructionSet best_instruction_set();
 [[nodiscard]] bool available(InstructionSet set);
 
-/// An operating point of a bearing. Different bearings, for example one at several temperatures,
-/// are solved side by side where they have as many balls.
+/// An operating point of a bearing. Different bearings, for example one bearing at several
+/// temperatures, are solved in parallel if they have equal numbers of balls.
 struct BearingCase {
   const Bearing* bearing = nullptr;
   OperatingPoint point;
 };
 
-/// Equilibria of many operating points, each from a cold start, as solve_bearing_equilibrium()
-/// finds them one by one: the same statuses, and the same solution within the tolerance. (Under
-/// inner control, where one load can have several states of balance, the rounding of another
-/// instruction set can lead to another of them.)
+/// Finds the equilibria of many operating points, each from a cold start. Statuses are those of
+/// solve_bearing_equilibrium(), and solutions agree with it within the tolerance. Exception: under
+/// inner control one load can have several equilibria, and the rounding of another instruction set
+/// can lead to another equilibrium.
 ///
-/// Points are solved in SIMD lanes where Newton's method converges from the thrust start; others
-/// are handed to the search that a single solve has. Threads share fixed chunks. The result of a
-/// point depends on nothing but itself and the instruction set: neither on the other points nor on
-/// the number of threads, to the last bit. Memory: the results, and a fixed amount per thread;
-/// results that already have room for their balls are filled without allocation.
+/// Newton's method solves the points in SIMD lanes, from the thrust start. The search of a single
+/// solve takes the points at which it does not converge. Threads share fixed chunks. The result of
+/// a point depends only on the point and the instruction set, to the last bit. The other points and
+/// the number of threads change nothing. Memory: the results, and a fixed amount per thread.
+/// Results that already have room for their balls are filled without allocation.
 ///
-/// Throws std::invalid_argument if the sizes differ, or for points that are out of range.
+/// Throws std::invalid_argument for different sizes, and for points that are out of range.
 void solve_many(const Bearing& bearing, std::span<const OperatingPoint> points,
                 std::span<BearingEquilibrium> results, const EquilibriumOptions& options = {},
                 InstructionSet set = best_instruction_set());
@@ -42,9 +42,9 @@ void solve_many(std::span<const BearingCase> cases, std::span<BearingEquilibrium
                 const EquilibriumOptions& options = {},
                 InstructionSet set = best_instruction_set());
 
-/// Solves for callers that keep a few numbers of each point: several threads call `take` with the
-/// index of a point and its equilibrium, each index once. Memory does not grow with the number of
-/// points.
+/// Solves many points for callers that keep a few numbers of each. Several threads call `take` with
+/// the index of a point and its equilibrium, once for each index. Memory does not grow with the
+/// number of points.
 void visit_equilibria(const Bearing& bearing, std::span<const OperatingPoint> points,
                       const std::function<void(std::size_t, const BearingEquilibrium&)>& take,
                       const EquilibriumOptions& options = {},

@@ -5,14 +5,14 @@
 
 namespace raceway::bearing {
 
-/// Approximate position of every ball under pure thrust: the start of all other solves.
+/// Approximate position of every ball under pure thrust. All other solves start from it.
 template <typename T>
 struct ThrustStart {
   T axial_displacement;    ///< displacement of the inner ring [m]
   PlaneOf<T> ball_centre;  ///< X [m]
 };
 
-/// Statics of a ball at a given cotangent of the inner contact angle, under a thrust P:
+/// Statics of a ball under a thrust P, at a given cotangent of the inner contact angle:
 ///
 ///   Qi = (P - Ti cos αi)/sin αi,   tan αo = P / (Qi cos αi - Ti sin αi + 1.4 Fc)   (outer control)
 template <RaceControl control, typename T>
@@ -24,7 +24,7 @@ class ThrustStatics {
         inner_share_(T(1.0) / constants.inner_stiffness),
         outer_share_(T(1.0) / constants.outer_stiffness) {}
 
-  /// Starts at the outer angle of the cotangent before. Lanes outside `active` stay as they are.
+  /// Starts at the outer angle of the previous cotangent. Lanes outside `active` do not change.
   [[gnu::always_inline]] void solve(const T& cotangent, const Mask<T>& active) {
     using std::abs, std::cbrt, std::sqrt;
     const T one(1.0), zero(0.0);
@@ -32,7 +32,7 @@ class ThrustStatics {
     ci_ = cotangent * si_;
     T qi = zero, qo = zero;
     Mask<T> possible(true), moving = active;
-    // The speed depends on αo, αo on the speed: a contraction, a few rounds make a good start.
+    // The speed depends on αo, and αo on the speed. A few rounds give a good start.
     for (int round = 0; round < 6 && any(moving); ++round) {
       const T cd = ci_ * co_ + si_ * so_;
       const T m = cage_speed_ratio(control, ci_, co_, cd, c_.diameter_ratio);
@@ -90,22 +90,22 @@ class ThrustStatics {
   T inner_length_ = T(unset), outer_length_ = T(unset);  ///< groove centre to ball centre [m]
 };
 
-/// Halley's step to the cube root of x: three times the digits.
+/// Returns a better cube root of x by one step of Halley's method, which triples the digits.
 template <typename T>
 [[gnu::always_inline]] inline T better_root(const T& root, const T& x) {
   const T cube = root * root * root;
   return root * (cube + 2.0 * x) / (2.0 * cube + x);
 }
 
-/// Newton's method for the same in c = cos αi and the orbital speed m:
+/// Finds the thrust start by Newton's method in c = cos αi and the orbital speed m:
 ///
 ///   E = Lo cos αo + Li c - R = 0,   m = F(c, cos(αi - αo)),   R the radial distance of the grooves
 ///   t = cot αo = (Qi c + 1.4 Fc)/P,   ∂t/∂c = 1/sin³ αi,   ∂t/∂m = 2.8 C m/P
 ///   d sin αo = -cos αo sin² αo dt,   d cos αo = sin³ αo dt,   dδ = (2/3) (δ/Q) dQ
 ///
-/// (under inner control with the same slopes, which then leave out how the couple changes). The
-/// last step is taken along the slopes, for sin αi to second order, without another look. Most
-/// loads need two looks; true in the lanes that have it.
+/// Inner control uses the same slopes; they then neglect the change of the couple. The last step
+/// follows the slopes (sin αi to second order), and its result is not evaluated again. Most loads
+/// need two evaluations. Returns true in the lanes with a result.
 template <RaceControl control, typename T>
 Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const T& thrust,
                            ThrustStart<T>& start) {
@@ -129,7 +129,7 @@ Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, 
     T qi, radial, so, co;
     M possible(true);
     if constexpr (control == RaceControl::inner) {
-      // Both races carry the couple; the outer angle as in ThrustStatics.
+      // Both races carry the couple. The outer angle is as in ThrustStatics.
       const T ti = 0.2 * c.full_centrifugal * c.gyroscopic * m * (one - m) * si;
       qi = (thrust - ti * ci) * inv_si;
       radial = qi * ci - ti * si + fc;
@@ -212,9 +212,10 @@ Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, 
   return found;
 }
 
-/// Solves the remaining equation in cot αi by a bracketing secant: the radial distances add up to
-/// the distance of the groove centres. False where it has no root: no equilibrium under pure
-/// thrust. Lanes with a root keep it while others go on.
+/// Finds the thrust start. Lanes in which quick_thrust_start() fails solve one equation in cot αi
+/// by a bracketing secant: the radial distances add up to the distance of the groove centres.
+/// Returns false in lanes without a root, which have no equilibrium under pure thrust. Lanes with a
+/// root keep it while others continue.
 template <RaceControl control, typename T>
 Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const T& thrust,
                      ThrustStart<T>& start) {
@@ -228,8 +229,8 @@ Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const 
     statics.solve(cotangent, active);
     return select(statics.possible(), statics.radial_distance() - free.radial, T(unset));
   };
-  // From flat contact angles (too long) to steep ones (too short). Under inner control statics may
-  // become impossible on the way: then there may be no root.
+  // From small contact angles (too long) to large ones (too short). Under inner control statics may
+  // become impossible on the way. There may then be no root.
   T high = free.radial / max(free.axial, 0.01 * free.radial);
   T at_high = excess(high, !quick);
   for (int i = 0; i < 20; ++i) {
@@ -274,7 +275,7 @@ Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const 
     found = found || (open && statics.possible());
     found = found && !(open && !statics.possible());
     open = open && !(abs(value) < 1e-4 * free.radial || high - low < 1e-9 * (1.0 + abs(high)));
-    // Illinois: halve the value at the end that stays, so that both ends move.
+    // Illinois method: halve the value at the end that stays, so that both ends move.
     const M above = value > zero;
     high = select(open && above, cotangent, high);
     low = select(open && !above, cotangent, low);
@@ -288,9 +289,9 @@ Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const 
                                 Plane free_groove_centre, double thrust_per_ball,
                                 ThrustStart<double>& start);
 
-/// Ball and inner groove centre at which one ball under inner control pushes on the inner ring with
-/// a given force: tan αi = f_axial / (f_radial + τ), τ = Ti / sin αi, all else from statics.
-/// Returns false where the contact would have to pull.
+/// Finds the ball centre and the inner groove centre at which one ball under inner control exerts a
+/// given force on the inner ring: tan αi = f_axial / (f_radial + τ), τ = Ti / sin αi, the rest from
+/// statics. Returns false if the contact would have to pull.
 [[nodiscard]] bool ball_under_force(const BallConstantsOf<double>& constants, Plane force,
                                     Plane& groove_centre, Plane& ball_centre);
 

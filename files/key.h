@@ -10,8 +10,8 @@
 #include "record/parameter.h"
 #include "record/units.h"
 
-/// Keys of model files as data: each reader reads by its own table of keys; files/key_tables.h
-/// lists all of them.
+/// Keys of model files as data. Each reader has its own table of keys. files/key_tables.h lists all
+/// tables.
 namespace raceway::files {
 
 /// Kinds of values of a key.
@@ -19,10 +19,10 @@ struct Form {
   std::string_view kind;                ///< "number", "text", "true or false", "list" or "table"
   double lower = unset, upper = unset;  ///< closed range of a number, in `unit`
   std::string_view unit{};              ///< "" where dimensionless
-  std::string_view words{};  ///< the only texts that may stand there, "rigid|spring"; "" if any may
+  std::string_view words{};  ///< allowed texts, "rigid|spring"; "" if any text is allowed
   bool whole = false;        ///< a whole number
 
-  /// The words, one by one.
+  /// Returns the words, one by one.
   [[nodiscard]] std::vector<std::string> choices() const {
     std::vector<std::string> list;
     for (std::size_t begin = 0, end = 0; end < words.size(); begin = end + 1) {
@@ -38,7 +38,7 @@ struct Required {};
 /// Value of a key that is missing in the file.
 struct Default {
   double value = unset;      ///< value of a number, in its unit; `unset` alone: no default
-  std::string_view words{};  ///< one of the words of its form, or what the default depends on
+  std::string_view words{};  ///< one of the words of its form, or the origin of the default
   bool required = false;     ///< no default: the key is required in its table
 
   constexpr Default() = default;
@@ -56,7 +56,7 @@ struct Key {
   Default fallback;
   std::string_view meaning;
 
-  /// Returns the key under another name, as for a number whose unit another key gives.
+  /// Returns the key with another name and unit, for a number whose unit another key gives.
   [[nodiscard]] constexpr Key as(std::string_view other, std::string_view unit) const {
     Key key = *this;
     key.name = other;
@@ -67,7 +67,8 @@ struct Key {
 
 /// Keys of one table, or the part of them that one reader reads.
 struct KeyTable {
-  std::string_view name;  ///< "bearing", "correction.channel"; a part in capitals is one's own
+  /// "bearing", "correction.channel"; a part in capitals is chosen by the user.
+  std::string_view name;
   std::span<const Key> keys;
   std::string_view only{};  ///< restriction, "of a spindle", "law skf"; "" without one
 };

@@ -24,10 +24,10 @@ struct ModelFile {
   std::string text;    ///< text of the file; with_values() and with_model() edit it
   /// Full name of the row selected by [bearing] catalogue; empty without one.
   std::string catalogue = {};
-  /// Entries on bearings and solver other than defaults and catalogue: keys of [bearing], of
-  /// the bearings of an [arrangement] and of [solver].
+  /// Keys of [bearing], of the bearings of an [arrangement] and of [solver] whose values differ
+  /// from defaults and catalogue.
   std::vector<std::string> written = {};
-  /// Every default that was used.
+  /// All defaults that were used.
   std::vector<UsedDefault> defaults;
   /// Further notes, one line each, without the file's name.
   std::vector<record::Note> notes = {};
@@ -39,57 +39,58 @@ struct ModelFile {
 
 /// Reads a TOML model (keys with their units: raceway keys) into SI.
 ///
-/// Throws InputError naming file, line, key, value and allowed range: invalid TOML, unknown and
-/// missing keys and tables, wrong types, values out of range, impossible bearings, invalid
+/// Throws InputError with file, line, key, value and allowed range for invalid TOML, unknown or
+/// missing keys and tables, wrong types, values out of range, impossible bearings and invalid
 /// formulas.
 [[nodiscard]] ModelFile read_model(const std::string& path);
 
-/// As above, from text; `source` is the name in messages, and names of files are relative to it.
-/// Files in `held` are not read again.
+/// Reads a model from its text. `source` is its name in messages, and names of files are relative
+/// to the folder of `source`. Files in `held` are not read again.
 [[nodiscard]] ModelFile parse_model(std::string text, const std::string& source,
                                     std::vector<NamedFile> held = {});
 
 /// A new value for a number of a model file, in the unit of its key.
 struct KeyValue {
-  /// An address of record::Parameter: "friction.f0", or "effect.0.friction_coefficient" for the
-  /// first [[effect]].
+  /// Address of record::Parameter: "friction.f0", or "effect.0.friction_coefficient" for the first
+  /// [[effect]].
   std::string key;
   double value;
-  /// Put behind the value in place of the comment there; empty leaves that one. Not written into
-  /// tables in braces.
+  /// New comment behind the value; empty: the present comment stays. A table in braces gets no
+  /// comment.
   std::string comment = {};
 };
 
-/// Returns the text with these values; comments, order and blanks are kept. A key with a default is
-/// added to its table. The values read back exactly. Throws InputError where the text is no TOML or
-/// has no such [[effect]], std::invalid_argument for a value that is not finite.
+/// Returns the text with these values. Comments, order and blanks stay. A missing key with a
+/// default is added to its table. The values read back exactly. Throws InputError if the text is no
+/// TOML or has no such [[effect]], and std::invalid_argument for a value that is not finite.
 [[nodiscard]] std::string with_values(std::string_view text, std::span<const KeyValue> changes);
 
-/// Returns the text with this effect added as [[effect]] at its end; nothing else changes. It reads
-/// back exactly. Throws std::invalid_argument for a value that is not finite.
+/// Returns the text with this effect as a new [[effect]] at its end. Nothing else changes. The
+/// effect reads back exactly. Throws std::invalid_argument for a value that is not finite.
 [[nodiscard]] std::string with_effect(std::string_view text, const effects::Effect& effect);
 
-/// Returns the text of a file with every number of model::parameters() from `fitted`, at all its
-/// addresses, the effects missing in the file, and the covariance of the fitted numbers; nothing
-/// else changes. Numbers that differ from the file's have the 15 digits that results show. Throws
-/// as with_values(), InputError where the file has its covariance in braces, and
-/// std::invalid_argument for the covariance of a parameter that is not there.
+/// Returns the text of a file with the numbers of `fitted`: every number of model::parameters() at
+/// all its addresses, the effects that the file lacks, and the covariance of the fitted numbers.
+/// Nothing else changes. A changed number has the 15 digits that results show. Throws like
+/// with_values(), InputError if the file has its covariance in braces, and std::invalid_argument
+/// for the covariance of a parameter that the model lacks.
 [[nodiscard]] std::string with_model(const ModelFile& file, const model::Model& fitted);
 
 /// Returns a commented model of a catalogue bearing, with every default of its law written out.
 [[nodiscard]] std::string new_model_text(
     const CatalogueBearing& row, friction::FrictionLaw law = friction::FrictionLaw::palmgren);
 
-/// Comments of a new model on its keys.
+/// Contents and comments of a new model.
 struct ModelRemarks {
   std::string title{};  ///< title for a rig; empty: that every default is written out
   std::string ball_material = "steel";
-  std::vector<std::pair<std::string_view, std::string>> of_key{};  ///< in place of the usual remark
+  /// Remarks by key, instead of the usual ones.
+  std::vector<std::pair<std::string_view, std::string>> of_key{};
   friction::FrictionLaw law = friction::FrictionLaw::palmgren;
-  bool of_spindle = false;  ///< in place of the rig a spindle with three of it
-  std::string oil{};        ///< its ISO VG grade; empty: a thin spindle oil
+  bool of_spindle = false;  ///< a spindle on three such bearings instead of a rig
+  std::string oil{};        ///< ISO VG grade of the oil; empty: a thin spindle oil
 };
-/// As above, for a bearing that may be missing in the catalogues (then it has no maker).
+/// Returns a commented model like new_model_text(). A bearing outside the catalogues has no maker.
 [[nodiscard]] std::string model_text(const CatalogueBearing& row, const ModelRemarks& remarks);
 
 }  // namespace raceway::files

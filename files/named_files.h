@@ -16,12 +16,13 @@ struct NamedFile {
 /// Files named by a model. Each is read once.
 class NamedFiles {
  public:
-  /// `model`: its file; names are relative to its folder. Files of `held` are not read again.
+  /// `model` is the file of the model. Names are relative to its folder. Files of `held` are not
+  /// read again.
   explicit NamedFiles(const std::string& model, std::vector<NamedFile> held = {});
 
   /// Throws InputError as read_text().
   [[nodiscard]] const NamedFile& read(const std::string& name);
-  /// Name of the file in messages.
+  /// Returns the name of the file for messages.
   [[nodiscard]] std::string shown(const std::string& name) const;
   /// Returns the files read so far.
   [[nodiscard]] const std::vector<NamedFile>& list() const { return read_; }
@@ -31,8 +32,8 @@ class NamedFiles {
   std::vector<NamedFile> held_, read_;
 };
 
-/// Returns the text of a model for a file at `path`, with file names relative to its folder;
-/// absolute without a path. Nothing else is changed.
+/// Returns the text of a model for a file at `path`. File names in it become relative to the folder
+/// of `path`, or absolute if `path` is empty. Nothing else changes.
 [[nodiscard]] std::string with_names_from(std::string text, const std::vector<NamedFile>& files,
                                           const std::string& path);
 

@@ -5,15 +5,15 @@
 
 #include "bearing/geometry.h"
 
-/// Checks for unlikely numbers within their range. Each returns one line with the likely meaning;
-/// empty for a usual number.
+/// Checks for unlikely numbers within their range. Each function returns one line with the likely
+/// meaning, or an empty text for a usual number.
 namespace raceway::files {
 
 /// Checks a temperature in C that would be usual in K.
 [[nodiscard]] std::string looks_like_kelvin(std::string_view name, double temperature_C);
 
-/// Checks for balls so small that their circle is almost empty, or that the rating far exceeds
-/// them, with numbers that would be right in inches.
+/// Checks for lengths in inches: the balls fill little of their circle, or the rating is far too
+/// high for them, and both would be usual in inches.
 [[nodiscard]] std::string looks_like_inches(const bearing::BearingGeometry& geometry);
 
 }  // namespace raceway::files

@@ -19,9 +19,10 @@ struct SensorReadings {
   std::vector<record::Note> notes = {};  ///< notes for the user
 };
 
-/// Reads `reference_Nm` and `signal_V`, or `torque_signal_V` as in a record, of a CSV; "-" is
-/// standard input. Other columns are not read, and `notes` says so. Throws InputError as
-/// read_csv(), for a missing column and for every cell that is empty, no number or impossible.
+/// Reads `reference_Nm` and `signal_V` from a CSV; "-" is standard input. The signal may also be
+/// `torque_signal_V`, as in a record. Other columns are not read, and `notes` says so. Throws
+/// InputError like read_csv(), for a missing column, and for every cell that is empty, no number or
+/// impossible.
 [[nodiscard]] SensorReadings read_sensor_readings(const Source& source,
                                                   const ReadOptions& options = {});
 
@@ -29,10 +30,10 @@ struct SensorReadings {
 [[nodiscard]] std::string torque_sensor_text(const rig::SensorCalibration& calibration,
                                              std::string_view source);
 
-/// The units of its coefficients: "V", "V/Nm", "V/Nm2", "V/Nm3".
+/// Returns the unit of a coefficient: "V", "V/Nm", "V/Nm2", "V/Nm3".
 [[nodiscard]] std::string coefficient_unit(int coefficient);
 
-/// The calibration as a JSON document (docs/files.md); see results.h.
+/// Returns the calibration as a JSON document (docs/files.md); see results.h.
 [[nodiscard]] std::string sensor_calibration_json(const rig::SensorCalibration& calibration,
                                                   const std::string& source);
 

@@ -13,17 +13,18 @@ namespace raceway::files {
 /// inputs of the machine, and displacements. Other columns are reported and ignored.
 ///
 /// An empty cell in a displacement means no reading. Inputs are filled between their readings
-/// (files/detail/filled_inputs.h). Of the displacements `wanted` are kept; all where that is empty.
+/// (files/detail/filled_inputs.h). Only the displacements in `wanted` are kept; all of them if
+/// `wanted` is empty.
 ///
-/// Throws InputError: time_s missing, going back or standing still within a run; a column of
-/// `needed` missing; a column that looks misspelt; cells that are empty, no numbers or impossible,
-/// all in one message.
+/// Throws InputError if time_s is missing, or falls or stands still within a run; if a column of
+/// `needed` is missing; if a column looks misspelt; and, in one message, for all cells that are
+/// empty, no numbers or impossible.
 [[nodiscard]] record::Record read_series(const Source& source,
                                          const std::vector<const record::Channel*>& wanted,
                                          const std::vector<const record::Channel*>& needed,
                                          const ReadOptions& options = {});
 
-/// Options for columns as read_series() reads them.
+/// Returns the options for the columns of read_series().
 [[nodiscard]] ReadOptions over_time(ReadOptions options);
 
 }  // namespace raceway::files

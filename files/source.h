@@ -12,12 +12,14 @@ namespace raceway::files {
 
 /// A file, or its replacement: a text, or the columns of a table.
 struct Source {
-  std::string name;                         ///< path of the file; in messages, of the others too
+  std::string name;                         ///< path of the file, or a name for messages
   std::shared_ptr<const std::string> text;  ///< null: contents of the file
-  std::shared_ptr<const text::CsvTable> table;  ///< of measurements; null: as text or file have it
-  /// Files that a model names, as they were when it was read; others are read where they stand.
+  /// Columns of measurements; null: read from text or file.
+  std::shared_ptr<const text::CsvTable> table;
+  /// Files that a model names, as they were when the model was read. Other files are read from
+  /// disk.
   std::vector<NamedFile> files{};
-  /// Further parts of a record over time, each with rows and a clock of its own.
+  /// Further parts of a record over time, each with its own rows and clock.
   std::vector<Source> beside{};
 
   Source(std::string path) : name(std::move(path)) {}  // NOLINT: a path is a source

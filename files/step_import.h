@@ -21,13 +21,13 @@ struct LoadCase {
   text::Place place = {};                         ///< place of its first row
 };
 
-/// Reads a CSV with time_s, axial_displacement_um, power_W or speed_rpm or both, and load_case
-/// where there are several loads of one size; other units behind the names ("time_min",
-/// "axial_displacement [mm]") are taken. Rows of the cases may be mixed, in any order and at any
-/// times. Without load_case rows of one power, else of one speed, are a case.
+/// Reads a CSV with time_s, axial_displacement_um, and power_W or speed_rpm or both. Names with
+/// other units are allowed ("time_min", "axial_displacement [mm]"). A column load_case separates
+/// loads of equal size. Without it the rows of one power are a case; without power, the rows of one
+/// speed. The rows may be in any order, at any times.
 ///
-/// Throws InputError: a column that is missing, a cell that is no number, a time below 0 or twice
-/// in a case, a speed that changes within one.
+/// Throws InputError for a missing column, a cell that is no number, a time below 0 or twice in a
+/// case, and a speed that changes within a case.
 [[nodiscard]] std::vector<LoadCase> read_load_cases(const std::string& path);
 
 /// Parses load cases from text; `source` is the name in messages.
@@ -37,7 +37,7 @@ struct LoadCase {
 struct HistoryUnits {
   double time = 1.0, length = um;
 };
-/// "s,um", "min,mm", "s,m". Throws InputError, which names `flag`.
+/// Parses "s,um", "min,mm" or "s,m". Throws InputError that names `flag`.
 [[nodiscard]] HistoryUnits history_units(std::string_view text, const std::string& flag);
 
 /// Reads one load case from a time history of two columns, time and displacement, as ANSYS (PRVAR),
@@ -45,12 +45,12 @@ struct HistoryUnits {
 /// that begin with a word are skipped. `given` is the load and the file: "50W=a.csv",
 /// "6000rpm=b.txt".
 ///
-/// Throws InputError: no load or none of a power or a speed, rows with one number or three, a time
-/// or a displacement that is not finite or out of range.
+/// Throws InputError if the load is missing, or no power and no speed; for rows with one number or
+/// three; and for a time or a displacement that is not finite or out of range.
 [[nodiscard]] LoadCase read_history(const std::string& given, const HistoryUnits& units);
 
-/// Fits each case; a case without a power keeps none. Throws InputError for a case that cannot be
-/// fitted.
+/// Fits a step response to each case. A case without a power keeps none. Throws InputError for a
+/// case that cannot be fitted.
 [[nodiscard]] std::vector<spindle::StepResponse> fit_load_cases(const std::vector<LoadCase>& cases);
 
 }  // namespace raceway::files

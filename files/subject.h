@@ -7,10 +7,10 @@
 
 namespace raceway::files {
 
-/// Subject of a model: a bearing on a rig, or the sets on a shaft.
+/// Returns the subject of a model: a bearing on a rig, the sets on a shaft, or a spindle.
 [[nodiscard]] std::shared_ptr<const model::ModelSubject> make_subject(const model::Model& model);
-/// Returns the same for a record. Of the sets on a shaft, the record has the axial displacement or
-/// the friction torque.
+/// Returns the subject of a model for a record. For the sets on a shaft the columns of the record
+/// decide: axial displacement or friction torque.
 [[nodiscard]] std::shared_ptr<const model::ModelSubject> make_subject(const model::Model& model,
                                                                       const record::Record& record);
 

@@ -8,16 +8,16 @@
 /// Writers of Stribeck tables for other programs. The files are not read back.
 namespace raceway::files {
 
-/// CSV with one header line and names that are identifiers (spin_friction_Nmm), so that pandas and
-/// MATLAB read it without options; otherwise as table_text(). A point without value has NaN, which
-/// both take for a number.
+/// Returns a table as CSV with one header line and identifiers as names (spin_friction_Nmm). pandas
+/// and MATLAB read it without options. A point without a value has NaN, which both read as a
+/// number. The rest is as in table_text().
 [[nodiscard]] std::string plain_table_text(const friction::StribeckTable& table);
 
-/// The friction torque as a text file for Modelica.Blocks.Tables.CombiTable2Ds, in SI as Modelica
-/// has it: u1 the speed [rad/s], u2 the axial load [N], y the torque [N m]. One table for each
-/// radial load and temperature, `friction_torque` where there is one, else
-/// `friction_torque_Fr0_T313` (N, K); a table of one load is for CombiTable1Ds, columns speed and
-/// torque. Throws InputError for a slab and where a point has no value.
+/// Returns the friction torque as a text file for Modelica.Blocks.Tables.CombiTable2Ds, in SI: u1
+/// is the speed [rad/s], u2 the axial load [N], y the torque [N m]. The file has a table for each
+/// radial load and temperature. A single table is `friction_torque`; several have names such as
+/// `friction_torque_Fr0_T313` (N, K). Tables of one axial load are for CombiTable1Ds, with columns
+/// speed and torque. Throws InputError for a slab, and for a point without a value.
 [[nodiscard]] std::string modelica_table_text(const friction::StribeckTable& table,
                                               std::string_view title);
 

@@ -11,22 +11,22 @@ namespace raceway::files {
 /// A value assumed by a model: the default of a missing key, or a value marked as a guess.
 struct UsedDefault {
   enum class Origin {
-    marked,     ///< stands in the file, marked in the comment `why`
-    key,        ///< the default of its key
+    marked,     ///< value in the file that the comment `why` marks
+    key,        ///< default of its key
     catalogue,  ///< value of the bearing that the file names
-    derived,    ///< follows from other values, as `why` says
+    derived,    ///< value that follows from others, as `why` says
   };
   std::string table, key;  ///< `effect[0]` is the first effect
   std::string value;       ///< as the file would have it, or in words
   Origin origin = Origin::key;
-  std::string why = {};  ///< for people; empty of Origin::key
+  std::string why = {};  ///< reason for the reader; empty for Origin::key
 
-  /// `solver.tilt = "locked"`, and why where that is not plain.
+  /// Returns `solver.tilt = "locked"`, with the reason if there is one.
   [[nodiscard]] std::string short_line() const {
     return fmt::format("{}.{} = {}{}", table, key, value,
                        why.empty() ? "" : fmt::format(" ({})", why));
   }
-  /// `solver.tilt = "locked" (default)`.
+  /// Returns `solver.tilt = "locked" (default)`, or the reason instead of "default".
   [[nodiscard]] std::string line() const {
     return short_line() + (why.empty() ? " (default)" : "");
   }

@@ -7,7 +7,7 @@
 #include "files/column_map.h"
 #include "text/csv.h"
 
-/// Columns of a record over time that somebody else wrote, as a table [columns].
+/// Columns of a record over time from another program, as a table [columns].
 namespace raceway::files {
 
 struct SeriesColumns {
@@ -15,8 +15,8 @@ struct SeriesColumns {
   bool all_ours = false;  ///< the file has our names and needs no table
 };
 
-/// Works as suggested_columns(): first the columns that these models need, then all others of a
-/// record over time. Columns in `given` are kept.
+/// Works like suggested_columns(): first the columns that these models need, then all other columns
+/// of a record over time. Columns in `given` are kept.
 [[nodiscard]] SeriesColumns series_columns(const text::CsvTable& table,
                                            const std::vector<correction::Model>& models,
                                            const ColumnMap& given);
