@@ -23,10 +23,10 @@ struct BearingCase {
   OperatingPoint point;
 };
 
-/// Finds the equilibria of many operating points, each from a cold start. Statuses are those of
-/// solve_bearing_equilibrium(), and solutions agree with it within the tolerance. Exception: under
-/// inner control one load can have several equilibria, and the rounding of another instruction set
-/// can lead to another equilibrium.
+/// Finds the equilibria of many operating points, each from a cold start. The statuses equal the
+/// statuses of solve_bearing_equilibrium(), and the solutions agree within the tolerance. There is
+/// one exception: under inner control one load can have several equilibria, and the rounding of
+/// another instruction set can lead to another one.
 ///
 /// Newton's method solves the points in SIMD lanes, from the thrust start. The search of a single
 /// solve takes the points at which it does not converge. Threads share fixed chunks. The result of

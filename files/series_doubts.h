@@ -16,7 +16,7 @@ namespace raceway::files {
 ///   than the time constant, and the lags of the model explain the readings much better.
 /// - Temperatures between 220 and 470 C look like kelvin. Temperatures look like Fahrenheit if no
 ///   sensor was ever colder than 59 C, or the surroundings never colder than 50 C. A single sensor
-///   looks like Fahrenheit if its converted coldest reading equals that of the coldest sensor.
+///   looks like Fahrenheit if its coldest reading, converted, equals the coldest of all readings.
 /// - Displacements of less than 0.02 or more than 300 um per kelvin look like mm or nm. Machines
 ///   have 0.1 to 50 um/K.
 [[nodiscard]] std::vector<Doubt> series_doubts(const record::Record& data,

@@ -15,8 +15,8 @@ namespace raceway::files {
 [[nodiscard]] std::string suggested_columns(const Source& source,
                                             const model::ModelSubject& subject);
 
-/// Suggests [columns] for a record over time and the corrections of a file. The words of the names
-/// decide which columns are those of the corrections. Other columns get names of their own.
+/// Suggests [columns] for a record over time and the corrections of a file. Words in the headers
+/// identify the columns that the corrections need. Other columns get names of their own.
 [[nodiscard]] std::string suggested_columns(const Source& source,
                                             const std::vector<correction::Model>& models);
 

@@ -1,4 +1,4 @@
-"""What the pictures of plot.py share: axes, styles that differ without colour, legends, frames."""
+"""Shared parts of the pictures of plot.py: axes, styles that differ without colour, legends, frames."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from matplotlib.figure import Figure
 
 from ._documents import label_of, split_column
 
-# Okabe and Ito, apart also to the colour-blind; black is left to axes: dark styles turn it.
+# Colours of Okabe and Ito, which colour-blind people can distinguish. Black is only for axes, because dark styles invert it.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 LINES: tuple[Any, ...] = ("-", "--", "-.", ":", (0, (8, 2)), (0, (4, 1, 1, 1, 1, 1)), (0, (2, 1)))
 MARKERS = ("o", "s", "^", "D", "v", "P", "X", "<", ">")
-MOST_MARKERS = 10  # on a curve: more hide the line style
+MOST_MARKERS = 10  # per curve; more markers hide the line style
 
 
 def style(i: int) -> dict[str, Any]:
@@ -25,7 +25,7 @@ def style(i: int) -> dict[str, Any]:
 
 
 def markevery(points: int, curve: int) -> tuple[int, int] | None:
-    """Which points of a curve get a marker: few, and not at the same speeds on every curve."""
+    """Return the markers of a curve, for `markevery`: few of them, at different points on each curve."""
     if points <= MOST_MARKERS + 2:
         return None
     step = -(-points // MOST_MARKERS)
@@ -33,14 +33,14 @@ def markevery(points: int, curve: int) -> tuple[int, int] | None:
 
 
 def new_figure() -> Figure:
-    """A figure of pyplot, which a notebook shows."""
+    """Return a figure of pyplot, which a notebook shows."""
     from matplotlib import pyplot  # only where it is needed: it chooses a backend
 
     return pyplot.figure(layout="constrained")
 
 
 def axes_for(ax: Axes | None, caller: str) -> tuple[Axes, bool]:
-    """The axes to draw into, and whether they stand in a new figure of their own."""
+    """Return the axes for the picture, and True if they are in a new figure."""
     if ax is None:
         return new_figure().add_subplot(), True
     if not isinstance(ax, Axes):
@@ -50,17 +50,17 @@ def axes_for(ax: Axes | None, caller: str) -> tuple[Axes, bool]:
 
 
 def has_room(ax: Axes, own: bool) -> bool:
-    """True if a layout makes room next to the axes: in a figure of ours, or one that asks for it."""
+    """Return True if a layout makes room next to the axes: in a new figure, or in a figure with a layout engine."""
     engine = getattr(ax.figure, "get_layout_engine", lambda: None)()
     return own or engine is not None
 
 
 def place_legend(ax: Axes, own: bool, title: str | None = None, handles: Any = None, spacing: float = 0.5) -> None:
-    """Beside the axes where the layout makes room for it; else where it hides least."""
+    """Place the legend next to the axes if the layout makes room for it, else at the best place inside."""
     entries = handles if handles is not None else ax.get_legend_handles_labels()[0]
     beside = has_room(ax, own)
     where: dict[str, Any] = {"loc": "upper left", "bbox_to_anchor": (1.01, 1.0), "borderaxespad": 0.0} if beside else {"loc": "best"}
-    # Wide enough for a dash pattern to show at least once.
+    # A handle is wide enough for one complete dash pattern.
     ax.legend(
         handles=entries,
         title=title,
@@ -74,21 +74,21 @@ def place_legend(ax: Axes, own: bool, title: str | None = None, handles: Any = N
 
 
 def speed_axis(ax: Axes, own: bool) -> None:
-    """Label of the abscissa, and few enough numbers of five digits next to a legend."""
+    """Label the abscissa. A new figure gets few ticks, because numbers have five digits next to a legend."""
     ax.set_xlabel(label_of("speed_rpm"))
     if own:
         ax.locator_params(axis="x", nbins=6)
 
 
 def frame_of(source: object, caller: str, wanted: str) -> pd.DataFrame:
-    """Rows of a result, a record or a DataFrame.
+    """Return the rows of a result, a record or a DataFrame.
 
     Raises
     ------
     TypeError
-        Neither a DataFrame nor something with ``to_frame()``.
+        The source is no DataFrame and has no ``to_frame()``.
     ValueError
-        No rows.
+        There are no rows.
     """
     if isinstance(source, pd.DataFrame):
         frame = source
@@ -104,7 +104,7 @@ def frame_of(source: object, caller: str, wanted: str) -> pd.DataFrame:
 
 
 def require_columns(frame: pd.DataFrame, columns: Iterable[str], caller: str) -> None:
-    """Raises ValueError that names the columns which are there."""
+    """Raise ValueError for a missing column. The message lists the existing columns."""
     for column in columns:
         if column not in frame.columns:
             have = ", ".join(str(c) for c in frame.columns)
@@ -112,12 +112,12 @@ def require_columns(frame: pd.DataFrame, columns: Iterable[str], caller: str) ->
 
 
 def numbers(frame: pd.DataFrame, column: str, caller: str) -> np.ndarray:
-    """A column as floats, NaN where there is no number.
+    """Return a column as floats, NaN for an empty cell.
 
     Raises
     ------
     ValueError
-        A column of text.
+        The column contains text.
     """
     try:
         return pd.to_numeric(frame[column]).to_numpy(dtype=float)
@@ -126,7 +126,7 @@ def numbers(frame: pd.DataFrame, column: str, caller: str) -> np.ndarray:
 
 
 def require_one_value(frame: pd.DataFrame, by: list[str], caller: str) -> None:
-    """A curve has one value of all settings but speed; raises ValueError otherwise."""
+    """Raise ValueError if a setting other than the speed and `by` varies along a curve."""
     settings = ("axial_load_N", "radial_load_N", "moment_Nmm", "temperature_C", "preload_N", "external_load_N")
     for column in settings:
         if column in by or column not in frame.columns:
@@ -143,7 +143,7 @@ def require_one_value(frame: pd.DataFrame, by: list[str], caller: str) -> None:
 
 
 def groups_by(frame: pd.DataFrame, by: list[str]) -> list[tuple[tuple[Any, ...], pd.DataFrame]]:
-    """Rows of each value of these columns, by rising value; all rows where there are none."""
+    """Return the rows of each value of these columns, by rising value; all rows without columns."""
     if not by:
         return [((), frame)]
     if len(by) == 1:
@@ -157,5 +157,5 @@ def value_text(columns: list[str], values: tuple[Any, ...]) -> str:
 
 
 def unit_of(column: str) -> str:
-    """Key of the unit in a column's name."""
+    """Return the unit at the end of a column's name."""
     return split_column(column)[1]

@@ -1,8 +1,8 @@
-"""What results look like in a notebook: HTML without scripts, in the colours of the page.
+"""Results in a notebook, as HTML without scripts in the colours of the page.
 
-Everything is drawn in ``currentColor`` and its shades, so that it reads in light and dark
-notebooks; pictures are inline SVG. Every text of a document is escaped: names of files and effects
-are theirs, not ours.
+Everything is drawn in ``currentColor`` and its shades and is therefore readable in light and dark
+notebooks. Pictures are inline SVG. Every text of a document is escaped, because users choose the names
+of files and effects.
 """
 
 from __future__ import annotations
@@ -37,14 +37,14 @@ def heading(words: str) -> str:
 
 
 def table(head: list[str], rows: list[list[str]], left: int = 1, units: int | None = None) -> str:
-    """Rows of cells that are escaped already; the first `left` columns hold words, as does the column of units."""
+    """Return a table of escaped cells. The first `left` columns and the column of units contain words."""
 
     def cells(tag: str, row: list[str]) -> str:
         return "".join(f"<{tag} {_LEFT if i < left or i == units else _RIGHT}>{cell}</{tag}>" for i, cell in enumerate(row))
 
     top = f'<tr style="background:none">{cells("th", [text(h) for h in head])}</tr>' if head else ""
     body = "".join(f'<tr style="background:none">{cells("td", row)}</tr>' for row in rows)
-    # A wide one scrolls by itself, and leaves the words around it in sight.
+    # A wide table scrolls by itself. The words around it stay in sight.
     return (
         '<div style="overflow-x:auto">'
         '<table style="border-collapse:collapse;border:0;margin:.2em 0;'
@@ -54,9 +54,9 @@ def table(head: list[str], rows: list[list[str]], left: int = 1, units: int | No
 
 
 def bar(value: float, full: float, mark: float | None, kind: str) -> str:
-    """A bar of a ladder, with a stroke where the noise is."""
+    """Return a bar of a ladder, with a mark at the noise."""
     width = 0.0 if not full > 0.0 else BAR * max(0.0, min(value / full, 1.0))
-    # Hollow where rows were held out, as in the picture of plot.ladder().
+    # Hollow for held-out rows, as in the picture of plot.ladder().
     body = (
         f'<rect x="0.5" y="2.5" width="{width:.1f}" height="9" fill="none" ' 'stroke="currentColor" stroke-opacity=".6"/>'
         if kind == "held out"
@@ -70,7 +70,7 @@ def bar(value: float, full: float, mark: float | None, kind: str) -> str:
 
 
 def ladder_html(ladders: list[Ladder]) -> str:
-    """Errors of one quantity as rows with bars, and its noise."""
+    """Return the errors and the noise of one quantity as rows with bars."""
     first = ladders[0]
     steps = [step for one in ladders for step in one.steps if step.rmse is not None]
     full = max([step.rmse for step in steps] + [first.noise or 0.0], default=0.0)
@@ -85,7 +85,7 @@ def ladder_html(ladders: list[Ladder]) -> str:
 
 
 def ladders_html(result: object) -> str:
-    """One ladder for each quantity."""
+    """Return one ladder for each quantity."""
     groups: dict[tuple[str, str], list[Ladder]] = {}
     for one in ladders_of(result, "html_of()"):
         groups.setdefault((one.quantity, one.unit), []).append(one)
@@ -93,7 +93,7 @@ def ladders_html(result: object) -> str:
 
 
 def messages_html(data: dict[str, Any]) -> str:
-    """Messages, then notes in small."""
+    """Return a list of messages, then of notes in faint text."""
     items = [f"<li>{text(m)}</li>" for m in data.get("messages", [])]
     items += [f'<li style="{_FAINT}">{text(n)}</li>' for n in data.get("notes", [])]
     if not items:
@@ -102,7 +102,7 @@ def messages_html(data: dict[str, Any]) -> str:
 
 
 def size_text(parameter: dict[str, Any]) -> str:
-    """Value, standard error and unit."""
+    """Return value, standard error and unit as text."""
     unit = unit_text(parameter.get("unit"))
     value = number(parameter.get("value"), 4)
     if parameter.get("std") is not None:
@@ -112,7 +112,7 @@ def size_text(parameter: dict[str, Any]) -> str:
 
 
 def _gain(gain: float | None) -> str:
-    """A fall of -2 ln L; rounding is none."""
+    """Return the decrease of -2 ln L as text; "0" below 0.001, which is rounding."""
     return number(gain) if gain is None or abs(gain) >= 1e-3 else "0"
 
 
@@ -170,7 +170,7 @@ def _next(data: dict[str, Any]) -> str:
 
 
 def _against(part: dict[str, Any]) -> str:
-    """Which data stand against which model."""
+    """Return the names of the compared data and model."""
     return f'{text(part["rows"])} rows of {text(files_text(part.get("data")))} against ' f'{text(part.get("model"))}'
 
 
@@ -222,14 +222,14 @@ def _comparison(result: Any) -> str:
 
 
 def _ends(p: dict[str, Any]) -> list[str]:
-    """Cells of the interval by profile likelihood, where there is one."""
+    """Return the cells of the interval by profile likelihood; none without an interval."""
     if "profile" not in p:
         return []
     return [number(p["profile"][end], 5) + (" (open)" if p["profile"][f"open_{end}"] else "") for end in ("from", "to")]
 
 
 def parameters_html(calibration: dict[str, Any]) -> str:
-    """Parameters with errors, and how they go together."""
+    """Return the table of parameters with errors, and their correlation."""
     parameters = calibration.get("parameters", {})
     rows = []
     for name, p in parameters.items():
@@ -258,14 +258,14 @@ def parameters_html(calibration: dict[str, Any]) -> str:
     matrix = calibration.get("correlation") or []
     if len(matrix) > 1:
         names = list(parameters)
-        # By number: names of effects' parameters are too long for a column.
+        # Columns have numbers, because names of effects' parameters are too long.
         rows = [[str(i + 1), text(name)] + [number(r, 2) for r in matrix[i][: i + 1]] + [""] * (len(names) - i - 1) for i, name in enumerate(names)]
         out += heading("Correlation") + table(["", "", *(str(i + 1) for i in range(len(names)))], rows, left=2)
     return out
 
 
 def _conformity(data: dict[str, Any]) -> str:
-    """Fit to catalogue rigidities instead of readings: one number and the classes it is from."""
+    """Return the result of a fit to catalogue rigidities: the conformity and the preload classes it follows from."""
     rows = [
         [text(c.get("class")), number(c.get("preload_N")), number(c.get("printed_N_um")), number(c.get("computed_N_um"))]
         for c in data.get("classes", [])
@@ -300,7 +300,7 @@ def _addition(result: Any) -> str:
 
 
 def _rows_html(result: Any) -> str:
-    """First rows and a count; of long rows the columns that are read first."""
+    """Return the first rows and columns of a table, and the counts of both."""
     frame = result.to_frame()
     columns = list(frame.columns)
     shown = columns[:8]
@@ -320,7 +320,7 @@ def _rows_html(result: Any) -> str:
 
 
 def _solution(result: Any) -> str:
-    """The numbers of one operating point; lists, such as the balls, by their length. Rows of several."""
+    """Return the numbers of one operating point, with the length of lists such as the balls; for several points their rows."""
     if result.data is None:
         return _rows_html(result)
     rows = []
@@ -349,22 +349,22 @@ _WRITERS = {
 
 
 def html_of(result: Any) -> str:
-    """A result as HTML, for ``_repr_html_``.
+    """Return a result as HTML, for ``_repr_html_``.
 
     Parameters
     ----------
-    result : Diagnosis, Comparison, Calibration, Addition, Solution, Table, Displacement, and of spindles
-        With the document ``data``, and ``to_frame()`` of tables and displacements.
+    result : Diagnosis, Comparison, Calibration, Addition, Solution, Table, Displacement or a result of a spindle
+        Object with the document ``data``. Tables and displacements also need ``to_frame()``.
 
     Returns
     -------
     str
-        One ``<div>``, without scripts, styles for the page or anything from a network.
+        One ``<div>`` without scripts, styles for the page or parts from a network.
 
     Raises
     ------
     TypeError
-        Anything else.
+        The result has another type.
 
     Examples
     --------
@@ -380,5 +380,5 @@ def html_of(result: Any) -> str:
     writer = writers.get(kind_of(result))
     if writer is None:
         raise TypeError(f"html_of() takes a {', '.join(writers)}, not {type(result).__name__!r}")
-    # Of a table of one column, which is as wide as its place and not as its widest line.
+    # A grid of one column is as wide as its place, not as its widest line.
     return '<div style="display:grid;grid-template-columns:minmax(0,1fr);line-height:1.4;color:inherit">' f"{writer(result)}</div>"

@@ -1,4 +1,4 @@
-"""What corrections and their results look like in a notebook; see _html."""
+"""Corrections and their results in a notebook; see _html."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ def _page(inner: str) -> str:
 
 
 def _axes(data: dict[str, Any]) -> list[dict[str, Any]]:
-    """Table of each displacement."""
+    """Return the part of the document for each displacement."""
     return data.get("axes", [data])
 
 
@@ -24,12 +24,12 @@ def _unit(axis: dict[str, Any]) -> str:
 
 
 def _error(axis: dict[str, Any], of: dict[str, Any], name: str) -> str:
-    """An error of a displacement, by its name for a length."""
+    """Return an error of a displacement. `name` is the key for a length, ending with um."""
     return number(of[in_unit_of(axis["displacement"], name)])
 
 
 def _head(data: dict[str, Any], names: list[str]) -> list[str]:
-    """Head of a table of displacements, "*" standing for their unit; their names end in it."""
+    """Return the head of a table of displacements. Their unit replaces "*"."""
     units = sorted({_unit(axis) for axis in _axes(data)})
     return [name.replace("*", " or ".join(units)) for name in names]
 
@@ -43,7 +43,7 @@ def _of(data: dict[str, Any]) -> str:
 
 
 def parameters_table(parameters: dict[str, dict[str, Any]]) -> str:
-    """Numbers with their errors; of many the first."""
+    """Return the table of the first parameters with their errors."""
     rows = [
         [text(name), number(p["value"], 5)] + ([number(p["std"], 2)] if "std" in p else []) + [text(unit_text(p["unit"]).replace("um/", "µm/"))]
         for name, p in list(parameters.items())[:FEW]
@@ -54,7 +54,7 @@ def parameters_table(parameters: dict[str, dict[str, Any]]) -> str:
 
 
 def correction_html(correction: Any) -> str:
-    """A correction: what it predicts, from what, with which numbers."""
+    """Return a correction: its displacements, its inputs and its parameters."""
     return _page(
         paragraph(f'<b>{text(", ".join(correction.displacements))}</b> of ' f'{text(", ".join(correction.inputs) or "no input")}')
         + parameters_table(correction.parameters)
@@ -63,7 +63,7 @@ def correction_html(correction: Any) -> str:
 
 
 def identification_html(found: Any) -> str:
-    """Error, held out and in sample, of each displacement, then the numbers."""
+    """Return held-out and in-sample errors of each displacement, then the parameters."""
     data, rows = found.data, []
     for axis in _axes(data):
         if "fits" in axis:
@@ -103,7 +103,7 @@ def identification_html(found: Any) -> str:
 
 
 def run_html(run: Any) -> str:
-    """Residuals of each displacement, and what learning gained."""
+    """Return the residuals of each displacement, or its errors with and without learning."""
     data, rows = run.data, []
     learnt = "between_readings" in data
     for axis in _axes(data):
@@ -150,7 +150,7 @@ def _testable(effect: dict[str, Any]) -> str:
 
 
 def check_html(check: Any) -> str:
-    """Columns, and which effects can be told."""
+    """Return the columns of a record, and the effects that can be tested with it."""
     data = check.data
     columns = [[text(c["name"]), number(c["from"], 5), number(c["to"], 5), text(c["levels"])] for c in data["columns"][:FEW]]
     effects = [[text(e["id"]), text(_testable(e))] for e in data["effects"]]
@@ -164,7 +164,7 @@ def check_html(check: Any) -> str:
 
 
 def law_html(law: Any) -> str:
-    """The numbers of the law and how well it follows its curve."""
+    """Return the parameters of the law and its errors from the curve."""
     data = law.data
     return _page(
         parameters_table(law.parameters)

@@ -1,4 +1,4 @@
-"""What answers of a spindle look like in a notebook, with the parts of _html.py."""
+"""Results of a spindle in a notebook, with the parts of _html.py."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def _messages(result: Any) -> str:
 
 
 def _some(rows: list[Any]) -> tuple[list[Any], str]:
-    """Rows evenly among all, the first and the last with them, and what was left out."""
+    """Return rows at equal distances, with the first and the last, and a note on the omitted rows."""
     if len(rows) <= MOST_ROWS:
         return rows, ""
     last = len(rows) - 1
@@ -31,12 +31,12 @@ def _some(rows: list[Any]) -> tuple[list[Any], str]:
 
 
 def _bearings(row: Row) -> list[str]:
-    """front_1, front_2, ... and the roller bearings, as the columns of a row name them."""
+    """Return the names of the bearings in the columns of a row: front_1, front_2, ..., roller bearings."""
     return [m[1] for m in (re.fullmatch(r"(.+)_inner_ring_temperature_C", key) for key in row) if m]
 
 
 def _hottest_ring(row: Row) -> float | None:
-    """Temperatures of all rings [C]."""
+    """Return the temperature of the hottest ring [C]; None without rings."""
     rings = [v for key, v in row.items() if key.endswith("_ring_temperature_C") and v is not None]
     return max(rings, default=None)
 
@@ -97,7 +97,7 @@ def _signed(value: float) -> str:
 
 
 def _rounded(value: float | None, size: float, digits: int = 3) -> str:
-    """Zero if the value is rounding next to numbers of that size."""
+    """Return a value as text; zero if it is only rounding of numbers of this size."""
     return number(0.0 if value is not None and abs(value) < 1e-9 * size else value, digits)
 
 
@@ -193,7 +193,7 @@ def _least(rows: list[Row], key: str) -> list[str]:
 
 
 def _at(time_s: float | None) -> str:
-    """A time of a run in a unit in which it has few digits."""
+    """Return a time of a run in s, min or h, so that it has few digits."""
     if time_s is None:
         return "-"
     for size, unit in ((3600.0, "h"), (60.0, "min")):

@@ -1,4 +1,4 @@
-"""Pictures of errors: the ladder of models, and the map of what one of them leaves."""
+"""Pictures of errors: the ladder of models, and the map of the errors of one model."""
 
 from __future__ import annotations
 
@@ -17,30 +17,30 @@ LARGEST_MARK = 260.0  # area of the mark of the largest error [points²]
 
 
 def ladder(*results: Any, labels: Sequence[str] | None = None, ax: Axes | None = None) -> Axes:
-    """RMS errors of models as bars with their numbers, and the noise of the data beneath.
+    """Draw RMS errors of models as bars with their numbers, and below them the noise of the data.
 
     Parameters
     ----------
     *results : Comparison, Diagnosis, Addition or Calibration
-        In the order in which they stand, top first. A Diagnosis has bars before and after what it
-        names, an Addition also those on rows held out. The first of several measured channels counts.
+        Results from top to bottom. A Diagnosis has bars without and with the named effects. An Addition
+        also has bars on held-out rows. Only the first of several measured channels is drawn.
     labels : sequence of str, optional
-        Of all bars but the noise; default the model's file, or before and after.
+        Labels of all bars except the noise. The default is the model's file, or before and after.
     ax : matplotlib.axes.Axes, optional
-        Where to draw; default a new figure.
+        Axes for the picture. The default is a new figure.
 
     Returns
     -------
     matplotlib.axes.Axes
-        ``patches`` are the bars from top to bottom; their width is the error in the unit of the
+        ``patches`` are the bars from top to bottom. Their width is the error in the unit of the
         readings.
 
     Raises
     ------
     TypeError
-        Something else, such as a list of comparisons: give them one by one.
+        A result has another type, such as a list of comparisons. Give comparisons one by one.
     ValueError
-        No result, results in different units, or another number of labels than bars.
+        There is no result, the results have different units, or the numbers of labels and bars differ.
 
     Examples
     --------
@@ -86,7 +86,7 @@ def ladder(*results: Any, labels: Sequence[str] | None = None, ax: Axes | None =
 
 
 def _noise_bars(ladders: list[Ladder]) -> list[tuple[str, float, str]]:
-    """One bar where all say the same to a percent: a refit does not keep it to the last digit."""
+    """Return one bar if all noises agree within 1 %, because a refit changes the last digits; else one bar for each."""
     known = [(one.noise_words, one.noise) for one in ladders if one.noise is not None]
     if not known:
         return []
@@ -97,7 +97,7 @@ def _noise_bars(ladders: list[Ladder]) -> list[tuple[str, float, str]]:
 
 
 def _bars(ax: Axes, bars: list[tuple[str, float, str]], own: bool) -> None:
-    # Apart without colour: light, dark, and two hatches.
+    # Different without colour: light, dark, and two hatches.
     looks = {
         "before": {"color": "0.72"},
         "model": {"color": "0.72"},
@@ -122,31 +122,31 @@ def _bars(ax: Axes, bars: list[tuple[str, float, str]], own: bool) -> None:
 
 
 def residuals(comparison: Any, x: str = "speed_rpm", y: str | None = "axial_load_N", *, ax: Axes | None = None) -> Axes:
-    """Errors over one setting, or as a map over two.
+    """Draw residuals over one setting, or as a map over two settings.
 
     Parameters
     ----------
     comparison : Comparison or DataFrame
-        One row per reading, with its settings, and ``error``, prediction minus reading, in the unit
-        of the reading. Rows without prediction are left out.
+        One row per reading, with its settings and ``error``, the prediction minus the reading in the unit
+        of the reading. Rows without a prediction are left out.
     x, y : str
-        Columns of settings. With ``y=None`` the vertical axis has the errors, with the band of the
+        Columns of settings. With ``y=None`` the vertical axis shows the residuals, and the band of the
         noise if it is known.
     ax : matplotlib.axes.Axes, optional
-        Where to draw; default a new figure.
+        Axes for the picture. The default is a new figure.
 
     Returns
     -------
     matplotlib.axes.Axes
-        A filled triangle upwards where the model says too much, an open one downwards where it says
-        too little; its area grows with the error.
+        A filled triangle points up if the prediction is too high. An open triangle points down if it is
+        too low. The area grows with the residual.
 
     Raises
     ------
     TypeError
-        Something else, such as a list.
+        The comparison has another type, such as a list.
     ValueError
-        No rows or no prediction, no such column; it says which there are.
+        There are no rows, no row has a prediction, or a column is missing. The message lists the columns.
 
     Examples
     --------
@@ -188,7 +188,7 @@ def _error_map(ax: Axes, own: bool, x: np.ndarray, y: np.ndarray, error: np.ndar
     area = LARGEST_MARK * np.abs(error) / largest
     for order, place in enumerate(np.argsort(-area, kind="stable")):
         up = error[place] > 0.0
-        # Large ones first, each with a rim, so that small ones on the same point stay in sight.
+        # Large marks first, each with a rim, so that small marks on the same point stay visible.
         ax.scatter(
             x[place],
             y[place],

@@ -1,4 +1,4 @@
-"""The picture of a record: its columns over time or speed, one axes for each unit."""
+"""Picture of a record: its columns over time or speed, with one axes for each unit."""
 
 from __future__ import annotations
 
@@ -19,25 +19,26 @@ def record(source: Any, columns: Sequence[str] | None = None, *, ax: Axes | Sequ
     Parameters
     ----------
     source : record, CorrectionRun or DataFrame
-        Columns as in a CSV, with the unit at the end of the name. For a run of a correction: measured and predicted, and below the residual (``residual_...``). ``time_s`` [s] is drawn in s,
-        beyond 10 min in min, beyond 3 h in h. Runs (``run_id``) are not joined by a line.
+        Columns as in a CSV, with the unit at the end of the name. A run of a correction is drawn with
+        measured and predicted values, and with the residual (``residual_...``) below. The time axis is in s,
+        above 10 min in min, above 3 h in h. No line joins different runs (``run_id``).
     columns : sequence of str, optional
-        What to draw; default every column of numbers but standard deviations.
+        Columns to draw. The default is every column of numbers except standard deviations.
     ax : matplotlib.axes.Axes or sequence of them, optional
-        As many as there are units, with one more for residuals; default a new figure.
+        One axes for each unit, and one more for residuals. The default is a new figure.
 
     Returns
     -------
     list of matplotlib.axes.Axes
-        From top to bottom, units in the order of the columns.
+        Axes from top to bottom, with the units in the order of the columns.
 
     Raises
     ------
     TypeError
-        Neither a record nor a DataFrame, or columns is one text.
+        The source is no record and no DataFrame, or `columns` is a single text.
     ValueError
-        No rows, no such column, a column of text, neither time nor speed, another number of axes
-        than units.
+        There are no rows, a column is missing or contains text, the record has no time and no speed, or the
+        number of axes differs from the number of units.
 
     Examples
     --------
@@ -65,11 +66,11 @@ def record(source: Any, columns: Sequence[str] | None = None, *, ax: Axes | Sequ
         raise ValueError(f"{caller}: no column of numbers beside {x}")
     panels: dict[tuple[str, bool], list[str]] = {}
     for column in columns:
-        # What is left is small beside what moves.
+        # The residual is small next to the displacement.
         panels.setdefault((draw.unit_of(column), column.startswith("residual_")), []).append(column)
     axes, own = _panels(ax, [unit for unit, _ in panels])
     if own and any(len(names) > 1 for names in panels.values()):
-        axes[0].figure.set_figwidth(8.5)  # legends stand beside
+        axes[0].figure.set_figwidth(8.5)  # room for legends at the side
     across, label = _across(draw.numbers(frame, x, caller), x)
     for one, ((_, left), names) in zip(axes, panels.items()):
         _panel(one, own, frame, across, names, joined=x == "time_s")
@@ -82,7 +83,7 @@ def record(source: Any, columns: Sequence[str] | None = None, *, ax: Axes | Sequ
 
 
 def _across(values: np.ndarray, x: str) -> tuple[np.ndarray, str]:
-    """Time in a unit in which it is a number of few digits."""
+    """Return the values and the label of the abscissa. Time is in s, min or h, so that it has few digits."""
     if x != "time_s":
         return values, label_of(x)
     span = np.nanmax(values) - np.nanmin(values)
@@ -91,7 +92,7 @@ def _across(values: np.ndarray, x: str) -> tuple[np.ndarray, str]:
 
 
 def _panels(ax: Axes | Sequence[Axes] | None, units: list[str]) -> tuple[list[Axes], bool]:
-    """So many axes above each other with one abscissa, or those that were given."""
+    """Return one axes per unit, above each other with one abscissa, or the given axes; True for new ones."""
     count = len(units)
     if ax is None:
         figure = draw.new_figure()
@@ -133,14 +134,14 @@ def _panel(ax: Axes, own: bool, frame: pd.DataFrame, across: np.ndarray, columns
 
 
 def _common_words(columns: list[str]) -> str:
-    """All words of one quantity; of several those that all end with, as "Temperature"."""
+    """Return the name of one quantity, or the words at the end of all names, such as "Temperature"."""
     words = [split_column(column)[0].removeprefix("predicted_").split("_") for column in columns]
     shared: list[str] = []
     for ends in zip(*(reversed(one) for one in words)):
         if len(set(ends)) > 1:
             break
         shared.insert(0, ends[0])
-    # Displacement of "displacement_ch1", where the number stands behind.
+    # "displacement_ch1" and "displacement_ch2" differ at the end: take the first word.
     if not shared and len({one[0] for one in words}) == 1:
         shared = [words[0][0]]
     return quantity_text("_".join(shared)) if shared else "Value"

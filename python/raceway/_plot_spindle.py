@@ -1,4 +1,4 @@
-"""The picture of a spindle through a speed programme."""
+"""Picture of the run of a spindle."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Row = dict[str, Any]
 
 
 def _largest(*endings: str) -> Callable[[Row], float]:
-    """The largest value of the columns that end so; NaN where a row has none."""
+    """Return a function of a row: the largest value of the columns with these endings, NaN without a value."""
 
     def of(row: Row) -> float:
         values = [v for key, v in row.items() if key.endswith(endings) and v is not None]
@@ -27,7 +27,7 @@ def _largest(*endings: str) -> Callable[[Row], float]:
     return of
 
 
-# Label of an axes, and its value in a row.
+# Label of an axes, and function that returns its value in a row.
 PANELS: tuple[tuple[str, Callable[[Row], float]], ...] = (
     ("Speed\nin rpm", _largest("speed_rpm")),
     ("Nose\nin µm", _largest("axial_displacement_um")),
@@ -37,26 +37,27 @@ PANELS: tuple[tuple[str, Callable[[Row], float]], ...] = (
 
 
 def spindle_run(run: Any, *, ax: Sequence[Axes] | None = None) -> list[Axes]:
-    """Speed, displacement of the nose, force of the front set and the hottest ring over time.
+    """Draw speed, displacement of the nose, force of the front set and temperature of the hottest ring over time.
 
     Parameters
     ----------
     run : SpindleRun
     ax : sequence of matplotlib.axes.Axes, optional
-        One for each of the four; default a new figure.
+        One axes for each of the four quantities. The default is a new figure.
 
     Returns
     -------
     list of matplotlib.axes.Axes
-        From top to bottom. The highest front force, which may lie between two rows, has a mark of
-        its own. A run that ended early has a dashed line at its last row.
+        Axes from top to bottom. A mark shows the highest front force, which may lie between two rows.
+        A run that ended early has a dashed line at its last row.
 
     Raises
     ------
     TypeError
-        Not a SpindleRun.
+        `run` is no SpindleRun.
     ValueError
-        A run without rows, one of a network of bodies, which has no sets, or another number of axes.
+        The run has no rows, its spindle is a network of bodies without bearing sets, or the number of
+        axes is not four.
 
     Examples
     --------
@@ -81,7 +82,7 @@ def spindle_run(run: Any, *, ax: Sequence[Axes] | None = None) -> list[Axes]:
     time, label = _across(seconds, "time_s")
     marker = "o" if len(rows) <= draw.MOST_MARKERS else None
     for k, (one, (words, _), values) in enumerate(zip(axes, PANELS, curves)):
-        # A row's speed holds from the row before it.
+        # The speed of a row is valid from the previous row on.
         one.plot(time, values, color=draw.COLOURS[0], marker=marker, markersize=4, drawstyle="steps-pre" if k == 0 else "default")
         one.set_ylabel(words)
         one.yaxis.set_major_locator(MaxNLocator(nbins=4))
@@ -99,7 +100,7 @@ def spindle_run(run: Any, *, ax: Sequence[Axes] | None = None) -> list[Axes]:
 
 
 def _name(ax: Axes, at: float, force_N: float) -> None:
-    """Labels the mark of the highest force, within the axes."""
+    """Label the mark of the highest force, within the axes."""
     ax.margins(y=0.25)  # room above it
     low, high = ax.get_xlim()
     share = (at - low) / (high - low)
@@ -108,7 +109,7 @@ def _name(ax: Axes, at: float, force_N: float) -> None:
 
 
 def _at(time_s: float, seconds: np.ndarray, time: np.ndarray) -> float:
-    """In the unit of the abscissa."""
+    """Return a time in the unit of the abscissa."""
     last = int(np.argmax(np.abs(seconds)))
     return time_s if seconds[last] == 0.0 else float(time_s * time[last] / seconds[last])
 

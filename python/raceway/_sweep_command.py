@@ -1,4 +1,4 @@
-"""``python3 -m raceway.sweep``: slabs of a sweep as tasks of a job array, and their merger."""
+"""``python3 -m raceway.sweep``: computes slabs of a sweep as tasks of a job array, and merges them."""
 
 from __future__ import annotations
 
@@ -121,7 +121,7 @@ def _one_slab(asked: argparse.Namespace, work: Callable[[Any], Any], names: list
                 read_slab(there)
                 return f"{path}: is there already, {slab.last - slab.first} items"
         except CutOff:
-            pass  # this one is made again, another by its own task
+            pass  # this task makes its own slab again, other tasks make theirs
     outcomes = storable(work_on(work, items[slab.first : slab.last], asked.threads))
     write_slab(asked.folder, slab, made_from, names[slab.first : slab.last], outcomes, len(items))
     sweep._said(sweep.Sweep(names[slab.first : slab.last], outcomes))
@@ -136,7 +136,7 @@ def _merge(asked: argparse.Namespace) -> str:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow([_guarded(column) for column in [*columns, "error"]])
-    # Of floats csv writes all digits that are needed to read the same number again.
+    # csv writes all digits of a float that are needed to read the same number again.
     writer.writerows([_guarded(row.get(column)) for column in [*columns, "error"]] for row in rows)
     if asked.output == "-":
         sys.stdout.write(text.getvalue())
@@ -146,7 +146,7 @@ def _merge(asked: argparse.Namespace) -> str:
 
 
 def _guarded(cell: Any) -> Any:
-    """A text that a spreadsheet would take for a formula behind an apostrophe, as the library writes and reads it."""
+    """Return the cell, with an apostrophe in front if a spreadsheet would read its text as a formula. The library reads it back."""
     return f"'{cell}" if isinstance(cell, str) and re.match("'*[-=+@]", cell) else cell
 
 

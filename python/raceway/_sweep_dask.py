@@ -20,9 +20,9 @@ from . import _engine
 from ._errors import Doubt, InputError
 from ._sweep_slabs import Outcome, Slab, mixed_sets, work_on
 
-#: How long a scheduler may take to answer, and its first worker to come [s].
+#: Longest time for an answer of a scheduler, and for its first worker to come [s].
 PATIENCE_S = 30.0
-#: Slabs that lie at the scheduler for each worker, so that none waits for the next.
+#: Slabs that the scheduler holds for each worker, so that no worker waits for its next slab.
 AHEAD = 2
 
 
@@ -37,7 +37,7 @@ def _dask() -> Any:
 
 
 def _security() -> Any:
-    """Keys that this process makes for its own workers alone, so that no other user of the computer can give them work."""
+    """Return new keys for the workers of this process, so that no other user of the computer can give them work."""
     distributed = _dask()
     try:
         return distributed.security.Security.temporary()
@@ -48,20 +48,23 @@ def _security() -> Any:
 
 @contextmanager
 def local_workers(count: int, dashboard: bool) -> Iterator[Any]:
-    """A client of worker processes on this computer, ended behind. They listen on the loopback and keep files in a private folder."""
+    """Yield a client of new worker processes on this computer, and end them afterwards.
+
+    The processes listen on the loopback interface and keep their files in a private folder.
+    """
     distributed = _dask()
     import dask
 
     nanny: Any = distributed.Nanny
 
     class QuietNanny(nanny):
-        """Starts a worker without a dashboard of its own, which LocalCluster asks for with an address."""
+        """Starts a worker without its own dashboard, which LocalCluster requests together with an address."""
 
         def __init__(self, *given: Any, **named: Any) -> None:
             super().__init__(*given, **{**named, "dashboard": False})
 
-    # For short items: ticks and samples of a profile come 50 and 100 times a second, and a worker gives memory back to the
-    # system after each of them, to ask for it again (a seventh of the time of an identification).
+    # For short items. By default a worker has 50 ticks and 100 profile samples a second, and returns memory to the system after
+    # each item, to request it again (a seventh of the time of an identification).
     calm: dict[str, Any] = {
         "distributed.admin.tick.interval": "500ms",
         "distributed.worker.profile.interval": "500ms",
@@ -71,7 +74,7 @@ def local_workers(count: int, dashboard: bool) -> Iterator[Any]:
     }
     if not dashboard:
         calm["distributed.scheduler.http.routes"] = []
-    # An HTTP server is always there: without an address it would listen on all interfaces.
+    # There is always an HTTP server. Without an address it would listen on all interfaces.
     loopback = "127.0.0.1:0"
     security = _security()
     with tempfile.TemporaryDirectory(prefix="raceway-") as private, dask.config.set(calm), distributed.LocalCluster(
@@ -92,7 +95,7 @@ def local_workers(count: int, dashboard: bool) -> Iterator[Any]:
 
 @contextmanager
 def client_of(given: Any) -> Iterator[Any]:
-    """Yield the given client, or a client of the scheduler at an address, and close that one afterwards."""
+    """Yield the given client, or a new client of the scheduler at an address. A new client is closed afterwards."""
     distributed = _dask()
     if isinstance(given, distributed.Client):
         yield given
@@ -112,7 +115,7 @@ def client_of(given: Any) -> Iterator[Any]:
 
 
 def count_workers(client: Any) -> int:
-    """Workers that are there, or the first to come."""
+    """Return the number of workers. Wait for the first one if there is none."""
     try:
         client.wait_for_workers(1, timeout=PATIENCE_S)
     except TimeoutError:
@@ -128,10 +131,11 @@ def run_on(
     threads: int | None,
     done: Callable[[Slab, list[Outcome]], None],
 ) -> None:
-    """Let workers do `slabs`, and say of each when it is done, in whatever order.
+    """Let workers compute `slabs`, and call `done` for each finished slab, in any order.
 
-    Dask gives the slab of a worker that ends to another one. A slab that has ended several is cut into
-    its items, which go one at a time: the item that ends workers is an error, the others are done.
+    If a worker dies, Dask gives its slab to another worker. If a slab kills several workers, it is cut into
+    its items, which are computed one at a time. The item that kills workers becomes an error. The other
+    items have their values.
     """
     distributed = _dask()
     mark = uuid.uuid4().hex[:12]
@@ -207,13 +211,13 @@ def _refuse_other_version(version: str) -> None:
 
 
 def _work(packed: bytes, part: bytes, threads: int | None) -> bytes:
-    """One slab, in a worker."""
+    """Compute one slab in a worker."""
     outcomes = work_on(pickle.loads(packed), pickle.loads(part), threads)
     return pickle.dumps((_engine.__version__, _engine.instruction_set(), outcomes), 5)
 
 
 def _packed(function: Callable[[Any], Any], items: Sequence[Any], what: Any) -> bytes:
-    """As bytes that a worker understands which has not the files of this script."""
+    """Return the pickle of a function or items, readable for a worker without the files of this script."""
     import cloudpickle
 
     own = _own_modules(function, items)
@@ -229,7 +233,7 @@ def _packed(function: Callable[[Any], Any], items: Sequence[Any], what: Any) -> 
 
 
 def _own_modules(function: Any, items: Sequence[Any]) -> list[types.ModuleType]:
-    """Modules of the function and of the items that are not installed."""
+    """Return the modules of the function and of the items, without installed modules."""
     while isinstance(function, functools.partial):
         function = function.func
     names = {getattr(function, "__module__", None)} | {type(item).__module__ for item in items[:1]}

@@ -11,12 +11,12 @@ from typing import Any
 
 import numpy
 
-#: What a value may be made of, for messages.
+#: Allowed parts of a value, for messages.
 KINDS = "numbers, arrays, text or lists and dicts of them, such as .data"
 
 
 class NoData(TypeError):
-    """A value that is more than data."""
+    """Error: a value is more than data."""
 
 
 def encode(value: Any) -> bytes:
@@ -25,7 +25,7 @@ def encode(value: Any) -> bytes:
     Raises
     ------
     NoData
-        Where a part of it is neither a number, text, bytes or an array of them nor a list, tuple, set or dict.
+        A part of the value is something other than a number, a text, bytes, an array of these, a list, tuple, set or dict.
     """
     arrays: list[numpy.ndarray] = []
     try:
@@ -38,12 +38,12 @@ def encode(value: Any) -> bytes:
 
 
 def decode(content: bytes) -> Any:
-    """Return the value of `encode`.
+    """Return the value of bytes written by `encode`.
 
     Raises
     ------
     ValueError
-        For any other bytes.
+        Other bytes.
     """
     line, _, rest = content.partition(b"\n")
     try:
@@ -53,7 +53,7 @@ def decode(content: bytes) -> Any:
 
 
 def _plain(value: Any, arrays: list[numpy.ndarray]) -> Any:
-    """The value as JSON has it. A list stands for itself, all else that JSON lacks behind its kind."""
+    """Return a value as JSON. A list is a list. A type that JSON lacks is a dict with the name of the type."""
     kind = type(value)
     if value is None or kind in (bool, int, float, str):
         return value

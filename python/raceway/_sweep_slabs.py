@@ -1,4 +1,4 @@
-"""What a sweep does with one item after the other, and the files in which it keeps that."""
+"""Work of a sweep on its items, one after the other, and the files of its slabs."""
 
 from __future__ import annotations
 
@@ -36,16 +36,16 @@ _LONGEST_HEADER = 65536
 
 @dataclasses.dataclass(frozen=True)
 class Outcome:
-    """Outcome of one item: its value, packed, or its exception; and its doubts."""
+    """Outcome of one item: its pickled value or its exception, and its doubts."""
 
-    value: bytes | None  #: a pickle, for the processes of one sweep alone; slabs on disk hold data
+    value: bytes | None  #: pickle, only for the processes of one sweep; slabs on disk contain data
     error: tuple[str, str, str] | None  #: kind, message, traceback
     doubts: tuple[str, ...]
 
 
 @dataclasses.dataclass(frozen=True)
 class Slab:
-    """Part `number` of `of`, from 1: items `first` to `last`, without that one."""
+    """Part `number` of `of` parts, counted from 1: the items from `first` to before `last`."""
 
     number: int
     of: int
@@ -57,7 +57,7 @@ class Slab:
 
 
 def cut(items: int, of: int) -> list[Slab]:
-    """Slabs of as many items each as can be, one more in some."""
+    """Return slabs of equal size; some have one item more."""
     return [Slab(k + 1, of, items * k // of, items * (k + 1) // of) for k in range(of)]
 
 
@@ -80,7 +80,7 @@ def _limited(threads: int | None) -> Iterator[None]:
 def work_on(
     function: Callable[[Any], Any], items: Sequence[Any], threads: int | None, after_each: Callable[[int], None] | None = None
 ) -> list[Outcome]:
-    """Ask `function` of each item; what one of them raises is that item's. Items of a process wait for each other."""
+    """Call `function` for each item. An exception belongs to its item. Items in one process are computed one at a time."""
     outcomes: list[Outcome] = []
     with _one_at_a_time, _limited(threads):
         for item in items:
@@ -112,7 +112,7 @@ def _one(function: Callable[[Any], Any], item: Any) -> Outcome:
 
 
 def input_of(function: Callable[[Any], Any], names: Sequence[str], items: Sequence[Any]) -> str:
-    """A number for what a sweep is made from: the function, the names and the items, as hexadecimal text."""
+    """Return a fingerprint of the input of a sweep: function, names and items, as hexadecimal text."""
     hash_ = hashlib.sha256()
     _feed(hash_, function)
     for name, item in zip(names, items, strict=True):
@@ -188,7 +188,7 @@ def _feed(hash_: Any, value: Any) -> None:
 
 
 def _feed_function(hash_: Any, function: types.FunctionType, seen: set[types.FunctionType]) -> None:
-    """Its code, its defaults, what it has caught, and the functions and numbers of its module that it names."""
+    """Hash a function: its code, defaults and closure, and the functions and values of its module that it uses."""
     if function in seen:
         return
     seen.add(function)
@@ -220,7 +220,7 @@ def path_of(folder: str | os.PathLike[str], slab: Slab) -> pathlib.Path:
 
 
 def storable(outcomes: Sequence[Outcome]) -> list[Outcome]:
-    """Outcomes as a slab on disk holds them: a value that is more than data is an error of its item."""
+    """Return the outcomes for a slab on disk. A value that is more than data becomes an error of its item."""
     return [_storable(outcome) for outcome in outcomes]
 
 
@@ -236,7 +236,7 @@ def _storable(outcome: Outcome) -> Outcome:
 
 
 def write_slab(folder: str | os.PathLike[str], slab: Slab, made_from: str, names: Sequence[str], outcomes: Sequence[Outcome], items: int) -> None:
-    """All of the file at once or nothing: it is written under another name and then renamed."""
+    """Write the file completely or not at all: write it under another name, then rename it."""
     parts = [(None if o.value is None else pickle.loads(o.value), o.error, o.doubts) for o in outcomes]
     content = encode((list(names), parts))
     header = {
@@ -264,7 +264,7 @@ def write_slab(folder: str | os.PathLike[str], slab: Slab, made_from: str, names
 
 @dataclasses.dataclass(frozen=True)
 class SlabFile:
-    """A slab as it stands on disk."""
+    """Slab on disk."""
 
     path: pathlib.Path
     header: dict[str, Any]
@@ -273,7 +273,7 @@ class SlabFile:
 
 
 class CutOff(InputError):
-    """A file that ends too early or was changed."""
+    """Error: a file ends too early or was changed."""
 
 
 def _header(path: pathlib.Path, first: bytes) -> dict[str, Any]:
@@ -299,7 +299,7 @@ def read_header(path: pathlib.Path) -> dict[str, Any]:
 
 
 def read_slab(path: pathlib.Path) -> SlabFile:
-    """Read a slab from any source. It may hold data only; anything else is refused."""
+    """Read a slab from any source. Anything but data is refused."""
     with open(path, "rb") as file:
         header = _header(path, file.readline(_LONGEST_HEADER))
         content = file.read()
@@ -343,7 +343,7 @@ def refuse_other_cut(path: pathlib.Path, header: Mapping[str, Any], of: int) -> 
 
 
 def slabs_there(folder: str | os.PathLike[str], made_from: str, items: int) -> dict[int, SlabFile]:
-    """Slabs of this input by their numbers; slabs of another input are refused, cut ones are made again."""
+    """Return the slabs of this input by number. Slabs of another input are refused. Cut-off slabs are computed again."""
     there = {}
     for path in slab_files(folder):
         try:
@@ -357,7 +357,7 @@ def slabs_there(folder: str | os.PathLike[str], made_from: str, items: int) -> d
 
 
 def read_all(folder: str | os.PathLike[str]) -> list[SlabFile]:
-    """All slabs of a folder in their order, complete and of one input.
+    """Return all slabs of a folder in order, checked to be complete and from one input.
 
     Raises
     ------

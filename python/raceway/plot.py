@@ -1,7 +1,7 @@
 """Pictures of results for papers, as matplotlib axes with quantities and units.
 
-Every function takes ``ax=None`` and returns the Axes it drew into. Without ``ax`` it makes a new figure of
-pyplot, which a notebook shows. ``ax.figure.savefig("name.pdf")`` writes the figure. Curves differ in
+Every function has an argument ``ax`` and returns the Axes of the picture. Without ``ax`` it makes a new figure
+of pyplot, which a notebook shows. ``ax.figure.savefig("name.pdf")`` writes the figure. Curves differ in
 line style and marker, not only in colour. Figures have no titles.
 """
 
@@ -24,7 +24,7 @@ from ._plot_spindle import spindle_run
 
 __all__ = ["campbell", "contact_angles", "ladder", "record", "residuals", "spindle_run", "stribeck"]
 
-NEAR = 0.1  # a reading belongs to the curve of a value within this share of it
+NEAR = 0.1  # a reading belongs to a curve if its setting is within this share of the curve's value
 
 
 def _columns(by: str | Sequence[str] | None) -> list[str]:
@@ -36,33 +36,33 @@ def _legend_title(by: list[str]) -> str:
 
 
 def stribeck(table: Any, *, by: str | Sequence[str] | None = "axial_load_N", measured: Any = None, ax: Axes | None = None) -> Axes:
-    """Friction torque over speed, a curve for each load.
+    """Draw friction torque over speed, with a curve for each load.
 
     Parameters
     ----------
     table : Table or DataFrame
         One row per operating point: ``speed_rpm`` [rpm], ``friction_torque_Nmm`` [N mm], settings.
-        A ``friction_torque_band_Nmm`` [N mm], half the width of a 95 % band, is drawn around it.
-        Points without result leave a gap.
+        A column ``friction_torque_band_Nmm`` [N mm], half the width of a 95 % band, is drawn around the
+        curve. Points without a result leave a gap.
     by : str or sequence of str, optional
-        Setting, or settings, with a curve for each value; None for one curve of all rows.
+        One or several settings with a curve for each value. None: one curve of all rows.
     measured : record or DataFrame, optional
-        Readings to draw as marks without line. Those within 10 % of the value of a curve have the
-        mark of that curve, others a cross.
+        Readings, drawn as marks without a line. A reading within 10 % of the setting of a curve has the mark
+        of this curve. Other readings have a cross.
     ax : matplotlib.axes.Axes, optional
-        Where to draw; default a new figure.
+        Axes for the picture. The default is a new figure.
 
     Returns
     -------
     matplotlib.axes.Axes
-        ``lines`` are the curves by rising value, then the readings of each.
+        ``lines`` are the curves by rising value, then the readings of each curve.
 
     Raises
     ------
     TypeError
-        Not a table, such as a list of them.
+        `table` is no table, such as a list of tables.
     ValueError
-        No rows, no such column, nothing converged, or another setting varies too.
+        There are no rows, a column is missing, no point has a torque, or another setting varies.
 
     Examples
     --------
@@ -146,31 +146,31 @@ def _readings(ax: Axes, readings: pd.DataFrame, by: list[str], curves: list[tupl
 
 
 def contact_angles(table: Any, *, by: str | Sequence[str] | None = None, ax: Axes | None = None) -> Axes:
-    """Contact angles at the inner and the outer race over speed.
+    """Draw contact angles at the inner and the outer race over speed.
 
     Parameters
     ----------
     table : Table, Displacement or DataFrame
-        Of a Table the angles of all balls lie in a band from ``inner_contact_angle_min_deg`` to
-        ``..._max_deg`` [deg]; of a shaft every bearing has one,
-        ``front_1_inner_contact_angle_deg``, and bearings that have the same share a curve.
+        In a Table the angles of all balls lie in a band from ``inner_contact_angle_min_deg`` to
+        ``..._max_deg`` [deg]. On a shaft every bearing has one angle,
+        ``front_1_inner_contact_angle_deg``. Bearings with equal angles share a curve.
     by : str or sequence of str, optional
-        Setting of a Table with a pair of curves for each value; default the axial load where it
+        Setting of a Table with a pair of curves for each value. The default is the axial load if it
         varies. Not for a shaft.
     ax : matplotlib.axes.Axes, optional
-        Where to draw; default a new figure.
+        Axes for the picture. The default is a new figure.
 
     Returns
     -------
     matplotlib.axes.Axes
-        Inner races solid, outer races dashed, each with its least angle before its largest.
+        Inner races have solid lines, outer races dashed lines. The smallest angle comes before the largest.
 
     Raises
     ------
     TypeError
-        Neither a table nor a displacement.
+        `table` is no table and no displacement.
     ValueError
-        No rows, no such column, or another setting varies too.
+        There are no rows, a column is missing, or another setting varies.
 
     Examples
     --------
@@ -225,7 +225,7 @@ def _race_lines(ax: Axes, speed: np.ndarray, inner: np.ndarray, outer: np.ndarra
 
 
 def _bearing_curves(ax: Axes, frame: pd.DataFrame, places: list[str]) -> list[str]:
-    """A pair of curves for every set of bearings that have the same angles."""
+    """Draw a pair of curves for every group of bearings with equal angles, and return the names of the groups."""
     caller = "contact_angles()"
     speed = draw.numbers(frame, "speed_rpm", caller)
     alike: list[tuple[list[str], np.ndarray]] = []
@@ -244,7 +244,7 @@ def _bearing_curves(ax: Axes, frame: pd.DataFrame, places: list[str]) -> list[st
 
 
 def _table_curves(ax: Axes, frame: pd.DataFrame, by: list[str]) -> list[str]:
-    """Band between least and largest angle of each value of the settings, a line where equal."""
+    """Draw a band from the smallest to the largest angle for each value of the settings, a line if they are equal."""
     caller = "contact_angles()"
     names = []
     for i, (values, rows) in enumerate(draw.groups_by(frame, by)):
@@ -261,7 +261,7 @@ def _table_curves(ax: Axes, frame: pd.DataFrame, by: list[str]) -> list[str]:
 
 
 def _race_legend(ax: Axes, own: bool, names: list[str], title: str | None) -> None:
-    """Races by line style, the rest by marker: half the entries of a legend of all curves."""
+    """Place a legend with races by line style and all else by marker. It has half the entries of a legend of all curves."""
     ink = mpl.rcParams["text.color"]
     races = [Line2D([], [], color=ink, linestyle="-", label="inner race"), Line2D([], [], color=ink, linestyle="--", label="outer race")]
     marks = [
@@ -275,26 +275,27 @@ def _race_legend(ax: Axes, own: bool, names: list[str], title: str | None) -> No
 
 
 def campbell(modes: Any, *, ax: Axes | None = None) -> Axes:
-    """Natural frequencies of the shaft over speed, with the line of one excitation per turn.
+    """Draw the natural frequencies of the shaft over speed, with the line of one excitation per turn.
 
     Parameters
     ----------
     modes : Modes
-        Its document has ``rows`` with ``speed_rpm`` [rpm] and ``modes`` with ``frequency_Hz`` [Hz]
-        and ``whirl``: backward, forward, or standing as at standstill.
+        The document has ``rows`` with ``speed_rpm`` [rpm] and ``modes`` with ``frequency_Hz`` [Hz]
+        and ``whirl``: backward, forward, or standing (as at standstill).
     ax : matplotlib.axes.Axes, optional
-        Where to draw; default a new figure.
+        Axes for the picture. The default is a new figure.
 
     Returns
     -------
     matplotlib.axes.Axes
-        Forward whirl solid, backward dashed, standing modes dotted. Modes of one whirl are joined
-        by rank: the first with the first at every speed. ``lines[-1]`` is the line 1×.
+        Forward whirl has solid lines, backward whirl dashed and standing modes dotted lines. A line joins
+        the first modes of one whirl at all speeds, the next line the second modes. ``lines[-1]`` is the
+        line 1×.
 
     Raises
     ------
     TypeError
-        Not Modes.
+        `modes` has another type.
     ValueError
         No speed has modes.
 
@@ -317,7 +318,7 @@ def campbell(modes: Any, *, ax: Axes | None = None) -> Axes:
         raise ValueError(f"{caller}: no speed has modes: see the report of its rows")
     ax, own = draw.axes_for(ax, caller)
     speeds = np.array([row["speed_rpm"] for row in rows])
-    # Backward last, its dashes on the line of the forward mode where the two are close.
+    # Backward whirl after forward whirl: where both are close, its dashes are visible on the solid line.
     looks = {"forward": ("-", "#0072B2", "forward whirl"), "backward": ("--", "#D55E00", "backward whirl"), "standing": (":", "#009E73", "standing")}
     for whirl, (line, colour, words) in looks.items():
         for i, branch in enumerate(_branches(rows, whirl)):
@@ -333,7 +334,7 @@ def campbell(modes: Any, *, ax: Axes | None = None) -> Axes:
                 label=words if i == 0 else None,
             )
     top = ax.get_ylim()[1]
-    # A speed of its own to draw to, where there is only one.
+    # The line 1× needs a length also if the only speed is 0.
     end = speeds[-1] if speeds[-1] > 0.0 else 1000.0
     ax.plot([0.0, end], [0.0, end / 60.0], color=mpl.rcParams["text.color"], linewidth=0.9, label="1×")
     ax.set_ylim(0.0, max(top, 1.05 * end / 60.0))
@@ -345,9 +346,9 @@ def campbell(modes: Any, *, ax: Axes | None = None) -> Axes:
 
 
 def _branches(rows: list[dict[str, Any]], whirl: str) -> list[np.ndarray]:
-    """Frequencies of the first, second ... mode of this whirl at every speed, NaN where it lacks.
+    """Return the frequencies of the first, second, ... mode of this whirl at every speed; NaN for a missing mode.
 
-    At standstill, modes come in pairs: the lower one of a pair starts the backward branch.
+    At standstill, modes come in pairs. The lower mode of a pair starts the backward branch.
     """
     found = []
     for row in rows:

@@ -1,8 +1,9 @@
-"""Many items, one after the other or over many machines: a fleet of corrections, samples of a model.
+"""Sweeps over many items, in this process or on many machines: a fleet of corrections, samples of a model.
 
-One function computes the value of each item, which does not depend on the worker. So a sweep over
+One function computes the value of each item. The value does not depend on the worker, so a sweep over
 the workers of Dask or the tasks of Slurm equals the serial sweep to the last bit. If an item raises an
-exception, the sweep keeps it with the name of the item and continues. docs/scale.md describes both ways and their cost.
+exception, the sweep keeps the exception with the name of the item and continues. docs/scale.md describes
+both ways and their cost.
 
 >>> import raceway
 >>> from raceway import sweep
@@ -64,7 +65,7 @@ class Failure:
         Class of the error, such as ``"InputError"``.
     message : str
     traceback : str
-        Where it was raised, as Python prints it.
+        Traceback of the exception, as Python prints it.
     """
 
     name: str
@@ -78,7 +79,7 @@ class Failure:
 
 @dataclass(frozen=True)
 class ItemDoubt:
-    """A warning that an item gave."""
+    """Warning of an item."""
 
     name: str
     message: str
@@ -88,15 +89,15 @@ class ItemDoubt:
 
 
 class Sweep(Mapping[str, Any]):
-    """Outcome of every item, by its name and in the order of the items.
+    """Outcomes of all items, by name and in the order of the items.
 
-    ``sweep[name]`` raises an error for an item that failed, and `values` has None for it.
+    ``sweep[name]`` raises an error for an item that failed. `values` has None for this item.
 
     Attributes
     ----------
     names : list of str
     failures : list of Failure
-        Items that raised an exception, in their order.
+        Items that raised an exception, in the order of the items.
     doubts : list of ItemDoubt
         Warnings in the order of the items.
     """
@@ -110,11 +111,11 @@ class Sweep(Mapping[str, Any]):
         self.doubts = [ItemDoubt(n, text) for n, o in zip(self.names, outcomes, strict=True) for text in o.doubts]
 
     def values(self) -> list[Any]:  # type: ignore[override]
-        """Return the values in the order of the items, None for those that failed."""
+        """Return the values in the order of the items, None for an item that failed."""
         return list(self._values)
 
     def items(self) -> list[tuple[str, Any]]:  # type: ignore[override]
-        """Return pairs of name and value, None for those that failed."""
+        """Return pairs of name and value, None for an item that failed."""
         return list(zip(self.names, self._values, strict=True))
 
     def __getitem__(self, name: str) -> Any:
@@ -132,12 +133,12 @@ class Sweep(Mapping[str, Any]):
         return len(self.names)
 
     def rows(self) -> list[dict[str, Any]]:
-        """Return one dict per item: ``name``, the numbers and texts of its value, ``error`` (None without).
+        """Return one dict per item: ``name``, the numbers and texts of its value, and ``error`` (None without an error).
 
         Raises
         ------
         InputError
-            A value is neither a number or text nor a dict of them.
+            A value is no number, no text and no dict of numbers and texts.
         """
         rows = []
         for name, value in self.items():
@@ -173,40 +174,43 @@ def run(
     threads: int | None = None,
     progress: Callable[[float, str], None] | None = None,
 ) -> Sweep:
-    """Call `function` for every item.
+    """Call a function for every item.
 
     Parameters
     ----------
     function : callable
         Function of one item that returns numbers, arrays, text, or lists and dicts of them. It must return
-        the same value for the same item, so a random number needs a seed from the item.
+        the same value for the same item, so take the seed of random numbers from the item.
     items : iterable, or mapping of names to items
         Anything that can be pickled: models, corrections, records, numbers, paths.
     names : iterable of str, optional
         Names of the items, all different. The default is ``"1"``, ``"2"``, ...
     client : distributed.Client or str, optional
-        Workers of Dask (`workers` makes some), or the address of their scheduler
-        (``"tcp://10.0.0.1:8786"``). Without it the sweep runs in this process. Each worker process works on one item at a time: one process per core is best.
+        Workers of Dask (`workers` starts them), or the address of their scheduler
+        (``"tcp://10.0.0.1:8786"``). Without a client the sweep runs in this process. A worker process computes
+        one item at a time, so start one process per core.
     folder : path, optional
-        Folder that keeps every finished slab as data: numbers, arrays, text, or
-        lists and dicts of them. A repeated sweep begins with the finished parts, also after KeyboardInterrupt or a power cut.
+        Folder that stores every finished slab as data: numbers, arrays, text, or lists and dicts of them.
+        A repeated sweep continues with the missing slabs, also after KeyboardInterrupt or a power cut.
     slabs : int, optional
-        Number of parts, each of which goes to one worker and one file. By default it is the number in `folder`,
-        else 32, or 8 for each of more than four workers, and no more than the items.
+        Number of parts. Each part goes to one worker and one file. The default is the number in `folder`. In a
+        new folder it is 32, or 8 per worker if there are more than four workers, but at most one part per item.
     threads : int, optional
         Cores for one item. The default is all cores in this process, and 1 in a worker of Dask.
     progress : callable, optional
-        Function that is called with the finished share and a few words, after each slab (in this process: item).
+        Function of the finished share and a few words. It is called after each slab, or after each item without
+        `client`.
 
     Returns
     -------
     Sweep
-        Outcomes in the order of the items. A `raceway.Doubt` says how many failed or are doubtful.
+        Outcomes in the order of the items. A `raceway.Doubt` gives the number of items that failed or made
+        warnings.
 
     Raises
     ------
     InputError
-        The folder has slabs of another input, or the address has no scheduler or another version.
+        The folder has slabs of another input, no scheduler answers at the address, or a worker has another version.
     ImportError
         `client` is given, but Dask is not installed.
     KeyboardInterrupt
@@ -290,22 +294,22 @@ def solve(
     threads: int | None = None,
     progress: Callable[[float, str], None] | None = None,
 ) -> Solution:
-    """Solve any number of states in slabs, with the numbers of `raceway.Model.solve` to the last bit.
+    """Solve any number of states in slabs. The results equal `raceway.Model.solve` to the last bit.
 
     Parameters
     ----------
     model : raceway.Model
     speed_rpm, axial_load_N, radial_load_N, temperature_C, moment_y_Nmm, moment_z_Nmm, columns
-        As `raceway.Model.solve` takes them.
+        See `raceway.Model.solve`.
     states : int
-        Number of states of one slab. No result depends on it.
+        Number of states in one slab. No result depends on it.
     client, folder, threads, progress
-        As `run` takes them.
+        See `run`.
 
     Raises
     ------
     InputError
-        The errors of `raceway.Model.solve`. A place counts within its slab.
+        The errors of `raceway.Model.solve`. The index in a message counts within the slab.
 
     Examples
     --------
@@ -354,13 +358,13 @@ def solve(
 
 
 def _fields(note: Note) -> list[str | int | None]:
-    """A note as plain data, in the order in which one is made; a folder of slabs holds no other."""
+    """Return a note as plain data, in the order of the arguments of `Note`. A folder of slabs stores plain data only."""
     return [str(note), note.kind, note.code, note.file, note.line, note.key]
 
 
 @dataclass(frozen=True)
 class _States:
-    """A slab of states, asked of a model."""
+    """Function that solves one slab of states with a model."""
 
     model: Model
     columns: tuple[str, ...]
@@ -372,19 +376,19 @@ class _States:
 
 @contextlib.contextmanager
 def workers(count: int | None = None, *, dashboard: bool = False) -> Iterator[Any]:
-    """Worker processes of Dask on this computer, for `client` of `run` and `solve`. They end with the block.
+    """Start worker processes of Dask on this computer, for `client` of `run` and `solve`. They end with the block.
 
-    Put the script behind ``if __name__ == "__main__":``, because each worker reads it.
-    The processes listen on the loopback interface only, accept work from this process only (TLS with their
-    own keys) and keep their files in a private folder.
+    Put the code of the script below ``if __name__ == "__main__":``, because each worker imports the script.
+    The processes listen on the loopback interface only. They accept work from this process only (TLS with
+    their own keys). Their files are in a private folder.
 
     Parameters
     ----------
     count : int, optional
         Number of workers. The default is the number of cores of this process.
     dashboard : bool
-        Show the pages of the scheduler at ``client.dashboard_link``. Other users of this computer
-        can read them.
+        True: show the pages of the scheduler at ``client.dashboard_link``. Other users of this computer
+        can read these pages.
 
     Raises
     ------
@@ -412,7 +416,7 @@ def load(folder: str | os.PathLike[str]) -> Sweep:
     Raises
     ------
     InputError
-        A slab is missing, double, cut off or from another input, or contains more than data.
+        A slab is missing, exists twice, is cut off, is from another input, or contains more than data.
     """
     slabs = read_all(folder)
     return Sweep([n for slab in slabs for n in slab.names], [o for slab in slabs for o in slab.outcomes])
@@ -446,7 +450,7 @@ def _number_of_slabs(slabs: int, items: int) -> int:
 
 
 def _said(found: Sweep) -> Sweep:
-    """Notes that a sweep of many items gives once for all of them."""
+    """Warn once about all failed items and once about all warnings, and return the sweep."""
     lists: list[tuple[str, str, Sequence[Failure | ItemDoubt]]] = [("failed", "failures", found.failures), ("made warnings", "doubts", found.doubts)]
     for kind, where, which in lists:
         if which:
