@@ -341,8 +341,8 @@ template <Rotation rotation, typename T>
   return b;
 }
 
-/// Balance under the race control of the constants, or under a given rotation; `moment_arm_ratio` =
-/// f_i D / R_i [1].
+/// Returns the imbalance and the forces of a ball under the race control of the constants, or under
+/// a given rotation. `moment_arm_ratio` = f_i D / R_i [1].
 [[nodiscard]] inline BallBalance ball_balance(const BallConstants& c, Plane groove_centre,
                                               Plane ball_centre, double moment_arm_ratio,
                                               InnerContact contact = InnerContact::automatic,

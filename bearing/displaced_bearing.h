@@ -13,7 +13,7 @@ namespace raceway::bearing {
 /// and ring states; each solve starts from the previous one. Keeps a reference to the bearing.
 ///
 /// Domain:   speed >= 0; grooves that a shift has moved, see RingShift.
-/// Accuracy: `options.tolerance` on the balance of each ball, relative to the forces on it.
+/// Accuracy: `options.tolerance` on the imbalance of each ball, relative to the forces on it.
 ///           Physically as solve_bearing_equilibrium(). An angular-contact bearing with separated
 ///           rings has no contacts, as in solve_arrangement().
 class DisplacedBearing {
@@ -26,7 +26,7 @@ class DisplacedBearing {
   /// Solves the balls at this displacement of the inner ring, defined as in BearingEquilibrium; the
   /// shift is added. False if a ball has no equilibrium; force and stiffness are then not valid.
   [[nodiscard]] bool hold(const Vector5& displacement);
-  /// Forces on the ring that balance its balls: F_x, F_y, F_z [N], M_y, M_z [N m].
+  /// Forces applied to the ring, in equilibrium with its balls: F_x, F_y, F_z [N], M_y, M_z [N m].
   [[nodiscard]] const Vector5& force() const { return force_; }
   /// ∂force/∂displacement with the balls in equilibrium.
   [[nodiscard]] const Matrix5& stiffness() const { return stiffness_; }

@@ -23,8 +23,8 @@ T cage_speed_ratio(RaceControl control, const T& cos_inner, const T& cos_outer,
   return (cos_difference - g * cos_outer) / (1.0 + cos_difference);
 }
 
-/// Rotation of a ball from its friction balance instead of race control: its orbital speed and the
-/// frictions in its plane.
+/// Rotation of a ball from its friction equilibrium instead of race control: its orbital speed and
+/// the frictions in its plane.
 ///
 ///   m = p/(p + q) + m_c,   p = (1 - g cos αi) cos(αo - β),   q = (1 + g cos αo) cos(αi - β)
 ///   Ti, To = s times those given,   s = x (2 - x),   x = Qi/(load at which they were found) <= 1
@@ -110,7 +110,7 @@ struct BallRotation {
   return p / (p + q);
 }
 
-/// Rotation of a ball from a friction balance: it rolls about its axis, and the cage creeps.
+/// Rotation of a ball from a friction equilibrium: it rolls about its axis, and the cage creeps.
 [[nodiscard]] inline BallRotation ball_rotation(const GivenRotation& given,
                                                 double inner_contact_angle,
                                                 double outer_contact_angle, double diameter_ratio,

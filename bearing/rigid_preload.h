@@ -14,8 +14,8 @@ namespace raceway::bearing {
 /// thrust at speed exceeds P.
 ///
 /// preload > 0 and load >= 0 [N], speed in rad/s. All rings have one temperature. The
-/// displacements are those of thrust_start.h: the result is right to 1e-3 of the preload. It is NaN
-/// where a bearing has no balance.
+/// displacements come from thrust_start.h, so the result is right to 1e-3 of the preload. It is NaN
+/// if a bearing has no equilibrium.
 [[nodiscard]] double relieved_thrust(const Bearing& bearing, double preload, double load,
                                      double speed);
 

@@ -14,8 +14,8 @@
 // fits all components.
 namespace raceway::bearing {
 
-/// Model of a ball: two springs in line, or the balance of an orbiting ball under race control or
-/// with a given rotation.
+/// Model of a ball: two springs in line, or the equilibrium of an orbiting ball under race control
+/// or with a given rotation.
 enum class BallModel { at_rest, outer_control, inner_control, given_rotation };
 
 /// Ring coordinates that are unknowns, among x, y, z, θy, θz.
@@ -287,7 +287,7 @@ void complete(const BallCircle& circle, RingSums<AllCoordinates, T>& sums) {
 /// a thousandth of it. Self-check of every solve.
 inline constexpr double largest_load_error = 1e-8;
 
-/// Result of a ring in balance.
+/// Result of a ring in equilibrium.
 template <typename T>
 struct RingReport {
   T stiffness[5][5];  ///< [N/m]

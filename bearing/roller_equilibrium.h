@@ -50,7 +50,7 @@ struct RollerEquilibrium {
   /// Tangent stiffness ∂load/∂displacement with the rollers in equilibrium. Symmetric.
   Matrix4 stiffness = Matrix4::Constant(unset);
   std::vector<LoadedRoller> rollers;
-  double clearance = unset;          ///< s of this balance [m]
+  double clearance = unset;          ///< s of this equilibrium [m]
   double centrifugal_force = unset;  ///< force on one roller [N]
   /// ∂(Σ Qi)/∂s, and of Σ Qo alike, where forces and tilt of the ring stay as they are: what a
   /// clearance takes from the rollers, below zero [N/m].
@@ -117,7 +117,8 @@ class DisplacedRollerBearing {
   void set_clearance(double clearance);
   /// False if the rollers have no equilibrium; force and stiffness are then not valid.
   [[nodiscard]] bool hold(const Vector5& displacement);
-  /// Forces on the ring that balance its rollers: F_x = 0, F_y, F_z [N], M_y, M_z [N m].
+  /// Forces applied to the ring, in equilibrium with its rollers: F_x = 0, F_y, F_z [N], M_y, M_z
+  /// [N m].
   [[nodiscard]] const Vector5& force() const { return force_; }
   /// ∂force/∂displacement with the rollers in equilibrium.
   [[nodiscard]] const Matrix5& stiffness() const { return stiffness_; }

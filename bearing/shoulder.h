@@ -25,8 +25,9 @@ namespace raceway::bearing {
 /// shoulder cuts the ellipse off, and its edge carries more than Hertz says.
 /// Source:   static ellipse against land height as in [Harris2006, vol. 1], from memory, print not
 ///           seen.
-/// Domain:   a balance; for α0 = 0 (deep groove, two shoulders) |α|, else α: there is no shoulder
-///           beyond the bottom of the groove. NaN without a shoulder, or where no ball touches.
+/// Domain:   an equilibrium. α is |α| for α0 = 0 (deep groove, two shoulders); otherwise there is
+///           no shoulder beyond the bottom of the groove. NaN without a shoulder, or if no ball
+///           touches.
 /// Accuracy: the shoulder has a sharp edge here; a real one is rounded over a tenth of a millimetre
 ///           or so, some 1 deg.
 struct ShoulderMargins {
@@ -38,7 +39,7 @@ struct ShoulderMargins {
                                                const BearingEquilibrium& equilibrium);
 
 /// Pure axial load at standstill under which the ellipse of a race reaches the edge of its shoulder
-/// [N], by the balance of the bearing at each load.
+/// [N], by the equilibrium of the bearing at each load.
 ///
 /// Domain:   NaN without a shoulder; 0 where the edge lies below the nominal contact already;
 ///           infinite where nothing up to 1e8 N reaches it.

@@ -85,7 +85,7 @@ inline constexpr SensorCard<1> torque_time_drift{
     .settled_by = "the first points once more at the end"};
 
 /// Eddy-current transducers drift by 0.02 to 0.05 % of full scale per kelvin [lit], 1 to 5 um per
-/// 10 K at 1 mm. Ring temperatures act through the balance of the sets, not through this.
+/// 10 K at 1 mm. Ring temperatures act through the equilibrium of the sets, not through this.
 inline constexpr SensorCard<3> displacement_temperature_drift{
     .channel = record::axial_displacement,
     .id = "displacement-temperature-drift",

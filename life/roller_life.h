@@ -48,7 +48,7 @@ struct RollerRatings {
 /// q_i: mean over the rollers with exponent 4 (the inner ring turns), q_e with 4.5; each slice
 /// times its edge_factor() where `edges`.
 /// Source:   [ISO16281].
-/// Domain:   a balance, else NaN; infinite where nothing is loaded.
+/// Domain:   an equilibrium, else NaN; infinite if nothing is loaded.
 /// Trap:     without a profile it hangs on the number of slices, through the edges. L10r is not
 ///           (C/F_r)^(10/3): at C/F_r = 20.7 it is 3.3 times longer with the profile.
 [[nodiscard]] double reference_life(const RollerRatings& ratings,

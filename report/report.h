@@ -68,7 +68,7 @@ struct LawOfReport {
   std::string statement;  ///< fit quality of the law, or the reason for no fit
 };
 
-/// `warnings`: texts of the command on the bearings, on speeds without balance and on exceeded
+/// `warnings`: texts of the command on the bearings, on speeds without equilibrium and on exceeded
 /// limits, which `findings` has as data.
 [[nodiscard]] std::string displacement_report(
     const std::string& model_file, const model::Model& model,

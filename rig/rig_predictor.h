@@ -11,15 +11,15 @@
 
 namespace raceway::rig {
 
-/// Balances of the rows of a record for the original model. They are solved at the first request
+/// Equilibria of the rows of a record for the original model. They are solved at the first request
 /// and then shared.
 class EnteredBalances {
  public:
   EnteredBalances(const model::Model& model, const record::Record& record);
-  /// Returns the balances by row; empty if the operating points differ. Several threads may call it
-  /// at once.
+  /// Returns the equilibria by row; empty if the operating points differ. Several threads may call
+  /// it at once.
   [[nodiscard]] std::span<const model::Balance> of(std::span<const model::Row> rows) const;
-  /// Returns the balances of a bearing with cylindrical rollers, otherwise like of().
+  /// Returns the equilibria of a bearing with cylindrical rollers, otherwise like of().
   [[nodiscard]] std::span<const model::RowPredictor::Rollers> rollers_of(
       std::span<const model::Row> rows) const;
 

@@ -12,7 +12,7 @@ class RigSubject : public model::ModelSubject {
 
   [[nodiscard]] std::vector<fit::Measured> measured() const override;
   void require(const fit::Record& record) const override;
-  /// Returns the balances of the original model, with which all predictors of ball-based effects
+  /// Returns the equilibria of the original model, with which all predictors of ball-based effects
   /// begin.
   [[nodiscard]] std::shared_ptr<const void> prepare(const fit::Record& record) const override;
   [[nodiscard]] std::unique_ptr<fit::Predictor> predictor(

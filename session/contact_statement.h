@@ -15,11 +15,11 @@ namespace raceway::session {
 
 /// Explains why balls of another material change the torque of the contact law. The comparison is
 /// the same bearing with steel balls at the same point. The text is empty for steel balls, for
-/// other laws, and at points without balance.
+/// other laws, and at points without equilibrium.
 [[nodiscard]] std::string balls_statement(const model::Model& model,
                                           const bearing::OperatingPoint& point);
 
-/// Returns notes on a bearing in balance, one line each: a load below which balls may skid, a
+/// Returns notes on a bearing in equilibrium, one line each: a load below which balls may skid, a
 /// gyroscopic moment that friction cannot balance, and a life outside the standard.
 [[nodiscard]] std::vector<std::string> notes_on_state(const model::Model& model,
                                                       const bearing::Bearing& bearing,

@@ -14,7 +14,7 @@ namespace raceway::session {
 /// Results for one bearing at one operating point.
 struct PointAnswer {
   bearing::SolveStatus status = bearing::SolveStatus::not_run;
-  /// Friction results. Like all results, they are unset if the point has no balance.
+  /// Friction results. Like all results, they are unset if the point has no equilibrium.
   model::FrictionPrediction friction{};
   /// Ball equilibrium with a report on how the solve ended. The equilibrium of cylindrical rollers
   /// is in `friction`.
@@ -25,15 +25,14 @@ struct PointAnswer {
   [[nodiscard]] bool converged() const { return status == bearing::SolveStatus::converged; }
 };
 
-/// Explains a point without balance: either no equilibrium exists for certain, or the solver found
-/// none.
+/// Explains a point without equilibrium: either none exists for certain, or the solver found none.
 [[nodiscard]] std::string words_of_absence(const bearing::SolveReport& report,
                                            const bearing::OperatingPoint& point);
 
 [[nodiscard]] PointAnswer solve_point(const model::Model& model,
                                       const bearing::OperatingPoint& point);
 
-/// Returns the limits that an answer exceeds; none without balance.
+/// Returns the limits that an answer exceeds; none without equilibrium.
 [[nodiscard]] model::Findings judge(const model::Model& model, const bearing::OperatingPoint& point,
                                     const PointAnswer& answer);
 

@@ -15,7 +15,7 @@ namespace raceway::session {
 [[nodiscard]] std::string name_of(const spindle::StepResponse& step);
 
 /// Returns the friction loss of all bearings of a shaft [W] at a speed and a temperature [C]. NaN
-/// means the temperature of the rig. Throws std::invalid_argument if the point has no balance.
+/// means the temperature of the rig. Throws std::invalid_argument if the point has no equilibrium.
 [[nodiscard]] double friction_power(const model::Model& model, double speed, double temperature);
 
 /// Returns the displacement by the bearing sets alone at a speed [m].

@@ -59,8 +59,8 @@ struct TableAnswer {
                                      const std::function<void(double)>& progress = {},
                                      const std::atomic<bool>* cancelled = nullptr);
 
-/// Describes the points without balance, with the reason and the first point, as lines of text. A
-/// torque without balance is valid if the law needs no balls.
+/// Describes the points without equilibrium, with the reason and the first point, as lines of text.
+/// A torque without equilibrium is valid if the law needs no balls.
 struct TableFailures {
   std::vector<std::string> lines{};
   bool without_torque = false;  ///< true if some points have no value

@@ -9,9 +9,9 @@
 
 namespace raceway::shaft {
 
-/// Solves the balance of the sets on a shaft at the rows of a record, repeatedly with different
-/// parameters of one model. Each row stores its balance as the start for the next one. The balance
-/// is solved again only if the condition of the sets has changed.
+/// Solves the equilibrium of the sets on a shaft at the rows of a record, repeatedly with different
+/// parameters of one model. Each row stores its equilibrium as the start for the next one. The
+/// equilibrium is solved again only if the condition of the sets has changed.
 ///
 /// The axial load of a row is the external load. Without a recorded load, the model gives it.
 /// Recorded values replace values of the model: the preload force at standstill and ring
@@ -25,7 +25,7 @@ class BalancedRows {
     std::optional<bearing::SetTemperatures> temperatures;
     std::vector<effects::Condition> bearings{};  ///< changes by effects, front set first
     bearing::ArrangementEquilibrium equilibrium{};
-    int solved = 0;  ///< number of solved balances
+    int solved = 0;  ///< number of solved equilibria
 
    private:
     friend class BalancedRows;
@@ -48,7 +48,7 @@ class BalancedRows {
 
   /// Mounts the sets of a model. find() then solves the rows, in their order.
   void mount(const Model& model, const Steps& steps);
-  /// Solves a row. Returns false if the sets have no balance or an effect has no value.
+  /// Solves a row. Returns false if the sets have no equilibrium or an effect has no value.
   [[nodiscard]] bool find(const Model& model, const Steps& steps, std::size_t i);
 
  private:
@@ -57,7 +57,7 @@ class BalancedRows {
   std::vector<Row> rows_;
   std::vector<double> preloads_;        // that rows have
   std::vector<ShaftBalance> balances_;  // one for each
-  const Row* last_ = nullptr;           // that was in balance
+  const Row* last_ = nullptr;           // that was in equilibrium
   ShaftCondition wanted_;
 };
 

@@ -24,7 +24,7 @@ struct SetState {
 };
 
 /// Calculates the friction of each bearing in the sets of a shaft. The friction comes from the
-/// balls of the bearing in the balance of the sets, with their share of the load and with rings
+/// balls of the bearing in the equilibrium of the sets, with their share of the load and with rings
 /// that have grown, warmed and shifted. Two parts still treat a bearing on its own:
 ///
 ///   base law   Palmgren's and SKF's formulas use the bearing as entered, its catalogue angle and
@@ -44,8 +44,8 @@ class SetFriction {
   /// Returns the model of one bearing, on a rig with as many bearings as the sets have. Drag on the
   /// rotor therefore counts once.
   [[nodiscard]] const Model& model(std::size_t i) const { return models_[i]; }
-  /// Returns the steps of a bearing. They contain no conditions, because the balance of the sets
-  /// gives them.
+  /// Returns the steps of a bearing. They contain no conditions, because the equilibrium of the
+  /// sets gives them.
   [[nodiscard]] const Steps& steps() const { return steps_; }
   /// Takes the numbers of a model with the same effects.
   void take(const Model& model);

@@ -5,7 +5,7 @@
 namespace raceway::shaft {
 
 /// Subject for sets on a shaft with measured friction torque: the sum over all bearings, each in
-/// the balance of the sets.
+/// the equilibrium of the sets.
 class SetTorqueSubject final : public ShaftSubject {
  public:
   /// Throws std::invalid_argument for a model without a shaft.

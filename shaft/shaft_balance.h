@@ -18,7 +18,7 @@ struct ShaftCondition {
   std::vector<effects::Condition> bearings;  ///< changes by effects, front set first
 };
 
-/// Balances the sets of a shaft, including the changes by effects.
+/// Finds the conditions of the sets of a shaft for their equilibrium, with the changes by effects.
 ///
 /// Effects on balls, fits and mounting act before the shaft first turns. They belong to the mounted
 /// state, in which the sets carry the preload of the model. A preload force keeps its value with

@@ -19,7 +19,8 @@ struct ShaftPoint {
 };
 
 /// Result for a shaft at one point: its position, and the friction of every bearing under its load
-/// in the sets. Values are NaN if the sets have no balance; `equilibrium.report` gives the reason.
+/// in the sets. Values are NaN if the sets have no equilibrium; `equilibrium.report` gives the
+/// reason.
 struct ShaftPrediction {
   bearing::ArrangementEquilibrium equilibrium;
   /// u: shaft position relative to standstill with the same external load, as mounted and at the
@@ -30,19 +31,20 @@ struct ShaftPrediction {
   double torque = unset;                            ///< sum over all bearings [N m]
   double power_loss = unset;                        ///< torque times speed [W]
 
-  /// Returns the status of the point for every command: the status of the balance of the sets. A
-  /// converged balance with position, torques or losses that are not finite gives `not_finite`.
+  /// Returns the status of the point for every command: the status of the equilibrium of the sets.
+  /// A converged equilibrium with position, torques or losses that are not finite gives
+  /// `not_finite`.
   [[nodiscard]] bearing::SolveStatus status() const;
 };
 
 /// Predicts position, forces and friction of a shaft. Each point starts from the solution of the
 /// previous one.
 ///
-/// Effects that change the condition of a bearing enter the balance of the sets (see ShaftBalance).
-/// SetFriction gives the friction of each bearing. The position contains no effects on the reading
-/// of a transducer, and the torque none on the reading of a torque sensor: predict_displacement()
-/// and predict_torque() add them. Throws std::invalid_argument for a model without a shaft and for
-/// points that are not finite.
+/// Effects that change the condition of a bearing enter the equilibrium of the sets (see
+/// ShaftBalance). SetFriction gives the friction of each bearing. The position contains no effects
+/// on the reading of a transducer, and the torque none on the reading of a torque sensor:
+/// predict_displacement() and predict_torque() add them. Throws std::invalid_argument for a model
+/// without a shaft and for points that are not finite.
 [[nodiscard]] std::vector<ShaftPrediction> predict_shaft(const Model& model,
                                                          std::span<const ShaftPoint> points);
 

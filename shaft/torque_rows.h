@@ -9,7 +9,8 @@
 namespace raceway::shaft {
 
 /// Predicts the friction torque of the sets on a shaft at the rows of a record, repeatedly with
-/// different parameters of one model. BalancedRows gives the balance and SetFriction the friction.
+/// different parameters of one model. BalancedRows gives the equilibrium and SetFriction the
+/// friction.
 class TorqueRows {
  public:
   /// The record must live longer than this object. Throws std::invalid_argument like BalancedRows.
@@ -26,7 +27,7 @@ class TorqueRows {
 
  private:
   struct Made {
-    int solved = 0;  ///< number of the balance that the bearings of the row have; 0 for none
+    int solved = 0;  ///< number of the equilibrium that the bearings of the row have; 0 for none
     std::vector<effects::Condition> conditions{};
   };
   void place(std::size_t row);
@@ -40,9 +41,9 @@ class TorqueRows {
 };
 
 /// Returns the friction torque of the sets on a shaft at the rows of a record [N m]: the sum over
-/// all bearings in their balance, plus the contributions of effects on the reading. It is NaN if
-/// the sets have no balance or an effect has no value. Loads, preload and temperatures of a row are
-/// those of BalancedRows. Throws std::invalid_argument like BalancedRows.
+/// all bearings in their equilibrium, plus the contributions of effects on the reading. It is NaN
+/// if the sets have no equilibrium or an effect has no value. Loads, preload and temperatures of a
+/// row are those of BalancedRows. Throws std::invalid_argument like BalancedRows.
 [[nodiscard]] std::vector<double> predict_torque(const Model& model, const record::Record& record);
 
 }  // namespace raceway::shaft

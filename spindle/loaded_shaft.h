@@ -79,7 +79,7 @@ class ShaftOnBearings {
 
  private:
   std::unique_ptr<ShaftBalance5> balance_;
-  Eigen::VectorXd last_;  ///< empty before the first balance
+  Eigen::VectorXd last_;  ///< empty before the first equilibrium
 };
 
 /// Finds the equilibrium of the elastic shaft and all bearings of its sets, each in five degrees of

@@ -55,9 +55,9 @@ struct BalancedEquilibrium {
   bearing::SolveReport report;
 };
 
-/// Finds the displacement of the inner ring that balances the load together with the rotation of
-/// each ball (BallAttitudes). The orbital speed and the friction forces T_i, T_o of the attitudes
-/// act on the balls.
+/// Finds the displacement of the inner ring in equilibrium with the load, together with the
+/// rotation of each ball (BallAttitudes). The orbital speed and the friction forces T_i, T_o of the
+/// attitudes act on the balls.
 ///
 /// The solver alternates between forces for given rotations and rotations for given forces. It
 /// starts from outer control or the rotations of a neighbour. The coupling is weak; where it is
