@@ -36,7 +36,7 @@ std::string_view step_explained(const Description& d) {
   if (d.entry) return "entry: what was entered or read, corrected before anything acts on it";
   if (d.condition)
     return d.for_rig ? "condition: what the bearing really sees, before its equilibrium"
-                     : "condition: what the sets on the shaft really see, before their balance";
+                     : "condition: what the sets on the shaft really see, before their equilibrium";
   if (d.lubricant) return "lubricant: viscosity and film at the contacts, before the base law";
   if (d.has_moment()) return "moment: added to the moments of the base law";
   if (d.spindle) return "spindle: conductances and heat, before its temperatures are solved for";

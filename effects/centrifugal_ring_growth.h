@@ -69,7 +69,7 @@ struct ShaftCentrifugalRingGrowth : RingGrowthAtSpeed {
       "Centrifugal force widens the inner rings. The balls run at smaller contact angles and the "
       "sets press harder against each other, at once and with the square of speed.";
   static constexpr std::string_view formula =
-      "inner raceway grows by c (n/10000 rpm)^2 in radius, in the balance of the sets";
+      "inner raceway grows by c (n/10000 rpm)^2 in radius, in the equilibrium of the sets";
   static constexpr std::string_view source =
       "thin ring at speed, rho w^2 r^3/E, to solid disc, (1 - nu)/4 of it; derived";
   static constexpr std::array<std::string_view, 4> confused_with{

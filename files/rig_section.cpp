@@ -26,7 +26,7 @@ constexpr Key rig_keys[]{
 constexpr Key race_control_keys[]{
     {"race_control", one_of("outer|inner|balanced"), "outer",
      "what turns the balls: no spin at the outer race, none at the inner, or with the law contact "
-     "the balance of tractions"},
+     "the equilibrium of tractions"},
 };
 constexpr Key tilt_keys[]{
     {"tilt", one_of("locked|free"), "locked",

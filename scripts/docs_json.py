@@ -105,7 +105,7 @@ MEANINGS = {
     "any": {
         "notes": "notes and warnings on stderr, of the record and the model",
         "judgement": "limits that the answer passes",
-        "report.status": "no_equilibrium comes with certain: true where no balance exists, false where none was found",
+        "report.status": "no_equilibrium comes with certain: true if no equilibrium exists, false if none was found",
         "dwells.rows": "rows of the file; lines are the first of each dwell",
         "noise.log_determinant": "ln det(2 pi S) of the noise that weighs the readings",
         "noise.estimated_rms": "where the noise is not known: as calibrate and diagnose find it in these rows",

@@ -96,7 +96,7 @@ void sample(const Data& data, const Predictor& predictor, const SensitivityQuest
     ++s.failed;
     if (e > first) return;
     first = e;
-    s.why_failed = one.refused.empty() ? "no balance was found" : one.refused;
+    s.why_failed = one.refused.empty() ? "no equilibrium was found" : one.refused;
   });
   if (s.failed > 0) s.first_failed = data_at(first);
   for (std::size_t p = 0; p < outputs; ++p) {

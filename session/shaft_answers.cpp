@@ -45,7 +45,8 @@ std::string shaft_problem(const model::Model& model, const shaft::ShaftPredictio
     if (f.status() != bearing::SolveStatus::converged) return why_not_converged(model, f);
   switch (prediction.status()) {
     case bearing::SolveStatus::no_equilibrium:
-      return "no_equilibrium: no position of the shaft was found at which the sets balance";
+      return "no_equilibrium: no position of the shaft was found at which the sets are in "
+             "equilibrium";
     case bearing::SolveStatus::singular:
       return "singular: both sets are free, nothing holds the shaft";
     case bearing::SolveStatus::not_finite:

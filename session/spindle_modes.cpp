@@ -79,7 +79,7 @@ std::vector<results::ModesAtSpeed> find_all(const model::Model& model, BeamOfMod
       r.shaft = bend(in_plane_of_belt(model), b, r.sets, inputs);
       if (!r.shaft->report.converged()) {
         r.sets.status = spindle::Status::no_equilibrium;
-        r.sets.message = "the shaft has no balance under its belt";
+        r.sets.message = "the shaft has no equilibrium under its belt";
         continue;
       }
       r.sets.bearings = r.shaft->bearings;

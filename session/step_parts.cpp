@@ -86,8 +86,8 @@ std::string name_of(const spindle::StepResponse& step) {
 double friction_power(const model::Model& model, double speed, double temperature) {
   const shaft::ShaftPrediction found = predicted_shaft(model, {speed}, temperature).front();
   if (found.status() != bearing::SolveStatus::converged)
-    throw std::invalid_argument(
-        fmt::format("speed = {:.6g} rpm: the sets of the model do not balance there", speed / rpm));
+    throw std::invalid_argument(fmt::format(
+        "speed = {:.6g} rpm: the sets of the model have no equilibrium there", speed / rpm));
   return found.power_loss;
 }
 

@@ -78,7 +78,7 @@ SetsAtSpeed SetsOfSpindle::at(const Inputs& inputs, bool warm) {
   }
   result.clearances = clearances(inputs.speed, result.moment);
   if (!parts_->sets.set_inputs(inputs) || !parts_->sets.solve(asked)) {
-    result.message = "the sets have no balance";
+    result.message = "the sets have no equilibrium";
     return result;
   }
   result.condition = parts_->sets.asked();
@@ -89,7 +89,8 @@ SetsAtSpeed SetsOfSpindle::at(const Inputs& inputs, bool warm) {
   result.bearings = bearings_in_set(arrangement(), result.condition, result.equilibrium, options);
   for (std::size_t i = 0; i < count; ++i)
     if (!result.bearings[i].report.converged()) {
-      result.message = fmt::format("bearing {} has no stiffness: its balls find no balance", i + 1);
+      result.message =
+          fmt::format("bearing {} has no stiffness: its balls find no equilibrium", i + 1);
       return result;
     }
   result.status = Status::converged;

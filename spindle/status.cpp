@@ -23,7 +23,7 @@ std::string_view words(Status status) {
     case Status::converged:
       return "converged";
     case Status::no_equilibrium:
-      return "the sets have no balance";
+      return "the sets have no equilibrium";
     case Status::thermal_runaway:
       return "thermal runaway: friction heat raises the preload faster than heat can leave";
     case Status::step_limit:

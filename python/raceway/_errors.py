@@ -26,7 +26,7 @@ class InputError(ValueError):
 
 
 class NotConverged(RuntimeError):
-    """Error for a fit that found no values, or for a needed state without balance."""
+    """Error for a fit that found no values, or for a needed state without equilibrium."""
 
 
 class Doubt(UserWarning):

@@ -200,7 +200,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         -------
         Solution
             Arrays of the common shape. For single numbers, `Solution.data` is the document of
-            ``raceway solve --json`` with all balls. A state without balance has NaN, and
+            ``raceway solve --json`` with all balls. A state without equilibrium has NaN, and
             `Solution.status` gives the reason.
 
         Raises

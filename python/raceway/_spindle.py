@@ -117,7 +117,7 @@ class Deflection(_OfSpindle):
 
     @property
     def status(self) -> str:
-        """``"converged"``, or the reason why there is no balance."""
+        """``"converged"``, or the reason why there is no equilibrium."""
         return self.data["report"]["status"]
 
     @property

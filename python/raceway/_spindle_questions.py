@@ -248,7 +248,7 @@ class SpindleQuestions:
         warm: bool = False,
         coolant: bool = True,
     ) -> Deflection:
-        """Calculate the deflection of the shaft on its bearings, with balls in balance under the load.
+        """Calculate the deflection of the shaft on its bearings, with the balls in equilibrium under the load.
 
         Parameters
         ----------

@@ -142,8 +142,9 @@ TEST_F(Displacement, SpeedsWithoutBalanceAreNamedAndEndInStatusTwo) {
       replaced(model_text + sets, "preload_N = 600", "mounting = \"spring\"\npreload_N = 600");
   const Result r = raceway("displacement", "--speed 0,3000 --axial-load 900", spring);
   EXPECT_EQ(r.status, 2);
-  EXPECT_THAT(r.err, HasSubstr("2 of 2 speeds have no value, the first 0 rpm: no_equilibrium: no "
-                               "position of the shaft was found at which the sets balance"));
+  EXPECT_THAT(r.err,
+              HasSubstr("2 of 2 speeds have no value, the first 0 rpm: no_equilibrium: no "
+                        "position of the shaft was found at which the sets are in equilibrium"));
   const Result s = raceway("solve", "--speed 3000 --axial-load 900 --json", spring);
   EXPECT_EQ(s.status, 2);
   EXPECT_TRUE(parsed(s)["axial_displacement_um"].is_null());

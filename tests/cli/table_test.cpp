@@ -102,7 +102,8 @@ TEST_F(Table, LeavesPointsWithoutBalanceEmptyWhereAnEffectNeedsIt) {
 TEST_F(Table, OfALawThatNeedsNoBalanceHasATorqueEverywhere) {
   const Result r = table("--speed 0,20000 --axial-load 5 --json", model_text + inner_control);
   EXPECT_EQ(r.status, 0);
-  EXPECT_THAT(r.err, HasSubstr("1 of 2 points have no balance, but a torque, which needs none: "));
+  EXPECT_THAT(r.err,
+              HasSubstr("1 of 2 points have no equilibrium, but a torque, which needs none: "));
   const json point = parsed(r)["rows"][1];
   EXPECT_TRUE(point["friction_torque_Nmm"].is_number());
   EXPECT_EQ(point["status"], "no_equilibrium");

@@ -176,7 +176,7 @@ export function deflection(report: DeflectionReport): (Node | undefined)[] {
         command: 'deflection',
         files: shortPaths([report.model]),
         badge: judgedBadge(found ? undefined : [words(r.report.status), 'open'], judged),
-        sentence: found ? `${under}: ${um(r.displacement_um)} where it acts${r.stiffness_N_um === null ? '' : `, ${number(r.stiffness_N_um)} N/µm`}.` : `${under}: no balance${r.report.message ? `: ${r.report.message}` : ''}.`,
+        sentence: found ? `${under}: ${um(r.displacement_um)} where it acts${r.stiffness_N_um === null ? '' : `, ${number(r.stiffness_N_um)} N/µm`}.` : `${under}: no equilibrium${r.report.message ? `: ${r.report.message}` : ''}.`,
       },
       found
         ? [
