@@ -18,17 +18,17 @@ struct DisplacementCurve {
   std::vector<record::Note> notes;  ///< notes for the user
 };
 
-/// Reads `speed_rpm`, `axial_displacement_um` and, where it is given, `std_um` of a CSV, as
-/// `raceway displacement` writes it or a rig does; "-" is standard input. Other columns are not
-/// read, and `notes` says so. So are rows without displacement whose column `status` tells why.
+/// Reads `speed_rpm`, `axial_displacement_um` and, if present, `std_um` from a CSV of `raceway
+/// displacement` or of a rig; "-" is standard input. Other columns are not read. Rows without a
+/// displacement are not read either if their column `status` gives the reason. `notes` lists both.
 ///
-/// Throws InputError as read_csv(), for a missing column, and for every other cell that is empty,
-/// no number or impossible (all of them in one message).
+/// Throws InputError like read_csv(), for a missing column, and, in one message, for every other
+/// cell that is empty, no number or impossible.
 [[nodiscard]] DisplacementCurve read_displacement_curve(const Source& source,
                                                         const ReadOptions& options = {});
 
-/// A table as CSV: speed_rpm, axial_displacement_um, slope_um_rpm, with how to interpolate.
-/// `source` is the curve that it was made from.
+/// Returns a table as CSV: speed_rpm, axial_displacement_um, slope_um_rpm, and the rule of
+/// interpolation. `source` is the curve from which the table was made.
 [[nodiscard]] std::string displacement_table_text(const shaft::DisplacementTable& table,
                                                   std::string_view source);
 

@@ -24,7 +24,7 @@ struct Doubt {
   std::vector<Guess> units{};  ///< empty if the question is not about a unit
 };
 
-/// A temperature from `from` to `to` [C] that looks like K or F.
+/// Returns the doubt about a temperature from `from` to `to` [C] that looks like K or F.
 [[nodiscard]] Doubt other_temperature(const record::Channel& channel, double from, double to,
                                       std::string_view unit);
 
@@ -32,9 +32,9 @@ struct Doubt {
 [[nodiscard]] record::Record in_other_unit(record::Record data, const record::Channel& channel,
                                            const text::Unit& unit);
 
-/// Throws InputError for doubts about units of columns of `source` that [columns] does not answer:
-/// each question, and the line of [columns] with the answer. Returns the others, which are
-/// warnings.
+/// Throws InputError for doubts about units of columns of `source` that [columns] does not answer.
+/// The message has each question and the line of [columns] that answers it. Returns all other
+/// doubts as warnings.
 [[nodiscard]] std::vector<record::Note> asked_about(const std::vector<Doubt>& doubts,
                                                     const Source& source,
                                                     const ReadOptions& options);

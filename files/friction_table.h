@@ -8,12 +8,13 @@
 
 namespace raceway::files {
 
-/// Reads a friction table of a bearing or a spindle: columns speed_rpm, axial_load_N,
-/// radial_load_N, temperature_C and friction_torque_Nmm, also in other units, as `raceway table`
-/// writes them or as a rig gives them. A load or a temperature without a column is one for all. The
-/// band of the torque is friction_torque_band_Nmm (half width, 95 %) or std_Nmm (standard
-/// deviation), its part by the load load_Nmm; further columns are allowed. Throws InputError: a
-/// column or a point of the grid that is missing, a point twice, cells that are no numbers.
+/// Reads a friction table of a bearing or a spindle, from `raceway table` or from a rig. Its
+/// columns are speed_rpm, axial_load_N, radial_load_N, temperature_C and friction_torque_Nmm, also
+/// in other units. A load or a temperature without a column is the same at all points. The band of
+/// the torque may be in friction_torque_band_Nmm (half width, 95 %) or std_Nmm (standard
+/// deviation), and the part of the torque by the load in load_Nmm. Further columns are allowed.
+/// Throws InputError for a missing column or point of the grid, a point that occurs twice, and
+/// cells that are no numbers.
 [[nodiscard]] friction::TorqueTable parse_friction_table(std::string text,
                                                          const std::string& source);
 
@@ -26,8 +27,8 @@ struct CurveInput {
   double unit = 1.0;  ///< unit of the column [SI]
 };
 
-/// Two columns, the input, rising, and `value` (in a unit of its kind): a gain or a time constant
-/// [SI] over a power or a load, in the unit of its column.
+/// Reads a gain or a time constant [SI] over a power or a load. The table has two columns: the
+/// rising input in the unit of its column, and `value` in a unit of its kind.
 [[nodiscard]] correction::Characteristic::Table parse_characteristic(std::string text,
                                                                      const std::string& source,
                                                                      const std::string& value,

@@ -45,9 +45,9 @@ class BearingReader {
   /// allowed in it.
   [[nodiscard]] NamedBearing read(const Section& table, const NamedBearing* base, Keys further);
 
-  /// The keys of the tables read so far, each once, that say something: not `name` and `catalogue`,
-  /// nor one with the value of its default or of the catalogue's bearing of that name, as
-  /// new_model_text() writes them.
+  /// Returns the keys of the tables read so far, each once. Keys without information are left out:
+  /// `name`, `catalogue`, and values equal to the default or to the catalogue's bearing of that
+  /// name, as new_model_text() writes them.
   [[nodiscard]] const Names& written() const { return written_; }
 
   /// Returns the material named by a key of a bearing; steel if none is named.

@@ -17,34 +17,34 @@ struct ColumnProposal {
   const record::Channel* channel;
   std::size_t column;
   const text::Unit* unit = nullptr;  ///< null if not found
-  /// As the file states it; empty where it states none, or a known one.
+  /// Unit as the file states it, if it is unknown; otherwise empty.
   std::string unknown_unit{};
   bool excel_date = false, stamped = false;
   bool has_our_name = false;  ///< the file needs no rule for it
-  std::string remark{};       ///< for people, behind its line
+  std::string remark{};       ///< comment behind its line
   std::size_t score = 0;
 };
 
-/// Converts text to small letters, everything between words to "_", without the unit.
+/// Returns a header without its unit, in small letters, with "_" between words.
 [[nodiscard]] std::string plain_name(std::string_view header);
 
-/// Letters of the longest of these words, which blanks separate, that is in the name; 0 for none. A
-/// word of one or two letters must stand alone.
+/// Returns the number of letters of the longest of `words` in the name; 0 for none. Blanks separate
+/// the words. A word of one or two letters must stand alone in the name.
 [[nodiscard]] std::size_t longest_word_in(std::string_view name, std::string_view words);
 
 /// Returns the numbers of a column, without cells that are not numbers.
 [[nodiscard]] std::vector<double> numbers_in(const text::CsvTable& table, std::size_t column);
 
-/// The column as the channel, with its unit; its score is 20 where that is stated, 10 for dates, 1
-/// for the letter by which t is a time and T a temperature.
-/// Nothing where the channel cannot be in it: a unit of another kind, texts, times that do not
-/// rise, temperatures that no machine has.
+/// Returns the column as the channel, with its unit. The score is 20 for a stated unit, 10 for
+/// dates, and 1 for the letter by which t is a time and T a temperature. Returns nothing if the
+/// column cannot be the channel: a unit of another kind, texts, times that do not rise,
+/// temperatures that no machine has.
 [[nodiscard]] std::optional<ColumnProposal> column_as(const text::CsvTable& table,
                                                       std::size_t column,
                                                       const record::Channel& channel);
 
-/// A table [columns] of the rules of `given`, then these proposals, then `missing` lines, then the
-/// columns that are not used.
+/// Returns a table [columns]: the rules of `given`, these proposals, the lines of `missing`, and
+/// the unused columns.
 [[nodiscard]] std::string proposed_columns(const text::CsvTable& table,
                                            const std::vector<ColumnProposal>& proposals,
                                            const std::vector<std::string>& missing,

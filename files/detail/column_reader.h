@@ -20,17 +20,18 @@ class ColumnReader {
   explicit ColumnReader(const text::CsvTable& table)
       : table_(table), bad(table.source, table.rows()) {}
 
-  /// [SI]; NaN where `may_be_empty` allows a cell without a number: empty, or a word such as
-  /// "OVER", whose lines are told. `with_sign`: an input that may be below zero here.
+  /// Returns the numbers of a column [SI]. A cell without a number is NaN if `may_be_empty` allows
+  /// it: empty, or a word such as "OVER", whose lines are in a note. `with_sign`: the input may be
+  /// below zero here.
   [[nodiscard]] std::vector<double> numbers(
       const ColumnSource& source, bool with_sign,
       const std::function<bool(std::size_t row)>& may_be_empty);
 
   /// True if the column has dates.
   [[nodiscard]] bool is_stamped(const ColumnSource& source) const;
-  /// Times of a column of dates or of elapsed times, from that of the first row on [s]. `order` of
-  /// dates with slashes, where it is stated. Throws InputError where it is not and changes the
-  /// times.
+  /// Returns the times since the first row [s], from a column of dates or of elapsed times. `order`
+  /// is the stated order of dates with slashes. Throws InputError if it is not stated and would
+  /// change the times.
   [[nodiscard]] std::vector<double> times(const ColumnSource& source,
                                           std::optional<text::DateOrder> order);
   /// Type of clock of times(), and its reading in the first row [s]: seconds since 1970, since
@@ -63,7 +64,7 @@ class ColumnReader {
     text::DateOrder order;
     std::vector<double> elapsed;  ///< since the first row [s]
 
-    /// By most of a year from one row to the next.
+    /// Returns true if the times jump by most of a year from one row to the next.
     [[nodiscard]] bool jumps() const;
   };
   [[nodiscard]] text::DateOrder order_of(const ColumnSource& source);
@@ -71,8 +72,8 @@ class ColumnReader {
                                                text::DateOrder order) const;
   [[noreturn]] void ask_for_order(const ColumnSource& source, const std::vector<Reading>& readings,
                                   std::size_t row) const;
-  /// Seconds of one unit of "12:05" in that column: 3600 or 60; nothing where its cells are of
-  /// another form. Throws InputError where nothing tells hours from minutes.
+  /// Returns the seconds of the first unit in "12:05": 3600 or 60; nothing if the cells of the
+  /// column have another form. Throws InputError if nothing distinguishes hours from minutes.
   [[nodiscard]] std::optional<double> unit_of_short_times(const ColumnSource& source) const;
   void undo_midnights(const ColumnSource& source, std::vector<double>& list);
   void undo_changes_of_clocks(const ColumnSource& source, std::vector<double>& list);

@@ -10,7 +10,7 @@ namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> column_tables();
 
-/// Empty without the table. Throws InputError as read_model() does.
+/// Reads [columns]; empty without the table. Throws InputError like read_model().
 [[nodiscard]] ColumnMap read_columns(const ModelTables& tables);
 
 }  // namespace raceway::files

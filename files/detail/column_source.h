@@ -55,11 +55,11 @@ struct Recognised {
                                             const ColumnSource& source, bool with_sign,
                                             text::BadCells& bad);
 
-/// The rows of a file, with its titles skipped and its row of units found by the names of our
-/// columns and by those of the map.
+/// Reads the rows of a file, without titles. The names of our columns and of the map identify the
+/// header and the row of units.
 [[nodiscard]] text::CsvTable read_measurements(const Source& source, const ReadOptions& options);
 
-/// Allowed range of a cell of a column, in the unit of the file. `with_sign` as in si_of_cell().
+/// Returns the allowed range of a cell, in the unit of the file. `with_sign` is as in si_of_cell().
 [[nodiscard]] text::CellRange range_of(const ColumnSource& source, bool with_sign);
 
 /// Removes these rows and reports how many `have` the given problem, and where; nothing if there is

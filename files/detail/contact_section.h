@@ -27,7 +27,7 @@ namespace raceway::files {
 /// Returns the keys of the contact law that a file has in its tables of data.
 [[nodiscard]] Names written_contact_keys(const ModelTables& tables);
 
-/// The number of the law that is of the lubricant.
+/// Reads the number of the contact law that belongs to the lubricant.
 [[nodiscard]] double lubricant_number(ModelTables& tables, std::string_view name);
 
 [[nodiscard]] model::LifeData read_life(ModelTables& tables);

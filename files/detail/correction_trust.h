@@ -19,8 +19,8 @@ namespace raceway::files {
 void read_trust(const Section& correction, correction::Model& model,
                 std::vector<std::string>& notes);
 
-/// The tables [correction.range], .still_s, .together, .covariance, .residual and .trust, those
-/// that the model has, each with a blank line before it but for the first.
+/// Returns those of the tables [correction.range], .still_s, .together, .covariance, .residual and
+/// .trust that the model has, with a blank line between them.
 [[nodiscard]] std::string trust_text(const correction::Model& model);
 
 }  // namespace raceway::files

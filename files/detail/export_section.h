@@ -13,8 +13,8 @@ namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> export_tables();
 
-/// The defaults where it is not there. Throws InputError as read_correction() does, also where it
-/// names a column that no model has.
+/// Reads [export]; the defaults without the table. Throws InputError like read_correction(), also
+/// for a column that no model has.
 [[nodiscard]] correction::ControlSettings read_export(const ModelTables& tables,
                                                       const std::vector<correction::Model>& models);
 

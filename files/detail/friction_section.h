@@ -35,11 +35,13 @@ struct LubricantOfFile {
 
 [[nodiscard]] LubricantOfFile read_lubricant(const ModelTables& tables);
 
-/// With a bearing of the catalogue the law's values may be left out. `further` keys are allowed.
+/// Reads [friction]. The values of the law are optional for a bearing of the catalogue. `further`
+/// keys are allowed.
 [[nodiscard]] LawOfFile read_friction(ModelTables& tables, bool from_catalogue,
                                       const Keys& further = {});
 
-/// [friction] of a bearing with cylindrical rollers, which may be left out; f0 follows the supply.
+/// Reads [friction] of a bearing with cylindrical rollers. The table is optional. f0 follows from
+/// the supply of oil.
 [[nodiscard]] LawOfFile read_friction_of_rollers(ModelTables& tables,
                                                  std::optional<friction::Supply> supply);
 

@@ -29,7 +29,7 @@ namespace raceway::files {
 [[nodiscard]] std::string other_values(const fit::Covariance& covariance,
                                        const model::Model& model);
 
-/// `tolerance_Nmm`, `tolerance_um`, ...: of a channel that the model predicts.
+/// Reads `tolerance_Nmm`, `tolerance_um`, ...: tolerances of channels that the model predicts.
 [[nodiscard]] std::vector<record::NamedValue> read_tolerances(const ModelTables& tables,
                                                               const model::Model& model);
 

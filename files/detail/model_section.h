@@ -56,12 +56,12 @@ struct MissingKey : text::InputError {
   using text::InputError::InputError;
 };
 
-/// One table of the file, read by its keys: asking for a value checks its type and range, asking
-/// for a key that is not among them throws std::logic_error.
+/// One table of the file, read by its keys. Reading a value checks its type and range. Reading a
+/// key that is not among the keys throws std::logic_error.
 class Section {
  public:
-  /// `table` may be null: then every key is absent. Refuses a table with other keys, where it is
-  /// given any.
+  /// If `table` is null, every key is absent. If `keys` is not empty, a table with other keys is
+  /// refused.
   Section(std::string source, std::string name, const toml::table* table, Keys keys = {})
       : source_(std::move(source)), name_(std::move(name)), table_(table), keys_(std::move(keys)) {
     if (!keys_.empty()) refuse_others();
@@ -124,7 +124,7 @@ class Section {
     throw std::logic_error(fmt::format("[{}] has no key {}", name_, name));
   }
 
-  /// Nothing if the optional key is absent.
+  /// Returns the number; nothing if the optional key is absent.
   [[nodiscard]] std::optional<double> number(std::string_view name) const {
     return number(key(name));
   }

@@ -19,7 +19,7 @@ namespace raceway::files {
 /// Reads `tilt` of [solver], the only key there for a bearing with cylindrical rollers.
 [[nodiscard]] bearing::Tilt read_tilt(ModelTables& tables);
 
-/// [solver], and whether a race holds the balls or, under the contact law alone, none.
+/// Contents of [solver]. `balanced_balls`: no race controls the balls (contact law only).
 struct SolverOfFile {
   bearing::EquilibriumOptions options;
   bool balanced_balls = false;

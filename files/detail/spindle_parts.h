@@ -18,7 +18,7 @@ inline constexpr Form anywhere = between(-longest_mm, longest_mm, "mm"),
                       on_the_shaft = between(0, longest_mm, "mm"),
                       a_length = between(0.001, longest_mm, "mm");
 
-/// The tables of a list, [[shaft.segment]] or segment = [{...}]; none where there is no such key.
+/// Returns the tables of a list, [[shaft.segment]] or segment = [{...}]; none without the key.
 [[nodiscard]] std::vector<Section> tables_in(const Section& s, std::string_view key,
                                              const Keys& keys = {});
 /// [[sensor]]
@@ -27,7 +27,7 @@ inline constexpr Form anywhere = between(-longest_mm, longest_mm, "mm"),
 /// [[heat]]
 [[nodiscard]] std::vector<Section> heat_sections(const ModelTables& tables, const Keys& keys = {});
 
-/// A name that can stand in front of the unit of a column: letters, digits and _.
+/// Returns true for a name that can stand before the unit of a column: letters, digits and _.
 [[nodiscard]] bool names_a_column(std::string_view name);
 
 /// [shaft], [housing], [seat] and [gap]; [network]; [ambient], [coolant], [motor] ... [sensor].
@@ -35,7 +35,7 @@ inline constexpr Form anywhere = between(-longest_mm, longest_mm, "mm"),
 [[nodiscard]] std::vector<KeyTable> network_tables();
 [[nodiscard]] std::vector<KeyTable> surroundings_tables();
 
-/// Expansion of [shaft] or [housing] [1/K], with which the sets of the file are reckoned too.
+/// Returns the thermal expansion of [shaft] or [housing] [1/K]. The sets of the file use it, too.
 [[nodiscard]] double expansion_of(const ModelTables& tables, std::string_view table,
                                   double fallback);
 
