@@ -96,13 +96,11 @@ RACEWAY_API int raceway_column_index(const raceway_model* model, const char* nam
 ///           is values[j * count + i], in Fortran and MATLAB values(i, j). NaN without a result.
 /// status    [count] numbers for raceway_status_name(). NULL: not wanted.
 ///
-/// Returns RACEWAY_DONE, or one of:
-/// RACEWAY_WRONG_INPUT    for a NULL that is not allowed, a number out of range (the message gives
-///                        its index from 0), no axial load, or more than 1e8 states. Nothing is
-///                        written.
-/// RACEWAY_NOT_CONVERGED  if a status is not RACEWAY_STATUS_CONVERGED. All other states have their
-///                        results. A law that needs no balls has a torque even if the balls have no
-///                        equilibrium.
+/// Returns RACEWAY_DONE. Returns RACEWAY_WRONG_INPUT, with nothing written, for a NULL that is not
+/// allowed, a number out of range (the message gives its index from 0), no axial load, or more than
+/// 1e8 states. Returns RACEWAY_NOT_CONVERGED if a status is not RACEWAY_STATUS_CONVERGED. All other
+/// states then have their results. A law that needs no balls has a torque even if the balls have no
+/// equilibrium.
 RACEWAY_API int raceway_solve(const raceway_model* model, size_t count, const double* speed_rpm,
                               const double* axial_load_N, const double* radial_load_N,
                               const double* temperature_C, const int* strides, const int* columns,

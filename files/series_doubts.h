@@ -11,14 +11,16 @@ namespace raceway::files {
 
 /// Returns doubts about the units of a record over time.
 ///
-/// - Time: steps of two hours or more look like ms, us or ns. A record shorter than a time constant
-///   of `models` looks like minutes, hours or days on two conditions. In that unit it is longer
-///   than the time constant, and the lags of the model explain the readings much better.
-/// - Temperatures between 220 and 470 C look like kelvin. Temperatures look like Fahrenheit if no
-///   sensor was ever colder than 59 C, or the surroundings never colder than 50 C. A single sensor
-///   looks like Fahrenheit if its coldest reading, converted, equals the coldest of all readings.
-/// - Displacements of less than 0.02 or more than 300 um per kelvin look like mm or nm. Machines
-///   have 0.1 to 50 um/K.
+/// Time:          steps of two hours or more look like ms, us or ns. A record shorter than a time
+///                constant of `models` looks like minutes, hours or days on two conditions. In that
+///                unit it is longer than the time constant, and the lags of the model explain the
+///                readings much better.
+/// Temperatures:  values between 220 and 470 C look like kelvin. Values look like Fahrenheit if no
+///                sensor was ever colder than 59 C, or the surroundings never colder than 50 C. A
+///                single sensor looks like Fahrenheit if its coldest reading, converted, equals the
+///                coldest of all readings.
+/// Displacements: less than 0.02 or more than 300 um per kelvin look like mm or nm. Machines have
+///                0.1 to 50 um/K.
 [[nodiscard]] std::vector<Doubt> series_doubts(const record::Record& data,
                                                const std::vector<correction::Model>& models);
 
