@@ -5,22 +5,19 @@
 #include "cli/commands.h"
 #include "cli/error_text.h"
 #include "cli/fitted_models.h"
-#include "cli/messages.h"
-#include "cli/report_flag.h"
-#include "cli/shared_flags.h"
+#include "cli/output_flags.h"
 #include "cli/text_table.h"
 #include "session/loop.h"
 #include "text/error.h"
-#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
 
-struct AddFlags {
+struct AddFlags : OutputFlags {
   std::vector<std::string> names;  // model, effects, further data
-  std::string data, output;
+  std::string data;
   session::LoopOptions loop;
-  bool json = false, force = false;
+  bool json = false;
   ReportFlag report;
 };
 
@@ -58,10 +55,8 @@ void print(const verdict::AddResult& r) {
 }
 
 int run(const AddFlags& flags) {
-  const auto if_exists = on_existing(flags.force);
-  if (!flags.output.empty() && flags.loop.per_record.empty())
-    text::require_writable(flags.output, if_exists);
-  flags.report.check(flags.force);
+  if (flags.loop.per_record.empty()) flags.require_writable();
+  flags.report.check(flags.if_exists());
   std::vector<std::string> ids, files{flags.data};
   for (std::size_t k = 1; k < flags.names.size(); ++k)
     (flags.names[k].ends_with(".csv") ? files : ids).push_back(flags.names[k]);
@@ -71,7 +66,7 @@ int run(const AddFlags& flags) {
         {.key = "EFFECT"});
   const session::LoopQuestion asked =
       session::ask(messages(), flags.names.front(), session::files(files), flags.loop);
-  const FittedModels output(flags.output, if_exists);
+  const FittedModels output(flags);
   output.require_writable(*asked.subject);
   const verdict::AddResult result = session::add(asked, ids);
   if (flags.json) {
@@ -80,7 +75,7 @@ int run(const AddFlags& flags) {
     print(result);
   }
   tell(result.messages);
-  flags.report.write([&] { return session::page(asked, result); }, flags.force);
+  flags.report.write([&] { return session::page(asked, result); }, flags.if_exists());
   if (!result.calibration.converged()) {
     complain("raceway add: the fit did not converge; nothing is written");
     return not_converged;
@@ -109,16 +104,14 @@ Run setup_add(CLI::App& command) {
                   "measurements (CSV), one file or more: --data monday.csv friday.csv")
       ->required()
       ->type_name("FILE");
-  command
-      .add_option("-o,--output", flags->output,
-                  "model file to write: MODEL with the effects and the new values;\n"
-                  "with --per-record one for each record, FILE-RECORD.toml of FILE.toml")
-      ->type_name("FILE");
+  flags->declare_output(command,
+                        "model file to write: MODEL with the effects and the new values;\n"
+                        "with --per-record one for each record, FILE-RECORD.toml of FILE.toml");
   declare(command, flags->loop);
   declare(command, flags->loop.tolerance);
-  command.add_flag("--force", flags->force,
-                   "add an effect that does not help, and replace the file if it exists");
-  command.add_flag("--json", flags->json, "one JSON document instead of text");
+  flags->declare_force(command,
+                       "add an effect that does not help, and replace the file if it exists");
+  declare_json(command, flags->json);
   flags->report.declare(command);
   command.footer(
       "Example:\n  raceway add my.toml lubricant-drag --data rig.csv -o better.toml\n"

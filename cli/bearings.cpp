@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "cli/number_flag.h"
+#include "cli/shared_flags.h"
 #include "cli/text_table.h"
 #include "files/catalogue_file.h"
 #include "files/designation.h"
@@ -97,7 +98,7 @@ Run setup_bearings(CLI::App& command) {
              "bearings with this bore, in mm or with its unit");
   add_length(command, "--outer-diameter", flags->outer_diameter, {2, 10000, "mm"},
              "bearings with this outer diameter");
-  command.add_flag("--json", flags->json, "one JSON document instead of text");
+  declare_json(command, flags->json);
   command.footer("Example:\n  raceway bearings \"S 60\"\n  raceway bearings --bore 70");
   return [flags] { return list_bearings(*flags); };
 }

@@ -8,21 +8,19 @@
 #include "cli/commands.h"
 #include "cli/error_text.h"
 #include "cli/fitted_models.h"
-#include "cli/messages.h"
-#include "cli/shared_flags.h"
+#include "cli/output_flags.h"
 #include "cli/text_table.h"
 #include "session/loop.h"
 #include "text/error.h"
-#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
 
-struct CalibrateFlags {
-  std::string model, output;
+struct CalibrateFlags : OutputFlags {
+  std::string model;
   session::LoopOptions loop;
   std::vector<std::string> data;
-  bool json = false, force = false, profile = false;
+  bool json = false, profile = false;
 };
 
 std::string remark(const fit::Parameter& p) {
@@ -82,25 +80,18 @@ void print(const verdict::Calibration& c) {
 }
 
 int run(const CalibrateFlags& flags) {
-  if (flags.output == "-")
-    throw text::InputError(
-        "raceway calibrate: --output -: stdout shows the parameters; name a file",
-        {.key = "--output"});
+  flags.refuse_stdout("calibrate", "the parameters");
   if (flags.data.empty() && !flags.loop.per_record.empty())
     throw text::InputError("raceway calibrate: --per-record needs measurements: DATA is missing",
                            {.key = "DATA"});
   if (flags.data.empty() && flags.profile)
     throw text::InputError("raceway calibrate: --profile needs measurements: DATA is missing",
                            {.key = "DATA"});
-  if (flags.data.empty())
-    return calibrate_conformity(
-        {.model = flags.model, .output = flags.output, .json = flags.json, .force = flags.force});
-  const auto if_exists = on_existing(flags.force);
-  if (!flags.output.empty() && flags.loop.per_record.empty())
-    text::require_writable(flags.output, if_exists);
+  if (flags.data.empty()) return calibrate_conformity(flags.model, flags, flags.json);
+  if (flags.loop.per_record.empty()) flags.require_writable();
   const session::LoopQuestion asked =
       session::ask(messages(), flags.model, session::files(flags.data), flags.loop);
-  const FittedModels output(flags.output, if_exists);
+  const FittedModels output(flags);
   output.require_writable(*asked.subject);
   const verdict::Calibration found = session::calibrate(asked, {.profile = flags.profile});
   if (flags.json) {
@@ -133,16 +124,14 @@ Run setup_calibrate(CLI::App& command) {
                   "measurements (CSV), one or more; without: the catalogue's rigidities")
       ->type_name("")
       ->expected(-1);
-  command
-      .add_option("-o,--output", flags->output,
-                  "model file to write: MODEL with the new values, all else as it is;\n"
-                  "with --per-record one for each record, FILE-RECORD.toml of FILE.toml")
-      ->type_name("FILE");
+  flags->declare_output(command,
+                        "model file to write: MODEL with the new values, all else as it is;\n"
+                        "with --per-record one for each record, FILE-RECORD.toml of FILE.toml");
   declare(command, flags->loop);
   command.add_flag("--profile", flags->profile,
                    "also the 95 % interval of each parameter by profile likelihood");
-  command.add_flag("--force", flags->force, "replace the file if it exists");
-  command.add_flag("--json", flags->json, "one JSON document instead of text");
+  flags->declare_force(command);
+  declare_json(command, flags->json);
   command.footer(
       "What is fitted stands in the model: [calibration] free, by default f0 and z,\n"
       "of an [arrangement] its preload_N.\n\n"

@@ -5,16 +5,12 @@
 #include <cmath>
 #include <filesystem>
 
-#include "cli/commands.h"
-#include "cli/messages.h"
-#include "cli/shared_flags.h"
 #include "cli/text_table.h"
 #include "files/model_file.h"
 #include "results/conformity_results.h"
 #include "session/open_input.h"
 #include "shaft/conformity.h"
 #include "text/error.h"
-#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
@@ -88,16 +84,15 @@ std::string names_of(const shaft::ConformityFit& fit) {
 
 }  // namespace
 
-int calibrate_conformity(const ConformityFlags& flags) {
-  const auto if_exists = on_existing(flags.force);
-  if (!flags.output.empty()) text::require_writable(flags.output, if_exists);
-  const Start start = start_of(flags.model);
+int calibrate_conformity(const std::string& model, const OutputFlags& flags, bool json) {
+  flags.require_writable();
+  const Start start = start_of(model);
   // The rigidities are printed for steel balls and the row as it stands, whatever the model
   // changes.
   const shaft::ConformityFit fit = shaft::fit_conformity(
       {start.row.geometry, bearing::steel(), bearing::steel()}, classes_of(start.row));
   const bool found = fit.status == fit::FitStatus::converged && fit.at_bound == record::Bound::none;
-  if (flags.json)
+  if (json)
     put_document(results::conformity_json(start.row.full_name(), fit));
   else if (fit.status == fit::FitStatus::converged)
     print(start.row, fit);
@@ -118,13 +113,11 @@ int calibrate_conformity(const ConformityFlags& flags) {
   const std::string origin =
       fmt::format("fitted to the catalogue's rigidity at preload {}{}", names_of(fit),
                   std::isnan(fit.std) ? "" : fmt::format(", std {}", number(fit.std, 1)));
-  const std::string text = files::with_values(
-      start.text,
-      std::vector<files::KeyValue>{{"bearing.inner_conformity", shown, origin},
-                                   {"bearing.outer_conformity", shown, "the same for both"}});
-  text::write_text(flags.output, files::with_names_from(text, start.files, flags.output),
-                   if_exists);
-  say(flags.output + " written");
+  flags.put_model(files::with_values(start.text,
+                                     std::vector<files::KeyValue>{
+                                         {"bearing.inner_conformity", shown, origin},
+                                         {"bearing.outer_conformity", shown, "the same for both"}}),
+                  start.files);
   return done;
 }
 

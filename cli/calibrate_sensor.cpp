@@ -5,20 +5,18 @@
 #include <optional>
 
 #include "cli/commands.h"
-#include "cli/messages.h"
-#include "cli/shared_flags.h"
+#include "cli/output_flags.h"
 #include "cli/text_table.h"
 #include "files/sensor_file.h"
 #include "session/reading.h"
 #include "text/error.h"
-#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
 
-struct SensorFlags {
-  std::string readings, degree = "auto", output;
-  bool json = false, force = false;
+struct SensorFlags : OutputFlags {
+  std::string readings, degree = "auto";
+  bool json = false;
   session::Reading reading;
 };
 
@@ -98,9 +96,7 @@ int run(const SensorFlags& flags) {
     throw text::InputError("raceway calibrate-sensor: CSV is -, and nothing is piped in",
                            {.key = "CSV"});
   refuse_two_on_stdout("calibrate-sensor", flags.json, flags.output);
-  const bool to_file = !flags.output.empty() && flags.output != "-";
-  const auto if_exists = on_existing(flags.force);
-  if (to_file) text::require_writable(flags.output, if_exists);
+  flags.require_writable();
 
   const files::SensorReadings read =
       files::read_sensor_readings(flags.readings, flags.reading.options());
@@ -121,13 +117,7 @@ int run(const SensorFlags& flags) {
     print_tests(c);
     print_errors(c);
   }
-  const std::string text = files::torque_sensor_text(c, read.source);
-  if (to_file) {
-    text::write_text(flags.output, text, if_exists);
-    say(flags.output + " written");
-  } else if (flags.output == "-") {
-    fmt::print("{}", text);
-  }
+  if (!flags.output.empty()) flags.put(files::torque_sensor_text(c, read.source));
   return done;
 }
 
@@ -146,13 +136,11 @@ Run setup_calibrate_sensor(CLI::App& command) {
                   "1 line, 2 parabola, 3 cubic; auto: the lowest that the readings follow")
       ->capture_default_str()
       ->type_name("N");
-  command
-      .add_option("-o,--output", flags->output,
-                  "[torque_sensor] to write, for a model to hold or to name; - for stdout")
-      ->type_name("FILE");
+  flags->declare_output(command,
+                        "[torque_sensor] to write, for a model to hold or to name; - for stdout");
   declare(command, flags->reading);
-  command.add_flag("--force", flags->force, "replace the file if it exists");
-  command.add_flag("--json", flags->json, "one JSON document instead of text");
+  flags->declare_force(command);
+  declare_json(command, flags->json);
   command.footer(
       "Records with a column torque_signal_V are then read as friction torque by every command\n"
       "whose model has the table, or [torque_sensor] with file = \"sensor.toml\".\n\n"

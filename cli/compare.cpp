@@ -35,7 +35,7 @@ int run(const CompareFlags& flags) {
         {.key = "DATA"});
   const auto data_begin =
       flags.files.begin() + static_cast<std::ptrdiff_t>(first_data(flags.files));
-  flags.report.check(flags.force);
+  flags.report.check(on_existing(flags.force));
   const session::ComparedModels compared =
       session::compare(messages(), session::files({flags.files.begin(), data_begin}),
                        session::files({data_begin, flags.files.end()}), flags.how, flags.loop);
@@ -45,7 +45,7 @@ int run(const CompareFlags& flags) {
     print_comparison(compared.names.front(), compared.models.front().errors, compared.data);
   else
     print_ladders(compared.names, compared.errors());
-  flags.report.write([&] { return compared.page(); }, flags.force);
+  flags.report.write([&] { return compared.page(); }, on_existing(flags.force));
   return done;
 }
 
@@ -71,7 +71,7 @@ Run setup_compare(CLI::App& command) {
       ->type_name("WHICH");
   declare(command, flags->loop);
   declare(command, flags->loop.tolerance);
-  command.add_flag("--json", flags->json, "one JSON document instead of text");
+  declare_json(command, flags->json);
   flags->report.declare(command);
   command.add_flag("--force", flags->force, "replace the page if it exists");
   command.footer(

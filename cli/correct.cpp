@@ -6,27 +6,19 @@
 
 #include "cli/commands.h"
 #include "cli/correct_learn.h"
-#include "cli/csv_style.h"
 #include "cli/identification_text.h"
-#include "cli/messages.h"
-#include "cli/report_flag.h"
-#include "cli/shared_flags.h"
+#include "cli/output_flags.h"
 #include "cli/text_table.h"
 #include "results/correction_results.h"
 #include "session/correction_run.h"
-#include "text/error.h"
-#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
 
-struct CorrectFlags {
-  std::string model, data, output;
+struct CorrectFlags : ResultFlags {
+  std::string model, data;
   session::Reading reading;
   LearnFlags learning;
-  bool json = false, force = false;
-  CsvStyle csv;
-  ReportFlag report;
 };
 
 /// How far off the predictions may be, and where more so.
@@ -73,29 +65,23 @@ void print(const std::vector<results::Corrected>& list, const record::Record& re
 }
 
 int run(const CorrectFlags& flags) {
-  refuse_two_on_stdout("correct", flags.json, flags.output);
-  const auto if_exists = on_existing(flags.force);
-  flags.csv.require_writable(flags.output, if_exists);
-  flags.report.check(flags.force);
-  flags.learning.check(if_exists);
+  flags.check_results("correct");
+  flags.learning.check(flags.if_exists());
   session::Reading reading = flags.reading;
   reading.one_by_one = flags.learning.learn;
   session::SeriesQuestion asked = session::ask_series(messages(), flags.model, flags.data, reading);
   if (flags.learning.learn) {
-    run_learning(std::move(asked), flags.learning,
-                 {flags.output, flags.csv, flags.json, if_exists});
+    run_learning(std::move(asked), flags.learning, flags);
     return done;
   }
   const session::CorrectionRun run = session::correct(std::move(asked));
-  if (!flags.output.empty())
-    flags.csv.put(flags.output, run.csv(), if_exists,
-                  fmt::format(", {} rows", run.asked.data.rows()));
+  flags.put_table([&] { return run.csv(); }, fmt::format(", {} rows", run.asked.data.rows()));
   if (flags.json)
     put_document(run.json());
   else if (flags.output != "-")
     print(run.corrected, run.asked.data);
   tell(run.warnings);
-  flags.report.write([&] { return run.page(); }, flags.force);
+  flags.put_page([&] { return run.page(); });
   return done;
 }
 
@@ -103,27 +89,20 @@ int run(const CorrectFlags& flags) {
 
 Run setup_correct(CLI::App& command) {
   auto flags = std::make_shared<CorrectFlags>();
-  command.add_option("MODEL", flags->model, "model file (TOML) with [correction]")
-      ->required()
-      ->type_name("");
+  declare_model(command, flags->model, "[correction]");
   command.add_option("RECORD", flags->data, "record over time (CSV); displacements may be empty")
       ->required()
       ->type_name("");
-  command
-      .add_option("-o,--output", flags->output,
-                  "CSV file to write, - for stdout: time_s, predicted_um, band_low_um and\n"
-                  "band_high_um (95 %, of a model that was fitted), what each channel adds,\n"
-                  "residual_um (urad of an angle); of several displacements predicted_COLUMN,\n"
-                  "CHANNEL_COLUMN, residual_COLUMN")
-      ->type_name("FILE");
+  flags->declare_output(command,
+                        "CSV file to write, - for stdout: time_s, predicted_um, band_low_um and\n"
+                        "band_high_um (95 %, of a model that was fitted), what each channel adds,\n"
+                        "residual_um (urad of an angle); of several displacements "
+                        "predicted_COLUMN,\nCHANNEL_COLUMN, residual_COLUMN");
   flags->learning.declare(command);
   declare(command, flags->reading);
   declare_beside(command, flags->reading);
   declare(command, flags->reading.period);
-  flags->report.declare(command);
-  flags->csv.declare(command);
-  command.add_flag("--force", flags->force, "replace files that exist");
-  command.add_flag("--json", flags->json, "one JSON document instead of text");
+  flags->declare_results(command);
   command.footer(
       "Examples:\n  raceway correct z.toml monday.csv -o corrected.csv\n"
       "  raceway correct z.toml monday.csv --learn --every 4h --save tuesday.toml");

@@ -98,22 +98,20 @@ void LearnFlags::check(text::IfExists if_exists) const {
 }
 
 void run_learning(session::SeriesQuestion asked, const LearnFlags& flags,
-                  const CorrectOutput& output) {
+                  const ResultFlags& results) {
   const session::LearningRun run = session::learn(std::move(asked), flags.choices);
   const record::Record& record = run.asked.data;
   tell(run.notes);
-  if (!output.csv.empty())
-    output.style.put(output.csv, run.csv(), output.if_exists,
-                     fmt::format(", {} rows", record.rows()));
+  results.put_table([&] { return run.csv(); }, fmt::format(", {} rows", record.rows()));
   if (!flags.save.empty()) {
     text::write_text(flags.save,
                      files::with_names_from(run.text(), run.asked.file.files, flags.save),
-                     output.if_exists);
+                     results.if_exists());
     say(flags.save + " written");
   }
-  if (output.json) {
+  if (results.json) {
     put_document(run.json());
-  } else if (output.csv != "-") {
+  } else if (results.output != "-") {
     fmt::print(
         "{}: {} rows over {:.4g} h\n\n", record.source, record.rows(),
         (record.values(record::time).back() - record.values(record::time).front()) / an_hour);

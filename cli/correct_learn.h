@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "cli/csv_style.h"
+#include "cli/output_flags.h"
 #include "session/correction_run.h"
 #include "text/output_file.h"
 
@@ -22,16 +22,8 @@ struct LearnFlags {
   void check(text::IfExists if_exists) const;
 };
 
-/// Destinations of the results of `correct`.
-struct CorrectOutput {
-  std::string csv{};  ///< file, "-" for stdout, empty for none
-  CsvStyle style{};
-  bool json = false;
-  text::IfExists if_exists = text::IfExists::refuse;
-};
-
 /// Runs `correct --learn` after its files are read.
 void run_learning(session::SeriesQuestion asked, const LearnFlags& flags,
-                  const CorrectOutput& output);
+                  const ResultFlags& results);
 
 }  // namespace raceway::cli

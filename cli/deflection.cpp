@@ -5,27 +5,22 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/csv_style.h"
-#include "cli/messages.h"
 #include "cli/number_flag.h"
-#include "cli/report_flag.h"
-#include "cli/shared_flags.h"
+#include "cli/output_flags.h"
 #include "cli/text_table.h"
 #include "results/shaft_results.h"
 #include "session/open_input.h"
 #include "session/spindle_deflection.h"
-#include "text/error.h"
-#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
 
-struct DeflectionFlags {
-  std::string model, output, direction = "radial", coolant = "on";
+struct DeflectionFlags : ResultFlags {
+  DeflectionFlags() { force_flag = "--replace"; }  // --force is the load
+
+  std::string model, direction = "radial";
   double force_N = 0.0, axial_force_N = 0.0, moment_Nm = 0.0, at_mm = 0.0, speed_rpm = 0.0;
-  bool warm = false, json = false, force = false;
-  CsvStyle csv;
-  ReportFlag report;
+  bool warm = false, coolant_on = true;
 };
 
 /// As text, zero where rounding left it.
@@ -104,10 +99,7 @@ void print(const DeflectionFlags& f, const session::SpindleDeflection& found) {
 }
 
 int run(const DeflectionFlags& f) {
-  refuse_two_on_stdout("deflection", f.json, f.output);
-  const auto if_exists = f.force ? text::IfExists::replace : text::IfExists::refuse_naming_replace;
-  f.csv.require_writable(f.output, if_exists);
-  f.report.check(if_exists);
+  f.check_results("deflection");
   const session::DeflectionQuestion question{.force = f.force_N,
                                              .axial = f.direction == "axial",
                                              .axial_force = f.axial_force_N,
@@ -115,31 +107,25 @@ int run(const DeflectionFlags& f) {
                                              .at = f.at_mm * mm,
                                              .speed = f.speed_rpm * rpm,
                                              .warm = f.warm,
-                                             .coolant_on = f.coolant == "on",
+                                             .coolant_on = f.coolant_on,
                                              .wording = session::Wording::flags};
   session::check(question);
   const files::ModelFile file = session::open_model(messages(), f.model, session::Accepts::shaft);
   const session::SpindleDeflection found = session::spindle_deflection(file, question);
-  if (!f.output.empty())
-    f.csv.put(f.output, found.csv(), if_exists,
+  f.put_table([&] { return found.csv(); },
               fmt::format(", {} places", found.beam.beam.nodes().size()));
   if (f.json)
     put_document(found.json());
   else if (f.output.empty())
     print(f, found);
-  f.report.write([&] { return found.page(); }, if_exists);
-  tell(found.notes());
-  tell(found.warnings());
-  return found.converged() ? done : not_converged;
+  return f.finish(found);
 }
 
 }  // namespace
 
 Run setup_deflection(CLI::App& command) {
   auto flags = std::make_shared<DeflectionFlags>();
-  command.add_option("MODEL", flags->model, "model file (TOML) with [arrangement] and [shaft]")
-      ->required()
-      ->type_name("");
+  declare_model(command, flags->model, "[arrangement] and [shaft]");
   add_number(command, "--force", flags->force_N, signed_load_range,
              "[N]; axial: positive towards the tool; default 0");
   add_number(command, "--axial-force", flags->axial_force_N, signed_load_range,
@@ -154,16 +140,9 @@ Run setup_deflection(CLI::App& command) {
   add_number(command, "--speed", flags->speed_rpm, speed_range, "[rpm]; default 0");
   command.add_flag("--warm", flags->warm,
                    "with the preload that the steady, warm spindle has at this speed");
-  command
-      .add_option("--coolant", flags->coolant, "coolant of the warm spindle, on or off; default on")
-      ->check(CLI::IsMember({"on", "off"}))
-      ->type_name("STATE");
-  command.add_option("-o,--output", flags->output, "bending line as CSV; - for stdout")
-      ->type_name("FILE");
-  flags->csv.declare(command);
-  command.add_flag("--replace", flags->force, "replace the file if it exists");
-  command.add_flag("--json", flags->json, "one JSON document instead of text");
-  flags->report.declare(command);
+  declare_coolant(command, flags->coolant_on, "coolant of the warm spindle, on or off; default on");
+  flags->declare_output(command, "bending line as CSV; - for stdout");
+  flags->declare_results(command);
   command.footer(
       "Example:\n  raceway deflection spindle.toml --force 1000 --axial-force -300 --moment 100 "
       "--speed 8000 --warm");

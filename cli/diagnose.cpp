@@ -69,7 +69,7 @@ verdict::Diagnosis diagnosis_of(const DiagnoseFlags& flags, const session::LoopQ
 
 int run(const DiagnoseFlags& flags) {
   if (flags.verbose) show_every_message();
-  flags.report.check(flags.force);
+  flags.report.check(on_existing(flags.force));
   const session::LoopQuestion asked =
       session::ask(messages(), flags.model, session::files(flags.data), flags.loop);
   verdict::Diagnosis diagnosis;
@@ -85,7 +85,7 @@ int run(const DiagnoseFlags& flags) {
     put_document(session::json(asked, diagnosis));
   else
     print_diagnosis(diagnosis, flags.verbose);
-  flags.report.write([&] { return session::page(asked, diagnosis); }, flags.force);
+  flags.report.write([&] { return session::page(asked, diagnosis); }, on_existing(flags.force));
   return done;
 }
 
@@ -93,7 +93,7 @@ int run(const DiagnoseFlags& flags) {
 
 Run setup_diagnose(CLI::App& command) {
   auto flags = std::make_shared<DiagnoseFlags>();
-  command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
+  declare_model(command, flags->model);
   command.add_option("DATA", flags->data, "measurements (CSV), one file or more")
       ->required()
       ->type_name("")
@@ -110,7 +110,7 @@ Run setup_diagnose(CLI::App& command) {
   command.add_flag("--verbose", flags->verbose,
                    "print all details: every effect, intervals, errors of the held-out blocks, "
                    "points to measure, sizes that would have been found");
-  command.add_flag("--json", flags->json, "one JSON document instead of text");
+  declare_json(command, flags->json);
   flags->report.declare(command);
   command.add_flag("--force", flags->force, "replace the page if it exists");
   command.footer(

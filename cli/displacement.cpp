@@ -8,10 +8,7 @@
 #include "cli/axis_flag.h"
 #include "cli/band_flag.h"
 #include "cli/commands.h"
-#include "cli/csv_style.h"
-#include "cli/messages.h"
-#include "cli/report_flag.h"
-#include "cli/shared_flags.h"
+#include "cli/output_flags.h"
 #include "cli/text_table.h"
 #include "session/bands.h"
 #include "session/open_input.h"
@@ -24,12 +21,9 @@
 namespace raceway::cli {
 namespace {
 
-struct DisplacementFlags {
-  std::string model, output, speed;
+struct DisplacementFlags : ResultFlags {
+  std::string model, speed;
   double axial_load = unset, temperature = unset;
-  bool json = false, force = false;
-  CsvStyle csv;
-  ReportFlag report;
   BandFlag band;
 };
 
@@ -97,25 +91,20 @@ void print(const model::Model& model, const session::ShaftCurve& curve) {
 }
 
 int run(const DisplacementFlags& flags) {
-  refuse_two_on_stdout("displacement", flags.json, flags.output);
-  const auto if_exists = on_existing(flags.force);
-  flags.csv.require_writable(flags.output, if_exists);
-  flags.report.check(flags.force);
+  flags.check_results("displacement");
   const files::ModelFile file =
       session::open_model(messages(), flags.model, session::Accepts::shaft);
   std::vector<shaft::ShaftPoint> asked = points(flags, file);
   const std::optional<model::Band> band = flags.band.of(file);
   const session::ShaftCurve curve(file, std::move(asked), band);
-  if (!flags.output.empty())
-    flags.csv.put(flags.output, curve.csv(), if_exists,
-                  fmt::format(", {} speeds", curve.points().size()));
+  flags.put_table([&] { return curve.csv(); }, fmt::format(", {} speeds", curve.points().size()));
   if (flags.json) {
     put_document(curve.json());
   } else if (flags.output.empty()) {
     print(file.model, curve);
     if (band) fmt::print("+-: {}\n", session::band_statement(*band));
   }
-  flags.report.write([&] { return curve.page(); }, flags.force);
+  flags.put_page([&] { return curve.page(); });
   tell(curve.warnings());
   return curve.converged() ? done : not_converged;
 }
@@ -124,9 +113,7 @@ int run(const DisplacementFlags& flags) {
 
 Run setup_displacement(CLI::App& command) {
   auto flags = std::make_shared<DisplacementFlags>();
-  command.add_option("MODEL", flags->model, "model file (TOML) with an [arrangement]")
-      ->required()
-      ->type_name("");
+  declare_model(command, flags->model, "an [arrangement]");
   command
       .add_option("--speed", flags->speed, "[rpm], as 100,300,900 or as from:to:step, 0:10000:250")
       ->required()
@@ -135,13 +122,9 @@ Run setup_displacement(CLI::App& command) {
              "[N], positive towards the tool; default: external_load_N");
   add_number(command, "--temperature", flags->temperature, temperature_range,
              "lubricant temperature [C]; default: [rig] of the model, else 40");
-  command.add_option("-o,--output", flags->output, "CSV file to write; - for stdout")
-      ->type_name("FILE");
-  flags->csv.declare(command);
-  command.add_flag("--force", flags->force, "replace the file if it exists");
   flags->band.declare(command);
-  command.add_flag("--json", flags->json, "one JSON document instead of text");
-  flags->report.declare(command);
+  flags->declare_output(command, "CSV file to write; - for stdout");
+  flags->declare_results(command);
   command.footer("Example:\n  raceway displacement my.toml --speed 0:10000:250 -o kinematic.csv");
   return [flags] { return run(*flags); };
 }

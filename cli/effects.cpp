@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/effects_text.h"
 #include "cli/messages.h"
+#include "cli/shared_flags.h"
 #include "correction/catalogue.h"
 #include "effects/catalogue.h"
 #include "model/own_data.h"
@@ -121,7 +122,7 @@ Run setup_effects(CLI::App& command) {
   command
       .add_option("ID", *id, "explain this effect, or list those with these words; without it, all")
       ->type_name("");
-  command.add_flag("--json", *json, "one JSON document instead of text");
+  declare_json(command, *json);
   command.footer("Example:\n  raceway effects thermal-preload\n  raceway effects air");
   return [=] { return show(*id, *json); };
 }

@@ -6,31 +6,27 @@
 #include <utility>
 
 #include "cli/commands.h"
-#include "cli/messages.h"
+#include "cli/output_flags.h"
 #include "cli/run_files.h"
-#include "cli/shared_flags.h"
 #include "correction/trust.h"
 #include "session/control_export.h"
 #include "text/error.h"
-#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
 
-struct ExportFlags {
-  std::string model, format, record, output;
-  bool accept_untrusted = false, force = false;
+struct ExportFlags : OutputFlags {
+  std::string model, format, record;
+  bool accept_untrusted = false;
 };
 
 int run(const ExportFlags& flags) {
-  const bool to_file = !flags.output.empty() && flags.output != "-";
-  const auto if_exists = on_existing(flags.force);
-  const bool with_hal = to_file && flags.format == "linuxcnc";
+  const bool with_hal = flags.to_file() && flags.format == "linuxcnc";
   const session::HalFiles hal = session::hal_files(flags.output);
   session::require_control_name(flags.format, flags.output);
-  if (to_file) text::require_writable(flags.output, if_exists);
+  flags.require_writable();
   for (const std::string& file : {hal.start, hal.shutdown})
-    if (with_hal) text::require_writable(file, if_exists);
+    if (with_hal) text::require_writable(file, flags.if_exists());
   if (!flags.record.empty()) add_input(flags.record);
   const session::Source record(flags.record);
   control::ControlPlan wanted =
@@ -38,13 +34,13 @@ int run(const ExportFlags& flags) {
   if (!flags.accept_untrusted) session::require_trust(wanted);
   const auto [plan, text, hal_start, hal_shutdown] =
       session::export_plan(std::move(wanted), flags.format, flags.output);
-  if (to_file) {
+  if (flags.to_file()) {
     std::vector<text::OutputFile> files{{flags.output, text}};
     if (with_hal) {
       files.push_back({hal.start, hal_start});
       files.push_back({hal.shutdown, hal_shutdown});
     }
-    text::write_files(files, if_exists);
+    text::write_files(files, flags.if_exists());
     std::size_t parts = 0;
     for (const control::ControlAxis& a : plan.axes)
       parts += a.sections.size() + a.elements.size() + a.feedthroughs.size() + a.equations.size() +
@@ -92,11 +88,10 @@ Run setup_export(CLI::App& command) {
                   "record over time (CSV) that is stored in the file, for its own check;\n"
                   "without it one that is made up within the ranges of the model")
       ->type_name("RECORD");
-  command.add_option("-o,--output", flags->output, "file to write; stdout without it")
-      ->type_name("FILE");
+  flags->declare_output(command, "file to write; stdout without it");
   command.add_flag("--accept-untrusted", flags->accept_untrusted,
                    "export a correction even if its trust is: do not use");
-  command.add_flag("--force", flags->force, "replace the file if it exists");
+  flags->declare_force(command);
   command.footer(
       "Example:\n  raceway export z.toml --format python -o correction.py\n"
       "  raceway export z.toml --format c -o correction.h\n"

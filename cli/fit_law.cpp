@@ -5,23 +5,21 @@
 #include <optional>
 
 #include "cli/commands.h"
-#include "cli/messages.h"
 #include "cli/number_flag.h"
-#include "cli/shared_flags.h"
+#include "cli/output_flags.h"
 #include "cli/text_table.h"
 #include "session/law_fit.h"
 #include "session/reading.h"
 #include "shaft/displacement_table.h"
 #include "text/error.h"
-#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
 
-struct FitLawFlags {
-  std::string curve, output;
+struct FitLawFlags : OutputFlags {
+  std::string curve;
   double at = unset;  // [rpm]
-  bool json = false, force = false;
+  bool json = false;
   session::Reading reading;
 };
 
@@ -51,9 +49,7 @@ int run(const FitLawFlags& flags) {
     throw text::InputError("raceway fit-law: CSV is missing, and nothing is piped in",
                            {.key = "CSV"});
   refuse_two_on_stdout("fit-law", flags.json, flags.output);
-  const bool to_file = !flags.output.empty() && flags.output != "-";
-  const auto if_exists = on_existing(flags.force);
-  if (to_file) text::require_writable(flags.output, if_exists);
+  flags.require_writable();
 
   const session::LawFit found = session::fit_law(messages(), flags.curve, flags.reading, flags.at);
   const shaft::KinematicLawFit& f = found.fit;
@@ -67,13 +63,8 @@ int run(const FitLawFlags& flags) {
   // The table rests on the rows alone and is written also where no law was found.
   if (!flags.output.empty()) {
     const shaft::DisplacementTable table = shaft::make_displacement_table(curve.points);
-    const std::string text = files::displacement_table_text(table, curve.source);
-    if (to_file) {
-      text::write_text(flags.output, text, if_exists);
-      say(fmt::format("{} written, {} speeds", flags.output, table.speed.size()));
-    } else {
-      fmt::print("{}", text);
-    }
+    flags.put(files::displacement_table_text(table, curve.source),
+              fmt::format(", {} speeds", table.speed.size()));
     if (!table.monotone)
       warn("the table is not monotone: the displacement turns where the rows turn");
   }
@@ -93,13 +84,10 @@ Run setup_fit_law(CLI::App& command) {
       ->type_name("");
   add_number(command, "--at", flags->at, speed_range,
              "also displacement and slope at this speed [rpm] of the curve");
-  command
-      .add_option("-o,--output", flags->output,
-                  "monotone table to write in place of the law; - for stdout")
-      ->type_name("FILE");
+  flags->declare_output(command, "monotone table to write in place of the law; - for stdout");
   declare(command, flags->reading);
-  command.add_flag("--force", flags->force, "replace the file if it exists");
-  command.add_flag("--json", flags->json, "one JSON document instead of text");
+  flags->declare_force(command);
+  declare_json(command, flags->json);
   command.footer(
       "Example:\n  raceway fit-law kinematic.csv --at 5000\n"
       "  raceway displacement spindle.toml --speed 0:10000:250 -o - | raceway fit-law");

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/output_flags.h"
 #include "session/loop.h"
-#include "text/output_file.h"
 #include "verdict/calibrate.h"
 
 namespace raceway::cli {
@@ -13,9 +13,9 @@ namespace raceway::cli {
 /// their own.
 class FittedModels {
  public:
-  /// `output` may be empty: then no file is written.
-  FittedModels(std::string output, text::IfExists if_exists)
-      : output_(std::move(output)), if_exists_(if_exists) {}
+  /// Without an output no file is written.
+  explicit FittedModels(const OutputFlags& flags)
+      : output_(flags.output), if_exists_(flags.if_exists()) {}
 
   /// Throws text::InputError if an output file cannot be written.
   void require_writable(const fit::Subject& subject) const;

@@ -6,26 +6,23 @@
 
 #include "cli/commands.h"
 #include "cli/identification_text.h"
-#include "cli/messages.h"
+#include "cli/output_flags.h"
 #include "cli/process.h"
 #include "cli/progress.h"
-#include "cli/shared_flags.h"
 #include "cli/text_table.h"
 #include "correction/baseline.h"
 #include "results/correction_results.h"
 #include "session/correction_input.h"
 #include "session/identification.h"
-#include "text/error.h"
-#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
 
-struct IdentifyFlags {
-  std::string model, data, validate, output;
+struct IdentifyFlags : OutputFlags {
+  std::string model, data, validate;
   session::IdentifyChoices choices;
   session::Reading reading;
-  bool json = false, force = false;
+  bool json = false;
 };
 
 /// Validates the found models on a record that they did not see, and judges them by it from then
@@ -55,12 +52,6 @@ std::vector<results::Validation> validated(std::vector<correction::Identificatio
 
 /// Shows what it is worth, and writes it as transfer functions where it is asked to.
 int run_arx(const IdentifyFlags& flags) {
-  const auto if_exists = on_existing(flags.force);
-  if (flags.output == "-")
-    throw text::InputError("raceway identify: --output -: stdout shows the numbers; name a file",
-                           {.key = "--output"});
-  if (!flags.output.empty()) text::require_writable(flags.output, if_exists);
-  flags.choices.check();
   const session::SeriesQuestion asked =
       session::ask_series(messages(), flags.model, flags.data, flags.reading);
   std::vector<std::pair<const record::Channel*, correction::ArxBaseline>> found;
@@ -72,10 +63,7 @@ int run_arx(const IdentifyFlags& flags) {
   if (flags.json) put_document(results::arx_json(asked.file.source, asked.data, found));
   if (!flags.output.empty()) {
     const session::ArxText written = session::arx_text(asked, found);
-    text::write_text(flags.output,
-                     files::with_names_from(written.text, asked.file.files, flags.output),
-                     if_exists);
-    say(flags.output + " written");
+    flags.put_model(written.text, asked.file.files);
     tell(written.notes);
   }
   return done;
@@ -97,13 +85,10 @@ correction::Identification identified(const IdentifyFlags& flags, session::Serie
 }
 
 int run(const IdentifyFlags& flags) {
-  if (flags.choices.baseline == "arx") return run_arx(flags);
-  const auto if_exists = on_existing(flags.force);
-  if (flags.output == "-")
-    throw text::InputError("raceway identify: --output -: stdout shows the numbers; name a file",
-                           {.key = "--output"});
-  if (!flags.output.empty()) text::require_writable(flags.output, if_exists);
+  flags.refuse_stdout("identify", "the numbers");
+  flags.require_writable();
   flags.choices.check();
+  if (flags.choices.baseline == "arx") return run_arx(flags);
   session::SeriesQuestion asked =
       session::ask_series(messages(), flags.model, flags.data, flags.reading);
   std::vector<correction::Identification> found;
@@ -121,14 +106,9 @@ int run(const IdentifyFlags& flags) {
       print_trust(*one.model.displacement, correction::trust_of(one.model));
   if (flags.json)
     put_document(results::identification_json(asked.file.source, asked.data, found, validations));
-  if (!flags.output.empty()) {
-    text::write_text(flags.output,
-                     files::with_names_from(
-                         session::identified_text(asked, session::models_of(found), flags.choices),
-                         asked.file.files, flags.output),
-                     if_exists);
-    say(flags.output + " written");
-  }
+  if (!flags.output.empty())
+    flags.put_model(session::identified_text(asked, session::models_of(found), flags.choices),
+                    asked.file.files);
   return done;
 }
 
@@ -172,15 +152,13 @@ Run setup_identify(CLI::App& command) {
       ->type_name("WHICH");
   command.add_option("--validate", flags->validate, "another record, to judge the model by")
       ->type_name("RECORD2");
-  command
-      .add_option("-o,--output", flags->output,
-                  "model file to write: MODEL with the new sections, numbers and range")
-      ->type_name("FILE");
+  flags->declare_output(command,
+                        "model file to write: MODEL with the new sections, numbers and range");
   declare(command, flags->reading);
   declare_beside(command, flags->reading);
   declare(command, flags->reading.period);
-  command.add_flag("--force", flags->force, "replace the file if it exists");
-  command.add_flag("--json", flags->json, "one JSON document instead of text");
+  flags->declare_force(command);
+  declare_json(command, flags->json);
   command.footer(
       "Example:\n  raceway identify z.toml monday.csv --validate friday.csv -o found.toml\n"
       "  raceway identify z.toml monday.csv --baseline regression -o regression.toml");

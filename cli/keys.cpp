@@ -8,6 +8,7 @@
 
 #include "cli/commands.h"
 #include "cli/messages.h"
+#include "cli/shared_flags.h"
 #include "cli/text_table.h"
 #include "files/key_tables.h"
 #include "text/error.h"
@@ -80,7 +81,7 @@ Run setup_keys(CLI::App& command) {
   command
       .add_option("WORDS", *words, "which all stand in table, name or meaning; without, all keys")
       ->type_name("");
-  command.add_flag("--json", *json, "one JSON document instead of text");
+  declare_json(command, *json);
   command.footer(
       "Example:\n  raceway keys conformity\n  raceway keys \"[lubricant]\"\n"
       "  raceway keys \"coolant channel\"");

@@ -6,27 +6,21 @@
 
 #include "cli/axis_flag.h"
 #include "cli/commands.h"
-#include "cli/csv_style.h"
-#include "cli/messages.h"
 #include "cli/number_flag.h"
-#include "cli/report_flag.h"
-#include "cli/shared_flags.h"
+#include "cli/output_flags.h"
 #include "cli/text_table.h"
 #include "session/open_input.h"
 #include "session/spindle_modes.h"
 #include "text/error.h"
-#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
 
-struct ModesFlags {
-  std::string model, speed, output, shapes, coolant = "on";
+struct ModesFlags : ResultFlags {
+  std::string model, speed, shapes;
   int count = 6;
   double damping = unset, unbalance_gmm = unset, unbalance_at_mm = 0.0;
-  bool warm = false, json = false, force = false;
-  CsvStyle csv;
-  ReportFlag report;
+  bool warm = false, coolant_on = true;
 };
 
 std::vector<double> campbell_speeds(const ModesFlags& f) {
@@ -103,48 +97,39 @@ void print(const ModesFlags& f, const session::SpindleModes& found) {
 }
 
 int run(const ModesFlags& f) {
-  if (f.json && (f.output == "-" || f.shapes == "-"))
-    throw text::InputError("raceway modes: --json and a file - both write to stdout; take one",
-                           {.key = "--output"});
-  const auto if_exists = on_existing(f.force);
-  for (const std::string& path : {f.output, f.shapes}) f.csv.require_writable(path, if_exists);
-  f.report.check(f.force);
+  if (f.json && f.shapes == "-")
+    throw text::InputError("raceway modes: --json and --shapes - both write to stdout; take one",
+                           {.key = "--shapes"});
+  f.check_results("modes");
+  f.csv.require_writable(f.shapes, f.if_exists());
   const files::ModelFile file = session::open_model(messages(), f.model, session::Accepts::shaft);
   const session::SpindleModes found = session::spindle_modes(file, {.speeds = campbell_speeds(f),
                                                                     .warm = f.warm,
-                                                                    .coolant_on = f.coolant == "on",
+                                                                    .coolant_on = f.coolant_on,
                                                                     .count = f.count,
                                                                     .damping_ratio = f.damping,
                                                                     .unbalance = unbalance_of(f)});
   const std::string what = fmt::format(", {} speeds", found.speeds.size());
-  if (!f.output.empty()) f.csv.put(f.output, found.csv(), if_exists, what);
-  if (!f.shapes.empty()) f.csv.put(f.shapes, found.shapes_csv(), if_exists, what);
+  f.put_table([&] { return found.csv(); }, what);
+  if (!f.shapes.empty()) f.csv.put(f.shapes, found.shapes_csv(), f.if_exists(), what);
   if (f.json)
     put_document(found.json());
   else if (f.output.empty() && f.shapes.empty())
     print(f, found);
-  f.report.write([&] { return found.page(); }, f.force);
-  tell(found.notes());
-  tell(found.warnings());
-  return found.converged() ? done : not_converged;
+  return f.finish(found);
 }
 
 }  // namespace
 
 Run setup_modes(CLI::App& command) {
   auto flags = std::make_shared<ModesFlags>();
-  command.add_option("MODEL", flags->model, "model file (TOML) with [arrangement] and [shaft]")
-      ->required()
-      ->type_name("");
+  declare_model(command, flags->model, "[arrangement] and [shaft]");
   command.add_option("--speed", flags->speed, "[rpm], as 0,6000 or as from:to:step, 0:20000:1000")
       ->required()
       ->type_name("VALUES");
   command.add_flag("--warm", flags->warm,
                    "with the stiffness that the bearings have in the steady, warm spindle");
-  command
-      .add_option("--coolant", flags->coolant, "coolant of the warm spindle, on or off; default on")
-      ->check(CLI::IsMember({"on", "off"}))
-      ->type_name("STATE");
+  declare_coolant(command, flags->coolant_on, "coolant of the warm spindle, on or off; default on");
   command.add_option("--modes", flags->count, "number of modes; default 6")
       ->check(CLI::Range(1, 40))
       ->type_name("N");
@@ -154,14 +139,10 @@ Run setup_modes(CLI::App& command) {
              "unbalance [g mm] of the shaft; gives the path of the nose at each speed");
   add_number(command, "--unbalance-at", flags->unbalance_at_mm, {0.0, 1e5, "mm"},
              "[mm] behind the nose face; default 0");
-  command.add_option("-o,--output", flags->output, "Campbell diagram as CSV; - for stdout")
-      ->type_name("FILE");
+  flags->declare_output(command, "Campbell diagram as CSV; - for stdout");
   command.add_option("--shapes", flags->shapes, "shapes of the modes as CSV; - for stdout")
       ->type_name("FILE");
-  flags->csv.declare(command);
-  command.add_flag("--force", flags->force, "replace files that exist");
-  command.add_flag("--json", flags->json, "one JSON document instead of text");
-  flags->report.declare(command);
+  flags->declare_results(command);
   command.footer(
       "Example:\n  raceway modes spindle.toml --speed 0:20000:1000 -o campbell.csv --report "
       "page.html");

@@ -4,20 +4,17 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/messages.h"
 #include "cli/number_flag.h"
-#include "cli/shared_flags.h"
+#include "cli/output_flags.h"
 #include "session/new_model.h"
 #include "text/error.h"
-#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
 
-struct NewFlags {
+struct NewFlags : OutputFlags {
   session::NewModel wanted;
-  std::string record, columns, output;
-  bool force = false;
+  std::string record, columns;
 };
 
 /// True if a flag describes a bearing.
@@ -50,13 +47,7 @@ std::string text_of(const NewFlags& flags) {
 }
 
 int run(const NewFlags& flags) {
-  const std::string text = text_of(flags);
-  if (flags.output.empty() || flags.output == "-") {
-    fmt::print("{}", text);
-  } else {
-    text::write_text(flags.output, text, on_existing(flags.force));
-    say(flags.output + " written");
-  }
+  flags.put(text_of(flags));
   return done;
 }
 
@@ -107,9 +98,8 @@ Run setup_new(CLI::App& command) {
                   "palmgren, and rollers have no contact)")
       ->check(CLI::IsMember({"palmgren", "skf", "contact"}))
       ->type_name("NAME");
-  command.add_option("-o,--output", flags->output, "model file to write; stdout without it")
-      ->type_name("FILE");
-  command.add_flag("--force", flags->force, "replace the file if it exists");
+  flags->declare_output(command, "model file to write; stdout without it");
+  flags->declare_force(command);
   command.footer(
       "Example:\n  raceway new \"S 6014 C\" -o my.toml\n"
       "  raceway new \"7014 AC\" --oil \"VG 32\" --law palmgren -o rig.toml\n"

@@ -4,7 +4,6 @@
 #include <functional>
 #include <string>
 
-#include "cli/shared_flags.h"
 #include "text/output_file.h"
 
 namespace raceway::cli {
@@ -17,12 +16,8 @@ struct ReportFlag {
   void declare(CLI::App& command);
   /// Throws if the page cannot be written, before the long calculation.
   void check(text::IfExists if_exists) const;
-  void check(bool replace) const { check(on_existing(replace)); }
   /// Writes the page if it was requested, and reports it.
   void write(const std::function<std::string()>& page, text::IfExists if_exists) const;
-  void write(const std::function<std::string()>& page, bool replace) const {
-    write(page, on_existing(replace));
-  }
 };
 
 }  // namespace raceway::cli

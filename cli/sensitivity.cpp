@@ -11,6 +11,7 @@
 #include "cli/messages.h"
 #include "cli/progress.h"
 #include "cli/sensitivity_text.h"
+#include "cli/shared_flags.h"
 #include "session/open_input.h"
 
 namespace raceway::cli {
@@ -80,7 +81,7 @@ int run(const SensitivityFlags& flags) {
 
 Run setup_sensitivity(CLI::App& command) {
   auto flags = std::make_shared<SensitivityFlags>();
-  command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
+  declare_model(command, flags->model);
   command
       .add_option("--of", flags->of,
                   "predictions, with commas: torque, heat, displacement, contact-angle,\n"
@@ -111,7 +112,7 @@ Run setup_sensitivity(CLI::App& command) {
       ->type_name("SAMPLES");
   command.add_option("--seed", flags->seed, "seed of the samples; default 1")->type_name("N");
   command.add_flag("--all", flags->all, "also data with less than 0.1 %");
-  command.add_flag("--json", flags->json, "one JSON document instead of text");
+  declare_json(command, flags->json);
   command.footer(
       "Example:\n"
       "  raceway sensitivity my.toml --speed 10000 --axial-load 300\n"

@@ -1,14 +1,23 @@
 #include "cli/shared_flags.h"
 
-#include "text/error.h"
-
 namespace raceway::cli {
 
-void refuse_two_on_stdout(const std::string& command, bool json, const std::string& output) {
-  if (json && output == "-")
-    throw text::InputError(
-        "raceway " + command + ": --json and --output - both write to stdout; take one",
-        {.key = "--output"});
+void declare_model(CLI::App& command, std::string& model, const std::string& with) {
+  command.add_option("MODEL", model, "model file (TOML)" + (with.empty() ? "" : " with " + with))
+      ->required()
+      ->type_name("");
+}
+
+void declare_json(CLI::App& command, bool& json) {
+  command.add_flag("--json", json, "one JSON document instead of text");
+}
+
+void declare_coolant(CLI::App& command, bool& on, const std::string& help) {
+  command
+      .add_option_function<std::string>(
+          "--coolant", [&on](const std::string& state) { on = state == "on"; }, help)
+      ->check(CLI::IsMember({"on", "off"}))
+      ->type_name("STATE");
 }
 
 void declare(CLI::App& command, session::Reading& reading) {

@@ -15,8 +15,14 @@ namespace raceway::cli {
   return force ? text::IfExists::replace : text::IfExists::refuse;
 }
 
-/// Throws text::InputError if the JSON document and a file would both go to stdout.
-void refuse_two_on_stdout(const std::string& command, bool json, const std::string& output);
+/// Argument `MODEL`: a model file `with` these tables.
+void declare_model(CLI::App& command, std::string& model, const std::string& with = {});
+
+/// `--json`.
+void declare_json(CLI::App& command, bool& json);
+
+/// `--coolant on` or `off`.
+void declare_coolant(CLI::App& command, bool& on, const std::string& help);
 
 /// `--columns map.toml` and `--drop-nan` of a command that reads measurements.
 void declare(CLI::App& command, session::Reading& reading);

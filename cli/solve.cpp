@@ -8,6 +8,7 @@
 #include "cli/number_flag.h"
 #include "cli/roller_text.h"
 #include "cli/shaft.h"
+#include "cli/shared_flags.h"
 #include "cli/state_text.h"
 #include "results/results.h"
 #include "results/roller_results.h"
@@ -78,7 +79,7 @@ int run(const SolveFlags& flags) {
 
 Run setup_solve(CLI::App& command) {
   auto flags = std::make_shared<SolveFlags>();
-  command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
+  declare_model(command, flags->model);
   add_number(command, "--speed", flags->point.speed_rpm, speed_range, "speed of the shaft [rpm]")
       ->required();
   add_number(command, "--axial-load", flags->point.axial_load_N, signed_load_range,
@@ -92,7 +93,7 @@ Run setup_solve(CLI::App& command) {
   add_number(command, "--moment-z", flags->point.moment_z_Nmm, moment_range,
              "about z [N mm], carried where tilt is free; default 0");
   flags->band.declare(command);
-  command.add_flag("--json", flags->json, "one JSON document instead of text");
+  declare_json(command, flags->json);
   command.footer(
       "Example:\n  raceway solve my.toml --speed 10000 --axial-load 600\n"
       "  raceway solve my.toml --speed 10000 --axial-load 600 --radial-load 100 --json");

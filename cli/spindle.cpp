@@ -5,10 +5,7 @@
 
 #include "cli/axis_flag.h"
 #include "cli/commands.h"
-#include "cli/csv_style.h"
-#include "cli/messages.h"
-#include "cli/report_flag.h"
-#include "cli/shared_flags.h"
+#include "cli/output_flags.h"
 #include "cli/spindle_text.h"
 #include "session/open_input.h"
 #include "session/reading.h"
@@ -21,22 +18,18 @@
 namespace raceway::cli {
 namespace {
 
-struct SpindleFlags {
-  std::string model, profile, speed, output, start, end_state, field;
-  std::string coolant = "on";
-  bool steady = false, json = false, force = false, assumptions = false;
+struct SpindleFlags : ResultFlags {
+  std::string model, profile, speed, start, end_state, field;
+  bool steady = false, coolant_on = true, assumptions = false;
   double ambient = unset;
   double axial_load_N = unset, radial_load_N = 0.0, moment_Nm = 0.0, belt_force_N = unset;
   double motor_power_W = unset;
   session::Reading reading;
-  CsvStyle csv;
-  ReportFlag report;
 
   /// True if the assumptions that matter most are printed; they take some fifty steady states.
   [[nodiscard]] bool tells_assumptions() const {
     return assumptions || (!json && output != "-") || !report.path.empty();
   }
-  [[nodiscard]] text::IfExists if_exists() const { return on_existing(force); }
 };
 
 void check_flags(const SpindleFlags& f) {
@@ -65,11 +58,10 @@ void check_flags(const SpindleFlags& f) {
   if (f.steady && (!f.reading.columns.empty() || f.reading.drop_nan))
     fail("--columns and --drop-nan need a --speed-profile, which --steady does not read",
          f.reading.drop_nan ? "--drop-nan" : "--columns");
-  refuse_two_on_stdout("spindle", f.json, f.output);
-  for (const std::string& path : {f.output, f.field}) f.csv.require_writable(path, f.if_exists());
+  f.check_results("spindle");
+  f.csv.require_writable(f.field, f.if_exists());
   if (!f.end_state.empty() && f.end_state != "-")
     text::require_writable(f.end_state, f.if_exists());
-  f.report.check(f.force);
 }
 
 /// The end of a run or of a steady state, into the files asked for.
@@ -92,7 +84,7 @@ double ambient_of(const SpindleFlags& f) {
 int run_steady(const SpindleFlags& f, const files::ModelFile& file) {
   session::SteadyQuestion question{.speeds = axis(f.speed, speed_range, "--speed"),
                                    .ambient_temperature = ambient_of(f),
-                                   .coolant_on = f.coolant == "on",
+                                   .coolant_on = f.coolant_on,
                                    .axial_load = f.axial_load_N,
                                    .radial_load = f.radial_load_N,
                                    .moment = f.moment_Nm,
@@ -106,41 +98,32 @@ int run_steady(const SpindleFlags& f, const files::ModelFile& file) {
                            {.key = "--speed"});
   const session::SteadySpindle found = session::steady_spindle(file, question);
   const std::size_t count = found.states.size();
-  if (!f.output.empty())
-    f.csv.put(f.output, found.csv(), f.if_exists(),
+  f.put_table([&] { return found.csv(); },
               fmt::format(", {} speed{}", count, count == 1 ? "" : "s"));
   if (found.states.back().report.converged()) put_ends(f, found, found.end);
   if (f.json)
     put_document(found.json(f.assumptions));
   else if (f.output != "-")
     print_steady(found);
-  f.report.write([&] { return found.page(); }, f.force);
-  tell(found.notes());
-  tell(found.warnings());
-  return found.converged() ? done : not_converged;
+  return f.finish(found);
 }
 
 int run_profile(const SpindleFlags& f, const files::ModelFile& file) {
   session::RunQuestion question{.programme = f.profile,
                                 .reading = f.reading,
                                 .ambient_temperature = ambient_of(f),
-                                .coolant_on = f.coolant == "on",
+                                .coolant_on = f.coolant_on,
                                 .mesh = f.json || f.output != "-" || !f.report.path.empty(),
                                 .assumptions = f.tells_assumptions()};
   if (!f.start.empty()) question.start = f.start;
   const session::SpindleRun found = session::simulate_spindle(messages(), file, question);
-  if (!f.output.empty())
-    f.csv.put(f.output, found.csv(), f.if_exists(),
-              fmt::format(", {} rows", found.run.moments.size()));
+  f.put_table([&] { return found.csv(); }, fmt::format(", {} rows", found.run.moments.size()));
   put_ends(f, found, found.run.end);
   if (f.json)
     put_document(found.json(f.assumptions));
   else if (f.output != "-")
     print_run(found);
-  f.report.write([&] { return found.page(); }, f.force);
-  tell(found.notes());
-  tell(found.warnings());
-  return found.converged() ? done : not_converged;
+  return f.finish(found);
 }
 
 int run(const SpindleFlags& flags) {
@@ -155,9 +138,7 @@ int run(const SpindleFlags& flags) {
 
 Run setup_spindle(CLI::App& command) {
   auto flags = std::make_shared<SpindleFlags>();
-  command.add_option("MODEL", flags->model, "model file (TOML) with [shaft] and [housing]")
-      ->required()
-      ->type_name("");
+  declare_model(command, flags->model, "[shaft] and [housing]");
   command
       .add_option(
           "--speed-profile", flags->profile,
@@ -169,9 +150,7 @@ Run setup_spindle(CLI::App& command) {
   command.add_option("--speed", flags->speed, "[rpm], as 6000 or as from:to:step; with --steady")
       ->type_name("VALUES");
   command.add_flag("--steady", flags->steady, "the steady state at each --speed");
-  command.add_option("--coolant", flags->coolant, "on or off; off: in every row")
-      ->check(CLI::IsMember({"on", "off"}))
-      ->type_name("STATE");
+  declare_coolant(command, flags->coolant_on, "on or off; off: in every row");
   add_number(command, "--ambient", flags->ambient, temperature_range,
              "[C] in every row; default: its column, else [ambient] of the model");
   add_number(command, "--axial-load", flags->axial_load_N, signed_load_range,
@@ -184,10 +163,8 @@ Run setup_spindle(CLI::App& command) {
              "[N]; with --steady; default: [drive] of the model");
   add_number(command, "--motor-power", flags->motor_power_W, power_range,
              "power of the motor [W], for formulas of heat; with --steady");
-  command
-      .add_option("-o,--output", flags->output,
-                  "CSV file to write, - for stdout: displacement, forces, heat and temperatures")
-      ->type_name("FILE");
+  flags->declare_output(
+      command, "CSV file to write, - for stdout: displacement, forces, heat and temperatures");
   command
       .add_option("--start", flags->start,
                   "state to begin with, as --end-state writes it; default: all as warm as the room")
@@ -198,12 +175,9 @@ Run setup_spindle(CLI::App& command) {
       .add_option("--field", flags->field, "write the temperature of each cell at the end (CSV)")
       ->type_name("FILE");
   declare(command, flags->reading);
-  flags->csv.declare(command);
-  command.add_flag("--force", flags->force, "replace files that exist");
-  command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.add_flag("--assumptions", flags->assumptions,
                    "in --json, too: the five assumed numbers that move the nose most");
-  flags->report.declare(command);
+  flags->declare_results(command);
   command.footer(
       "Examples:\n  raceway spindle my.toml --speed 6000 --steady\n"
       "  raceway spindle my.toml --speed-profile day.csv -o run.csv --report page.html");

@@ -5,12 +5,9 @@
 
 #include "cli/axis_flag.h"
 #include "cli/commands.h"
-#include "cli/csv_style.h"
-#include "cli/messages.h"
 #include "cli/number_flag.h"
-#include "cli/report_flag.h"
+#include "cli/output_flags.h"
 #include "cli/run_files.h"
-#include "cli/shared_flags.h"
 #include "cli/step_correction.h"
 #include "cli/step_response_text.h"
 #include "files/step_import.h"
@@ -18,22 +15,18 @@
 #include "session/open_input.h"
 #include "session/spindle_steps.h"
 #include "text/error.h"
-#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
 
 constexpr double one_hour = 3600.0;
 
-struct StepFlags {
-  std::string model, speed, axial_load, radial_load, load_speed, import, output, units = "s,um",
-                                                                                 coolant = "on";
+struct StepFlags : ResultFlags {
+  std::string model, speed, axial_load, radial_load, load_speed, import, units = "s,um";
   StepCorrectionFlags correction;
   std::vector<std::string> load_cases;
   double hours = 4.0, temperature = unset;
-  bool json = false, force = false;
-  CsvStyle csv;
-  ReportFlag report;
+  bool coolant_on = true;
 
   [[nodiscard]] bool imports() const { return !import.empty() || !load_cases.empty(); }
   [[nodiscard]] bool steps_loads() const { return !axial_load.empty() || !radial_load.empty(); }
@@ -43,7 +36,6 @@ void check_step_flags(const StepFlags& f) {
   const auto refuse = [](const std::string& why, const std::string& key) {
     throw text::InputError("raceway step-response: " + why, {.key = key});
   };
-  refuse_two_on_stdout("step-response", f.json, f.output);
   if (f.imports() && !f.speed.empty())
     refuse("--speed simulates and --import reads step responses; take one", "--speed");
   if (f.imports() && (f.steps_loads() || !f.load_speed.empty()))
@@ -85,39 +77,29 @@ session::StepQuestion step_question(const StepFlags& flags) {
           .radial_loads = given_axis(flags.radial_load, "--radial-load", signed_load_range, 1.0),
           .load_speeds = given_axis(flags.load_speed, "--load-speed", speed_range, rpm),
           .duration = flags.hours * one_hour,
-          .coolant_on = flags.coolant == "on",
+          .coolant_on = flags.coolant_on,
           .wording = session::Wording::flags};
-}
-
-void require_step_files(const StepFlags& flags, const session::StepQuestion& question) {
-  const auto if_exists = on_existing(flags.force);
-  flags.csv.require_writable(flags.output, if_exists);
-  flags.report.check(flags.force);
-  flags.correction.require_writable(if_exists, session::load_channels(question));
 }
 
 int run(const StepFlags& flags) {
   check_step_flags(flags);
   const session::StepQuestion question = step_question(flags);
-  require_step_files(flags, question);
+  flags.check_results("step-response");
+  flags.correction.require_writable(flags.if_exists(), session::load_channels(question));
   std::optional<files::ModelFile> file;
   if (!flags.model.empty())
     file = session::open_model(messages(), flags.model, session::Accepts::shaft);
   const session::SpindleSteps steps = flags.imports()
                                           ? imported_steps(flags, file ? &*file : nullptr)
                                           : session::simulated_steps(messages(), *file, question);
-  if (!flags.output.empty())
-    flags.csv.put(flags.output, steps.csv(), on_existing(flags.force),
-                  fmt::format(", {} step responses", steps.count()));
+  flags.put_table([&] { return steps.csv(); }, fmt::format(", {} step responses", steps.count()));
   if (!flags.json && flags.output.empty()) print_steps(steps);
   tell(steps.notes);
   flags.correction.write(steps, flags.force);
   std::optional<results::Superposition> error;
   if (steps.file) error = flags.correction.superposition(steps);
   if (flags.json) put_document(steps.json(error ? &*error : nullptr));
-  flags.report.write(
-      [&] { return steps.page(error ? &*error : nullptr, flags.correction.programme); },
-      flags.force);
+  flags.put_page([&] { return steps.page(error ? &*error : nullptr, flags.correction.programme); });
   tell(steps.warnings());
   return steps.converged() && (!error || error->report.converged()) ? done : not_converged;
 }
@@ -146,9 +128,7 @@ Run setup_step_response(CLI::App& command) {
       ->type_name("VALUES");
   add_number(command, "--hours", flags->hours, session::step_hours_range,
              "duration of each step; default 4");
-  command.add_option("--coolant", flags->coolant, "on or off; default on")
-      ->check(CLI::IsMember({"on", "off"}))
-      ->type_name("STATE");
+  declare_coolant(command, flags->coolant_on, "on or off; default on");
   command
       .add_option("--import", flags->import,
                   "CSV with load_case, time_s, axial_displacement_um, and power_W or\nspeed_rpm")
@@ -164,17 +144,13 @@ Run setup_step_response(CLI::App& command) {
   add_number(command, "--temperature", flags->temperature, temperature_range,
              "lubricant temperature [C], for the power at imported speeds;\ndefault: [rig] of "
              "MODEL, else 40");
-  command.add_option("-o,--output", flags->output, "CSV file to write; - for stdout")
-      ->type_name("FILE");
+  flags->declare_output(command, "CSV file to write; - for stdout");
   flags->correction.declare(command);
   for (const char* const simulated : {"--hours", "--coolant"})
     command.get_option(simulated)->needs("--speed");
   command.get_option("--temperature")->excludes("--speed");
   command.get_option("--units")->needs("--load-case");
-  flags->csv.declare(command);
-  command.add_flag("--force", flags->force, "replace files that exist");
-  command.add_flag("--json", flags->json, "one JSON document instead of text");
-  flags->report.declare(command);
+  flags->declare_results(command);
   command.footer(
       "Example:\n  raceway step-response spindle.toml --speed 2000:10000:2000 -o steps.csv\n"
       "  raceway step-response --load-case 50W=a.csv --load-case 100W=b.csv --json");

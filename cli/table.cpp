@@ -10,12 +10,9 @@
 #include "cli/axis_flag.h"
 #include "cli/band_flag.h"
 #include "cli/commands.h"
-#include "cli/csv_style.h"
 #include "cli/merge.h"
-#include "cli/messages.h"
+#include "cli/output_flags.h"
 #include "cli/progress.h"
-#include "cli/report_flag.h"
-#include "cli/shared_flags.h"
 #include "cli/stribeck_text.h"
 #include "cli/table_memory.h"
 #include "files/subject.h"
@@ -31,18 +28,12 @@
 namespace raceway::cli {
 namespace {
 
-struct TableFlags {
-  std::string model, output;
+struct TableFlags : ResultFlags {
+  std::string model, data, slab, plot;
   AxisFlags axes;
-  std::string data, slab, plot;
   std::vector<std::string> merge;
-  CsvStyle csv;
-  bool json = false, force = false;
-  ReportFlag report;
   BandFlag band;
   session::Reading reading;
-
-  [[nodiscard]] text::IfExists if_exists() const { return on_existing(force); }
 };
 
 void check_flags(const TableFlags& f) {
@@ -53,10 +44,9 @@ void check_flags(const TableFlags& f) {
     fail("--format", "--format needs a file: --output is missing");
   if (f.csv.format != "csv" && !f.slab.empty())
     fail("--slab", "--slab needs --format csv, because --merge reads no other format");
-  refuse_two_on_stdout("table", f.json, f.output);
   if (!f.slab.empty() && (f.output.empty() || f.json))
     fail("--slab", "--slab writes a file for --merge: --output is missing");
-  f.csv.require_writable(f.output, f.if_exists());
+  f.check_results("table");
   if (!f.plot.empty()) {
     text::require_name_of(f.plot, text::Written::picture);
     text::require_writable(f.plot, f.if_exists());
@@ -65,7 +55,6 @@ void check_flags(const TableFlags& f) {
     fail("--report", "--data is drawn in a report: --report is missing");
   if (f.data.empty() && (!f.reading.columns.empty() || f.reading.drop_nan))
     fail("--data", "--columns and --drop-nan are of measurements: --data is missing");
-  f.report.check(f.force);
 }
 
 /// Shows the share of the work that is done, where the table is large and a person looks on.
@@ -149,14 +138,11 @@ int run(const TableFlags& flags) {
   const session::TableAnswer answer =
       session::make_table(file, question, std::move(plan), progress.solving());
   put(flags, file, answer, points, progress);
-  flags.report.write(
-      [&] {
-        return report::table_report(file.source, model, answer.table,
-                                    session::states_to_draw(model, answer.table.axes),
-                                    measured ? &*measured : nullptr,
-                                    {session::of_page(file, model)}, texts(answer.warnings()));
-      },
-      flags.force);
+  flags.put_page([&] {
+    return report::table_report(
+        file.source, model, answer.table, session::states_to_draw(model, answer.table.axes),
+        measured ? &*measured : nullptr, {session::of_page(file, model)}, texts(answer.warnings()));
+  });
   tell(answer.notes(model));
   tell(answer.warnings());
   const session::TableFailures failed = session::failures(model, answer.table);
@@ -168,21 +154,17 @@ int run(const TableFlags& flags) {
 
 Run setup_table(CLI::App& command) {
   auto flags = std::make_shared<TableFlags>();
-  command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
+  declare_model(command, flags->model);
   flags->axes.declare(command,
                       "[rpm]; like all axes as 100,300,900 or as from:to:step, 0:12000:250");
-  command.add_option("-o,--output", flags->output, "CSV file to write; - for stdout")
-      ->type_name("FILE");
+  flags->declare_output(command, "CSV file to write; - for stdout");
   command
       .add_option("--slab", flags->slab, "only the i-th of N parts of the table, for table --merge")
       ->type_name("i/N");
-  flags->csv.declare(command, {"modelica"}, "modelica (CombiTable, SI), ");
   command.add_option("--plot", flags->plot, "torque over speed as a picture (SVG)")
       ->type_name("FILE");
-  command.add_flag("--force", flags->force, "replace the file if it exists");
   flags->band.declare(command);
-  command.add_flag("--json", flags->json, "one JSON document instead of text");
-  flags->report.declare(command);
+  flags->declare_results(command, {"modelica"}, "modelica (CombiTable, SI), ");
   command
       .add_option("--data", flags->data, "measurements (CSV) to draw into the curves of the report")
       ->type_name("FILE");

@@ -4,12 +4,10 @@
 #include <vector>
 
 #include "cli/commands.h"
-#include "cli/messages.h"
-#include "cli/shared_flags.h"
+#include "cli/output_flags.h"
 #include "files/catalogue_file.h"
 #include "text/error.h"
 #include "text/input_file.h"
-#include "text/output_file.h"
 #include "text/text_encoding.h"
 
 namespace raceway::cli {
@@ -17,10 +15,11 @@ namespace {
 
 using nlohmann::json;
 
-struct WorkbenchFlags {
+struct WorkbenchFlags : OutputFlags {
+  WorkbenchFlags() { output = "raceway-workbench.html"; }
+
   std::vector<std::string> files;
-  std::string columns, output = "raceway-workbench.html";
-  bool force = false;
+  std::string columns;
 };
 
 std::string utf8(const std::string& file) {
@@ -56,8 +55,7 @@ std::string loaded(const WorkbenchFlags& flags) {
 }
 
 int run(const WorkbenchFlags& flags) {
-  const auto if_exists = on_existing(flags.force);
-  text::require_writable(flags.output, if_exists);
+  text::require_writable(flags.output, flags.if_exists());
   const std::string source = files::data_file("workbench.html");
   if (source.empty())
     throw text::InputError(
@@ -70,7 +68,7 @@ int run(const WorkbenchFlags& flags) {
   if (at == page.npos)
     throw text::InputError(source + ": is not a workbench page of this version", {.file = source});
   page.replace(at, place.size(), loaded(flags));
-  text::write_text(flags.output, page, if_exists);
+  text::write_text(flags.output, page, flags.if_exists());
   say(flags.output + " written; open it in a browser");
   return done;
 }
@@ -90,11 +88,8 @@ Run setup_workbench(CLI::App& command) {
                   "which columns of the measurements are which of ours (TOML, table\n"
                   "[columns])")
       ->type_name("FILE");
-  command
-      .add_option("-o,--output", flags->output,
-                  "page to write; default raceway-workbench.html in this folder")
-      ->type_name("FILE");
-  command.add_flag("--force", flags->force, "replace the page if it exists");
+  flags->declare_output(command, "page to write; default raceway-workbench.html in this folder");
+  flags->declare_force(command, "replace the page if it exists");
   command.footer(
       "The page holds the program itself. It opens in any browser by a double click,\n"
       "needs no installation and no network, and sends nothing anywhere.\n\n"
