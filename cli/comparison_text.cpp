@@ -38,26 +38,6 @@ std::string range_text(const verdict::ErrorRange& r) {
                      : fmt::format("{} {} to {} {}", of.words, low, high, of.unit);
 }
 
-std::string noise_text(const verdict::Comparison& c) {
-  const record::Channel& of = *c.channel;
-  if (!std::isnan(c.noise.rms))
-    return fmt::format("{} {} ({})", error_text(c.noise.rms, of, 3), error_unit(of),
-                       fit::name(c.noise.source));
-  const auto column =
-      std::find_if(record::channels.begin(), record::channels.end(),
-                   [&](const record::Channel& other) { return other.of == of.name; });
-  return fmt::format(
-      "not known ({}){}",
-      record::find_channel(of.name) == nullptr  // of a record over time
-          ? "none declared, and readings stand far apart"
-          : fmt::format("{}no repeated rows", column == record::channels.end()
-                                                  ? ""
-                                                  : fmt::format("no column {}, ", column->name)),
-      std::isnan(c.estimated_noise)
-          ? ""
-          : fmt::format("; estimated {} {}", error_text(c.estimated_noise, of, 3), error_unit(of)));
-}
-
 void print_summary(const verdict::Comparison& c) {
   const std::string unit = error_unit(*c.channel);
   fmt::print("RMS error       {:>10} {}   mean error (bias) {:>10} {}\n",

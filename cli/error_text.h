@@ -4,6 +4,7 @@
 
 #include "cli/text_table.h"
 #include "record/channel.h"
+#include "verdict/compare.h"
 
 namespace raceway::cli {
 
@@ -17,6 +18,9 @@ namespace raceway::cli {
                                             int digits = 4) {
   return number(error / channel.factor, digits);
 }
+
+/// Returns the noise of the data of a comparison with its source, or why it is not known.
+[[nodiscard]] std::string noise_text(const verdict::Comparison& comparison);
 
 /// Number of channels from which the errors are printed as one table.
 inline constexpr std::size_t many_channels = 3;

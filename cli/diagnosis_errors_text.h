@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "verdict/diagnosis.h"
+
+namespace raceway::cli {
+
+/// Returns the errors before and after the found effects: a ladder for each channel, or one table
+/// of many channels. `brief`: fewer lines and columns.
+[[nodiscard]] std::string errors_text(const verdict::Diagnosis& d, bool brief);
+
+}  // namespace raceway::cli
