@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "files/named_files.h"
+#include "session/messages.h"
+#include "shaft/conformity.h"
+
+namespace raceway::session {
+
+/// Groove conformity of a catalogue bearing, which makers do not print, fitted to the printed axial
+/// rigidities of its preload classes.
+struct CatalogueConformity {
+  std::string bearing{};  ///< full name of the catalogue row
+  shaft::ConformityFit fit{};
+  std::string text{};  ///< model with the fitted conformity; empty if not found()
+  std::vector<files::NamedFile> files{};  ///< files that the model names
+
+  [[nodiscard]] bool found() const;
+  /// Returns the reason if no conformity has the printed rigidities.
+  [[nodiscard]] std::string problem() const;
+  /// Warns if one conformity does not explain all classes.
+  [[nodiscard]] std::vector<std::string> warnings() const;
+  [[nodiscard]] std::string json() const;
+};
+
+/// Fits the conformity of a model file with [bearing] catalogue, or of a designation of the
+/// catalogue. Throws text::InputError for a bearing without printed rigidities.
+[[nodiscard]] CatalogueConformity catalogue_conformity(Messages& messages,
+                                                       const std::string& model);
+
+}  // namespace raceway::session
