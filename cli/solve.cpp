@@ -10,8 +10,6 @@
 #include "cli/shaft.h"
 #include "cli/shared_flags.h"
 #include "cli/state_text.h"
-#include "results/results.h"
-#include "results/roller_results.h"
 #include "session/bands.h"
 #include "session/open_input.h"
 #include "session/operating_point.h"
@@ -38,16 +36,11 @@ int run(const SolveFlags& flags) {
     return solve_shaft(flags.model, file.model, session::shaft_points({&point, 1}).front(),
                        flags.json, band ? &*band : nullptr);
   const session::PointAnswer answer = session::solve_point(file.model, point);
-  const bearing::BearingEquilibrium& e = answer.equilibrium;
   std::optional<results::BandOfResult> half_widths;
   if (band) half_widths = session::point_band(*band, point);
-  const model::Findings findings = session::judge(file.model, point, answer);
-  if (flags.json && file.model.bearing.rollers()) {
-    put_document(results::roller_solve_json(file.model, point, answer.friction, answer.heat,
-                                            half_widths ? &*half_widths : nullptr, findings));
-  } else if (flags.json) {
-    put_document(results::solve_json(file.model, point, e, answer.friction, answer.heat,
-                                     half_widths ? &*half_widths : nullptr, findings));
+  if (flags.json) {
+    put_document(
+        session::point_json(file.model, point, answer, half_widths ? &*half_widths : nullptr));
   } else if (answer.converged()) {
     if (file.model.bearing.rollers())
       print_roller_state(file.model, point, answer);
@@ -61,7 +54,7 @@ int run(const SolveFlags& flags) {
       warn("raceway solve: " + one.text);
     return done;
   }
-  const bearing::SolveReport& report = e.report;
+  const bearing::SolveReport& report = answer.equilibrium.report;
   complain(fmt::format("raceway solve: {}: {} at {:.6g} rpm, {:.6g} N axial, {:.6g} N radial{}",
                        flags.model, answer.why, flags.point.speed_rpm, point.axial_load,
                        point.radial_load,

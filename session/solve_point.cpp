@@ -7,6 +7,8 @@
 #include "bearing/contact_pressure.h"
 #include "bearing/shoulder.h"
 #include "model/heat_split.h"
+#include "results/results.h"
+#include "results/roller_results.h"
 #include "session/contact_statement.h"
 #include "session/judged.h"
 #include "session/roller_notes.h"
@@ -38,6 +40,15 @@ PointAnswer solve_point(const model::Model& model, const bearing::OperatingPoint
   answer.friction.report = answer.equilibrium.report;
   answer.friction.effects.assign(effects, unset);
   return answer;
+}
+
+std::string point_json(const model::Model& model, const bearing::OperatingPoint& point,
+                       const PointAnswer& answer, const results::BandOfResult* band) {
+  const model::Findings findings = judge(model, point, answer);
+  if (model.bearing.rollers())
+    return results::roller_solve_json(model, point, answer.friction, answer.heat, band, findings);
+  return results::solve_json(model, point, answer.equilibrium, answer.friction, answer.heat, band,
+                             findings);
 }
 
 model::Findings judge(const model::Model& model, const bearing::OperatingPoint& point,

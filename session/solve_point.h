@@ -8,6 +8,7 @@
 #include "model/judgement.h"
 #include "model/prediction.h"
 #include "record/note.h"
+#include "results/band_of_result.h"
 
 namespace raceway::session {
 
@@ -31,6 +32,11 @@ struct PointAnswer {
 
 [[nodiscard]] PointAnswer solve_point(const model::Model& model,
                                       const bearing::OperatingPoint& point);
+
+/// Returns the JSON document of an answer; `band` may be null.
+[[nodiscard]] std::string point_json(const model::Model& model,
+                                     const bearing::OperatingPoint& point,
+                                     const PointAnswer& answer, const results::BandOfResult* band);
 
 /// Returns the limits that an answer exceeds; none without equilibrium.
 [[nodiscard]] model::Findings judge(const model::Model& model, const bearing::OperatingPoint& point,

@@ -11,8 +11,6 @@
 #include "model/parameters.h"
 #include "python/engine/answer.h"
 #include "python/engine/interruptible.h"
-#include "results/results.h"
-#include "results/roller_results.h"
 #include "results/shaft_results.h"
 #include "session/bands.h"
 #include "session/judged.h"
@@ -122,13 +120,7 @@ std::string solve_document(const EngineModel& model, const py::dict& given, bool
   const auto of_band = [&] { return half_widths ? &*half_widths : nullptr; };
   if (!m.shaft) {
     if (band) half_widths = session::point_band(*band, point);
-    const session::PointAnswer answer = session::solve_point(m, point);
-    const model::Findings findings = session::judge(m, point, answer);
-    if (m.bearing.rollers())
-      return results::roller_solve_json(m, point, answer.friction, answer.heat, of_band(),
-                                        findings);
-    return results::solve_json(m, point, answer.equilibrium, answer.friction, answer.heat,
-                               of_band(), findings);
+    return session::point_json(m, point, session::solve_point(m, point), of_band());
   }
   const shaft::ShaftPoint asked = session::shaft_points({&point, 1}).front();
   if (band) half_widths = session::shaft_band(*band, {&asked, 1});
