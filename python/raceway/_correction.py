@@ -9,7 +9,7 @@ from typing import Any
 from . import _engine
 from ._correction_results import CorrectionRun, Identification, Program
 from ._errors import InputError
-from ._given import name_list, seconds, text_of, warn
+from ._given import name_list, seconds, text_of, time_limit, warn
 from ._loop import LoopModel, asked
 from ._model import Model, _only_corrects, _tables
 from ._note import Note
@@ -172,7 +172,7 @@ class Correction(LoopModel):
             [] if inputs is None else name_list("inputs", inputs),
             lag_texts(lags_s),
             baseline or "",
-            float("inf") if time_limit_s is None else float(time_limit_s),
+            time_limit(time_limit_s),
             progress,
             **options,
         )

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import numbers
+import operator
 import warnings
 from collections.abc import Iterable
 from typing import Any
@@ -76,6 +78,34 @@ def value_of(name: str, value: float) -> float:
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
         raise TypeError(f"{name}: a number is wanted, not {type(value).__name__}")
     return float(value)
+
+
+def number_or_nan(name: str, value: float | None) -> float:
+    """Return NaN for None, which means: not given."""
+    if value is None:
+        return float("nan")
+    if math.isnan(value_of(name, value)):
+        raise ValueError(f"{name} = nan: must be a number")
+    return float(value)
+
+
+def time_limit(time_limit_s: float | None) -> float:
+    return float("inf") if time_limit_s is None else number_or_nan("time_limit_s", time_limit_s)
+
+
+def whole_number(name: str, value: int) -> int:
+    try:
+        if not isinstance(value, bool):
+            return operator.index(value)
+    except TypeError:
+        pass
+    raise TypeError(f"{name}: a whole number is wanted, not {type(value).__name__}")
+
+
+def yes_or_no(name: str, value: bool) -> bool:
+    if not isinstance(value, bool):
+        raise TypeError(f"{name}: True or False is wanted, not {value!r}")
+    return value
 
 
 def _kind(array: numpy.ndarray) -> str:

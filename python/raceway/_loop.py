@@ -8,7 +8,7 @@ from typing import Any, TypeAlias
 from . import _engine
 from ._errors import NotConverged, in_python
 from ._from_file import FromFile
-from ._given import name_list, seconds, tolerance_text, warn
+from ._given import name_list, seconds, time_limit, tolerance_text, warn
 from ._record import Record
 from ._results import Addition, Calibration, Check, Comparison, Diagnosis
 
@@ -193,8 +193,7 @@ class LoopModel(FromFile):
             An interrupt stops the search. Nothing is left half done.
         """
         data, options = asked(record, channel=channel, per_record=per_record, rows=rows, tolerance=tolerance, from_s=from_s, until_s=until_s)
-        limit = float("inf") if time_limit_s is None else float(time_limit_s)
-        answer = _engine.diagnose(self._engine, data, bool(pairs), int(tried_before), limit, progress, **options)
+        answer = _engine.diagnose(self._engine, data, bool(pairs), int(tried_before), time_limit(time_limit_s), progress, **options)
         warn(answer.warnings)
         return Diagnosis(answer)
 

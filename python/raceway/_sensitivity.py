@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import operator
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from numpy.typing import ArrayLike
 
 from . import _engine
-from ._given import axis, value_of, warn
+from ._given import axis, name_list, time_limit, value_of, warn, whole_number
 from ._results import _Answer
 
 if TYPE_CHECKING:
@@ -199,7 +198,7 @@ class SensitivityQuestion:
         spreads = [(str(n), v if isinstance(v, str) else repr(value_of(f"spread of {n}", v))) for n, v in (spread or {}).items()]
         answer = _engine.sensitivity(
             self._engine,
-            _names(of),
+            _split("of", of),
             [
                 axis("speed_rpm", speed_rpm),
                 axis("axial_load_N", axial_load_N),
@@ -209,28 +208,22 @@ class SensitivityQuestion:
             bool(steady),
             bool(coolant),
             spreads,
-            _names(data),
+            _split("data", data),
             _count("samples", samples),
             _count("seed", seed),
-            float("inf") if time_limit_s is None else value_of("time_limit_s", time_limit_s),
+            time_limit(time_limit_s),
             progress,
         )
         warn(answer.warnings)
         return Sensitivity(answer)
 
 
-def _names(given: str | Iterable[str]) -> list[str]:
-    words = [given] if isinstance(given, str) else list(given)
-    return [one for word in words for one in str(word).split(",")]
+def _split(argument: str, names: str | Iterable[str]) -> list[str]:
+    return [name for list_of_names in name_list(argument, names) for name in list_of_names.split(",")]
 
 
 def _count(name: str, value: int) -> int:
-    if isinstance(value, bool):
-        raise TypeError(f"{name}: a whole number is wanted, not bool")
-    try:
-        number = operator.index(value)
-    except TypeError:
-        raise TypeError(f"{name}: a whole number is wanted, not {type(value).__name__}") from None
+    number = whole_number(name, value)
     if not 0 <= number < 2**63:
         raise ValueError(f"{name} = {number}: must be from 0 to 2**63 - 1")
     return number

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-import math
-import numbers
 import os
 
 from numpy.typing import ArrayLike
 
 from . import _engine
-from ._given import axis, warn
+from ._given import axis, number_or_nan, time_limit, warn, whole_number, yes_or_no
 from ._record import Record
 from ._spindle import Deflection, Modes, SpindleRun, SteadyStates, StepResponses, _one_of, start_of
-
-_NAN = float("nan")
 
 
 class SpindleQuestions:
@@ -84,15 +80,15 @@ class SpindleQuestions:
         answer = _engine.steady(
             self._engine,
             axis("speed_rpm", speed_rpm),
-            _yes_or_no("coolant", coolant),
-            _number("ambient_temperature_C", ambient_temperature_C),
-            _number("axial_load_N", axial_load_N),
-            _number("radial_load_N", radial_load_N),
-            _number("moment_Nm", moment_Nm),
-            _number("belt_force_N", belt_force_N),
-            _number("motor_power_W", motor_power_W),
-            _yes_or_no("assumptions", assumptions),
-            _limit(time_limit_s),
+            yes_or_no("coolant", coolant),
+            number_or_nan("ambient_temperature_C", ambient_temperature_C),
+            number_or_nan("axial_load_N", axial_load_N),
+            number_or_nan("radial_load_N", radial_load_N),
+            number_or_nan("moment_Nm", moment_Nm),
+            number_or_nan("belt_force_N", belt_force_N),
+            number_or_nan("motor_power_W", motor_power_W),
+            yes_or_no("assumptions", assumptions),
+            time_limit(time_limit_s),
         )
         warn(answer.warnings)
         return SteadyStates(answer)
@@ -163,10 +159,10 @@ class SpindleQuestions:
             profile._columns,
             profile._drop_nan,
             start_of(start),
-            _yes_or_no("coolant", coolant),
-            _number("ambient_temperature_C", ambient_temperature_C),
-            _yes_or_no("assumptions", assumptions),
-            _limit(time_limit_s),
+            yes_or_no("coolant", coolant),
+            number_or_nan("ambient_temperature_C", ambient_temperature_C),
+            yes_or_no("assumptions", assumptions),
+            time_limit(time_limit_s),
         )
         warn(answer.warnings)
         return SpindleRun(answer)
@@ -226,12 +222,12 @@ class SpindleQuestions:
         answer = _engine.modes(
             self._engine,
             axis("speed_rpm", speed_rpm),
-            _yes_or_no("warm", warm),
-            _yes_or_no("coolant", coolant),
-            _count("count", count),
-            _number("damping_ratio", damping_ratio),
-            _number("unbalance_gmm", unbalance_gmm),
-            _number("unbalance_at_mm", unbalance_at_mm),
+            yes_or_no("warm", warm),
+            yes_or_no("coolant", coolant),
+            whole_number("count", count),
+            number_or_nan("damping_ratio", damping_ratio),
+            number_or_nan("unbalance_gmm", unbalance_gmm),
+            number_or_nan("unbalance_at_mm", unbalance_at_mm),
         )
         warn(answer.warnings)
         return Modes(answer)
@@ -282,14 +278,14 @@ class SpindleQuestions:
         _one_of("direction", direction, ("radial", "axial"))
         answer = _engine.deflection(
             self._engine,
-            _number("force_N", force_N),
+            number_or_nan("force_N", force_N),
             direction == "axial",
-            _number("axial_force_N", axial_force_N),
-            _number("moment_Nm", moment_Nm),
-            _number("at_mm", at_mm),
-            _number("speed_rpm", speed_rpm),
-            _yes_or_no("warm", warm),
-            _yes_or_no("coolant", coolant),
+            number_or_nan("axial_force_N", axial_force_N),
+            number_or_nan("moment_Nm", moment_Nm),
+            number_or_nan("at_mm", at_mm),
+            number_or_nan("speed_rpm", speed_rpm),
+            yes_or_no("warm", warm),
+            yes_or_no("coolant", coolant),
         )
         warn(answer.warnings)
         return Deflection(answer)
@@ -359,9 +355,9 @@ class SpindleQuestions:
                 axis("axial_load_N", axial_load_N),
                 axis("radial_load_N", radial_load_N),
                 axis("load_speed_rpm", load_speed_rpm),
-                _number("duration_h", duration_h),
-                _yes_or_no("coolant", coolant),
-                _limit(time_limit_s),
+                number_or_nan("duration_h", duration_h),
+                yes_or_no("coolant", coolant),
+                time_limit(time_limit_s),
             )
         else:
             if not (axial_load_N is None and radial_load_N is None and load_speed_rpm is None):
@@ -371,33 +367,6 @@ class SpindleQuestions:
             if load_cases._columns is not None:
                 raise ValueError("load_cases: columns are taken by their names alone, without a map")
             cases = (load_cases.name, load_cases.text)
-            answer = _engine.imported_steps(self._engine, cases, _number("temperature_C", temperature_C))
+            answer = _engine.imported_steps(self._engine, cases, number_or_nan("temperature_C", temperature_C))
         warn(answer.warnings)
         return StepResponses(answer)
-
-
-def _number(name: str, value: float | None) -> float:
-    """Return NaN for None."""
-    if value is None:
-        return _NAN
-    if isinstance(value, bool) or not isinstance(value, numbers.Real):
-        raise TypeError(f"{name}: a number is wanted, not {type(value).__name__}")
-    if math.isnan(value):
-        raise ValueError(f"{name} = nan: must be a number")
-    return float(value)
-
-
-def _count(name: str, value: int) -> int:
-    if isinstance(value, bool) or not isinstance(value, numbers.Integral):
-        raise TypeError(f"{name}: a whole number is wanted, not {type(value).__name__}")
-    return int(value)
-
-
-def _yes_or_no(name: str, value: bool) -> bool:
-    if not isinstance(value, bool):
-        raise TypeError(f"{name}: True or False is wanted, not {value!r}")
-    return value
-
-
-def _limit(time_limit_s: float | None) -> float:
-    return float("inf") if time_limit_s is None else _number("time_limit_s", time_limit_s)
