@@ -195,20 +195,14 @@ EngineCorrection::EngineCorrection(const std::string& source, const std::string&
     : file_(session::open_corrections(heard_, session::Source(source, text, named_files(held)),
                                       session::Defaults::keep)) {}
 
-py::list EngineCorrection::parameters() const {
-  py::list list;
+std::vector<record::Parameter> EngineCorrection::parameters() const {
+  std::vector<record::Parameter> all;
   for (const correction::Model& model : file_.models)
-    for (const record::Parameter& p : correction::parameters(model)) {
-      py::dict of;
-      of["displacement"] = std::string(model.displacement->name);
-      of["name"] = p.name;
-      of["value"] = p.value;
-      of["unit"] = p.unit;
-      of["lower"] = p.lower;
-      of["upper"] = p.upper;
-      list.append(of);
+    for (record::Parameter& p : correction::parameters(model)) {
+      if (file_.models.size() > 1) p.name.insert(0, std::string(model.displacement->name) + ".");
+      all.push_back(std::move(p));
     }
-  return list;
+  return all;
 }
 
 py::dict EngineCorrection::trust() const {
@@ -255,7 +249,6 @@ void bind_correction(py::module_& module) {
                                return names;
                              })
       .def_property_readonly("inputs", &EngineCorrection::inputs)
-      .def("parameters", &EngineCorrection::parameters)
       .def("trust", &EngineCorrection::trust);
   module.def("joined", &joined);
   module.def("identify", &identify);

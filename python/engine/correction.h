@@ -24,8 +24,8 @@ class EngineCorrection final : public EngineFile {
   [[nodiscard]] std::vector<std::string> defaults() const override {
     return files::lines(file_.defaults);
   }
-  /// Parameters of all displacements.
-  [[nodiscard]] py::list parameters() const;
+  /// Parameters of all displacements; of several, each name begins with its displacement.
+  [[nodiscard]] std::vector<record::Parameter> parameters() const override;
   /// Columns that a record needs.
   [[nodiscard]] py::list inputs() const;
   /// Text on the trust of each displacement.

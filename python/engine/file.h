@@ -24,6 +24,8 @@ class EngineFile {
   [[nodiscard]] virtual session::Source source() const = 0;
   [[nodiscard]] virtual session::Part part() const = 0;
   [[nodiscard]] virtual std::vector<std::string> defaults() const = 0;
+  /// Returns the numbers that a fit may change.
+  [[nodiscard]] virtual std::vector<record::Parameter> parameters() const = 0;
   /// Adds data to a model that a file cannot contain.
   virtual void amend(files::ModelFile&) const {}
 

@@ -8,7 +8,6 @@
 #include <map>
 
 #include "effects/catalogue.h"
-#include "model/parameters.h"
 #include "python/engine/answer.h"
 #include "python/engine/interruptible.h"
 #include "results/shaft_results.h"
@@ -203,23 +202,9 @@ std::string EngineModel::kind() const {
   return file_.model.spindle ? "spindle" : file_.model.shaft ? "shaft" : "rig";
 }
 
-py::list EngineModel::parameters() const {
-  py::list list;
-  for (const record::Parameter& p : model::parameters(file_.model)) {
-    py::dict of;
-    of["name"] = p.name;
-    of["value"] = p.value;
-    of["unit"] = p.unit;
-    of["lower"] = p.lower;
-    of["upper"] = p.upper;
-    list.append(of);
-  }
-  return list;
-}
-
 std::string EngineModel::with_values(const py::dict& values) const {
   std::vector<files::KeyValue> changes;
-  const std::vector<record::Parameter> known = model::parameters(file_.model);
+  const std::vector<record::Parameter> known = parameters();
   for (const auto& [key, value] : values) {
     const auto name = key.cast<std::string>();
     const auto found = std::find_if(known.begin(), known.end(),
@@ -255,6 +240,19 @@ void bind_model(py::module_& module) {
              return files::with_names_from(*f.source().text, f.source().files, path);
            })
       .def_property_readonly("defaults", &EngineFile::defaults)
+      .def_property_readonly("parameters",
+                             [](const EngineFile& f) {
+                               py::dict all;
+                               for (const record::Parameter& p : f.parameters()) {
+                                 py::dict of;
+                                 of["value"] = p.value;
+                                 of["unit"] = p.unit;
+                                 of["lower"] = p.lower;
+                                 of["upper"] = p.upper;
+                                 all[py::str(p.name)] = of;
+                               }
+                               return all;
+                             })
       .def_property_readonly("notes", [](const EngineFile& f) { return f.heard().notes; })
       .def_property_readonly("warnings", [](const EngineFile& f) { return f.heard().warnings; });
   py::class_<EngineModel, EngineFile, std::shared_ptr<EngineModel>>(module, "Model")
@@ -265,7 +263,6 @@ void bind_model(py::module_& module) {
       .def_property_readonly("kind", &EngineModel::kind)
       .def_property_readonly(
           "columns", [](const EngineModel& m) { return session::state_columns(m.file().model); })
-      .def("parameters", &EngineModel::parameters)
       .def("with_values", &EngineModel::with_values)
       .def("solve", &solve)
       .def("solve_document", &solve_document);

@@ -9,6 +9,7 @@
 
 #include "files/model_file.h"
 #include "model/band.h"
+#include "model/parameters.h"
 #include "python/engine/arrays.h"
 #include "python/engine/file.h"
 #include "python/engine/own_effect.h"
@@ -29,13 +30,15 @@ class EngineModel final : public EngineFile {
   [[nodiscard]] std::vector<std::string> defaults() const override {
     return files::lines(file_.defaults);
   }
+  [[nodiscard]] std::vector<record::Parameter> parameters() const override {
+    return model::parameters(file_.model);
+  }
   void amend(files::ModelFile& file) const override;
   /// Returns the band from the covariance of its fitted parameters, if requested. Throws
   /// text::InputError if there is no covariance.
   [[nodiscard]] std::optional<model::Band> band(bool wanted) const;
   /// Returns "rig", "shaft" or "spindle".
   [[nodiscard]] std::string kind() const;
-  [[nodiscard]] py::list parameters() const;
   /// Returns the text with these numbers, by names of parameters.
   [[nodiscard]] std::string with_values(const py::dict& values) const;
 

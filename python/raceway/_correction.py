@@ -91,19 +91,6 @@ class Correction(LoopModel):
         return self._engine.inputs
 
     @property
-    def parameters(self) -> dict[str, dict[str, Any]]:
-        """Numbers that a fit may change: value, unit, lower and upper bound.
-
-        With several displacements each name begins with its displacement: ``"displacement_ch1_um.offset"``.
-        """
-        several = len(self.displacements) > 1
-        hidden = ("name", "displacement")
-        return {
-            f"{p['displacement']}.{p['name']}" if several else p["name"]: {k: v for k, v in p.items() if k not in hidden}
-            for p in self._engine.parameters()
-        }
-
-    @property
     def trust(self) -> dict[str, str]:
         """Trust in each displacement, judged by readings that no fit used.
 

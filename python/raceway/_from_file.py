@@ -53,6 +53,15 @@ class FromFile:
         return self._engine.defaults
 
     @property
+    def parameters(self) -> dict[str, dict[str, Any]]:
+        """Numbers that a fit may change: value, unit, lower and upper bound.
+
+        For a correction of several displacements, each name begins with its displacement:
+        ``"displacement_ch1_um.offset"``.
+        """
+        return self._engine.parameters
+
+    @property
     def notes(self) -> list[Note]:
         """Notes on the file."""
         return self._engine.notes

@@ -128,11 +128,6 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         """Names of the results of `solve` for arrays, with their units."""
         return self._engine.columns
 
-    @property
-    def parameters(self) -> dict[str, dict[str, Any]]:
-        """Parameters that a fit can change, with value, unit, lower and upper bound."""
-        return {p["name"]: {k: v for k, v in p.items() if k != "name"} for p in self._engine.parameters()}
-
     def with_values(self, values: Mapping[str, float]) -> Model:
         """Return the model with other numbers. Comments and everything else stay the same.
 
