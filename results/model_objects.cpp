@@ -40,6 +40,12 @@ void add_band(text::json& row, const BandOfResult& band, std::size_t index) {
         band.half_widths[index * band.names.size() + k] / text::column_unit(band.names[k]);
 }
 
+void add_band(text::json& document, const BandOfResult* band) {
+  if (!band) return;
+  add_band(document, *band, 0);
+  document["band"] = band_json(*band);
+}
+
 void add_life(text::json& document, const model::Model& model, const model::BearingLife& life) {
   constexpr double hour = 3600.0;
   document["kappa"] = life.viscosity_ratio;

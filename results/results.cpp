@@ -199,10 +199,7 @@ std::string solve_json(const model::Model& model, const bearing::OperatingPoint&
       {"judgement", judgement_json(findings)},
       {"report", report_json(e.report)}};
   if (e.report.converged()) add_life_and_film(document, model, point, friction);
-  if (band) {
-    add_band(document, *band, 0);
-    document["band"] = band_json(*band);
-  }
+  add_band(document, band);
   return text::text(std::move(document));
 }
 

@@ -91,10 +91,7 @@ std::string roller_solve_json(const model::Model& model, const bearing::Operatin
     add_frequencies(document, bearing::rolling_frequencies(model.bearing.rollers()->geometry()),
                     point.speed, "roller_spin");
   }
-  if (band) {
-    add_band(document, *band, 0);
-    document["band"] = band_json(*band);
-  }
+  add_band(document, band);
   return text::text(std::move(document));
 }
 

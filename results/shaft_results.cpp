@@ -183,10 +183,7 @@ std::string shaft_solve_json(const model::Model& model, const shaft::ShaftPoint&
   text::json document = {{"bearing", model.name}, {"arrangement", arrangement_json(model)}};
   document.update(row_json(model, point, prediction));
   document["judgement"] = judgement_json(findings);
-  if (band) {
-    add_band(document, *band, 0);
-    document["band"] = band_json(*band);
-  }
+  add_band(document, band);
   return text::text(std::move(document));
 }
 

@@ -24,6 +24,9 @@ namespace raceway::results {
 /// Adds the half widths of one row of the band to the numbers of that row.
 void add_band(text::json& row, const BandOfResult& band, std::size_t index);
 
+/// Adds the band of a single state to its document; null if there is none.
+void add_band(text::json& document, const BandOfResult* band);
+
 /// Adds ratings and lives, kappa and static safety, which balls and rollers share.
 void add_life(text::json& document, const model::Model& model, const model::BearingLife& life);
 
