@@ -47,8 +47,8 @@ class Planner {
   ControlPlan plan() {
     for (const Model& m : models_)
       for (const Channel* c : correction::inputs_of(m)) (void)input(*c);
-    plan_.speed = number_of("speed_rpm");
-    plan_.coolant = number_of("coolant_on");
+    plan_.speed = place_of(plan_, "speed_rpm");
+    plan_.coolant = place_of(plan_, "coolant_on");
     for (const Model& m : models_) {
       add(m);
       if (m.together) add(*m.together);
@@ -64,19 +64,10 @@ class Planner {
       plan_.notes.push_back(std::move(text));
   }
 
-  std::size_t number_of(std::string_view column) const {
-    for (std::size_t k = 0; k < plan_.inputs.size(); ++k)
-      if (plan_.inputs[k].column == column) return k;
-    return nowhere;
-  }
-
   std::size_t input(const Channel& c) {
-    const std::size_t known = number_of(c.name);
+    const std::size_t known = place_of(plan_, c.name);
     if (known != nowhere) return known;
-    ControlInput in{.column = std::string(c.name),
-                    .unit = std::string(c.unit.empty() ? "0 or 1" : c.unit),
-                    .temperature = record::is_temperature(c),
-                    .by_amount = record::acts_by_amount(c)};
+    ControlInput in = input_of(c);
     double still_s = unset;
     // Of several models the narrower range: beyond it one of them is out of what it has seen.
     for (const Model& m : models_)
@@ -435,6 +426,19 @@ class Planner {
 };
 
 }  // namespace
+
+ControlInput input_of(const Channel& channel) {
+  return {.column = std::string(channel.name),
+          .unit = std::string(channel.unit.empty() ? "0 or 1" : channel.unit),
+          .temperature = record::is_temperature(channel),
+          .by_amount = record::acts_by_amount(channel)};
+}
+
+std::size_t place_of(const ControlPlan& plan, std::string_view column) {
+  for (std::size_t k = 0; k < plan.inputs.size(); ++k)
+    if (plan.inputs[k].column == column) return k;
+  return nowhere;
+}
 
 ControlPlan control_plan(const std::vector<correction::Model>& models,
                          const correction::ControlSettings& settings, const std::string& source) {

@@ -190,6 +190,12 @@ struct ControlPlan {
   std::vector<std::string> warnings{};
 };
 
+/// Returns the input of a column; its range and its checks are not set.
+[[nodiscard]] ControlInput input_of(const record::Channel& channel);
+
+/// Returns the index of the input of a column, or `nowhere`.
+[[nodiscard]] std::size_t place_of(const ControlPlan& plan, std::string_view column);
+
 /// Makes a plan. Throws InputError for parts that no control can run: polynomials that never decay,
 /// polynomials with two samplings, a user-made formula.
 [[nodiscard]] ControlPlan control_plan(const std::vector<correction::Model>& models,

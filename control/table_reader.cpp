@@ -95,8 +95,8 @@ class TableReader {
                  rows_.begin() + static_cast<std::ptrdiff_t>(k)});
       from = k;
     }
-    plan_.speed = place_of("speed_rpm");
-    plan_.coolant = place_of("coolant_on");
+    plan_.speed = place_of(plan_, "speed_rpm");
+    plan_.coolant = place_of(plan_, "coolant_on");
     check_whole();
     in_order(plan_);
     return std::move(plan_);
@@ -125,24 +125,17 @@ class TableReader {
     return n.value;
   }
 
-  [[nodiscard]] std::size_t place_of(std::string_view column) const {
-    for (std::size_t k = 0; k < plan_.inputs.size(); ++k)
-      if (plan_.inputs[k].column == column) return k;
-    return nowhere;
-  }
   std::size_t input_named(const Row& r, std::string_view column) const {
-    const std::size_t place = place_of(column);
+    const std::size_t place = place_of(plan_, column);
     if (place == nowhere) fail(r, "no row is of an input with this name");
     return place;
   }
   ControlInput& input(const Row& r, bool make = false) {
-    if (const std::size_t known = place_of(r.of); known != nowhere) return plan_.inputs[known];
+    if (const std::size_t known = place_of(plan_, r.of); known != nowhere)
+      return plan_.inputs[known];
     const record::Channel* const c = record::series_channel(r.of);
     if (!make || !c || !c->is_input()) fail(r, "is no input of a correction");
-    plan_.inputs.push_back({.column = std::string(r.of),
-                            .unit = std::string(c->unit.empty() ? "0 or 1" : c->unit),
-                            .temperature = record::is_temperature(*c),
-                            .by_amount = record::acts_by_amount(*c)});
+    plan_.inputs.push_back(input_of(*c));
     return plan_.inputs.back();
   }
   ControlAxis& axis(const Row& r, bool make = false) {
@@ -252,7 +245,7 @@ class TableReader {
         plan_.check.rows.push_back({at.front(), std::vector<double>(plan_.inputs.size(), unset),
                                     std::vector<double>(plan_.axes.size(), unset)});
       ControlCheck::Row& row = plan_.check.rows[found->second];
-      if (const std::size_t k = place_of(r.of); k != nowhere)
+      if (const std::size_t k = place_of(plan_, r.of); k != nowhere)
         row.inputs[k] = number(r);
       else
         row.displacements_um[static_cast<std::size_t>(&axis(r) - plan_.axes.data())] = number(r);
@@ -367,7 +360,7 @@ class TableReader {
     if ((d.kind == Kind::rise || d.kind == Kind::size) && d.inputs.empty())
       fail_missing(first, "input");
     if (d.kind == Kind::motor && std::isnan(d.decay_rpm)) fail_missing(first, "decay_speed");
-    if ((d.kind == Kind::power || d.kind == Kind::motor) && place_of("speed_rpm") == nowhere)
+    if ((d.kind == Kind::power || d.kind == Kind::motor) && place_of(plan_, "speed_rpm") == nowhere)
       fail(first, "goes by the speed, and no row is of speed_rpm as an input");
     const bool rises = d.window_from <= d.window_full_from &&
                        d.window_full_from <= d.window_full_to && d.window_full_to <= d.window_to;
