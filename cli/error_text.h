@@ -5,12 +5,13 @@
 #include "cli/text_table.h"
 #include "record/channel.h"
 #include "verdict/compare.h"
+#include "verdict/verdict_text.h"
 
 namespace raceway::cli {
 
 /// Returns the unit of errors on a channel, for people: K for temperatures.
 [[nodiscard]] inline std::string error_unit(const record::Channel& channel) {
-  return channel.offset == 0.0 ? std::string(channel.unit) : "K";
+  return std::string(verdict::unit_of_difference(channel));
 }
 
 /// Converts an error [SI] to that unit; the text omits the unit.
