@@ -16,6 +16,7 @@
 #include "model/row.h"
 #include "model/steps.h"
 #include "record/median.h"
+#include "record/series_channel.h"
 #include "text/units.h"
 
 namespace raceway::files {
@@ -91,12 +92,12 @@ Ratio ratio_of(const model::ModelSubject& subject, const Record& data) {
   return ratio;
 }
 
-/// Some rows, over all of the record.
-Record some_of(const Record& data) {
-  if (data.rows() <= most_rows) return data;
+/// At most so many rows, over all of the record.
+Record some_of(const Record& data, std::size_t most) {
+  if (data.rows() <= most) return data;
   std::vector<std::size_t> rows(data.rows());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
-  return data.picked(fit::thinned(std::move(rows), most_rows));
+  return data.picked(fit::thinned(std::move(rows), most));
 }
 
 std::pair<double, double> range_of_values(std::span<const double> values) {
@@ -106,14 +107,13 @@ std::pair<double, double> range_of_values(std::span<const double> values) {
   return {lower, upper};
 }
 
-bool is_of_temperature(const Channel& channel) { return channel.offset != 0.0; }
-
 /// Temperatures that cannot be, or loads far above what the bearing carries.
 bool has_impossible_input(const model::ModelSubject& subject, const Record& data) {
   const double rating = subject.model().bearing.static_load_rating();
   for (const record::Column& column : data.columns) {
     const auto [lower, upper] = range_of_values(column.values);
-    if (is_of_temperature(*column.channel) && (lower < coldest || upper > hottest)) return true;
+    if (record::is_temperature(*column.channel) && (lower < coldest || upper > hottest))
+      return true;
     if (column.channel->kind == "load" && upper > 2.0 * rating) return true;
     if (column.channel->is_input() && lower < column.channel->to_SI(column.channel->lower) &&
         column.channel->kind != "load")
@@ -134,15 +134,10 @@ struct Refitted {
 constexpr double usual_factor = 1.8;
 constexpr std::size_t rows_of_refit = 80;
 
-Refitted refitted(const model::ModelSubject& subject, Record data) {
-  if (data.rows() > rows_of_refit) {
-    std::vector<std::size_t> rows(data.rows());
-    std::iota(rows.begin(), rows.end(), std::size_t{0});
-    data = data.picked(fit::thinned(std::move(rows), rows_of_refit));
-  }
+Refitted refitted(const model::ModelSubject& subject, const Record& data) {
   Refitted result;
   try {
-    const auto record = std::make_shared<const Record>(std::move(data));
+    const auto record = std::make_shared<const Record>(some_of(data, rows_of_refit));
     const fit::Observations observed =
         fit::observe(subject.measured(), *record, fit::predict(subject, *record));
     if (static_cast<std::size_t>(observed.size()) < least_rows) return result;
@@ -508,12 +503,12 @@ std::vector<Doubt> doubts(const model::ModelSubject& subject, const Record& all)
     if (text) found.push_back({*std::move(text)});
   };
   if (subject.measured().empty() || !all.has(*subject.measured().front().channel)) return found;
-  const Record data = some_of(all);
+  const Record data = some_of(all, most_rows);
   const Channel& channel = *subject.measured().front().channel;
   // With an unknown inertia the readings have any factor.
   const Ratio ratio = data.up_to_a_factor ? Ratio{} : ratio_of(subject, data);
   for (const record::Column& column : data.columns)
-    if (is_of_temperature(*column.channel))
+    if (record::is_temperature(*column.channel))
       add(unit_of_temperature(subject, data, *column.channel));
   if (found.empty()) add(unit_of_shaft_load(subject, data));
   if (found.empty() && !data.up_to_a_factor) add_text(swapped_columns(subject, data, ratio));
