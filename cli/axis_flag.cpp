@@ -8,6 +8,7 @@
 
 #include "text/csv.h"
 #include "text/error.h"
+#include "text/names.h"
 
 namespace raceway::cli {
 namespace {
@@ -24,11 +25,8 @@ double one_number(std::string_view text, const std::string& flag) {
 /// The numbers of a list of values and ranges, as they are written.
 std::vector<std::string_view> numbers_in(std::string_view text) {
   std::vector<std::string_view> list;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find_first_of(",:", begin), text.size());
-    list.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
+  for (const std::string_view item : text::split(text, ','))
+    for (const std::string_view number : text::split(item, ':')) list.push_back(number);
   return list;
 }
 
@@ -38,10 +36,7 @@ std::vector<double> axis(const std::string& text, const NumberRange& range,
                          const std::string& flag) {
   ask_about_thousands(numbers_in(text), range, flag);
   std::vector<double> values;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string_view item = std::string_view(text).substr(begin, end - begin);
-    begin = end + 1;
+  for (const std::string_view item : text::split(text, ',')) {
     const std::size_t first = item.find(':');
     if (first == std::string_view::npos) {
       values.push_back(one_number(item, flag));

@@ -12,6 +12,7 @@
 #include "cli/process.h"
 #include "cli/run_files.h"
 #include "cli/text_table.h"
+#include "text/names.h"
 
 namespace raceway::cli {
 namespace {
@@ -32,17 +33,12 @@ State& state() {
 /// The text as a terminal shows it: lines are broken between words, and what follows is set in.
 std::string broken_at(std::size_t width, std::string_view text) {
   constexpr std::string_view break_here = "\n  ";
-  std::string broken;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string_view line = text.substr(begin, end - begin);
-    if (begin > 0) broken += '\n';
-    broken += line.size() <= width
-                  ? std::string(line)
-                  : fmt::format("{}", fmt::join(filled(line, width - 2), break_here));
-    begin = end + 1;
-  }
-  return broken;
+  std::vector<std::string> broken;
+  for (const std::string_view line : text::split(text, '\n'))
+    broken.push_back(line.size() <= width
+                         ? std::string(line)
+                         : fmt::format("{}", fmt::join(filled(line, width - 2), break_here)));
+  return fmt::format("{}", fmt::join(broken, "\n"));
 }
 
 void put_line(const char* kind, const std::string& line) {

@@ -13,6 +13,7 @@
 #include "cli/sensitivity_text.h"
 #include "cli/shared_flags.h"
 #include "session/open_input.h"
+#include "text/names.h"
 
 namespace raceway::cli {
 namespace {
@@ -30,11 +31,7 @@ struct SensitivityFlags {
 std::vector<std::string> split(const std::vector<std::string>& lists) {
   std::vector<std::string> names;
   for (const std::string& list : lists)
-    for (std::size_t begin = 0; begin <= list.size();) {
-      const std::size_t end = std::min(list.find(',', begin), list.size());
-      names.push_back(list.substr(begin, end - begin));
-      begin = end + 1;
-    }
+    for (const std::string_view name : text::split(list, ',')) names.emplace_back(name);
   return names;
 }
 

@@ -115,10 +115,7 @@ std::string plain_name(std::string_view header) {
 
 std::size_t longest_word_in(std::string_view name, std::string_view words) {
   std::size_t longest = 0;
-  for (std::size_t begin = 0; begin < words.size();) {
-    const std::size_t end = std::min(words.find(' ', begin), words.size());
-    const std::string_view word = words.substr(begin, end - begin);
-    begin = end + 1;
+  for (const std::string_view word : text::split(words, ' ')) {
     const std::size_t at = name.find(word);
     if (at == name.npos || word.size() <= longest) continue;
     const bool alone = (at == 0 || name[at - 1] == '_') &&

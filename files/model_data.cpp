@@ -276,9 +276,8 @@ ModelFile ModelData::with(std::span<const std::pair<std::size_t, double>> change
 
 std::vector<SpreadText> parse_spreads(const std::string& list) {
   std::vector<SpreadText> spreads;
-  for (std::size_t begin = 0; begin <= list.size();) {
-    const std::size_t end = std::min(list.find(',', begin), list.size());
-    const std::string one = list.substr(begin, end - begin);
+  for (const std::string_view part : text::split(list, ',')) {
+    const std::string one(part);
     const std::size_t equals = one.find('=');
     if (equals == one.npos || equals == 0 || equals + 1 == one.size())
       throw text::InputError(
@@ -287,7 +286,6 @@ std::vector<SpreadText> parse_spreads(const std::string& list) {
                       text::quoted(one)),
           {.key = one.substr(0, equals)});
     spreads.push_back({.name = one.substr(0, equals), .text = one.substr(equals + 1)});
-    begin = end + 1;
   }
   return spreads;
 }

@@ -11,6 +11,7 @@
 #include "files/detail/series_columns.h"
 #include "files/suggest_columns.h"
 #include "record/series_channel.h"
+#include "text/names.h"
 
 namespace raceway::files {
 namespace {
@@ -63,23 +64,16 @@ constexpr std::array<std::string_view, 20> series_words{
     "table tisch"};
 
 std::vector<std::string_view> parts_of_name(std::string_view name) {
-  std::vector<std::string_view> parts;
-  for (std::size_t begin = 0; begin < name.size();) {
-    const std::size_t end = std::min(name.find('_', begin), name.size());
-    if (end > begin) parts.push_back(name.substr(begin, end - begin));
-    begin = end + 1;
-  }
+  std::vector<std::string_view> parts = text::split(name, '_');
+  std::erase(parts, std::string_view());
   return parts;
 }
 
 /// A word in all languages that are known; itself where it is in none.
 std::string_view synonyms_of(std::string_view word) {
   for (const std::string_view words : series_words)
-    for (std::size_t begin = 0; begin < words.size();) {
-      const std::size_t end = std::min(words.find(' ', begin), words.size());
-      if (words.substr(begin, end - begin) == word) return words;
-      begin = end + 1;
-    }
+    for (const std::string_view one : text::split(words, ' '))
+      if (one == word) return words;
   return word;
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "record/nearest_names.h"
 
@@ -13,6 +14,9 @@ using record::edit_distance;
 
 /// Removes blanks at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// Returns the parts between separators, also empty ones.
+[[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
 
 /// Converts ASCII letters to lower case.
 [[nodiscard]] std::string lower_case(std::string_view text);
