@@ -261,10 +261,7 @@ void BearingReader::take_estimate(const Section& s, const std::string& designati
 void BearingReader::read_geometry(const Section& s, Draft& draft) {
   BearingGeometry& g = draft.geometry;
   const auto take = [&](std::string_view key, double unit, double& value) {
-    if (const auto given = s.number(key))
-      value = *given * unit;
-    else if (std::isnan(value))
-      s.fail_missing(key);
+    if (!s.take(key, value, unit) && std::isnan(value)) s.fail_missing(key);
   };
   if (const auto balls = s.whole_number("ball_count"))
     g.ball_count = *balls;
@@ -278,20 +275,18 @@ void BearingReader::read_geometry(const Section& s, Draft& draft) {
       tables_.note_default(s.name(), key, fmt::format("{}", g.inner_conformity));
   take("inner_conformity", 1.0, g.inner_conformity);
   take("outer_conformity", 1.0, g.outer_conformity);
-  if (const auto given = s.number("static_load_rating_N")) g.static_load_rating = *given;
-  if (const auto given = s.number("radial_clearance_um")) g.radial_clearance = *given * um;
+  s.take("static_load_rating_N", g.static_load_rating);
+  s.take("radial_clearance_um", g.radial_clearance, um);
 }
 
 /// Bore, outer diameter and shoulders, and whether the bearing can be.
 void BearingReader::read_envelope(const Section& s, BearingGeometry& g) {
   // A bore from the catalogue is no more that of a bearing with another pitch circle.
   if (s.find("ball_diameter_mm") || s.find("pitch_diameter_mm")) g.bore = g.outer_diameter = unset;
-  if (const auto given = s.number("bore_mm")) g.bore = *given * mm;
-  if (const auto given = s.number("outer_diameter_mm")) g.outer_diameter = *given * mm;
-  if (const auto given = s.number("inner_shoulder_diameter_mm"))
-    g.inner_shoulder_diameter = *given * mm;
-  if (const auto given = s.number("outer_shoulder_diameter_mm"))
-    g.outer_shoulder_diameter = *given * mm;
+  s.take("bore_mm", g.bore, mm);
+  s.take("outer_diameter_mm", g.outer_diameter, mm);
+  s.take("inner_shoulder_diameter_mm", g.inner_shoulder_diameter, mm);
+  s.take("outer_shoulder_diameter_mm", g.outer_shoulder_diameter, mm);
   const bool no_bore = std::isnan(g.bore), no_outer_diameter = std::isnan(g.outer_diameter);
   try {
     g = bearing::validated(g);

@@ -124,12 +124,12 @@ ContactData read_contact(ModelTables& tables, bool used, std::optional<friction:
         fmt::format("{} nu^{}", usual.pressure_viscosity_s, usual.pressure_viscosity_t),
         fmt::format("default of {} oil, nu in mm2/s", name(data.oil.type)));
   data.eyring_stress = number_or_default(oil, "eyring_stress_MPa") * MPa;
-  if (const auto given = oil.number("limiting_traction")) data.limiting_traction = *given;
+  oil.take("limiting_traction", data.limiting_traction);
   data.supply = friction::contact::inlet_of(supply);
   if (used && !supply)
     tables.note_default("lubricant", "supply", "limited",
                         "default: inlets as oil-air, grease and jet leave them");
-  if (const auto given = law.number("inlet_over_b")) data.inlet_over_b = *given;
+  law.take("inlet_over_b", data.inlet_over_b);
   data.asperities.B = law.value("asperity_factor");
   data.asperities.C = law.value("asperity_exponent");
   data.race_roughness = number_or_default(bearing, "race_roughness_um") * um;
@@ -140,8 +140,8 @@ ContactData read_contact(ModelTables& tables, bool used, std::optional<friction:
 model::LifeData read_life(ModelTables& tables) {
   const Section s = tables.section("life", {life_keys});
   model::LifeData life;
-  if (const auto given = s.number("dynamic_load_rating_N")) life.dynamic_load_rating = *given;
-  if (const auto given = s.number("fatigue_load_N")) life.fatigue_load = *given;
+  s.take("dynamic_load_rating_N", life.dynamic_load_rating);
+  s.take("fatigue_load_N", life.fatigue_load);
   life.contamination = s.value("contamination");
   life.reliability = s.value("reliability");
   return life;

@@ -204,10 +204,10 @@ class CorrectionReader {
       if (*t == 0.0) s.fail(tolerance, own("tolerance_um = 0 um: must be above 0"));
       m.tolerance = *t * um;
     }
-    if (const auto std = s.number(own("measurement_std_um"))) m.measured_std = *std * um;
+    s.take(own("measurement_std_um"), m.measured_std, um);
     m.initial_state = tables_.choice(s, "initial_state") == "free" ? correction::InitialState::free
                                                                    : correction::InitialState::rest;
-    if (const auto dt = s.number("sampling_s")) m.sampling = *dt;
+    s.take("sampling_s", m.sampling);
     m.offset = tables_.number(s, own("offset_um")) * um;
     if (const toml::array* const list = list_of_tables(s, "channel"))
       for (const toml::node& node : *list)

@@ -127,7 +127,7 @@ void read_correction_covariance(const Section& s, Model& m, std::vector<std::str
 
 correction::Left read_left(const Section& s, const Model& m) {
   correction::Left left{.rms = s.required(correction::in_unit_of(m, "rms_um")) * um};
-  if (const auto time = s.number("correlation_time_s")) left.correlation_time = *time;
+  s.take("correlation_time_s", left.correlation_time);
   return left;
 }
 
@@ -141,7 +141,7 @@ correction::Evidence read_evidence(const Section& s, const Model& m) {
       .duration = s.required("duration_s"),
       .one_way = word("course") == "one-way",
       .other_record = word("judged_by") == "other-record"};
-  if (const auto error = s.number(correction::in_unit_of(m, "error_um"))) e.error = *error * um;
+  s.take(correction::in_unit_of(m, "error_um"), e.error, um);
   return e;
 }
 

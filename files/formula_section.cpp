@@ -92,8 +92,8 @@ FormulaNumber read_formula_number(const Section& s, const std::string& id, const
                        "rpm, C, mm2/s, mm, s; {} is none of them, and no value is "
                        "converted: give it in these",
                        name, number.unit, other));
-  if (const auto lower = t.number("lower")) number.lower = *lower;
-  if (const auto upper = t.number("upper")) number.upper = *upper;
+  t.take("lower", number.lower);
+  t.take("upper", number.upper);
   const double from = std::isnan(number.lower) ? -infinity : number.lower;
   const double to = std::isnan(number.upper) ? infinity : number.upper;
   if (!(from < to))

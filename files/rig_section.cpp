@@ -61,7 +61,7 @@ model::Rig read_rig(ModelTables& tables, Keys further) {
   const Section s = tables.section("rig", std::move(further));
   model::Rig rig;
   read_inertia(s, rig);
-  if (const auto value = s.number("axial_load_N")) rig.axial_load = *value;
+  s.take("axial_load_N", rig.axial_load);
   if (const auto value = s.whole_number("bearings"))
     rig.bearings = *value;
   else

@@ -183,9 +183,8 @@ void read_seats_on_shaft(const Section& s, model::RollerOnShaft& roller) {
                          *drive_up));
     roller.inner_interference = *drive_up * mm / g.taper;
   }
-  if (const auto given = s.number("outer_clearance_um")) roller.outer_clearance = *given * um;
-  if (const auto given = s.number("lubricant_conductance_W_K"))
-    roller.lubricant_conductance = *given;
+  s.take("outer_clearance_um", roller.outer_clearance, um);
+  s.take("lubricant_conductance_W_K", roller.lubricant_conductance);
 }
 
 void refuse_sets_and_spindles(const ModelTables& tables) {

@@ -122,10 +122,8 @@ class ShaftReader {
     if (!std::isnan(in_.expansions.first))
       std::tie(d_.shaft_expansion, d_.housing_expansion) = in_.expansions;
     read_preload();
-    if (const auto value = s_.number("shaft_stiffness_N_um"))
-      d_.shaft_stiffness = *value * N_per_um;
-    if (const auto value = s_.number("housing_stiffness_N_um"))
-      d_.housing_stiffness = *value * N_per_um;
+    s_.take("shaft_stiffness_N_um", d_.shaft_stiffness, N_per_um);
+    s_.take("housing_stiffness_N_um", d_.housing_stiffness, N_per_um);
     const auto temperatures = read_temperatures();
     const double load = number("external_load_N");
     try {
@@ -339,10 +337,8 @@ class ShaftReader {
       // Only a shaft that is warm needs these; they may stand there already.
       if (const auto value = s_.number("distance_mm"); value && !positions_give_distance_)
         d_.distance = *value * mm;
-      if (const auto value = s_.number("shaft_expansion_1e6_K"))
-        d_.shaft_expansion = *value * per_million_K;
-      if (const auto value = s_.number("housing_expansion_1e6_K"))
-        d_.housing_expansion = *value * per_million_K;
+      s_.take("shaft_expansion_1e6_K", d_.shaft_expansion, per_million_K);
+      s_.take("housing_expansion_1e6_K", d_.housing_expansion, per_million_K);
       if (const auto value = s_.number("mounting_temperature_C"))
         d_.mounting_temperature = kelvin(*value);
       return std::nullopt;

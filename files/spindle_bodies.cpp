@@ -190,7 +190,7 @@ std::vector<Segment> read_housing_segments(const ModelTables& tables, const Sect
                     .diameter = outer_diameter_of(one),
                     .bore = unset,
                     .material = material_of(tables, one, material)};
-    if (const auto bore = one.number("bore_mm")) segment.bore = *bore * mm;
+    one.take("bore_mm", segment.bore, mm);
     require_wall(one, segment);
     list.push_back(segment);
   }
@@ -285,7 +285,7 @@ model::ShaftBody read_shaft_body(ModelTables& tables) {
                     .diameter = one.required("diameter_mm") * mm,
                     .bore = bore,
                     .material = material_of(tables, one, material)};
-    if (const auto own = one.number("bore_mm")) segment.bore = *own * mm;
+    one.take("bore_mm", segment.bore, mm);
     require_wall(one, segment);
     body.segments.push_back(segment);
   }
@@ -333,7 +333,7 @@ model::Seat read_seat(ModelTables& tables) {
   seat.hardness = tables.number(s, "hardness_GPa") * GPa;
   seat.shoulder_conductance = tables.number(s, "shoulder_conductance_W_m2K");
   seat.collar_conductance = tables.number(s, "collar_conductance_W_m2K");
-  if (const auto value = s.number("outer_conductance_W_m2K")) seat.outer_conductance = *value;
+  s.take("outer_conductance_W_m2K", seat.outer_conductance);
   return seat;
 }
 
@@ -341,13 +341,10 @@ std::optional<model::Gap> read_gap(const ModelTables& tables) {
   const Section s = tables.section("gap", {gap_keys});
   if (!s.given()) return std::nullopt;
   model::Gap gap;
-  const auto take = [&](double& value, std::string_view key) {
-    if (const auto given = s.number(key)) value = *given * mm;
-  };
-  take(gap.inner_diameter, "inner_diameter_mm");
-  take(gap.outer_diameter, "outer_diameter_mm");
-  take(gap.start, "start_mm");
-  take(gap.end, "end_mm");
+  s.take("inner_diameter_mm", gap.inner_diameter, mm);
+  s.take("outer_diameter_mm", gap.outer_diameter, mm);
+  s.take("start_mm", gap.start, mm);
+  s.take("end_mm", gap.end, mm);
   if (gap.outer_diameter <= gap.inner_diameter)
     s.fail(
         "outer_diameter_mm",

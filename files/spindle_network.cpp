@@ -64,7 +64,7 @@ void read_nodes(const Section& s, Network& network) {
         one.fail("name", fmt::format("name = \"{}\": another node has this name", *name));
     Network::Node node{.name = *name};
     if (const auto value = one.number("temperature_C")) node.temperature = kelvin(*value);
-    if (const auto value = one.number("capacity_J_K")) node.capacity = *value;
+    one.take("capacity_J_K", node.capacity);
     if (std::isnan(node.capacity) == std::isnan(node.temperature))
       one.fail("capacity_J_K",
                fmt::format("node {}: must have one of capacity_J_K and temperature_C, of a body "

@@ -77,10 +77,7 @@ void read_rings(ModelTables& tables, const NamedBearing& bearing, Spindle& spind
   const bearing::BearingGeometry& g = bearing.bearing.geometry();
   const auto take = [&](double& value, std::string_view key, double fallback,
                         const std::string& why = "", auto... origin) {
-    if (const auto given = s.number(key)) {
-      value = *given * mm;
-      return;
-    }
+    if (s.take(key, value, mm)) return;
     value = fallback;
     const std::string text = fmt::format("{:.6g}", value / mm);
     why.empty() ? tables.note_default(s, key, text)
@@ -114,9 +111,7 @@ void read_solution(ModelTables& tables, Spindle& spindle) {
   const Section solver = tables.part("solver", {spindle_solver_keys});
   const std::string cells = tables.choice(solver, "cells");
   spindle.cells = cells == "coarse" ? Cells::coarse : cells == "fine" ? Cells::fine : Cells::medium;
-  if (const auto step = solver.number("step_s"))
-    spindle.step = *step;
-  else
+  if (!solver.take("step_s", spindle.step))
     tables.note_default("solver", "step_s", "as the error asks for");
   const Section rig = tables.part("rig", {spindle_rig_keys});
   spindle.model_floor_temperature = tables.number(rig, "model_floor_K");

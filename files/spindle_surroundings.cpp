@@ -207,12 +207,9 @@ void read_heated_place(ModelTables& tables, const Section& s, std::size_t index,
   const bool spanned = s.find("position_mm") || s.find("length_mm");
   for (const char* key : {"position_mm", "length_mm"})
     if ((solid || spanned) && !s.find(key)) s.fail_missing(key);
-  const auto take = [&](double& value, std::string_view key) {
-    if (const auto given = s.number(key)) value = *given * mm;
-  };
-  take(source.position, "position_mm");
-  take(source.length, "length_mm");
-  take(source.radius, "radius_mm");
+  s.take("position_mm", source.position, mm);
+  s.take("length_mm", source.length, mm);
+  s.take("radius_mm", source.radius, mm);
   if (source.place != Place::motor && source.place != Place::bearing) return;
   source.rotor_share = s.value("shaft_share");
   if (!s.find("shaft_share"))
@@ -246,8 +243,7 @@ void read_channel(ModelTables& tables, const Section& s, const std::string& addr
   coolant.stagnant = s.value("stagnant_W_m2K");
   if (!s.find("stagnant_W_m2K"))
     tables.note_default(address, "stagnant_W_m2K", fmt::format("{:.10g}", coolant.stagnant));
-  if (const auto throttle = s.number("throttle_diameter_mm"))
-    coolant.throttle_diameter = *throttle * mm;
+  s.take("throttle_diameter_mm", coolant.throttle_diameter, mm);
   if (coolant.pitch < coolant.channel_width)
     s.fail("pitch_mm", fmt::format("pitch_mm = {:.10g} mm: must be at least channel_width_mm = "
                                    "{:.10g} mm, or the turns of the channel run into each other",
@@ -380,12 +376,9 @@ std::optional<model::HeatSource> read_heat_source(ModelTables& tables, std::stri
       .name = std::string(table),
       .place = motor ? model::HeatSource::Place::motor : model::HeatSource::Place::pulley};
   read_heat(tables, s, source);
-  const auto take = [&](double& value, std::string_view key) {
-    if (const auto given = s.number(key)) value = *given * mm;
-  };
-  take(source.position, "position_mm");
-  take(source.length, "length_mm");
-  take(source.rotor_diameter, "rotor_diameter_mm");
+  s.take("position_mm", source.position, mm);
+  s.take("length_mm", source.length, mm);
+  s.take("rotor_diameter_mm", source.rotor_diameter, mm);
   source.rotor_share = motor ? tables.number(s, "rotor_share") : s.value("rotor_share");
   return source;
 }
@@ -434,10 +427,7 @@ std::vector<ThermometerPlace> read_sensors(const ModelTables& tables) {
     place.part = part_of(s);
     const bool optional = place.part == ThermometerPlace::Part::coolant;
     const auto take = [&](double& value, std::string_view key) {
-      if (const auto given = s.number(key))
-        value = *given * mm;
-      else if (!optional)
-        s.fail_missing(key);
+      if (!s.take(key, value, mm) && !optional) s.fail_missing(key);
     };
     take(place.position, "position_mm");
     take(place.radius, "radius_mm");

@@ -142,6 +142,12 @@ class Section {
                                  with_unit(text::shown(*node), key.form.unit), range(key)));
     return value;
   }
+  /// Replaces `to` by the number in SI, if the optional key is given. Returns true if it is.
+  bool take(std::string_view name, double& to, double unit = 1.0) const {
+    const std::optional<double> given = number(name);
+    if (given) to = *given * unit;
+    return given.has_value();
+  }
   /// Returns the number, or the default of its key.
   [[nodiscard]] double value(std::string_view name) const {
     return number(name).value_or(key(name).fallback.value);
