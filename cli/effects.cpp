@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,22 +22,17 @@ namespace {
 
 using effects::Description;
 
-/// Effects with these words in their id, title or texts, upper and lower case alike.
+/// Returns true if one of the texts has these words, upper and lower case alike.
+bool any_has(std::initializer_list<std::string_view> texts, const std::string& words) {
+  return std::any_of(texts.begin(), texts.end(), [&](std::string_view text) {
+    return text::lower_case(text).find(text::lower_case(words)) != std::string::npos;
+  });
+}
+
 std::vector<Description> matching(const std::string& words) {
-  const auto lower = [](std::string_view text) {
-    std::string result(text);
-    for (char& c : result)
-      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return result;
-  };
   std::vector<Description> found;
-  for (const Description& d : effects::catalogue()) {
-    const std::array texts{d.id, d.title, d.mechanism, d.formula, d.source};
-    if (std::any_of(texts.begin(), texts.end(), [&](std::string_view text) {
-          return lower(text).find(lower(words)) != std::string::npos;
-        }))
-      found.push_back(d);
-  }
+  for (const Description& d : effects::catalogue())
+    if (any_has({d.id, d.title, d.mechanism, d.formula, d.source}, words)) found.push_back(d);
   return found;
 }
 
@@ -78,9 +73,7 @@ int explain(const std::vector<Description>& forms, const correction::EffectCard*
 std::vector<correction::EffectCard> matching_cards(const std::string& words) {
   std::vector<correction::EffectCard> found;
   for (const correction::EffectCard& card : correction::catalogue())
-    if (text::lower_case(fmt::format("{} {} {}", card.id, card.title, card.form))
-            .find(text::lower_case(words)) != std::string::npos)
-      found.push_back(card);
+    if (any_has({card.id, card.title, card.form}, words)) found.push_back(card);
   return found;
 }
 
