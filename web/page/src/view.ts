@@ -81,8 +81,3 @@ export function button(text: string | Node, press: () => void, attributes: Recor
 export function callout(kind: 'error' | 'doubt' | 'note', ...content: Child[]): HTMLElement {
   return el('div', { class: `callout ${kind}`, ...(kind === 'error' ? { role: 'alert' } : {}) }, ...nodes(...content));
 }
-
-/// A file as a download.
-export function downloadName(name: string, suffix: string): string {
-  return `${name.replace(/\.[A-Za-z0-9]+$/, '')}${suffix}`;
-}
