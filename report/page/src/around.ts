@@ -1,5 +1,5 @@
 // One value of every ball around a bearing, as lines in polar coordinates.
-import { legend } from './chart';
+import { symbolLegend } from './chart';
 import type { Option } from './chart';
 import { tooltip } from './figure';
 import type { Look } from './look';
@@ -14,11 +14,10 @@ export interface Ring {
 
 /// `column`: what the values are, with its unit.
 export function aroundOption(rings: Ring[], column: string, colours: string[], l: Look, width: number): Option {
-  const top = legend(
+  const top = symbolLegend(
     rings.map((r) => r.name),
     width,
     l,
-    rings.map((_, k) => symbols[k % symbols.length]),
   );
   return {
     legend: top.option,

@@ -1,6 +1,6 @@
 // Loads, pressures and contact angles of single balls, at the states of a table.
 import { aroundOption } from './around';
-import { legend, valueAxis } from './chart';
+import { symbolLegend, valueAxis } from './chart';
 import type { BearingState } from './document';
 import { choice, Figure, tooltip } from './figure';
 import { ordered, symbols } from './look';
@@ -54,12 +54,7 @@ export function balls(states: BearingState[]): Figure {
     option: (l, width) => {
       const names = axials.map((a) => `${plain(a)} N`);
       const colours = ordered(axials.length, l);
-      const top = legend(
-        names,
-        width,
-        l,
-        axials.map((_, k) => symbols[k % symbols.length]),
-      );
+      const top = symbolLegend(names, width, l);
       const of = (axial: number) => states.filter((s) => s.axial_load_N === axial && s.radial_load_N === radials[radial]);
       return {
         legend: top.option,

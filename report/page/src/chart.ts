@@ -1,6 +1,7 @@
 // What the pictures share: axes, legends, bands, bars with a line.
 import type { EChartsCoreOption } from 'echarts/core';
 import type { Look } from './look';
+import { symbols } from './look';
 import { plain } from './text';
 
 export type Option = EChartsCoreOption;
@@ -45,6 +46,21 @@ export function legend(names: string[], width: number, l: Look, icons: (string |
     },
     height: names.length ? lines * 20 + 4 : 0,
   };
+}
+
+/// A bar to the right; hatching tells it from another without its colour.
+export function barStyle(color: string | undefined, hatch: 'none' | 'wide' | 'narrow' = 'none'): Option {
+  return { color, borderRadius: [0, 3, 3, 0], decal: hatch === 'none' ? undefined : { symbol: 'rect', dashArrayX: [1, 0], dashArrayY: hatch === 'wide' ? [2, 5] : [1, 3], rotation: -0.7, color: 'rgba(255,255,255,0.35)' } };
+}
+
+/// A legend of curves, each with its own symbol.
+export function symbolLegend(names: string[], width: number, l: Look): { option: Option; height: number } {
+  return legend(
+    names,
+    width,
+    l,
+    names.map((_, k) => symbols[k % symbols.length]),
+  );
 }
 
 export function valueAxis(name: string, l: Look, place: 'x' | 'y', more: Option = {}): Option {

@@ -1,5 +1,5 @@
 // What a diagnosis adds: ranking, the chosen effect, what could have been found, where to measure next.
-import { legend, sideAxis, threshold, valueAxis } from './chart';
+import { barStyle, legend, sideAxis, symbolLegend, threshold, valueAxis } from './chart';
 import type { BaseShifts, DiagnoseReport, Explanation, RankedEffect, Size, Suggested } from './document';
 import type { Cell } from './figure';
 import { choice, Figure, tooltip } from './figure';
@@ -79,11 +79,7 @@ export function ranking(report: DiagnoseReport, { unit }: FitView): Figure {
           name,
           stack: 'gain',
           barMaxWidth: 18,
-          itemStyle: {
-            color: colours[name],
-            borderRadius: [0, 3, 3, 0],
-            decal: name === 'in the verdict' ? undefined : { symbol: 'rect', dashArrayX: [1, 0], dashArrayY: name === 'above the threshold' ? [2, 5] : [1, 3], rotation: -0.7, color: 'rgba(255,255,255,0.35)' },
-          },
+          itemStyle: barStyle(colours[name], name === 'in the verdict' ? 'none' : name === 'above the threshold' ? 'wide' : 'narrow'),
           label: {
             show: true,
             position: 'right',
@@ -143,11 +139,10 @@ export function effectNodes(report: DiagnoseReport, view: FitView): Node[] {
     option: (l, width) => {
       const parts = column ? groups(rows.get(column), column, 5) : [{ label: 'rows', rows: all, from: 0, to: 0 }];
       const colours = ordered(parts.length, l);
-      const top = legend(
+      const top = symbolLegend(
         parts.map((g) => g.label),
         width,
         l,
-        parts.map((_, k) => symbols[k % symbols.length]),
       );
       return {
         legend: top.option,
@@ -283,7 +278,7 @@ export function detectable(report: DiagnoseReport, { what }: FitView): Figure | 
             type: 'bar',
             name: 'found from',
             barMaxWidth: 12,
-            itemStyle: { color: l.kinds[2], borderRadius: [0, 3, 3, 0] },
+            itemStyle: barStyle(l.kinds[2]),
             label: { show: true, position: 'right', color: l.ink, fontSize: 11, formatter: (hit: { dataIndex: number }) => `${number(percent[hit.dataIndex], 2)} %` },
             data: percent,
           },

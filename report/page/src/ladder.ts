@@ -1,5 +1,5 @@
 // The ladder: the error of each model against the noise floor.
-import { legend, sideAxis, threshold, valueAxis } from './chart';
+import { barStyle, legend, sideAxis, threshold, valueAxis } from './chart';
 import type { HoldOut, Step } from './document';
 import type { Table } from './figure';
 import { Figure, tooltip } from './figure';
@@ -64,7 +64,7 @@ export function ladder(names: string[], errors: number[], bias: number[], fit: (
             type: 'bar',
             name: 'RMS error',
             barMaxWidth: 22,
-            itemStyle: { color: l.kinds[0], borderRadius: [0, 3, 3, 0] },
+            itemStyle: barStyle(l.kinds[0]),
             label: { show: true, position: 'right', color: l.ink, formatter: (hit: { dataIndex: number }) => number(errors[hit.dataIndex]) },
             data: errors,
             ...(noise === null ? {} : { markLine: threshold(noise, 'noise', l) }),
@@ -108,7 +108,7 @@ export function beforeAfter(before: number, after: number, held: HoldOut[], floo
           type: 'bar',
           name,
           barMaxWidth: 18,
-          itemStyle: { color: l.kinds[k === 0 ? 1 : 0], borderRadius: [0, 3, 3, 0], decal: k === 0 ? { symbol: 'rect', dashArrayX: [1, 0], dashArrayY: [2, 5], rotation: -0.7, color: 'rgba(255,255,255,0.35)' } : undefined },
+          itemStyle: barStyle(l.kinds[k === 0 ? 1 : 0], k === 0 ? 'wide' : 'none'),
           label: { show: true, position: 'right', color: l.ink, fontSize: 11, formatter: (hit: { value: number }) => number(hit.value) },
           data: values[k],
           ...(k === 0 && noise !== null ? { markLine: threshold(noise, 'noise', l) } : {}),

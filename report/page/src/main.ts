@@ -4,6 +4,7 @@ import { detectable, effectNodes, plan, ranking } from './diagnosis';
 import { readDocument, Rows } from './document';
 import type { AddReport, ColumnData, CompareReport, Comparison, DiagnoseReport, Diagnosis, DisplacementReport, Report, TableReport } from './document';
 import { drawAll } from './figure';
+import { notTestableList, parameterList } from './fit_lists';
 import { choices, drawnNote, FitView, misfitMap, parity, residuals } from './fit_rows';
 import { drawnSpeeds } from './line_figure';
 import { modes } from './modes';
@@ -140,25 +141,15 @@ function diagnose(report: DiagnoseReport): (Node | undefined)[] {
       : undefined,
     nodes.length ? section('What an effect does', ...nodes) : undefined,
     fitSection(view),
-    section(
-      'What these data can show',
-      grid(plan(report, view), detectable(report, view)),
-      d.not_testable.length
-        ? valueList(
-            'Could not have been found',
-            ['effect', 'why'],
-            d.not_testable.map((n) => [n.id, n.missing]),
-          )
-        : undefined,
-    ),
+    section('What these data can show', grid(plan(report, view), detectable(report, view)), notTestableList(d)),
     notes(d.said),
   ];
 }
 
 function add(report: AddReport): (Node | undefined)[] {
   const r = report.results;
-  const parameters = Object.entries(r.calibration.parameters);
-  const effects = [...new Set(parameters.map(([name]) => name.split('.')[0] as string).filter((id) => parameters.some(([name]) => name.startsWith(`${id}.`))))];
+  const names = Object.keys(r.calibration.parameters);
+  const effects = [...new Set(names.map((name) => name.split('.')[0] as string).filter((id) => names.some((name) => name.startsWith(`${id}.`))))];
   const files = shortPaths([r.model, r.data]);
   const view = new FitView(report, 1);
   const held = r.rmse_held_out_after === null ? '' : `; on rows left out ${number(r.rmse_held_out_before, 3)} → ${number(r.rmse_held_out_after, 3)}`;
@@ -169,15 +160,7 @@ function add(report: AddReport): (Node | undefined)[] {
       [`noise, ${sourceIn(r.before)}`, report.noise_rms === null ? 'not known' : `${number(report.noise_rms, 3)} ${view.unit}`],
       ['rows', String(r.after.rows)],
     ]),
-    section(
-      'What it bought',
-      grid(beforeAfter(r.before.rmse, r.after.rmse, r.hold_out, floorOf(view, report.noise_rms, sourceIn(r.before)), ['before, refitted', 'after'])),
-      valueList(
-        'Parameters',
-        ['parameter', 'value', 'std error', 'unit'],
-        parameters.map(([name, p]) => [name, number(p.value), number(p.std, 2), unitText(p.unit)]),
-      ),
-    ),
+    section('What it bought', grid(beforeAfter(r.before.rmse, r.after.rmse, r.hold_out, floorOf(view, report.noise_rms, sourceIn(r.before)), ['before, refitted', 'after'])), parameterList('Parameters', r.calibration.parameters)),
     fitSection(view),
     notes(r.said),
   ];
@@ -227,13 +210,7 @@ function displacement(report: DisplacementReport): (Node | undefined)[] {
       thinning(report.rows, 'speeds', drawnSpeeds),
       grid(...lawFigures(report, rows)),
       el('p', { class: 'note', id: 'law-statement' }, report.law_statement),
-      law
-        ? valueList(
-            'The law: u = A n^(1 − B exp(−C n)), u in µm, n in rpm',
-            ['parameter', 'value', 'std error', 'unit'],
-            Object.entries(law.parameters).map(([name, p]) => [name, number(p.value, 5), number(p.std, 2), unitText(p.unit)]),
-          )
-        : undefined,
+      law ? parameterList('The law: u = A n^(1 − B exp(−C n)), u in µm, n in rpm', law.parameters, 5) : undefined,
     ),
     section('The bearings against speed', grid(...shaftFigures(report, rows))),
     notes(law?.said ?? []),

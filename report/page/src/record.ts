@@ -1,12 +1,13 @@
 // The page of a record over time, of compare, diagnose, add and correct with a correction.
 import type { Comparison, Corrected, CorrectedAxis, Diagnosis, RecordReport } from './document';
+import { notTestableList, parameterList, shiftList } from './fit_lists';
 import { grid, header, notes, section } from './page';
 import { field, inUnit, ladder, lengthOf, overTimeSection, sizes, unitKey } from './record_parts';
 import type { Rung } from './record_parts';
 import { RecordView } from './record_view';
 import { spindleRecord } from './spindle_record';
 import { steps } from './steps';
-import { el, number, plain, shortPaths, signed, unitOfKey, unitText, valueList } from './text';
+import { el, number, plain, shortPaths, signed, unitOfKey, valueList } from './text';
 import { verdicts } from './verdicts';
 
 /// The refitted model, the explanations of the verdict, then every other effect.
@@ -85,21 +86,7 @@ function diagnose(report: RecordReport & { command: 'diagnose' }): (Node | undef
     section('The verdict', grid(ladder(rungsOf(d, heldOut), limits, view.unit))),
     overTimeSection(view),
     section('Step responses', grid(steps(view))),
-    section(
-      'What this record can show',
-      valueList(
-        'Numbers of the model, without and with what is missing',
-        ['number', 'without', 'with', 'std error', 'unit'],
-        (d.explanations.length ? Object.entries(d.base_parameters) : []).map(([name, p]) => [name, number(p.before), number(p.after), number(p.std, 2), unitText(p.unit)]),
-      ),
-      d.not_testable.length
-        ? valueList(
-            'Could not have been found',
-            ['effect', 'why'],
-            d.not_testable.map((n) => [n.id, n.missing]),
-          )
-        : undefined,
-    ),
+    section('What this record can show', shiftList(d), notTestableList(d)),
     notes(d.said),
   ];
 }
@@ -107,7 +94,6 @@ function diagnose(report: RecordReport & { command: 'diagnose' }): (Node | undef
 function add(report: RecordReport & { command: 'add' }): (Node | undefined)[] {
   const r = report.results;
   const view = new RecordView(report, report.models.length - 1);
-  const parameters = Object.entries(r.calibration.parameters);
   const limits = { tolerance: view.chosen.tolerance, noise: r.before.noise.rms };
   const um = (value: number | null | undefined) => inUnit(value, view.unit);
   return [
@@ -133,11 +119,7 @@ function add(report: RecordReport & { command: 'add' }): (Node | undefined)[] {
           view.unit,
         ),
       ),
-      valueList(
-        'Parameters',
-        ['parameter', 'value', 'std error', 'unit'],
-        parameters.map(([name, p]) => [name, number(p.value), number(p.std, 2), unitText(p.unit)]),
-      ),
+      parameterList('Parameters', r.calibration.parameters),
     ),
     overTimeSection(view),
     section('Step responses', grid(steps(view))),

@@ -1,5 +1,5 @@
 // What the pages of records over time share: the ladder, the section over time, how long the record is.
-import { legend, sideAxis, threshold, valueAxis } from './chart';
+import { barStyle, legend, sideAxis, threshold, valueAxis } from './chart';
 import type { Size } from './document';
 import { Figure, tooltip } from './figure';
 import { contributions, overTime, residualOverTime } from './over_time';
@@ -73,7 +73,7 @@ export function ladder(rungs: Rung[], { tolerance, noise }: Limits, unit: string
           type: 'bar',
           name,
           barMaxWidth: held ? 14 : 20,
-          itemStyle: { color: l.kinds[k], borderRadius: [0, 3, 3, 0], decal: k === 1 ? { symbol: 'rect', dashArrayX: [1, 0], dashArrayY: [2, 5], rotation: -0.7, color: 'rgba(255,255,255,0.35)' } : undefined },
+          itemStyle: barStyle(l.kinds[k], k === 1 ? 'wide' : 'none'),
           label: { show: true, position: 'right', color: l.ink, fontSize: 11, textBorderColor: l.surface, textBorderWidth: 3, formatter: (hit: { value: number | null }) => (hit.value === null ? '' : number(hit.value, 3)) },
           data: values[k],
           ...(k === 0 && marks.length ? { markLine: { ...threshold(0, '', l), data: marks } } : {}),

@@ -1,14 +1,15 @@
 // The page of a record of a spindle: all channels together, of compare, diagnose and add.
-import { legend, sideAxis, threshold, valueAxis } from './chart';
+import { barStyle, legend, sideAxis, threshold, valueAxis } from './chart';
 import type { Comparison, Diagnosis, RecordReport } from './document';
 import type { Cell } from './figure';
 import { Figure, tooltip } from './figure';
+import { notTestableList, parameterList, shiftList } from './fit_lists';
 import { changes } from './ladder';
 import { grid, header, notes, section } from './page';
-import { ladder, lengthOf, overTimeSection, sizes } from './record_parts';
+import { inUnit, ladder, lengthOf, overTimeSection, sizes } from './record_parts';
 import type { Rung } from './record_parts';
 import { RecordView } from './record_view';
-import { dash, el, number, plain, shortPaths, signed, unitText, valueList } from './text';
+import { el, number, plain, shortPaths, signed, valueList } from './text';
 import { verdicts } from './verdicts';
 
 const times = 'times the tolerance';
@@ -31,7 +32,6 @@ interface Row {
 
 const words = (quantity: string) => quantity.replace(/_/g, ' ');
 const unitOf = (unit: string) => (unit === 'C' ? 'K' : unit === 'um' ? 'µm' : unit);
-const inUnit = (value: number | null | undefined, unit: string, digits = 3) => (value === null || value === undefined ? dash : `${number(value, digits)} ${unit}`);
 
 /// Of all channels together: the root of the mean square of errors over their tolerances.
 function together(errors: (number | null)[], tolerances: (number | null)[]): number | null {
@@ -74,11 +74,7 @@ function channelBars(rows: Row[], names: string[]): Figure {
           type: 'bar',
           name,
           barMaxWidth: 15,
-          itemStyle: {
-            color: l.kinds[k % l.kinds.length],
-            borderRadius: [0, 3, 3, 0],
-            decal: k === names.length - 1 && names.length === 3 ? { symbol: 'rect', dashArrayX: [1, 0], dashArrayY: [2, 5], rotation: -0.7, color: 'rgba(255,255,255,0.35)' } : undefined,
-          },
+          itemStyle: barStyle(l.kinds[k % l.kinds.length], k === 2 && names.length === 3 ? 'wide' : 'none'),
           label: {
             show: true,
             position: 'right',
@@ -245,21 +241,7 @@ function diagnose(report: RecordReport & { command: 'diagnose' }): (Node | undef
       ),
     ),
     overTimeSection(view),
-    section(
-      'What this record can show',
-      valueList(
-        'Numbers of the model, without and with what is missing',
-        ['number', 'without', 'with', 'std error', 'unit'],
-        (d.explanations.length ? Object.entries(d.base_parameters) : []).map(([name, p]) => [name, number(p.before), number(p.after), number(p.std, 2), unitText(p.unit)]),
-      ),
-      d.not_testable.length
-        ? valueList(
-            'Could not have been found',
-            ['effect', 'why'],
-            d.not_testable.map((n) => [n.id, n.missing]),
-          )
-        : undefined,
-    ),
+    section('What this record can show', shiftList(d), notTestableList(d)),
     notes(d.said),
   ];
 }
@@ -268,7 +250,6 @@ function add(report: RecordReport & { command: 'add' }): (Node | undefined)[] {
   const r = report.results;
   const [before, after] = [channelsOf(r.before), channelsOf(r.after)];
   const view = new RecordView(report, report.models.length - (before.length || 1));
-  const parameters = Object.entries(r.calibration.parameters);
   const rows = before.map((c, k): Row => ({ channel: words(c.quantity), unit: unitOf(c.unit), tolerance: withAnyUnit(c, 'tolerance'), noise: c.noise.rms, errors: [c.rmse, after[k]?.rmse ?? null] }));
   const tolerances = rows.map((row) => row.tolerance);
   const both = [0, 1].map((k) =>
@@ -291,15 +272,7 @@ function add(report: RecordReport & { command: 'add' }): (Node | undefined)[] {
       },
       [...after.map((c, k): [string, string] => [words(c.quantity), `${number(before[k]?.rmse, 3)} → ${inUnit(c.rmse, unitOf(c.unit))}`]), lengthOf(view)],
     ),
-    section(
-      'What it bought',
-      grid(channelBars(rows, ['before, refitted', 'after'])),
-      valueList(
-        'Parameters',
-        ['parameter', 'value', 'std error', 'unit'],
-        parameters.map(([name, p]) => [name, number(p.value), number(p.std, 2), unitText(p.unit)]),
-      ),
-    ),
+    section('What it bought', grid(channelBars(rows, ['before, refitted', 'after'])), parameterList('Parameters', r.calibration.parameters)),
     overTimeSection(view),
     notes(r.said),
   ];

@@ -1,5 +1,5 @@
 // The page of a spindle where all has come to rest, at one speed or several.
-import { sideAxis, valueAxis } from './chart';
+import { barStyle, sideAxis, valueAxis } from './chart';
 import type { SpindleSteadyReport } from './document';
 import { Rows } from './document';
 import type { Cell } from './figure';
@@ -49,7 +49,7 @@ function heatBars(list: Source[], height: number): Figure {
           {
             type: 'bar',
             barMaxWidth: 20,
-            data: list.map((s) => ({ value: s.watts, itemStyle: { color: l.kinds[s.into ? 1 : 0], borderRadius: [0, 3, 3, 0] } })),
+            data: list.map((s) => ({ value: s.watts, itemStyle: barStyle(l.kinds[s.into ? 1 : 0]) })),
             label: { show: true, position: 'right', color: l.ink, fontSize: 11, formatter: (hit: { dataIndex: number }) => number(list[hit.dataIndex]?.watts) },
           },
         ],

@@ -1,5 +1,5 @@
 // The page of step responses: each with its fit, the laws of gain and time constant, and what they cost over a programme.
-import { legend, valueAxis } from './chart';
+import { legend, symbolLegend, valueAxis } from './chart';
 import type { Option } from './chart';
 import { columnsOf, Rows } from './document';
 import type { StepCourse, StepRow, StepsReport } from './document';
@@ -61,12 +61,7 @@ function courses(steps: Step[], { id, title, from } = ofSpeeds): Figure {
     option: (l, width) => {
       const names = drawn.map((s) => nameOf(s.row));
       const colours = ordered(drawn.length, l);
-      const top = legend(
-        names,
-        width,
-        l,
-        drawn.map((_, k) => symbols[k % symbols.length]),
-      );
+      const top = symbolLegend(names, width, l);
       const fit = (s: Step, k: number, value: (r: StepRow, t: number) => number, type: string): Option => ({
         type: 'line',
         name: names[k],

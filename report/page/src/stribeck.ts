@@ -1,6 +1,6 @@
 // A Stribeck table: torque, its parts and contact angles against speed, loads around the bearing.
 import { around, balls } from './ball_figures';
-import { legend, valueAxis } from './chart';
+import { symbolLegend, valueAxis } from './chart';
 import { curvesFigure } from './curves';
 import type { TableReport } from './document';
 import { Rows } from './document';
@@ -74,12 +74,7 @@ function partsFigure(view: TableView, parts: string[]): Figure {
     option: (l, width) => {
       const slice = view.slices()[view.chosen.axial] as Slice;
       const names = parts.map((name) => quantity(name).label);
-      const top = legend(
-        names,
-        width,
-        l,
-        parts.map((_, k) => symbols[k % symbols.length]),
-      );
+      const top = symbolLegend(names, width, l);
       return {
         legend: top.option,
         grid: { left: 60, right: 20, top: top.height + 28, bottom: 46 },
@@ -113,12 +108,7 @@ function anglesFigure(view: TableView, free: number | undefined): Figure {
       const curves = view.shown();
       const names = curves.map((c) => `${plain(c.axial)} N`);
       const colours = ordered(curves.length, l);
-      const top = legend(
-        names,
-        width,
-        l,
-        curves.map((_, k) => symbols[k % symbols.length]),
-      );
+      const top = symbolLegend(names, width, l);
       return {
         legend: top.option,
         grid: { left: 56, right: 20, top: top.height + 28, bottom: 46 },
