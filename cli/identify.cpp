@@ -25,53 +25,35 @@ struct IdentifyFlags : OutputFlags {
   bool json = false;
 };
 
-/// Validates the found models on a record that they did not see, and judges them by it from then
-/// on.
-std::vector<results::Validation> validated(std::vector<correction::Identification>& found,
-                                           const IdentifyFlags& flags,
-                                           const files::CorrectionFile& file) {
-  std::vector<results::Validation> list;
-  if (flags.validate.empty()) return list;
-  const record::Record other = session::open_series(
-      messages(), flags.validate, session::models_of(found), flags.reading.options(file.columns));
-  for (correction::Identification& one_found : found) {
-    correction::Model& model = one_found.model;
-    const session::Validated one = session::validated(model, other);
-    list.push_back(one.validation);
-    session::judge_by(model, one.validation);
-    const correction::Metrics& m = one.validation.metrics;
-    if (!flags.json)
-      fmt::print("on {}: {} RMS {} {unit}, largest {} {unit}, fit {} %\n", other.source,
-                 model.displacement->name, number(m.rms / um, 3), number(m.max_abs / um, 3),
-                 number(m.fit_percent, 3), fmt::arg("unit", model.displacement->unit));
-    if (!flags.json) print_more_errors(*model.displacement, m);
-    tell(one.warnings);
+/// Shows the errors on a record that the models did not see.
+void print_validation(const session::Identified& found) {
+  for (std::size_t k = 0; k < found.validations.size(); ++k) {
+    const record::Channel& displacement = *found.found[k].model.displacement;
+    const correction::Metrics& m = found.validations[k].metrics;
+    fmt::print("on {}: {} RMS {} {unit}, largest {} {unit}, fit {} %\n", found.validations[k].data,
+               displacement.name, number(m.rms / um, 3), number(m.max_abs / um, 3),
+               number(m.fit_percent, 3), fmt::arg("unit", displacement.unit));
+    print_more_errors(displacement, m);
   }
-  return list;
 }
 
-/// Shows what it is worth, and writes it as transfer functions where it is asked to.
-int run_arx(const IdentifyFlags& flags) {
-  const session::SeriesQuestion asked =
-      session::ask_series(messages(), flags.model, flags.data, flags.reading);
-  std::vector<std::pair<const record::Channel*, correction::ArxBaseline>> found;
-  for (const correction::Model& model : asked.file.models) {
-    found.emplace_back(model.displacement, session::arx_baseline(asked, model, flags.choices));
-    if (!flags.json) print_baseline(*model.displacement, found.back().second, asked.data);
-    tell(found.back().second.messages);
+int run_arx(const IdentifyFlags& flags, session::SeriesQuestion asked) {
+  const session::ArxModels models = session::identify_arx(std::move(asked), flags.choices);
+  for (const auto& [displacement, baseline] : models.found) {
+    if (!flags.json) print_baseline(*displacement, baseline, models.asked.data);
+    tell(baseline.messages);
   }
-  if (flags.json) put_document(results::arx_json(asked.file.source, asked.data, found));
+  if (flags.json) put_document(models.json());
   if (!flags.output.empty()) {
-    const session::ArxText written = session::arx_text(asked, found);
-    flags.put_model(written.text, asked.file.files);
+    const session::ArxModels::Text written = models.text();
+    flags.put_model(written.text, models.asked.file.files);
     tell(written.notes);
   }
   return done;
 }
 
 /// With Ctrl-C and a bar while it lasts.
-correction::Identification identified(const IdentifyFlags& flags, session::SeriesQuestion& asked,
-                                      const correction::Model& model) {
+session::Identified identified(const IdentifyFlags& flags, session::SeriesQuestion asked) {
   session::IdentifyChoices choices = flags.choices;
   constexpr double longest_wait = 3600.0;
   const InterruptFlag interrupt(longest_wait);
@@ -81,34 +63,33 @@ correction::Identification identified(const IdentifyFlags& flags, session::Serie
     bar.emplace();
     choices.progress = [&bar](double share, std::string_view step) { bar->show(share, step); };
   }
-  return session::identified(messages(), asked, model, choices);
+  return session::identify(messages(), std::move(asked), choices);
 }
 
 int run(const IdentifyFlags& flags) {
   flags.refuse_stdout("identify", "the numbers");
   flags.require_writable();
   flags.choices.check();
-  if (flags.choices.baseline == "arx") return run_arx(flags);
   session::SeriesQuestion asked =
       session::ask_series(messages(), flags.model, flags.data, flags.reading);
-  std::vector<correction::Identification> found;
-  for (const correction::Model& model : asked.file.models) {
-    found.push_back(identified(flags, asked, model));
+  if (flags.choices.baseline == "arx") return run_arx(flags, std::move(asked));
+  session::Identified found = identified(flags, std::move(asked));
+  for (const correction::Identification& one : found.found) {
     if (!flags.json) {
-      if (found.size() > 1) fmt::print("\n");
-      print_identification(found.back(), asked.data);
+      if (&one != &found.found.front()) fmt::print("\n");
+      print_identification(one, found.asked.data);
     }
-    tell(found.back().messages);
+    tell(one.messages);
   }
-  const std::vector<results::Validation> validations = validated(found, flags, asked.file);
-  if (!flags.json)
-    for (const correction::Identification& one : found)
-      print_trust(*one.model.displacement, correction::trust_of(one.model));
+  if (!flags.validate.empty()) found.validate(messages(), flags.validate, flags.reading);
+  if (!flags.json) print_validation(found);
+  tell(found.validation_warnings);
   if (flags.json)
-    put_document(results::identification_json(asked.file.source, asked.data, found, validations));
-  if (!flags.output.empty())
-    flags.put_model(session::identified_text(asked, session::models_of(found), flags.choices),
-                    asked.file.files);
+    put_document(found.json());
+  else
+    for (const correction::Identification& one : found.found)
+      print_trust(*one.model.displacement, correction::trust_of(one.model));
+  if (!flags.output.empty()) flags.put_model(found.text(), found.asked.file.files);
   return done;
 }
 

@@ -106,13 +106,6 @@ correction::Identification sections(const correction::Model& model, const record
                                .cancelled = choices.cancelled});
 }
 
-}  // namespace
-
-void IdentifyChoices::check() const {
-  (void)orders_of(order);
-  (void)lags_of(lags);
-}
-
 correction::Identification identified(Messages& messages, SeriesQuestion& asked,
                                       const correction::Model& model,
                                       const IdentifyChoices& choices) {
@@ -148,11 +141,83 @@ correction::ArxBaseline arx_baseline(const SeriesQuestion& asked, const correcti
   }
 }
 
-ArxText arx_text(
-    const SeriesQuestion& asked,
-    const std::vector<std::pair<const record::Channel*, correction::ArxBaseline>>& found) {
+/// Errors of a model on a record that was not used for its fit.
+results::Validation validated(const correction::Model& model, const record::Record& other,
+                              std::vector<record::Note>& warnings) {
+  require_readings(model, other);
+  const auto subject = correction::aligned(model, other, correction::Zero::mean);
+  const correction::Series series(other);
+  const correction::Beyond beyond = correction::beyond_range(model, series);
+  append(warnings, notes_of(record::note::beyond_range, range_notes(model, series, beyond),
+                            {.file = other.source}));
+  return {.data = other.source,
+          .metrics =
+              correction::metrics(other.values(*model.displacement), fit::predict(*subject, other)),
+          .uncorrected = correction::uncorrected_rms(model, other),
+          .rows_beyond_range = beyond.rows()};
+}
+
+std::vector<correction::Model> models_of(const std::vector<correction::Identification>& found) {
   std::vector<correction::Model> models;
-  ArxText result;
+  for (const correction::Identification& one : found) models.push_back(one.model);
+  return models;
+}
+
+}  // namespace
+
+void IdentifyChoices::check() const {
+  (void)orders_of(order);
+  (void)lags_of(lags);
+}
+
+Identified identify(Messages& messages, SeriesQuestion asked, const IdentifyChoices& choices) {
+  Identified answer{.asked = std::move(asked), .baseline = choices.baseline};
+  for (const correction::Model& model : answer.asked.file.models)
+    answer.found.push_back(identified(messages, answer.asked, model, choices));
+  return answer;
+}
+
+void Identified::validate(Messages& messages, const Source& other, const Reading& reading) {
+  const record::Record record =
+      open_series(messages, other, models_of(found), reading.options(asked.file.columns));
+  for (correction::Identification& one : found) {
+    validations.push_back(validated(one.model, record, validation_warnings));
+    one.model.evidence->error = validations.back().metrics.rms;
+    one.model.evidence->uncorrected = validations.back().uncorrected;
+    one.model.evidence->other_record = true;
+  }
+}
+
+std::string Identified::json() const {
+  return results::identification_json(asked.file.source, asked.data, found, validations);
+}
+
+std::string Identified::text() const {
+  const std::vector<correction::Model> models = models_of(found);
+  return baseline.empty()
+             ? files::with_corrections(asked.file, models)
+             : files::new_corrections(models, "Multiple linear regression on " + asked.data.source);
+}
+
+ArxModels identify_arx(SeriesQuestion asked, const IdentifyChoices& choices) {
+  ArxModels answer{.asked = std::move(asked)};
+  for (const correction::Model& model : answer.asked.file.models)
+    answer.found.emplace_back(model.displacement, arx_baseline(answer.asked, model, choices));
+  return answer;
+}
+
+bool ArxModels::stable() const {
+  return std::all_of(found.begin(), found.end(),
+                     [](const auto& one) { return one.second.best() != nullptr; });
+}
+
+std::string ArxModels::json() const {
+  return results::arx_json(asked.file.source, asked.data, found);
+}
+
+ArxModels::Text ArxModels::text() const {
+  std::vector<correction::Model> models;
+  Text result;
   for (std::size_t k = 0; k < found.size(); ++k) {
     const auto& [displacement, baseline] = found[k];
     const correction::ArxFit* const best = baseline.best();
@@ -174,39 +239,6 @@ ArxText arx_text(
   }
   result.text = files::new_corrections(models, "ARX models of " + asked.data.source);
   return result;
-}
-
-Validated validated(const correction::Model& model, const record::Record& other) {
-  require_readings(model, other);
-  const auto subject = correction::aligned(model, other, correction::Zero::mean);
-  const correction::Series series(other);
-  const correction::Beyond beyond = correction::beyond_range(model, series);
-  return {.validation = {.data = other.source,
-                         .metrics = correction::metrics(other.values(*model.displacement),
-                                                        fit::predict(*subject, other)),
-                         .uncorrected = correction::uncorrected_rms(model, other),
-                         .rows_beyond_range = beyond.rows()},
-          .warnings = notes_of(record::note::beyond_range, range_notes(model, series, beyond),
-                               {.file = other.source})};
-}
-
-void judge_by(correction::Model& model, const results::Validation& other) {
-  model.evidence->error = other.metrics.rms;
-  model.evidence->uncorrected = other.uncorrected;
-  model.evidence->other_record = true;
-}
-
-std::vector<correction::Model> models_of(const std::vector<correction::Identification>& found) {
-  std::vector<correction::Model> models;
-  for (const correction::Identification& one : found) models.push_back(one.model);
-  return models;
-}
-
-std::string identified_text(const SeriesQuestion& asked,
-                            const std::vector<correction::Model>& found,
-                            const IdentifyChoices& choices) {
-  if (choices.baseline.empty()) return files::with_corrections(asked.file, found);
-  return files::new_corrections(found, "Multiple linear regression on " + asked.data.source);
 }
 
 }  // namespace raceway::session

@@ -32,47 +32,49 @@ struct IdentifyChoices {
   void check() const;
 };
 
-/// Identifies the structure and the parameters of one model of `asked`. Warnings about sensors are
-/// also in the notes of its record. Throws text::InputError for an unknown input, missing readings,
-/// or a record that does not allow identification. Throws fit::Cancelled when the user cancels.
-[[nodiscard]] correction::Identification identified(Messages& messages, SeriesQuestion& asked,
-                                                    const correction::Model& model,
-                                                    const IdentifyChoices& choices);
+/// Corrections identified from one record, one for each displacement of the file.
+struct Identified {
+  SeriesQuestion asked{};
+  std::string baseline{};  ///< "regression" or empty
+  std::vector<correction::Identification> found{};
+  /// Errors on a record that no fit used; empty without validate(). Warnings are on that record.
+  std::vector<results::Validation> validations{};
+  std::vector<record::Note> validation_warnings{};
 
-/// Fits an ARX model of every order. Throws like identified().
-[[nodiscard]] correction::ArxBaseline arx_baseline(const SeriesQuestion& asked,
-                                                   const correction::Model& model,
-                                                   const IdentifyChoices& choices);
-
-/// Model file of transfer functions from ARX models, with the best stable order of each
-/// displacement.
-struct ArxText {
-  std::string text{};
-  std::vector<record::Note> notes{};
+  /// Validates the models on another record, which from then on is the evidence for the trust in
+  /// them: see correction/trust.h.
+  void validate(Messages& messages, const Source& other, const Reading& reading);
+  [[nodiscard]] std::string json() const;
+  /// Returns the model file with the identified numbers. For a baseline, it returns a file of the
+  /// baseline's own models.
+  [[nodiscard]] std::string text() const;
 };
-/// Throws text::InputError if a displacement has no stable order.
-[[nodiscard]] ArxText arx_text(
-    const SeriesQuestion& asked,
-    const std::vector<std::pair<const record::Channel*, correction::ArxBaseline>>& found);
 
-/// Errors of a model on a record that was not used for its fit, with warnings.
-struct Validated {
-  results::Validation validation{};
-  std::vector<record::Note> warnings{};
+/// Identifies the structure and the parameters of all models. Warnings about sensors are also in
+/// the notes of the record. Throws text::InputError for an unknown input, missing readings, or a
+/// record that does not allow identification. Throws fit::Cancelled when the user cancels.
+[[nodiscard]] Identified identify(Messages& messages, SeriesQuestion asked,
+                                  const IdentifyChoices& choices);
+
+/// ARX models of every order, for each displacement of the file.
+struct ArxModels {
+  SeriesQuestion asked{};
+  std::vector<std::pair<const record::Channel*, correction::ArxBaseline>> found{};
+
+  /// Model file of transfer functions.
+  struct Text {
+    std::string text{};
+    std::vector<record::Note> notes{};
+  };
+  /// Returns true if every displacement has a stable order.
+  [[nodiscard]] bool stable() const;
+  [[nodiscard]] std::string json() const;
+  /// Returns the best stable order of each displacement as a model file. Throws text::InputError if
+  /// a displacement has none.
+  [[nodiscard]] Text text() const;
 };
-[[nodiscard]] Validated validated(const correction::Model& model, const record::Record& other);
 
-/// Records a validation as the evidence for the trust in the model: see correction/trust.h. Use it
-/// for an identified model.
-void judge_by(correction::Model& model, const results::Validation& other);
-
-[[nodiscard]] std::vector<correction::Model> models_of(
-    const std::vector<correction::Identification>& found);
-
-/// Returns the model file with the identified numbers. For a baseline, it returns a file of the
-/// baseline's own models.
-[[nodiscard]] std::string identified_text(const SeriesQuestion& asked,
-                                          const std::vector<correction::Model>& found,
-                                          const IdentifyChoices& choices);
+/// Throws like identify().
+[[nodiscard]] ArxModels identify_arx(SeriesQuestion asked, const IdentifyChoices& choices);
 
 }  // namespace raceway::session

@@ -30,55 +30,24 @@ session::SeriesQuestion ask(Heard& heard, const EngineCorrection& correction, co
   return session::ask_series(heard, correction.source(), *data, reading, session::Defaults::keep);
 }
 
-void fill_validations(EngineAnswer& answer, std::vector<results::Validation>& list, Heard& heard,
-                      std::vector<correction::Identification>& found, const Data& validate,
-                      const files::ReadOptions& options) {
-  if (!validate) return;
-  const record::Record other =
-      session::open_series(heard, *validate, session::models_of(found), options);
-  for (correction::Identification& of : found) {
-    session::Validated one = session::validated(of.model, other);
-    session::judge_by(of.model, one.validation);
-    list.push_back(std::move(one.validation));
-    append(answer.warnings, std::move(one.warnings));
-  }
-}
-
-EngineAnswer arx(Heard& heard, const EngineCorrection& correction, const Data& data,
-                 const session::IdentifyChoices& choices, const session::Reading& reading) {
-  const session::SeriesQuestion asked = ask(heard, correction, data, reading);
-  std::vector<std::pair<const record::Channel*, correction::ArxBaseline>> found;
+EngineAnswer arx(const session::ArxModels& models) {
   EngineAnswer answer;
-  for (const correction::Model& model : asked.file.models) {
-    found.emplace_back(model.displacement, session::arx_baseline(asked, model, choices));
-    append(answer.warnings, found.back().second.messages);
-  }
-  answer.json = results::arx_json(asked.file.source, asked.data, found);
-  const auto is_stable = [](const auto& one) { return one.second.best() != nullptr; };
-  if (std::all_of(found.begin(), found.end(), is_stable)) {
-    session::ArxText written = session::arx_text(asked, found);
-    answer.fitted.texts = {std::move(written.text)};
-    append(answer.notes, std::move(written.notes));
-  }
+  for (const auto& [_, baseline] : models.found) append(answer.warnings, baseline.messages);
+  answer.json = models.json();
+  if (!models.stable()) return answer;
+  session::ArxModels::Text written = models.text();
+  answer.fitted.texts = {std::move(written.text)};
+  append(answer.notes, std::move(written.notes));
   return answer;
 }
 
 /// Sections, a bank of lags or a regression, with the file of the models that were found.
-EngineAnswer identified(Heard& heard, const EngineCorrection& correction, const Data& data,
-                        const Data& validate, const session::IdentifyChoices& choices,
-                        const session::Reading& reading) {
-  session::SeriesQuestion asked = ask(heard, correction, data, reading);
-  std::vector<correction::Identification> found;
+EngineAnswer identified(const session::Identified& found) {
   EngineAnswer answer;
-  for (const correction::Model& model : asked.file.models) {
-    found.push_back(session::identified(heard, asked, model, choices));
-    append(answer.warnings, found.back().messages);
-  }
-  std::vector<results::Validation> validations;
-  fill_validations(answer, validations, heard, found, validate,
-                   reading.options(asked.file.columns));
-  answer.json = results::identification_json(asked.file.source, asked.data, found, validations);
-  answer.fitted.texts = {session::identified_text(asked, session::models_of(found), choices)};
+  for (const correction::Identification& one : found.found) append(answer.warnings, one.messages);
+  append(answer.warnings, found.validation_warnings);
+  answer.json = found.json();
+  answer.fitted.texts = {found.text()};
   return answer;
 }
 
@@ -96,8 +65,11 @@ EngineAnswer identify(const EngineCorrection& correction, const Data& data, cons
   choices.progress = [&](double share, std::string_view step) { progress.set(share, step); };
   choices.check();
   return answered({time_limit_s, progress_of_caller}, cancelled, progress, [&](Heard& heard) {
-    return baseline == "arx" ? arx(heard, correction, data, choices, reading)
-                             : identified(heard, correction, data, validate, choices, reading);
+    session::SeriesQuestion asked = ask(heard, correction, data, reading);
+    if (baseline == "arx") return arx(session::identify_arx(std::move(asked), choices));
+    session::Identified found = session::identify(heard, std::move(asked), choices);
+    if (validate) found.validate(heard, *validate, reading);
+    return identified(found);
   });
 }
 
