@@ -80,6 +80,15 @@ text::json shapes_json(const std::vector<results::ModesAtSpeed>& speeds) {
   return list;
 }
 
+void add_head(Document& document, const ModelOfPage& of, bool warm,
+              const model::Findings& findings) {
+  document.add("judged", model::warnings_of(findings));
+  document.add("assumed", model_facts({of}));
+  document.add("model", of.file);
+  document.add("bearing", of.model.name);
+  document.add("warm", warm);
+}
+
 }  // namespace
 
 std::string modes_report(const ModelOfPage& of, const bearing::Arrangement& arrangement,
@@ -87,11 +96,7 @@ std::string modes_report(const ModelOfPage& of, const bearing::Arrangement& arra
                          const std::vector<results::ModesAtSpeed>& speeds,
                          const model::Findings& findings) {
   Document document("modes");
-  document.add("judged", model::warnings_of(findings));
-  document.add("assumed", model_facts({of}));
-  document.add("model", of.file);
-  document.add("bearing", of.model.name);
-  document.add("warm", warm);
+  add_head(document, of, warm, findings);
   document.add("weight_kg", drawn_number(beam.weight()));
   document.add_text("results", results::campbell_json(arrangement, speeds, of.file, findings));
   text::json bearings = text::json::array();
@@ -110,11 +115,7 @@ std::string deflection_report(const ModelOfPage& of, const bearing::Arrangement&
                               const Eigen::VectorXd& tangent, const Eigen::VectorXd& stiff,
                               const model::Findings& findings) {
   Document document("deflection");
-  document.add("judged", model::warnings_of(findings));
-  document.add("assumed", model_facts({of}));
-  document.add("model", of.file);
-  document.add("bearing", of.model.name);
-  document.add("warm", warm);
+  add_head(document, of, warm, findings);
   document.add("load", results::load_words(result));
   document.add_text("results", results::deflection_json(arrangement, result, of.file, findings));
   document.add("shaft", shaft_json(of.model, arrangement, places));

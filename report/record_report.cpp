@@ -295,6 +295,23 @@ std::string joined_ids(const std::vector<std::string>& ids) {
   return fmt::format("{}", fmt::join(ids, " and "));
 }
 
+/// The refitted models of a fit: the first, and the others by another name.
+template <typename Channels>
+std::vector<DrawnModel> refitted(const std::vector<fit::Refit>& refits, const Channels& channels,
+                                 const std::vector<files::UsedDefault>& defaults,
+                                 const std::string& first, const std::string& others) {
+  std::vector<double> tolerances;
+  for (const auto& c : channels) tolerances.push_back(c.tolerance);
+  std::vector<DrawnModel> models;
+  for (const fit::Refit& refit : refits)
+    models.push_back({.name = models.empty() ? first : others,
+                      .subject = refit.subject,
+                      .held_out = refit.held_out,
+                      .defaults = defaults,
+                      .tolerances = tolerances});
+  return models;
+}
+
 }  // namespace
 
 std::string record_report(const std::string& command, const std::string& results,
@@ -316,17 +333,9 @@ std::string record_diagnosis_report(const std::string& model_file, const record:
                                     const verdict::Diagnosis& d,
                                     const std::vector<files::UsedDefault>& defaults,
                                     const std::vector<ModelOfPage>& facts) {
-  std::vector<DrawnModel> models;
-  std::vector<double> tolerances;
-  for (const verdict::ChannelDiagnosis& c : d.channels) tolerances.push_back(c.tolerance);
-  for (const fit::Refit& refit : d.refits)
-    models.push_back(
-        {.name = models.empty() ? "refitted, nothing added" : "with " + joined_ids(d.sets.front()),
-         .subject = refit.subject,
-         .held_out = refit.held_out,
-         .defaults = defaults,
-         .tolerances = tolerances});
-  return record_report("diagnose", results::diagnosis_json(model_file, record, d), record, models,
+  return record_report("diagnose", results::diagnosis_json(model_file, record, d), record,
+                       refitted(d.refits, d.channels, defaults, "refitted, nothing added",
+                                d.sets.empty() ? "" : "with " + joined_ids(d.sets.front())),
                        facts);
 }
 
@@ -334,16 +343,9 @@ std::string record_add_report(const std::string& model_file, const record::Recor
                               const verdict::AddResult& r,
                               const std::vector<files::UsedDefault>& defaults,
                               const std::vector<ModelOfPage>& facts) {
-  std::vector<DrawnModel> models;
-  std::vector<double> tolerances;
-  for (const verdict::ChannelGain& c : r.channels) tolerances.push_back(c.tolerance);
-  for (const fit::Refit& refit : r.refits)
-    models.push_back({.name = models.empty() ? "before, refitted" : "after",
-                      .subject = refit.subject,
-                      .held_out = refit.held_out,
-                      .defaults = defaults,
-                      .tolerances = tolerances});
-  return record_report("add", results::add_json(model_file, record, r), record, models, facts);
+  return record_report("add", results::add_json(model_file, record, r), record,
+                       refitted(r.refits, r.channels, defaults, "before, refitted", "after"),
+                       facts);
 }
 
 }  // namespace raceway::report
