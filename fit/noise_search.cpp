@@ -20,6 +20,13 @@ constexpr double contradicted = 0.01;       // p of declared standard deviations
 constexpr Eigen::Index most_rows_of_a_search = 1500;
 constexpr int fewest_repeats = 8;
 
+/// Lower triangle of XᵀX.
+Eigen::MatrixXd gram_of(const Eigen::MatrixXd& x) {
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(x.cols(), x.cols());
+  gram.selfadjointView<Eigen::Lower>().rankUpdate(x.transpose());
+  return gram;
+}
+
 /// -2 ln of the restricted likelihood, with the common factor of the variance at its best.
 /// `deviation`: readings less any fit of the columns, which changes nothing but the rounding.
 double restricted(const Whitening& whitening, const Eigen::MatrixXd& columns,
@@ -27,9 +34,7 @@ double restricted(const Whitening& whitening, const Eigen::MatrixXd& columns,
   const Eigen::MatrixXd x = whitening(columns);
   const Eigen::VectorXd y = whitening(deviation);
   const auto freedom = static_cast<double>(x.rows() - x.cols());
-  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(x.cols(), x.cols());
-  gram.selfadjointView<Eigen::Lower>().rankUpdate(x.transpose());
-  const algebra::LowerRoot root(gram);
+  const algebra::LowerRoot root(gram_of(x));
   const double fitted = root.solve_root(x.transpose() * y).squaredNorm();
   return freedom * std::log(y.squaredNorm() - fitted) + whitening.log_determinant() +
          root.log_determinant();
@@ -60,13 +65,12 @@ T pick(const T& all, const std::vector<Eigen::Index>& rows) {
 }  // namespace
 
 NoiseSearch::Regression NoiseSearch::regress(const Eigen::MatrixXd& x, const Eigen::VectorXd& y) {
-  const algebra::HouseholderQr qr(x);
-  const Eigen::MatrixXd q = qr.Q();
+  // The columns are independent and of similar size: their Gram matrix is far from singular.
+  const Eigen::MatrixXd q = x * algebra::inverse_lower_root(gram_of(x)).transpose();
   Regression result;
   result.fitted = q * (q.transpose() * y);
   result.residual = y - result.fitted;
   result.freedom = (1.0 - q.rowwise().squaredNorm().array()).max(1e-6).matrix();
-  result.log_determinant = qr.log_determinant();
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <span>
 
 #include "record/levels.h"
 
@@ -15,11 +16,10 @@ constexpr double longer = 3.0;          // than a step between rows that is exce
 constexpr double exceeded_by = 0.1;
 
 /// Step in time that one row in ten exceeds [s].
-double usual_step(const record::Record& record, const std::vector<std::size_t>& order) {
+double usual_step(std::span<const double> time, const std::vector<std::size_t>& order) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < order.size(); ++i)
-    steps.push_back(record.value(record::time, order[i]) -
-                    record.value(record::time, order[i - 1]));
+    steps.push_back(time[order[i]] - time[order[i - 1]]);
   if (steps.empty()) return 0.0;
   const auto at =
       static_cast<std::ptrdiff_t>((1.0 - exceeded_by) * static_cast<double>(steps.size() - 1));
@@ -50,22 +50,22 @@ class Way {
 std::vector<Course> course_of(const record::Record& record) {
   std::vector<Course> course(record.rows());
   if (course.empty() || !record.complete(record::time)) return course;
+  const std::span<const double> time = record.values(record::time);
+  std::vector<std::size_t> part(record.rows());
+  for (std::size_t i = 0; i < part.size(); ++i) part[i] = record.part_of(i);
   std::vector<std::size_t> order(record.rows());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    if (record.part_of(a) != record.part_of(b)) return record.part_of(a) < record.part_of(b);
-    return record.value(record::time, a) < record.value(record::time, b);
+    return part[a] != part[b] ? part[a] < part[b] : time[a] < time[b];
   });
   const auto step_of = [&](const record::Channel& channel) {
     return record.has(channel) ? record::step_of(channel, record.values(channel)) : 0.0;
   };
-  const double pause = std::max(night, longer * usual_step(record, order));
+  const double pause = std::max(night, longer * usual_step(time, order));
   const auto begins_anew = [&](std::size_t i) {
-    return i == 0 || record.part_of(order[i]) != record.part_of(order[i - 1]);
+    return i == 0 || part[order[i]] != part[order[i - 1]];
   };
-  const auto rests = [&](std::size_t i) {
-    return record.value(record::time, order[i]) - record.value(record::time, order[i - 1]) > pause;
-  };
+  const auto rests = [&](std::size_t i) { return time[order[i]] - time[order[i - 1]] > pause; };
   bool by_day = false;
   for (std::size_t i = 1; i < order.size(); ++i) by_day = by_day || (!begins_anew(i) && rests(i));
   Way load(step_of(record::axial_load)), speed(step_of(record::speed));
@@ -85,7 +85,7 @@ std::vector<Course> course_of(const record::Record& record) {
       fresh = fresh || turned * loads < 0.0;
       loads = fresh ? 0.0 : turned;
     }
-    if (fresh) start = record.value(record::time, row);
+    if (fresh) start = time[row];
     // The first speed of a run, and the first at another load, is reached from rest.
     const double way = speed(record.value(record::speed, row));
     const bool from_rest =
@@ -94,7 +94,7 @@ std::vector<Course> course_of(const record::Record& record) {
       last = 1.0;
     else if (way != 0.0)
       last = way;
-    course[row] = {.since_start = record.value(record::time, row) - start, .direction = last};
+    course[row] = {.since_start = time[row] - start, .direction = last};
   }
   return course;
 }

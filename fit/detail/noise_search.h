@@ -42,7 +42,6 @@ class NoiseSearch {
     Eigen::VectorXd fitted;    ///< whitened
     Eigen::VectorXd residual;  ///< whitened
     Eigen::VectorXd freedom;   ///< 1 - leverage of each row
-    double log_determinant;    ///< ln det of XᵀV⁻¹X
   };
   static Regression regress(const Eigen::MatrixXd& x, const Eigen::VectorXd& y);
   /// Returns relative standard deviations of some of the readings.

@@ -167,12 +167,15 @@ export function shellCommands(of: Case): string {
   return `${lines.join('\n')}\n`;
 }
 
+/// Rows of a programme get another name where the programme has that one: a command may not overwrite what it reads.
+const rowsFile = (of: Case): string => (of.programme?.name === 'run.csv' ? 'rows.csv' : 'run.csv');
+
 function ofSpindle(of: Case, make: Lines): string[] {
   const line = make.run.bind(make);
   const coolant = of.coolantOff ? ['--coolant', 'off'] : [];
   return [
     line('spindle', 'model.toml', ...state(of), '--report', 'steady.html'),
-    ...(of.programme ? [line('spindle', 'model.toml', '--speed-profile', named(of.programme), ...coolant, '-o', 'run.csv', '--report', 'programme.html')] : []),
+    ...(of.programme ? [line('spindle', 'model.toml', '--speed-profile', named(of.programme), ...coolant, '-o', rowsFile(of), '--report', 'programme.html')] : []),
     line('modes', 'model.toml', '--speed', of.modeSpeeds, '--report', 'modes.html'),
   ];
 }
@@ -218,7 +221,7 @@ function pythonOfSpindle(of: Case): string[] {
     '',
     'spindle = raceway.Model.read("model.toml")',
     `print(spindle.steady(${numbers(of.speed)}${coolant}${loads}).to_frame().T)`,
-    ...(of.programme ? [`run = spindle.simulate(raceway.Record.read(${forPython(named(of.programme))})${coolant})`, 'run.save("run.csv", overwrite=True)'] : []),
+    ...(of.programme ? [`run = spindle.simulate(raceway.Record.read(${forPython(named(of.programme))})${coolant})`, `run.save("${rowsFile(of)}", overwrite=True)`] : []),
     `print(spindle.modes(${numbers(of.modeSpeeds)}).to_frame()[["speed_rpm", "frequency_Hz", "whirl"]])`,
   ];
 }
