@@ -319,7 +319,7 @@ Simulator::Vector Simulator::with_friction(const Vector& base, const std::vector
     slope += (next - r - slope * move) * move.transpose() / std::max(move.squaredNorm(), 1e-30);
     r = next;
     if (r.norm() < 1e-6 + 1e-8 * q.norm()) break;
-    if (i == 39) throw std::runtime_error("friction and temperatures do not settle");
+    if (i == 39) throw Runaway("friction and temperatures do not settle");
   }
   Vector t = base;
   for (std::size_t b = 0; b < n; ++b) {

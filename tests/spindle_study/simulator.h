@@ -4,6 +4,7 @@
 #include <Eigen/SparseCholesky>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,11 @@ struct Reading {
   std::vector<double> inner_rings, outer_rings;  ///< [K]
   std::vector<double> power;                     ///< of each bearing [W]
   std::vector<double> thermometers;              ///< [K]
+};
+
+/// A spindle whose friction and temperatures do not settle within a time step.
+struct Runaway : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
 /// Heat by way of its leaving [W].

@@ -14,6 +14,7 @@
 #include "tests/spindle_study/judge.h"
 #include "tests/spindle_study/reference.h"
 #include "tests/spindle_study/rig.h"
+#include "tests/spindle_study/simulator.h"
 
 namespace {
 
@@ -53,7 +54,7 @@ void declare(CLI::App& app, Arguments& a) {
       ->check(CLI::IsMember(ids));
 }
 
-/// Names of what was written.
+/// Names of what was written. A drawn spindle that runs away is left out and counted.
 std::vector<std::string> write(const Arguments& a, const std::string& folder) {
   std::vector<std::pair<const Class*, unsigned>> wished;
   for (const Class* c : a.wished())
@@ -71,6 +72,10 @@ std::vector<std::string> write(const Arguments& a, const std::string& folder) {
         std::printf("%-26s %zu cells  size %9.3g  signal %6.2f\n", rig.id.c_str(), rig.cells,
                     rig.size, rig.signal);
         std::fflush(stdout);
+      } catch (const Runaway& e) {
+        const std::scoped_lock lock(telling);
+        std::printf("%s-%u left out: %s\n", std::string(wished[k].first->id).c_str(),
+                    wished[k].second, e.what());
       } catch (...) {
         const std::scoped_lock lock(telling);
         failure = std::current_exception();
@@ -81,6 +86,9 @@ std::vector<std::string> write(const Arguments& a, const std::string& folder) {
   for (unsigned k = 0; k < a.threads; ++k) workers.emplace_back(work);
   for (std::thread& worker : workers) worker.join();
   if (failure) std::rethrow_exception(failure);
+  std::erase(names, "");
+  if (names.size() < wished.size())
+    std::printf("%zu of %zu spindles left out\n", wished.size() - names.size(), wished.size());
   return names;
 }
 
