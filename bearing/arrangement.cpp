@@ -110,7 +110,7 @@ void check(const ArrangementDesign& d) {
   require_between("spring_rate", d.spring_rate, 0.0, 1e12, N_per_um, "N/um");
   require_between("other_mounting", d.other_mounting, 0.0, 1.0, 1.0, "");
   if (tandem && d.other_mounting != 0.0)
-    throw std::invalid_argument("other_mounting: a tandem is held by its spring, nothing else");
+    throw std::invalid_argument("other_mounting: not for a tandem, which only has its spring");
   require_between("shaft_stiffness", d.shaft_stiffness, 1e3, infinite, N_per_um, "N/um");
   require_between("housing_stiffness", d.housing_stiffness, 1e3, infinite, N_per_um, "N/um");
   require_between("distance", d.distance, 0.0, 100.0, mm, "mm");

@@ -118,7 +118,7 @@ Eigen::VectorXd one_step_fit(const Even& even, const Row& row, std::size_t end) 
   for (std::size_t k = 0; k < end; ++k)
     if (row.has_past(k)) points.push_back(k);
   if (static_cast<Eigen::Index>(points.size()) < 3 * row.size())
-    throw std::invalid_argument("too few readings for so many numbers");
+    throw std::invalid_argument("too few readings for this number of parameters");
   Eigen::MatrixXd columns(static_cast<Eigen::Index>(points.size()), row.size());
   Eigen::VectorXd y(columns.rows());
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -238,8 +238,9 @@ ArxBaseline arx_baseline(const Model& model, const std::vector<const Channel*>& 
   for (DrivenChannel& c : channels)
     if (c.input.window && !c.input.window->of_input) {
       result.messages.push_back(record::note::limits(
-          fmt::format("channel {}: an equation has no window of what is felt; it is left out",
-                      c.name),
+          fmt::format(
+              "channel {}: the regression does not use its window of inputs; it is left out",
+              c.name),
           {.key = c.name}));
       c.input.window.reset();
     }

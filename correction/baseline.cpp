@@ -29,7 +29,7 @@ std::vector<DrivenChannel> bare_channels(const Model& model,
   for (const DrivenChannel& c : model.channels) {
     if (c.input.is_power())
       messages.push_back(record::note::rows_used(
-          fmt::format("channel {} is left out: a regression takes columns", c.name),
+          fmt::format("channel {} is left out: a regression uses columns only", c.name),
           {.key = c.name}));
     else
       list.push_back({.name = c.name, .input = c.input});
@@ -43,8 +43,7 @@ std::vector<DrivenChannel> bare_channels(const Model& model,
                     .input = {.name = std::string(column->name), .columns = {column}}});
   }
   if (list.empty())
-    throw std::invalid_argument(
-        "the model has no channel with a column, and none is offered (--inputs)");
+    throw std::invalid_argument("the model has no channel with a column, and --inputs names none");
   return list;
 }
 
@@ -163,7 +162,7 @@ Identification regression_baseline(const Model& model, const std::vector<const C
   }
   if (found.channels.empty()) throw std::invalid_argument("no input varies");
   if (design.y().size() < 3 * design.columns().cols())
-    throw std::invalid_argument(fmt::format("{} readings of {} for {} numbers: too few",
+    throw std::invalid_argument(fmt::format("{} readings of {} are too few for {} parameters",
                                             design.y().size(), model.displacement->words,
                                             design.columns().cols()));
   const Regression fit = regress(design.columns(), design.y());

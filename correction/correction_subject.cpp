@@ -236,7 +236,7 @@ void CorrectionSubject::require(const fit::Record& record) const {
                                   [](double value) { return !std::isfinite(value); });
     if (bad != driving->end())
       throw std::invalid_argument(
-          fmt::format("the formula of effect {} has no number in {}", e.id,
+          fmt::format("the formula of effect {} gives no number in {}", e.id,
                       record.place(static_cast<std::size_t>(bad - driving->begin()))));
   }
 }
@@ -432,9 +432,9 @@ Effect CorrectionSubject::as_switched_on(const std::string& id) const {
       throw std::invalid_argument(e.off ? fmt::format("{}: needs {}", id, e.own->card().needs)
                                         : fmt::format("{}: the model has this effect already", id));
   if (const EffectCard* const card = find_card(id))
-    throw std::invalid_argument(card->evidence
-                                    ? fmt::format("{}: is told by the record and has no number", id)
-                                    : fmt::format("{}: needs {}", id, card->needs));
+    throw std::invalid_argument(
+        card->evidence ? fmt::format("{}: follows from the record and has no parameter", id)
+                       : fmt::format("{}: needs {}", id, card->needs));
   throw std::invalid_argument(
       fmt::format("unknown effect \"{}\"; nearest: {}", id, record::nearest_names(id, known, 3)));
 }
@@ -503,7 +503,7 @@ std::vector<fit::Blocking> CorrectionSubject::blockings(const fit::Record& recor
 
 const Model& model_of(const fit::Subject& subject) {
   const auto* const of = dynamic_cast<const CorrectionSubject*>(&subject);
-  if (!of) throw std::invalid_argument("this is no correction model");
+  if (!of) throw std::invalid_argument("this model is not a correction");
   return of->model();
 }
 

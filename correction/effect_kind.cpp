@@ -100,7 +100,8 @@ DrivenShare lag_of_input(const EffectKind& kind, const Effect& effect, const Mod
 const EffectKind& kind_of(const Effect& effect) {
   if (effect.own) return *effect.own;
   if (const EffectKind* const kind = find_kind(effect.id)) return *kind;
-  throw std::logic_error("no effect on a displacement over time is called " + effect.id);
+  throw std::logic_error("there is no effect on a displacement over time with the name " +
+                         effect.id);
 }
 
 const EffectCard& card_of(const Effect& effect) { return kind_of(effect).card(); }

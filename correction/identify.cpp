@@ -92,8 +92,8 @@ class Search {
           *subject, tolerance::for_search(record_), tolerance::usual_width(*record_)));
     if (recorded_->means.list.size() < 3 * subject->free().size())
       throw std::invalid_argument(fmt::format(
-          "{} readings of {} for {} numbers: too few. Rows that are close in time count as one: "
-          "the record has {} rows over {:.4g} s. Is {} in seconds?",
+          "{} readings of {} are too few for {} parameters. Rows that are close in time are one "
+          "reading: the record has {} rows over {:.4g} s. Is {} in seconds?",
           recorded_->means.list.size(), model.displacement->words, subject->free().size(),
           record_->rows(), length_of(record_->values(record::time)), record::time.name));
     Approximation a = tolerance::approximate(subject, *recorded_, subject->free(), search());
@@ -118,8 +118,8 @@ class Search {
   void first_channel() {
     if (options_.offered.empty())
       throw std::invalid_argument(
-          "the model has no channel, and no column is offered to drive one: name some (--inputs), "
-          "or let all drive it (--lags auto)");
+          "the model has no channel and no input column: name some with --inputs, or use all with "
+          "--lags auto");
     double least = std::numeric_limits<double>::infinity();
     Model best;
     for (const Channel* column : options_.offered) {
@@ -301,20 +301,22 @@ class Search {
     const auto tell = [&](record::Note said) { result_.messages.push_back(std::move(said)); };
     for (const std::string& name : result_.at_bound)
       tell(record::note::at_bound(
-          fmt::format("{} ends at a bound: the record cannot tell it", name), {.key = name}));
+          fmt::format("{} is at a bound: the record does not determine it", name), {.key = name}));
     for (const record::Parameter& p : result_.parameters)
       if (p.unit == "s" && 3.0 * p.value > rows.duration)
         tell(record::note::not_identifiable(
-            fmt::format("{} = {:.3g} s: the record of {:.3g} s is shorter than three of them",
-                        p.name, p.value, rows.duration),
+            fmt::format(
+                "{} = {:.3g} s: the record of {:.3g} s is shorter than three time constants",
+                p.name, p.value, rows.duration),
             {.key = p.name}));
     if (std::isnan(result_.rms_held_out))
-      tell(record::note::limits(
-          "too few readings to hold parts out: the order rests on the error in sample"));
+      tell(
+          record::note::limits("too few readings to hold parts out: the order follows from the "
+                               "error of the fit itself"));
     if (result_.condition > 1e6)
       tell(record::note::not_identifiable(
-          fmt::format("the columns of the fit are nearly dependent (condition {:.1e}): gains mean "
-                      "little by themselves, their sum does",
+          fmt::format("the columns of the fit are nearly dependent (condition {:.1e}): only the "
+                      "sum of their gains is certain, not each gain",
                       result_.condition)));
   }
 

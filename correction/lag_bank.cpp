@@ -71,9 +71,9 @@ class Bank {
           "without them");
     if (model_.initial_state == InitialState::free)
       throw std::invalid_argument(
-          "a bank of lags begins from rest: initial_state = \"free\" is not for it");
+          "a bank of lags starts from a machine at rest: remove initial_state = \"free\"");
     if (options_.inputs.empty())
-      throw std::invalid_argument("a bank of lags needs columns that drive it (--inputs)");
+      throw std::invalid_argument("a bank of lags needs input columns (--inputs)");
   }
 
   void add(const Channel& column) {
@@ -122,7 +122,7 @@ class Bank {
     zeros_ = series_.zeros();
     const std::size_t count = inputs_.size() + static_cast<std::size_t>(zeros_);
     if (rows_.size() < 3 * count)
-      throw std::invalid_argument(fmt::format("{} readings of {} for {} numbers: too few",
+      throw std::invalid_argument(fmt::format("{} readings of {} are too few for {} parameters",
                                               rows_.size(), model_.displacement->words, count));
     x_.setZero(static_cast<Eigen::Index>(rows_.size()), static_cast<Eigen::Index>(count));
     y_.resize(x_.rows());
@@ -171,8 +171,7 @@ class Bank {
     for (const Sums& s : sums_)
       if (s.readings < x_.cols() || (&s != &sums_.back() && s.readings == x_.rows()))
         throw std::invalid_argument(
-            "readings begin too late or end too early: none are left to judge by what comes "
-            "ahead");
+            "the readings start too late or end too early: none remain to test the prediction");
   }
 
   struct Sums {
@@ -271,7 +270,7 @@ class Bank {
         [](const StrengthTried& a, const StrengthTried& b) { return a.rms_ahead < b.rms_ahead; });
     if (best->strength == strengths.front() || best->strength == strengths.back())
       result_.messages.push_back(record::note::at_bound(
-          fmt::format("the best strength of the ridge, {:g}, is the {} that is tried",
+          fmt::format("the best ridge strength, {:g}, is the {} of the tested values",
                       best->strength, best->strength == strengths.front() ? "least" : "largest")));
   }
 

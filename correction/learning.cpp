@@ -60,8 +60,8 @@ class Learner {
       : model_(model), options_(options), series_(record) {
     read_ = record.values(*model.displacement);
     if (std::all_of(read_.begin(), read_.end(), [](double v) { return std::isnan(v); }))
-      throw std::invalid_argument(
-          fmt::format("{} was never read: nothing to learn from", model.displacement->name));
+      throw std::invalid_argument(fmt::format("{} has no reading: there is nothing to learn from",
+                                              model.displacement->name));
     result_.tolerance = model.tolerance;
     result_.misfit = chosen(options.misfit, model.tolerance, usual_misfit);
     result_.reading_std = chosen(options.reading_std, model.measured_std, usual_reading_std);
@@ -165,10 +165,9 @@ class Learner {
     if (result_.readings.back().zeroed) {
       filter_->reset(the_zero);
       is_due(jumped, row,
-             fmt::format(
-                 "readings are off by {:.3g} {} at once: something was clamped anew or hit, or "
-                 "the model does not hold",
-                 off / um, unit_of(model_)));
+             fmt::format("the readings jump by {:.3g} {}: something was clamped again or was hit, "
+                         "or the model is not valid",
+                         off / um, unit_of(model_)));
     } else if (has_zero_) {
       remember(off, row);
     }
@@ -192,12 +191,11 @@ class Learner {
     double sum = 0.0;
     for (const double s : last_) sum += s;
     if (sum > chi_squared_of_judged)
-      is_due(
-          too_far, row,
-          fmt::format("{} readings in a row are off by {:.2g} times of what a misfit of {:.3g} {} "
-                      "explains",
-                      judged, std::sqrt(sum / static_cast<double>(judged)), result_.misfit / um,
-                      unit_of(model_)));
+      is_due(too_far, row,
+             fmt::format("{} consecutive readings have {:.2g} times the error that a misfit of "
+                         "{:.3g} {} explains",
+                         judged, std::sqrt(sum / static_cast<double>(judged)), result_.misfit / um,
+                         unit_of(model_)));
   }
 
   /// Each reason once, at its first row.

@@ -77,7 +77,7 @@ class Checking {
     if (*low == *high && is_step) return;
     if (*low == *high)
       return warn_of(channel,
-                     fmt::format("{} never varies: nothing can be learnt from it", channel.name));
+                     fmt::format("{} does not vary, so it gives no information", channel.name));
     if (record::is_temperature(channel)) look_for_faults(c);
   }
 
@@ -99,13 +99,11 @@ class Checking {
     }
     const Still still = longest_still(record_, c.values);
     if (still.longest > stuck_for && others_move(c, still.from, still.from + still.longest))
-      warn_of(channel,
-              fmt::format(
-                  "{} stands still for {:.3g} min from {:.4g} s on, while others move: does the "
-                  "sensor stick?",
-                  channel.name, still.longest / 60.0, still.from));
+      warn_of(channel, fmt::format("{} is constant for {:.3g} min from {:.4g} s on, while other "
+                                   "columns change: check the sensor",
+                                   channel.name, still.longest / 60.0, still.from));
     if (jumps > 0)
-      warn_of(channel, fmt::format("{} leaps by more than {} {} time{}, first before {}",
+      warn_of(channel, fmt::format("{} jumps by more than {} {} time{}, first before {}",
                                    channel.name, amount(channel, leap), jumps,
                                    jumps == 1 ? "" : "s", record_.place(first_jump)));
   }
@@ -163,10 +161,9 @@ class Checking {
       for (std::size_t s = 0; s < c.sections.size(); ++s)
         if (const double tau = c.sections[s].time_constant; 3.0 * tau > result_.duration)
           warn(record::note::not_identifiable(
-              fmt::format(
-                  "channel {}: the time constant of {:.4g} s is more than a third of the record "
-                  "of {:.4g} s, which cannot tell it",
-                  c.name, tau, result_.duration),
+              fmt::format("channel {}: the time constant of {:.4g} s is more than a third of the "
+                          "record of {:.4g} s, so the record does not determine it",
+                          c.name, tau, result_.duration),
               {.key = c.name}));
       if (c.printed) {
         double quantum = 0.1 * c.input.factor();
@@ -210,8 +207,8 @@ std::string beyond_element(const Model& model, const record::Record& record) {
       if (series.clock().begins[k + 1] || (x >= takes.lower && x < takes.upper)) continue;
       const std::string_view unit = c.input.unit();
       return fmt::format(
-          "channel {}: {:.4g} {} in {}: the {} leaves the range of a delay element, of which "
-          "the time constant is positive {}",
+          "channel {}: {:.4g} {} in {}: the {} is outside the range of a delay element, whose time "
+          "constant is positive {}",
           c.name, x, unit, record.place(k), c.input.is_power() ? "power" : "input",
           std::isfinite(takes.lower) && takes.lower != 0.0
               ? fmt::format("from {:.4g} to {:.4g} {} only", takes.lower, takes.upper, unit)

@@ -20,10 +20,10 @@ void require_sampling(const Series& series, double sampling, const std::string& 
   const Clock& clock = series.clock();
   for (std::size_t k = 0; k < clock.rows(); ++k)
     if (!clock.begins[k] && std::abs(clock.steps[k] - sampling) > same_sampling * sampling)
-      throw std::invalid_argument(fmt::format(
-          "the coefficients of channel {} are for a sampling of {} s, and {} comes {:.6g} s after "
-          "the row before: they hold for no other rate",
-          name, sampling, series.record().place(k), clock.steps[k]));
+      throw std::invalid_argument(
+          fmt::format("the coefficients of channel {} are only valid for a sampling interval of {} "
+                      "s, but {} comes {:.6g} s after the row before",
+                      name, sampling, series.record().place(k), clock.steps[k]));
 }
 
 /// An input as its column has it.

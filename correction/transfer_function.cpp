@@ -144,14 +144,14 @@ bool on_or_outside_the_circle(const Poles& poles) {
 std::vector<std::string> warnings_of(const Poles& poles) {
   std::vector<std::string> result;
   if (on_or_outside_the_circle(poles))
-    result.emplace_back("pole on or outside the unit circle: what it starts never decays");
+    result.emplace_back("pole on or outside the unit circle: the response never decays");
   if (std::any_of(poles.begin(), poles.end(),
                   [](const auto& p) { return p.imag() == 0.0 && p.real() < 0.0; }))
     result.emplace_back(
-        "negative real pole: the output changes its sign from sample to sample, which no body "
-        "does");
+        "negative real pole: the output changes its sign from sample to sample, which no thermal "
+        "body does");
   if (std::any_of(poles.begin(), poles.end(), [](const auto& p) { return p.imag() != 0.0; }))
-    result.emplace_back("complex poles: the output swings, which heat does not");
+    result.emplace_back("complex poles: the output oscillates, which no thermal body does");
   return result;
 }
 
@@ -172,9 +172,9 @@ std::vector<std::string> warnings(const TransferFunctionCheck& c, double quantum
         fmt::format("feedthrough turns a quantum of {:g} of its sensor into a step of {:.3g} {}",
                     quantum, c.feedthrough * quantum / um, unit));
   if (!(std::abs(c.single_error) <= 0.01))
-    result.push_back(
-        fmt::format("in single precision a step ends {:.1f} % of the gain off after 40 h",
-                    100.0 * std::abs(c.single_error)));
+    result.push_back(fmt::format(
+        "in single precision, the error after a step is {:.1f} % of the gain after 40 h",
+        100.0 * std::abs(c.single_error)));
   return result;
 }
 
@@ -254,23 +254,24 @@ ParallelForm parallel_form(const TransferFunction& printed) {
   const std::size_t order = f.denominator.size() - 1;
   if (f.numerator.size() > order + 1)
     throw std::invalid_argument(
-        "the numerator is longer than the denominator: an answer that ends after some samples is "
-        "no lag");
+        "the numerator is longer than the denominator: a response that ends after some samples is "
+        "not a lag");
   const std::vector<Extended> shifted = about_one(f.denominator);
   std::vector<Extended> rates;  // 1 - pole
   for (const std::complex<double>& p : poles_of(f.denominator)) {
     if (p.imag() != 0.0)
       throw std::invalid_argument(fmt::format(
-          "the poles {:.6g} +- {:.3g}i are not real: no lag swings", p.real(), std::abs(p.imag())));
+          "the poles {:.6g} +- {:.3g}i are complex, but a sum of lags has only real poles",
+          p.real(), std::abs(p.imag())));
     const Extended rate = polished(shifted, 1.0L - static_cast<Extended>(p.real()));
     if (!(rate > 0 && rate < 1))
-      throw std::invalid_argument(fmt::format(
-          "the pole {:.10g} does not lie between 0 and 1: it belongs to no time constant",
-          static_cast<double>(1 - rate)));
+      throw std::invalid_argument(
+          fmt::format("the pole {:.10g} is not between 0 and 1, so it has no time constant",
+                      static_cast<double>(1 - rate)));
     for (const Extended other : rates)
       if (std::abs(rate - other) <= 1e-6L * rate)
         throw std::invalid_argument(
-            fmt::format("the pole {:.10g} comes twice: lags side by side have different ones",
+            fmt::format("the pole {:.10g} comes twice, but parallel lags need different poles",
                         static_cast<double>(1 - rate)));
     rates.push_back(rate);
   }

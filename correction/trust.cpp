@@ -61,8 +61,8 @@ std::string in_h(double value) { return fmt::format("{:.3g} h", value / 3600.0);
 
 std::string errs_by(const Model& model) {
   const Evidence& e = *model.evidence;
-  return fmt::format("{} it errs by {}",
-                     e.other_record ? "on another record" : "on parts that no fit saw",
+  return fmt::format("the error {} is {}",
+                     e.other_record ? "on another record" : "on held-out parts",
                      shown(model, e.error));
 }
 
@@ -92,7 +92,7 @@ std::string line_of(const Trust& trust) {
     case TrustLevel::good:
       return "good";
     case TrustLevel::within_range:
-      return "inside its range only: " + trust.because;
+      return "only inside its range: " + trust.because;
     case TrustLevel::do_not_use:
       return "do not use, because " + trust.because;
     case TrustLevel::unknown:
@@ -120,8 +120,7 @@ Evidence evidence_on(const Model& model, const record::Record& record, double er
 Trust trust_of(const Model& model) {
   if (!model.evidence)
     return {TrustLevel::unknown,
-            "the model does not say how it does on readings that no fit saw; identify, calibrate "
-            "and add write that into it"};
+            "the model file has no held-out error; identify, calibrate and add write it"};
   const Evidence& e = *model.evidence;
   const Slowest slowest = slowest_of(model);
   const auto refused = [](std::string because) {
@@ -130,28 +129,28 @@ Trust trust_of(const Model& model) {
   const auto limited = [](std::string because) {
     return Trust{TrustLevel::within_range, std::move(because)};
   };
-  if (std::isnan(e.error)) return refused("no part of its record could be held out to judge it by");
+  if (std::isnan(e.error)) return refused("no part of its record could be held out for a test");
   if (!e.other_record && e.one_way)
     return refused(
-        "its record goes from one state to another once, and so says nothing of another day: "
-        "record a cool-down with it, or judge it by another record (identify --validate)");
+        "its record goes from one state to another only once, so the model is not tested for "
+        "another day: record a cool-down as well, or test it with another record (identify "
+        "--validate)");
   if (!e.other_record && slowest.time_constant > e.duration)
-    return refused(fmt::format("a time constant of {} is {}, longer than the {} of its readings",
+    return refused(fmt::format("a time constant of {} is {}, longer than its record of {}",
                                slowest.channel, in_h(slowest.time_constant), in_h(e.duration)));
   if (leaves_most(e.error, e.uncorrected))
-    return refused(fmt::format("{}, and without it the displacement is {}", errs_by(model),
+    return refused(fmt::format("{}; the displacement without correction is {}", errs_by(model),
                                shown(model, e.uncorrected)));
   if (!e.other_record && three_of_them * slowest.time_constant > e.duration)
-    return limited(
-        fmt::format("a time constant of {} is {}, and the {} of its readings are shorter than "
-                    "three of them",
-                    slowest.channel, in_h(slowest.time_constant), in_h(e.duration)));
+    return limited(fmt::format(
+        "a time constant of {} is {}, and its record of {} is shorter than three of them",
+        slowest.channel, in_h(slowest.time_constant), in_h(e.duration)));
   if (std::isfinite(model.tolerance)) {
     if (e.error > model.tolerance)
       return limited(
-          fmt::format("{}, of {} tolerated", errs_by(model), shown(model, model.tolerance)));
+          fmt::format("{} (tolerance {})", errs_by(model), shown(model, model.tolerance)));
   } else if (e.error > a_quarter * e.uncorrected) {
-    return limited(fmt::format("{}, and without it the displacement is {}", errs_by(model),
+    return limited(fmt::format("{}; the displacement without correction is {}", errs_by(model),
                                shown(model, e.uncorrected)));
   }
   return {TrustLevel::good, {}};
@@ -161,12 +160,12 @@ Trust trust_on(const Model& model, const Metrics& errors, double uncorrected,
                const Beyond& beyond) {
   if (leaves_most(errors.rms, uncorrected))
     return {TrustLevel::do_not_use,
-            fmt::format("on this record it errs by {}, and without it the displacement is {}",
+            fmt::format("the error on this record is {}; the displacement without correction is {}",
                         shown(model, errors.rms), shown(model, uncorrected))};
   Trust trust = trust_of(model);
   if (trust.level == TrustLevel::good && beyond.rows() > 0)
     trust = {TrustLevel::within_range,
-             fmt::format("{} of the {} rows are beyond it", beyond.rows(), beyond.at_row.size())};
+             fmt::format("{} of the {} rows are outside", beyond.rows(), beyond.at_row.size())};
   return trust;
 }
 

@@ -24,10 +24,10 @@ struct BallMaterial {
   static constexpr std::string_view id = "ball-material";
   static constexpr std::string_view title = "balls of another material than entered";
   static constexpr std::string_view mechanism =
-      "Ceramic balls weigh 0.41 of steel balls and are stiffer. At speed they press less on the "
-      "outer race and turn less against their gyroscopic moment.";
+      "Ceramic balls weigh 0.41 of steel balls and are stiffer. At speed they load the outer race "
+      "less and have a smaller gyroscopic moment.";
   static constexpr std::string_view formula =
-      "density, modulus and Poisson's ratio a share c of the way to the other material";
+      "density, modulus and Poisson's ratio are changed by the share c towards the other material";
   static constexpr std::string_view source = "definition";
   static constexpr std::array<std::string_view, 4> confused_with{
       "elastic-hysteresis", "gyroscopic-slip", "spin-friction", "preload_N"};

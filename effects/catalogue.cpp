@@ -142,22 +142,22 @@ std::string_view text(Need need) {
     case Need::several_axial_loads:
       return "more than one axial load";
     case Need::several_bearings:
-      return "bearings = 2 or more under [rig]: a set that has a preload";
+      return "bearings = 2 or more under [rig]: a set with preload";
     case Need::rising_and_falling:
       return "speeds that were reached from below and from above, with time_s";
     case Need::ball_load_law:
-      return "the contact law, or an effect in the model that uses ball loads, as spin-friction "
-             "does: the other base laws see the entered load only";
+      return "the contact law, or an effect in the model that uses ball loads, such as "
+             "spin-friction: the other base laws use the entered load only";
     case Need::palmgren_law:
       return "the palmgren law: the skf law contains this effect";
     case Need::opposed_sets:
-      return "bearings at both ends of the shaft: a tandem hangs on its spring";
+      return "bearings at both ends of the shaft: the spring of a tandem keeps its preload";
     case Need::torque_standard:
-      return "a known torque to compare with: torque alone cannot tell it from a common factor on "
-             "all moments";
+      return "a known torque to compare with: measured torque alone does not separate it from a "
+             "common factor on all moments";
     case Need::cold_friction:
-      return "a model whose friction goes by the forces of the cold sets (preload_feedback = "
-             "false): with those of the warm sets it is there already";
+      return "a model whose friction uses the forces of the cold sets (preload_feedback = false): "
+             "with the forces of the warm sets it is already included";
   }
   return "";
 }

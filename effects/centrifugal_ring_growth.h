@@ -18,7 +18,7 @@ namespace raceway::effects {
 /// Domain:   every speed.
 struct RingGrowthAtSpeed {
   static constexpr std::string_view id = "centrifugal-ring-growth";
-  static constexpr std::string_view title = "inner ring that widens at speed";
+  static constexpr std::string_view title = "expansion of the inner ring with speed";
 
   /// Growth at `speed`, in the unit of `size`, which is the growth at 10 000 rpm.
   static double at_speed(double size, double speed) {
@@ -35,8 +35,8 @@ struct RingGrowthAtSpeed {
 struct CentrifugalRingGrowth : RingGrowthAtSpeed {
   static constexpr Form form = Form::rig;
   static constexpr std::string_view mechanism =
-      "Centrifugal force widens the inner ring. In a rigid set the balls are pressed harder, at "
-      "once and with the square of speed.";
+      "Centrifugal force expands the inner ring. In a rigid set the ball loads rise immediately, "
+      "with the square of speed.";
   static constexpr std::string_view formula = "F_a + c (n/10000 rpm)^2 in place of F_a";
   static constexpr std::string_view source = "thin ring at speed, rho w^2 r^3/E, derived";
   static constexpr std::array<std::string_view, 4> confused_with{
@@ -66,8 +66,8 @@ struct CentrifugalRingGrowth : RingGrowthAtSpeed {
 struct ShaftCentrifugalRingGrowth : RingGrowthAtSpeed {
   static constexpr Form form = Form::shaft;
   static constexpr std::string_view mechanism =
-      "Centrifugal force widens the inner rings. The balls run at smaller contact angles and the "
-      "sets press harder against each other, at once and with the square of speed.";
+      "Centrifugal force expands the inner rings. The contact angles fall and the preload rises "
+      "immediately, with the square of speed.";
   static constexpr std::string_view formula =
       "inner raceway grows by c (n/10000 rpm)^2 in radius, in the equilibrium of the sets";
   static constexpr std::string_view source =

@@ -19,8 +19,8 @@ struct Churning {
   static constexpr std::string_view id = "churning";
   static constexpr std::string_view title = "churning of the oil bath";
   static constexpr std::string_view mechanism =
-      "Balls stir the oil that stands in the bearing. The resistance is that of a viscous flow: it "
-      "grows more with viscosity than with speed.";
+      "Balls stir the oil in the bearing. The resistance of this viscous flow grows more with "
+      "viscosity than with speed.";
   static constexpr std::string_view formula = "M = c (n/10000 rpm)^0.621 (nu/20 mm2/s)^1.379";
   static constexpr std::string_view source = "exponents of the SKF drag moment, second term";
   static constexpr std::array<std::string_view, 3> confused_with{"f0", "viscous-exponent",

@@ -22,8 +22,8 @@ struct ElasticHysteresis {
   static constexpr std::string_view id = "elastic-hysteresis";
   static constexpr std::string_view title = "hysteresis of the rolling contacts";
   static constexpr std::string_view mechanism =
-      "Steel under a rolling ball does not give back all of the work that deformed it. The loss "
-      "follows the ball loads, at the outer race with the centrifugal force.";
+      "Steel under a rolling ball does not return all of the work of deformation. The loss grows "
+      "with the ball loads, which at the outer race include the centrifugal force.";
   static constexpr std::string_view formula =
       "M = c sum of 7.48e-7 (D/2)^0.33 Q^1.33 (1 - 3.519e-3 (R_z/R_x - 1)^0.8063) "
       "(E'_steel/E')^(1/3) w_roll/w, SI; R_x, R_z: equivalent radii along and across rolling";

@@ -22,17 +22,17 @@ namespace raceway::effects {
 ///           cannot separate the two.
 struct FilmSelfHeating {
   static constexpr std::string_view id = "film-self-heating";
-  static constexpr std::string_view title = "film hotter than the temperature sensor";
+  static constexpr std::string_view title = "oil film hotter than the temperature sensor";
   static constexpr std::string_view mechanism =
-      "The friction power warms the film above the place where temperature is measured. Its "
-      "viscosity falls, most where speed and viscosity are high.";
+      "The friction power heats the oil film above the measured temperature. The viscosity of the "
+      "film falls, most at high speed and viscosity.";
   static constexpr std::string_view formula =
       "nu at T_film = T + R P, P = M0 w at the film temperature itself";
   static constexpr std::string_view source = "heat balance with one resistance; range assumed";
   static constexpr std::array<std::string_view, 4> confused_with{
       "inlet-shear-heating", "replenishment-starvation", "shear-thinning", "viscous-exponent"};
   static constexpr std::string_view settled_by =
-      "the temperature by a second sensor nearer the film, as at the outer ring";
+      "the temperature with a second sensor nearer to the film, for example at the outer ring";
   static constexpr std::array parameters{Parameter{.name = "resistance_K_per_kW",
                                                    .unit = "K/kW",
                                                    .initial = 15.0,

@@ -20,10 +20,10 @@ namespace raceway::effects {
 ///           only.
 struct GreaseChurning {
   static constexpr std::string_view id = "grease-churning";
-  static constexpr std::string_view title = "grease that is still being churned";
+  static constexpr std::string_view title = "running-in of fresh grease";
   static constexpr std::string_view mechanism =
-      "Fresh grease lies in the way of the balls and is churned until it has found its place. The "
-      "viscous moment is raised at first and settles over hours.";
+      "The balls churn fresh grease until it is distributed. The viscous moment is higher at first "
+      "and falls over hours.";
   static constexpr std::string_view formula = "M = A M0 exp(-t/tau)";
   static constexpr std::string_view source = "[Lugt2009], print not seen";
   static constexpr std::array<std::string_view, 2> confused_with{"torque-time-drift", "f0"};

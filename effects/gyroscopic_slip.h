@@ -25,13 +25,12 @@ struct GyroscopicSlip {
   static constexpr std::string_view title =
       "a moment that follows the gyroscopic moment (empirical)";
   static constexpr std::string_view mechanism =
-      "The axis of a ball in angular contact is turned as the ball orbits, and a gyroscopic moment "
-      "resists with the square of speed. Empirical: a moment that follows it. The gyroscopic "
-      "moment "
-      "itself stands across the shaft and brakes nothing; sliding under it begins only beyond what "
-      "friction can hold and takes friction times slip speed, which is not computed here.";
+      "In angular contact the orbit turns the spin axis of each ball, which causes a gyroscopic "
+      "moment proportional to the square of speed. Empirical: a friction moment proportional to "
+      "it. The gyroscopic moment itself is perpendicular to the shaft and does not brake it. "
+      "Sliding starts only above the friction limit; the program does not compute its power.";
   static constexpr std::string_view formula =
-      "M = c sum of M_g over the balls: a shape to look for, not a law of friction";
+      "M = c sum of M_g over the balls: an empirical shape, not a friction law";
   static constexpr std::string_view within_contacts =
       "race_control = \"balanced\" under [solver], which turns the balls by traction";
   static constexpr std::string_view source =

@@ -26,10 +26,10 @@ namespace raceway::effects {
 /// offset or a class is ground into free bearings, and the fit adds to it.
 struct InterferenceFit {
   static constexpr std::string_view id = "interference-fit";
-  static constexpr std::string_view title = "inner ring widened by its fit";
+  static constexpr std::string_view title = "inner ring expanded by its fit";
   static constexpr std::string_view mechanism =
-      "An inner ring pressed on the shaft is widened and takes away clearance. At high speed the "
-      "ring comes loose, and the widening with it.";
+      "The interference fit expands the inner ring and reduces the clearance. At high speed the "
+      "fit becomes loose and the expansion falls.";
   static constexpr std::string_view formula =
       "u = (d/d_i) I/2, I = I0 - (3 + nu) rho w^2 d d_i^2/(16 E), not below zero";
   static constexpr std::string_view source = "Lame's equations of thick rings, derived";

@@ -22,10 +22,11 @@ namespace raceway::effects {
 struct LoadCalibration {
   static constexpr std::string_view id = "load-calibration";
   static constexpr Form form = Form::rig;
-  static constexpr std::string_view title = "the load cell reads a share of the axial load";
+  static constexpr std::string_view title = "gain error of the load cell";
   static constexpr std::string_view datum = "the calibration of the axial load";
   static constexpr std::string_view mechanism =
-      "Not physics but a datum: all axial loads of the record are off by the same factor.";
+      "Wrong data, not missing physics: all axial loads of the record have the same relative "
+      "error.";
   static constexpr std::string_view formula = "F_a_read = s F_a";
   static constexpr std::string_view source = "definition; range assumed";
   static constexpr std::array<std::string_view, 3> confused_with{"z", "load-offset",

@@ -25,8 +25,8 @@ struct LoadCellDrift {
   static constexpr std::string_view title = "the load cell drifts with its temperature";
   static constexpr std::string_view datum = "the load cell at the temperature of the rig";
   static constexpr std::string_view mechanism =
-      "Not physics but a datum: the real axial load departs from the recorded one as the rig gets "
-      "warm, in proportion to the load.";
+      "Wrong data, not missing physics: the gain of the load cell changes with the temperature of "
+      "the rig.";
   static constexpr std::string_view formula = "F_a (1 + c (T - 20 C)) in place of F_a";
   static constexpr std::string_view source = "definition; range assumed";
   static constexpr std::array<std::string_view, 4> confused_with{
@@ -48,8 +48,8 @@ struct LoadCellDrift {
   }
 
   static std::string correction(std::span<const double> values) {
-    return fmt::format("the real load changes by {:+.2g} % per kelvin against that of the record",
-                       values[0]);
+    return fmt::format(
+        "the real load changes by {:+.2g} % per kelvin relative to the recorded load", values[0]);
   }
 };
 

@@ -17,10 +17,10 @@ namespace raceway::effects {
 struct LoadOffset {
   static constexpr std::string_view id = "load-offset";
   static constexpr Form form = Form::rig;
-  static constexpr std::string_view title = "load that was not entered";
+  static constexpr std::string_view title = "additional load that was not entered";
   static constexpr std::string_view mechanism =
-      "Springs, a drifting zero of the load cell or a belt load the bearing with a constant force "
-      "beside the entered one. It shows most where the entered load is small.";
+      "Springs, a belt or the zero of the load cell add a constant force to the entered load. The "
+      "effect is largest at small entered loads.";
   static constexpr std::string_view formula = "F_a + c in place of F_a";
   static constexpr std::string_view source = "definition";
   static constexpr std::array<std::string_view, 4> confused_with{"seal-friction", "torque-offset",

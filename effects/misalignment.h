@@ -20,8 +20,8 @@ struct Misalignment {
   static constexpr std::string_view id = "misalignment";
   static constexpr std::string_view title = "tilted inner ring";
   static constexpr std::string_view mechanism =
-      "Shaft and housing bores that do not line up tilt the rings against each other. Some balls "
-      "carry more and run at other angles than the rest.";
+      "Misaligned shaft and housing bores tilt the rings against each other. The loads and contact "
+      "angles then differ from ball to ball.";
   static constexpr std::string_view formula = "theta_z = c, in the ball equilibrium";
   static constexpr std::string_view source = "definition";
   static constexpr std::array<std::string_view, 3> confused_with{"z", "load-offset",

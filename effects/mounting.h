@@ -26,13 +26,14 @@ struct OtherMounting {
   static constexpr std::string_view id = "mounting";
   static constexpr Form form = Form::shaft;
   static constexpr bool as_mounted = true;
-  static constexpr std::string_view title = "spring where rigid was entered, or the reverse";
+  static constexpr std::string_view title =
+      "spring preload instead of rigid preload, or the reverse";
   static constexpr std::string_view mechanism =
-      "A spring, or a housing that yields, keeps the preload more nearly constant than rigid sets "
-      "do, so that the shaft moves by another amount as the contact angles open.";
+      "With a spring or a flexible housing, the preload varies less than in rigid sets. The shaft "
+      "then moves by another amount as the contact angles open.";
   static constexpr std::string_view formula =
-      "a share c of the preload's variation is relieved; spring entered: a share c of the way to "
-      "rigid";
+      "the variation of the preload is reduced by the share c; if a spring is entered, it is "
+      "changed by the share c towards rigid";
   static constexpr std::string_view source = "springs in series, derived";
   static constexpr std::array<std::string_view, 4> confused_with{
       "preload_N", "shaft-contraction", "centrifugal-ring-growth", "thermal-preload"};

@@ -22,8 +22,8 @@ struct LubricantViscosity {
   static constexpr std::string_view title = "the oil is of another grade than entered";
   static constexpr std::string_view datum = "the oil card";
   static constexpr std::string_view mechanism =
-      "Not physics but a datum: the viscosity in the model is not that of the oil in the bearing, "
-      "by one factor at all temperatures.";
+      "Wrong data, not missing physics: the oil in the bearing has another viscosity than the "
+      "model, by one factor at all temperatures.";
   static constexpr std::string_view formula = "nu40 -> k nu40, nu100 -> k nu100";
   static constexpr std::string_view source = "definition; grades of ISO 3448";
   static constexpr std::array<std::string_view, 2> confused_with{"f0", "viscosity-slope"};
@@ -55,12 +55,13 @@ struct LubricantViscosity {
 /// Domain:   more than one temperature; k ν100 below ν40.
 struct ViscositySlope {
   static constexpr std::string_view id = "viscosity-slope";
-  static constexpr std::string_view title = "the oil thins otherwise with temperature than entered";
+  static constexpr std::string_view title =
+      "the viscosity falls with temperature at another rate than entered";
   static constexpr std::string_view datum = "the oil card";
   static constexpr std::string_view mechanism =
-      "Not physics but a datum: the fall of viscosity with temperature in the model is not that of "
-      "the oil in the bearing.";
-  static constexpr std::string_view formula = "nu100 -> k nu100, nu40 as it is";
+      "Wrong data, not missing physics: the viscosity of the oil in the bearing falls with "
+      "temperature at another rate than in the model.";
+  static constexpr std::string_view formula = "nu100 -> k nu100, nu40 unchanged";
   static constexpr std::string_view source = "definition; viscosity index of ISO 2909";
   static constexpr std::array<std::string_view, 4> confused_with{
       "temperature-offset", "temperature-gain", "churning", "cage-friction"};

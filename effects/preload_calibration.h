@@ -22,17 +22,17 @@ struct PreloadCalibration {
   static constexpr std::string_view id = "preload-calibration";
   static constexpr Form form = Form::shaft;
   static constexpr bool for_spindle = false;
-  static constexpr std::string_view title = "the preload is another one than entered";
+  static constexpr std::string_view title = "the preload differs from the entered value";
   static constexpr std::string_view datum = "the preload";
   static constexpr std::string_view mechanism =
-      "Not physics but a datum: every force of preload, of the model or of the record, is off by "
-      "the same factor.";
+      "Wrong data, not missing physics: all preloads of the model and the record have the same "
+      "relative error.";
   static constexpr std::string_view formula = "k P in place of P";
   static constexpr std::string_view source = "definition; range assumed";
   static constexpr std::array<std::string_view, 4> confused_with{"ball-material", "mounting",
                                                                  "interference-fit", "preload_N"};
   static constexpr std::string_view settled_by =
-      "the preload, by the axial deflection under a known load";
+      "the preload, from the axial deflection under a known load";
   static constexpr std::array parameters{Parameter{.name = "factor",
                                                    .unit = "1",
                                                    .initial = 1.0,

@@ -20,8 +20,8 @@ struct PreloadGrowth {
   static constexpr std::string_view id = "preload-growth";
   static constexpr std::string_view title = "friction that grows with the preload of the warm sets";
   static constexpr std::string_view mechanism =
-      "Inner rings warmer than outer ones press the sets harder against each other, friction takes "
-      "more power, and the front bearings grow hotter still.";
+      "If the inner rings are warmer than the outer rings, the preload and the friction power "
+      "rise, and the front bearings become still hotter.";
   static constexpr std::string_view formula = "P = (1 - s) P(cold sets) + s P(warm sets)";
   static constexpr std::string_view source =
       "derived; loop of [BossmannsTu1999], share between two models";

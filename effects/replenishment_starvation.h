@@ -23,8 +23,8 @@ struct ReplenishmentStarvation {
   static constexpr std::string_view id = "replenishment-starvation";
   static constexpr std::string_view title = "starvation: lubricant flows back too slowly";
   static constexpr std::string_view mechanism =
-      "Each ball pushes the lubricant aside. When the next ball comes before it has flowed back, "
-      "the film is thinner and drags less.";
+      "Each ball pushes the lubricant aside. If the next ball comes before the lubricant has "
+      "flowed back, the film is thinner and has less drag.";
   static constexpr std::string_view formula = "M0 exp(-K nu n (d + D) sqrt(4.4 / (2 (D - d))))";
   static constexpr std::string_view within_contacts = "K_rs under [friction]";
   static constexpr std::string_view source = "SKF general catalogue (2006), p. 91-101";

@@ -17,10 +17,10 @@ namespace raceway::effects {
 /// Domain:   every speed. A tare run without the bearing separates it from the bearing.
 struct RigViscousDrag {
   static constexpr std::string_view id = "rig-viscous-drag";
-  static constexpr std::string_view title = "drag of the rig's own support";
+  static constexpr std::string_view title = "viscous drag of the support of the rig";
   static constexpr std::string_view mechanism =
-      "The film that carries the housing or the shaft of the rig is sheared and adds a torque in "
-      "proportion to speed, whatever the bearing does.";
+      "The oil film that carries the housing or the shaft of the rig adds a torque proportional to "
+      "speed, which does not depend on the bearing.";
   static constexpr std::string_view formula = "M_read = M + c (n/10000 rpm)";
   static constexpr std::string_view source = "shear of a film of constant height, derived";
   static constexpr std::array<std::string_view, 3> confused_with{"cage-friction", "lubricant-drag",

@@ -20,14 +20,14 @@ struct SealFriction {
   static constexpr std::string_view id = "seal-friction";
   static constexpr std::string_view title = "rubbing seals";
   static constexpr std::string_view mechanism =
-      "Lips rub on the ring with a force of their own, whatever speed and load are; warm lips are "
-      "softer and rub less.";
+      "The friction of the seal lips does not depend on speed or load; warm lips are softer and "
+      "have less friction.";
   static constexpr std::string_view formula = "M = K (1 - s (T - 45 C))";
   static constexpr std::string_view source =
       "seal moment of the SKF general catalogue (2006); fall with temperature assumed";
   static constexpr std::array<std::string_view, 4> confused_with{
       "torque-offset", "load-offset", "torque-temperature-drift", "mixed-lubrication"};
-  static constexpr std::string_view settled_by = "the torque with the seals taken out";
+  static constexpr std::string_view settled_by = "the torque without the seals";
   static constexpr std::array parameters{Parameter{.name = "torque_at_45_C_Nmm",
                                                    .unit = "N mm",
                                                    .initial = 10.0,

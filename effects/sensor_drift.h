@@ -53,7 +53,8 @@ inline constexpr SensorCard<3> torque_temperature_drift{
     .channel = record::friction_torque,
     .id = "torque-temperature-drift",
     .title = "zero of the torque sensor drifts with temperature",
-    .mechanism = "The zero of the sensor moves with temperature, whatever speed and load are.",
+    .mechanism =
+        "The zero of the sensor moves with temperature and does not depend on speed or load.",
     .formula = "M_read = M + c (T - T0)/10 K",
     .confused_with = {"seal-friction", "churning", "cage-friction"},
     .size = {.name = "torque_per_10_K_Nmm",
@@ -89,8 +90,8 @@ inline constexpr SensorCard<1> torque_time_drift{
 inline constexpr SensorCard<3> displacement_temperature_drift{
     .channel = record::axial_displacement,
     .id = "displacement-temperature-drift",
-    .title = "zero of the displacement transducer drifts with warmth",
-    .mechanism = "Transducer and fixture move with temperature, whatever the speed is.",
+    .title = "zero of the displacement transducer drifts with temperature",
+    .mechanism = "Transducer and fixture move with temperature, at any speed.",
     .formula = "u_read = u + c (T - T0)/10 K",
     .source = "definition; data sheets of eddy-current transducers",
     .confused_with = {"thermal-preload", "thermal-ring-growth", "displacement-offset"},

@@ -28,8 +28,8 @@ inline constexpr SensorCard<2> torque_gain{
     .id = "torque-gain",
     .title = "gain error of the torque sensor",
     .mechanism =
-        "The sensor reads all torques a fixed share too high or too low. Only a known "
-        "torque shows it.",
+        "The sensor reads all torques too high or too low by the same factor. Only a known torque "
+        "shows this error.",
     .formula = "M_read = (1 + g) M",
     .confused_with = {"f0", "z"},
     .size = {.name = "gain_error",

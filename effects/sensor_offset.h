@@ -28,8 +28,8 @@ inline constexpr SensorCard<3> torque_offset{
     .id = "torque-offset",
     .title = "zero error of the torque sensor",
     .mechanism =
-        "The sensor shows a torque where there is none. Readings at standstill before and "
-        "after, or turning the other way round, show it.",
+        "The sensor shows a torque when there is none. Readings at standstill before and after the "
+        "test, or in the other direction of rotation, show this error.",
     .formula = "M_read = M + c",
     .confused_with = {"seal-friction", "load-offset", "mixed-lubrication"},
     .size = {.name = "torque_Nmm",
@@ -48,8 +48,8 @@ inline constexpr SensorCard<3> displacement_offset{
     .id = "displacement-offset",
     .title = "zero error of the displacement transducer",
     .mechanism =
-        "The transducer was zeroed somewhere else than on the cold shaft at standstill. "
-        "Readings at standstill before and after show it.",
+        "The transducer was not zeroed on the cold shaft at standstill. Readings at standstill "
+        "before and after the test show this error.",
     .formula = "u_read = u + c",
     .confused_with = {"displacement-temperature-drift", "preload_N", "thermal-ring-growth"},
     .size = {.name = "displacement_um",

@@ -35,18 +35,18 @@ struct SetPreload {
   static constexpr std::string_view title = "a preload of the set that was not entered";
   static constexpr std::string_view datum = "the preload of the set";
   static constexpr std::string_view mechanism =
-      "Not physics but a datum: the bearings press against each other, and the recorded load is "
-      "shared between them. It shows where the recorded load is smaller than the preload.";
+      "Wrong data, not missing physics: the bearings are preloaded against each other and share "
+      "the recorded load. The error is visible if the recorded load is smaller than the preload.";
   static constexpr std::string_view formula =
       "F1 = F2 + F_a with F2 between P (springs), F_rigid(0) and F_rigid(n) (a rigid pair at "
       "speed); "
       "(F1^(4/3) + F2^(4/3))^(3/4) in place of F_a";
   static constexpr std::string_view source =
-      "two bearings that press against each other (Harris, vol. 1, ch. 9), derived";
+      "two preloaded bearings (Harris, vol. 1, ch. 9), derived";
   static constexpr std::array<std::string_view, 4> confused_with{"torque-offset", "seal-friction",
                                                                  "load-offset", "load-exponent"};
   static constexpr std::string_view settled_by =
-      "the preload of the set, by its axial deflection under a known load";
+      "the preload of the set, from its axial deflection under a known load";
   static constexpr std::array parameters{Parameter{.name = "preload_N",
                                                    .unit = "N",
                                                    .initial = 500.0,

@@ -24,10 +24,10 @@ namespace raceway::effects {
 ///           them as a colder shaft would; this is neglected, because the model lacks the radii.
 struct ShaftContraction {
   static constexpr std::string_view id = "shaft-contraction";
-  static constexpr std::string_view title = "shaft that shortens as it turns";
+  static constexpr std::string_view title = "shortening of the shaft with speed";
   static constexpr std::string_view mechanism =
-      "Centrifugal force stretches the shaft across, and Poisson's ratio shortens it along its "
-      "axis, at once and with the square of speed. Its end moves back from the tool.";
+      "Centrifugal force expands the shaft radially, so it becomes shorter (Poisson's ratio), "
+      "immediately and with the square of speed. Its end moves back from the tool.";
   static constexpr std::string_view formula =
       "u_read = u - c (n/10000 rpm)^2, c = L nu rho w^2 (a^2 + b^2)/(2 E)";
   static constexpr std::string_view source = "rotating hollow shaft without axial force, derived";

@@ -21,8 +21,8 @@ struct ShearThinning {
   static constexpr std::string_view id = "shear-thinning";
   static constexpr std::string_view title = "lubricant that thins under shear";
   static constexpr std::string_view mechanism =
-      "The thickener or polymers of a lubricant line up with the flow above a certain shear rate, "
-      "and its viscosity falls.";
+      "Above a certain shear rate, the thickener or the polymers of a lubricant align with the "
+      "flow, and the viscosity falls.";
   static constexpr std::string_view formula = "M0 (1 + (n/n_c)^2)^-p";
   static constexpr std::string_view source = "Carreau's law, shear rate in proportion to speed";
   static constexpr std::array<std::string_view, 4> confused_with{

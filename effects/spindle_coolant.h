@@ -21,8 +21,8 @@ struct SleeveCoolant {
   static constexpr std::string_view id = "coolant";
   static constexpr std::string_view title = "a cooled sleeve that the model lacks";
   static constexpr std::string_view mechanism =
-      "A fluid around the housing between the sets holds it cold and takes the heat at once: "
-      "short time constant, housing cold, and preload up, as the shaft stays warm.";
+      "A fluid around the housing between the sets removes the heat quickly: the time constant is "
+      "short, the housing is cold, and the preload rises because the shaft stays warm.";
   static constexpr std::string_view formula = "q = G (T_housing - T_in) between the sets";
   static constexpr std::string_view source = "film towards a fluid of one temperature, definition";
   static constexpr std::array<std::string_view, 4> confused_with{

@@ -32,7 +32,7 @@ struct SpindleFactor {
   static constexpr std::string_view mechanism = card.mechanism;
   static constexpr std::string_view formula = card.formula;
   static constexpr std::string_view source =
-      "definition; correlations of contacts and films are good to a factor of 1.2 to 2";
+      "definition; correlations of contacts and films are accurate to a factor of 1.2 to 2";
   static constexpr auto confused_with = card.confused_with;
   static constexpr std::array parameters{card.size};
   static constexpr std::array needs{Need::time};
@@ -47,11 +47,11 @@ struct SpindleFactor {
 inline constexpr SpindleFactorCard<4> seat_conductance{
     .factor = &SpindleCondition::outer_seat_factor,
     .id = "seat-conductance",
-    .title = "outer seats that conduct otherwise than their fit says",
+    .title = "other thermal conductance of the outer seats than their fit gives",
     .mechanism =
-        "A gap, a cover or a wrong fit holds the heat back in the outer rings: they grow hot and "
-        "the preload falls, while the housing hardly changes. Without a sensor on a ring the "
-        "displacement alone tells.",
+        "A gap, a cover or a wrong fit keeps the heat in the outer rings: they become hot and the "
+        "preload falls, while the housing hardly changes. Without a sensor on a ring, only the "
+        "displacement shows it.",
     .formula = "G_seat -> k G_seat, of all outer seats",
     .confused_with = {"outer_conductance_W_m2K", "bearing-conductance", "preload-growth",
                       "preload_N"},
@@ -70,8 +70,8 @@ inline constexpr SpindleFactorCard<4> convection_factor{
     .id = "convection-factor",
     .title = "more or less free convection of housing and end faces",
     .mechanism =
-        "Draught, a cover or a box around the spindle changes what the room takes: the long time "
-        "constant, and the level, most clearly while it cools at standstill.",
+        "Draught, a cover or a box around the spindle changes the heat flow to the room: the long "
+        "time constant and the steady level, most clearly while it cools at standstill.",
     .formula = "h -> k h, of housing and end faces",
     .confused_with = {"convection_factor", "flange-conductance", "coolant",
                       "structure-temperature"},
@@ -88,11 +88,11 @@ inline constexpr SpindleFactorCard<4> convection_factor{
 inline constexpr SpindleFactorCard<4> bearing_conductance{
     .factor = &SpindleCondition::bearing_conductance_factor,
     .id = "bearing-conductance",
-    .title = "balls and lubricant that conduct otherwise than entered",
+    .title = "other thermal conductance of balls and lubricant than entered",
     .mechanism =
-        "Heat of the inner rings leaves through balls, oil film and lubricant. Where they conduct "
-        "less, shaft and inner rings grow hot, and preload and displacement with them; sensors in "
-        "the housing see little.",
+        "The heat of the inner rings leaves through balls, oil film and lubricant. With a lower "
+        "conductance, shaft and inner rings become hot, and preload and displacement rise; sensors "
+        "in the housing hardly show it.",
     .formula = "G -> k G, from inner to outer ring",
     .confused_with = {"lubricant_conductance_W_K", "seat-conductance", "preload-growth",
                       "drive-heat"},
@@ -108,10 +108,10 @@ inline constexpr SpindleFactorCard<4> bearing_conductance{
 inline constexpr SpindleFactorCard<4> flange_conductance{
     .factor = &SpindleCondition::flange_conductance_factor,
     .id = "flange-conductance",
-    .title = "another path into the machine than entered",
+    .title = "other thermal conductance of the flange than entered",
     .mechanism =
-        "The flange hands more or less heat to the machine: the steady level moves, not its time. "
-        "Without a sensor at the flange it looks like convection.",
+        "More or less heat flows through the flange into the machine: the steady level changes, "
+        "but not the time constant. Without a sensor at the flange it looks like convection.",
     .formula = "G_flange -> k G_flange",
     .confused_with = {"flange_conductance_W_K", "convection-factor", "structure-temperature",
                       "coolant"},

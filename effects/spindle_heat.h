@@ -47,9 +47,9 @@ inline constexpr SpindleHeatCard<4> motor_heat{
     .id = "motor-heat",
     .title = "heat of a motor between the sets",
     .mechanism =
-        "Losses of rotor and stator warm shaft and housing between the sets, whatever the bearings "
-        "do.",
-    .source = "constant moment of loss; losses of iron go with a higher power of the speed",
+        "Losses of rotor and stator heat shaft and housing between the sets, independent of the "
+        "bearings.",
+    .source = "constant loss moment; iron losses rise with a higher power of speed",
     .confused_with = {"drive-heat", "coolant", "lubricant-drag", "convection-factor"},
     .size = {.name = "heat_at_10000_rpm_W",
              .unit = "W",
@@ -64,9 +64,9 @@ inline constexpr SpindleHeatCard<4> drive_heat{
     .id = "drive-heat",
     .title = "heat of a belt or coupling at the rear shaft end",
     .mechanism =
-        "A belt that slips and bends, or a coupling, warms the shaft behind the last bearing: its "
-        "end is hot first, then the rear bearing.",
-    .source = "constant moment of loss",
+        "A belt that slips and bends, or a coupling, heats the shaft behind the last bearing: "
+        "first the shaft end becomes hot, then the rear bearing.",
+    .source = "constant loss moment",
     .confused_with = {"motor-heat", "bearing-conductance", "lubricant-drag", "f0"},
     .size = {.name = "heat_at_10000_rpm_W",
              .unit = "W",
@@ -81,8 +81,8 @@ inline constexpr SpindleHeatCard<4> seal_heat{
     .id = "seal-heat",
     .title = "heat of a seal at the nose",
     .mechanism =
-        "A lip or a labyrinth that touches warms the shaft before the first bearing, whatever load "
-        "and preload are.",
+        "A seal lip or a touching labyrinth heats the shaft in front of the first bearing, "
+        "independent of load and preload.",
     .source = "constant moment, as the seal moment of the SKF general catalogue (2006)",
     .confused_with = {"drive-heat", "lubricant-drag", "seal-friction", "f0"},
     .size = {.name = "heat_at_10000_rpm_W",
@@ -96,10 +96,10 @@ inline constexpr SpindleHeatCard<4> seal_heat{
 inline constexpr SpindleHeatCard<4> front_bearing_heat{
     .heat = &SpindleCondition::front_bearing_heat,
     .id = "front-bearing-heat",
-    .title = "heat at the front bearings that their law of friction lacks",
+    .title = "heat at the front bearings that is not in their friction law",
     .mechanism =
-        "Seals, grease or a load that the model does not know warm both rings of the front set. "
-        "They are hot first; those of the rear bearing are as predicted.",
+        "Seals, grease or a load that is not in the model heat both rings of the front set. These "
+        "rings become hot first; the rear bearing is as predicted.",
     .source = "constant moment",
     .confused_with = {"seal-heat", "f0", "lubricant-drag", "preload_N"},
     .size = {.name = "heat_at_10000_rpm_W",
@@ -114,10 +114,10 @@ inline constexpr SpindleHeatCard<4> front_bearing_heat{
 inline constexpr SpindleHeatCard<4> rear_bearing_heat{
     .heat = &SpindleCondition::rear_bearing_heat,
     .id = "rear-bearing-heat",
-    .title = "heat at the rear bearing that its law of friction lacks",
+    .title = "heat at the rear bearing that is not in its friction law",
     .mechanism =
-        "A belt that tilts the rear bearing, its seal, or too much grease warm both of its rings: "
-        "they are hot first, the end of the shaft behind them later.",
+        "A belt that tilts the rear bearing, its seal, or too much grease heats both of its rings: "
+        "the rings become hot first, the shaft end later.",
     .source = "constant moment",
     .confused_with = {"drive-heat", "f0", "lubricant-drag", "bearing-conductance"},
     .size = {.name = "heat_at_10000_rpm_W",

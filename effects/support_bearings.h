@@ -22,11 +22,12 @@ namespace raceway::effects {
 ///           rig-viscous-drag.
 struct SupportBearings {
   static constexpr std::string_view id = "support-bearings";
-  static constexpr std::string_view title = "the reading has the bearings of the rig's shaft in it";
+  static constexpr std::string_view title = "the reading includes the support bearings of the rig";
   static constexpr std::string_view datum = "the tare torque of the support bearings";
   static constexpr std::string_view mechanism =
-      "Not physics but a datum: the sensor also feels the bearings that carry the shaft, a "
-      "constant torque and one that grows with speed, whatever the load of the tested bearing is.";
+      "Wrong data, not missing physics: the sensor also measures the support bearings of the "
+      "shaft. Their torque has a constant part and a part that grows with speed; it does not "
+      "depend on the load of the tested bearing.";
   static constexpr std::string_view formula = "M_read = M + c (s + (1 - s) (n/10000 rpm)^(2/3))";
   static constexpr std::string_view source = "both parts of Palmgren's moment, derived";
   static constexpr std::array<std::string_view, 4> confused_with{"torque-offset", "seal-friction",
@@ -57,7 +58,7 @@ struct SupportBearings {
   }
 
   static std::string correction(std::span<const double> values) {
-    return fmt::format("{:.3g} N mm at 10 000 rpm, {:.3g} N mm of them at any speed", values[0],
+    return fmt::format("{:.3g} N mm at 10 000 rpm, of which {:.3g} N mm at any speed", values[0],
                        values[0] * values[1]);
   }
 };

@@ -17,17 +17,17 @@ namespace raceway::effects {
 /// Domain:   every temperature.
 struct TemperatureOffset {
   static constexpr std::string_view id = "temperature-offset";
-  static constexpr std::string_view title = "the temperature sensor reads too much or too little";
+  static constexpr std::string_view title = "the temperature sensor reads too high or too low";
   static constexpr std::string_view datum = "the temperature sensor";
   static constexpr std::string_view mechanism =
-      "Not physics but a datum: the temperature in the record is off by the same amount in every "
-      "row, and with it the viscosity.";
+      "Wrong data, not missing physics: the recorded temperature has the same error in every row, "
+      "so the viscosity is wrong.";
   static constexpr std::string_view formula = "T_read = T + c";
   static constexpr std::string_view source = "definition; IEC 60584 for thermocouples";
   static constexpr std::array<std::string_view, 3> confused_with{"f0", "viscosity-slope",
                                                                  "temperature-gain"};
   static constexpr std::string_view settled_by =
-      "the temperature of the standing rig by a second sensor, at two room temperatures";
+      "the temperature of the stationary rig with a second sensor, at two room temperatures";
   static constexpr std::array parameters{Parameter{.name = "offset_K",
                                                    .unit = "K",
                                                    .initial = 0.0,
@@ -51,17 +51,19 @@ struct TemperatureOffset {
 /// Domain:   s > 0; T_room as stated for the rig, or the coldest row of the record.
 struct TemperatureGain {
   static constexpr std::string_view id = "temperature-gain";
-  static constexpr std::string_view title = "the temperature sensor sees a share of the rise";
+  static constexpr std::string_view title =
+      "the temperature sensor shows only a share of the temperature rise";
   static constexpr std::string_view datum = "the place of the temperature sensor";
   static constexpr std::string_view mechanism =
-      "Not physics but a datum: the sensor sits away from the film and sees a share of its rise "
-      "above the room. The film is warmer than the record says, most where it is warm.";
+      "Wrong data, not missing physics: the sensor is not at the film and shows only a share of "
+      "its temperature rise above the room. The film is warmer than the recorded temperature, most "
+      "at high temperature.";
   static constexpr std::string_view formula = "T_read = T_room + s (T - T_room)";
   static constexpr std::string_view source = "steady conduction past the sensor; range assumed";
   static constexpr std::array<std::string_view, 4> confused_with{
       "viscosity-slope", "temperature-offset", "film-self-heating", "viscous-exponent"};
   static constexpr std::string_view settled_by =
-      "the temperature by a second sensor nearer the film, as at the outer ring";
+      "the temperature with a second sensor nearer to the film, for example at the outer ring";
   static constexpr std::array parameters{Parameter{.name = "share_seen",
                                                    .unit = "1",
                                                    .initial = 1.0,

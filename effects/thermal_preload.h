@@ -18,7 +18,8 @@ namespace raceway::effects {
 /// Domain:   speed >= 0.
 struct PreloadByOwnHeat {
   static constexpr std::string_view id = "thermal-preload";
-  static constexpr std::string_view title = "preload that grows with the bearing's own heat";
+  static constexpr std::string_view title =
+      "preload that grows with the friction heat of the bearing";
   static constexpr std::string_view source =
       "steady heat flow, derived; loop of [SteinTu1994], [BossmannsTu1999]";
   static constexpr bool follows_heat = true;
@@ -34,7 +35,7 @@ struct ThermalPreload : PreloadByOwnHeat {
   static constexpr Form form = Form::rig;
   static constexpr std::string_view mechanism =
       "Friction warms the inner ring and the balls more than the outer ring. In a rigid set they "
-      "have no room, and the load grows with the friction power.";
+      "cannot expand freely, and the load grows with the friction power.";
   static constexpr std::string_view formula =
       "F_a + c P in place of F_a, P = (M1 + M0) w at the entered load";
   static constexpr std::array<std::string_view, 4> confused_with{
@@ -67,8 +68,8 @@ struct ShaftThermalPreload : PreloadByOwnHeat {
   static constexpr Form form = Form::shaft;
   static constexpr bool for_spindle = false;  // its temperatures include it
   static constexpr std::string_view mechanism =
-      "Friction warms the inner rings and the balls more than the outer rings. They have no room, "
-      "and the sets press harder against each other as the friction power grows.";
+      "Friction warms the inner rings and the balls more than the outer rings. They cannot expand "
+      "freely, so the preload rises with the friction power.";
   static constexpr std::string_view formula =
       "inner raceway grows by c P in radius, P = (M1 + M0) w at the preload";
   static constexpr std::array<std::string_view, 4> confused_with{

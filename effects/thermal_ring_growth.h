@@ -31,10 +31,10 @@ struct GrowthByRingTemperatures {
 /// Domain:   both ring temperatures measured. Balls at the temperature of the outer ring.
 struct ThermalRingGrowth : GrowthByRingTemperatures {
   static constexpr Form form = Form::rig;
-  static constexpr std::string_view title = "rings of different temperature";
+  static constexpr std::string_view title = "rings with different temperatures";
   static constexpr std::string_view mechanism =
-      "An inner ring that is warmer than the outer one grows into the clearance, and the balls run "
-      "at a smaller contact angle and carry more for the same axial load.";
+      "If the inner ring is warmer than the outer ring, the clearance and the contact angle fall, "
+      "and the ball loads rise for the same axial load.";
   static constexpr std::string_view formula = "u = c lambda (T_i - T_o) d_m/2";
   static constexpr std::string_view source = "free thermal expansion, derived";
   static constexpr std::array<std::string_view, 3> confused_with{
@@ -69,7 +69,7 @@ struct ThermalRingGrowth : GrowthByRingTemperatures {
 struct ShaftThermalRingGrowth : GrowthByRingTemperatures {
   static constexpr Form form = Form::shaft;
   static constexpr bool for_spindle = false;  // its temperatures include it
-  static constexpr std::string_view title = "rings that do not grow freely with temperature";
+  static constexpr std::string_view title = "rings that do not expand freely with temperature";
   static constexpr std::string_view mechanism =
       "The free expansion of rings at their measured temperatures is part of every prediction. A "
       "stiff or cool housing, the shaft, or sensors away from the raceways make the real growth "

@@ -25,8 +25,8 @@ struct TorqueCreep {
   static constexpr std::string_view title = "zero of the torque sensor creeps over each day";
   static constexpr std::string_view datum = "the zero of the torque sensor over the day";
   static constexpr std::string_view mechanism =
-      "Not physics but a datum: the zero of the sensor moves from the start of each day on. Loads "
-      "that are measured in one order look like a change with the load.";
+      "Wrong data, not missing physics: the zero of the sensor moves from the start of each day. "
+      "If the loads are always measured in one order, the drift looks like an effect of load.";
   static constexpr std::string_view formula = "M_read = M + c (t - t_start)/1 h";
   static constexpr std::string_view source = "definition";
   static constexpr std::array<std::string_view, 3> confused_with{"load-exponent", "load-offset",
@@ -65,9 +65,10 @@ struct SpeedHysteresis {
   static constexpr std::string_view title = "readings differ between rising and falling speed";
   static constexpr std::string_view datum = "the hysteresis of the torque sensor";
   static constexpr std::string_view mechanism =
-      "Not physics but a datum: at one speed the sensor reads more on the way up than on the way "
-      "down, or less.";
-  static constexpr std::string_view formula = "M_read = M + c/2 from below, M - c/2 from above";
+      "Wrong data, not missing physics: at one speed, the reading for rising speed differs from "
+      "the reading for falling speed.";
+  static constexpr std::string_view formula =
+      "M_read = M + c/2 for rising speed, M - c/2 for falling speed";
   static constexpr std::string_view source = "definition";
   static constexpr std::array<std::string_view, 2> confused_with{"torque-time-drift",
                                                                  "grease-churning"};
@@ -89,7 +90,7 @@ struct SpeedHysteresis {
   }
 
   static std::string correction(std::span<const double> values) {
-    return fmt::format("it reads {:.3g} N mm {} at rising than at falling speed",
+    return fmt::format("it reads {:.3g} N mm {} at rising speed than at falling speed",
                        std::abs(values[0]), values[0] > 0.0 ? "more" : "less");
   }
 };

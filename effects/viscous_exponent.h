@@ -24,7 +24,7 @@ struct ViscousExponent {
   static constexpr std::string_view title = "another exponent of the viscous moment";
   static constexpr std::string_view mechanism =
       "The exponent 2/3 of speed and viscosity is a mean over many bearings. A slightly wrong "
-      "exponent looks like missing physics over the whole range, so it is asked first.";
+      "exponent looks like missing physics over the whole range.";
   static constexpr std::string_view formula = "M0 (nu n / 300000)^e in place of M0";
   static constexpr std::string_view within_contacts =
       "rolling_factor under [friction]: its exponents follow from the contacts";

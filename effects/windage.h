@@ -22,12 +22,12 @@ struct Windage {
   static constexpr std::string_view id = "windage";
   static constexpr std::string_view title = "air friction";
   static constexpr std::string_view mechanism =
-      "Shaft, cage and balls drag the air in the gaps along. The flow is turbulent, and its "
-      "friction grows a little slower than the square of speed. On a rig that coasts down it is "
-      "the air about the whole rotor.";
+      "Shaft, cage and balls drag air through the gaps. The flow is turbulent, and its friction "
+      "grows a little more slowly than the square of speed. On a rig with coast-downs it is the "
+      "air around the whole rotor.";
   static constexpr std::string_view formula = "M = c (n/10000 rpm)^1.8";
   static constexpr std::string_view source =
-      "turning cylinder in a gap, [BilgenBoulos1973]: C_f ~ Re^-0.2; size left to c";
+      "rotating cylinder in a gap, [BilgenBoulos1973]: C_f ~ Re^-0.2; c gives the size";
   static constexpr std::array<std::string_view, 4> confused_with{
       "lubricant-drag", "centrifugal-ring-growth", "cage-friction", "gyroscopic-slip"};
   static constexpr std::string_view settled_by =

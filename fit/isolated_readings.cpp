@@ -211,7 +211,7 @@ std::string Isolated::statement() const {
   const bool one = rows.size() == 1;
   const std::string beyond = fmt::format("by more than {}the range of the others",
                                          by.impossible == 3.0 ? "three times " : "");
-  return fmt::format("{} reading{} of {} leave{} and return{}{}{} and take{} no part, {} {}",
+  return fmt::format("{} reading{} of {} jump{} and return{}{}{} and {} not used, {} {}",
                      rows.size(), one ? "" : "s", channel->words, one ? "s" : "", one ? "s" : "",
                      by_model    ? ", against the fitted model"
                      : by.steady ? " while the speed is steady"
@@ -219,7 +219,7 @@ std::string Isolated::statement() const {
                      !by.steady   ? " " + beyond
                      : impossible ? ", or " + beyond + ","
                                   : std::string(by_model ? "," : ""),
-                     one ? "s" : "", record.lines.empty() ? "rows" : "lines", lines);
+                     one ? "is" : "are", record.lines.empty() ? "rows" : "lines", lines);
 }
 
 PossibleRows without_impossible_rows(const record::Record& record) {
@@ -233,9 +233,9 @@ PossibleRows without_impossible_rows(const record::Record& record) {
         static_cast<double>(rows.size()) > most_isolated * static_cast<double>(now.rows()))
       return;
     const bool one = rows.size() == 1;
-    result.statements.push_back(fmt::format("{} row{} ha{} {} and take{} no part, line{} {}",
-                                            rows.size(), one ? "" : "s", one ? "s" : "ve", what,
-                                            one ? "s" : "", one ? "" : "s", lines_of(now, rows)));
+    result.statements.push_back(fmt::format(
+        "{} row{} ha{} {} and {} not used, line{} {}", rows.size(), one ? "" : "s",
+        one ? "s" : "ve", what, one ? "is" : "are", one ? "" : "s", lines_of(now, rows)));
     std::vector<std::size_t> others;
     for (std::size_t row = 0; row < now.rows(); ++row)
       if (!std::binary_search(rows.begin(), rows.end(), row)) others.push_back(row);
@@ -254,7 +254,7 @@ PossibleRows without_impossible_rows(const record::Record& record) {
   });
   if (read != record.columns.end())
     take_out(far_readings(result.record, *read->channel),
-             fmt::format("a {} more than three times the range of all others away from them",
+             fmt::format("a {} that differs from all others by more than three times their range",
                          read->channel->words));
   return result;
 }

@@ -218,8 +218,7 @@ void screen_candidates(Problem& problem, const Saturation& saturation,
     if (!s.not_testable.empty() || s.scores.cols() > 0) continue;
     const std::string levels = problem.subject->lacks_levels(s.id(), *problem.record);
     s.not_testable = the_data_lack(
-        levels.empty() ? "a quantity on which it has any effect at these operating points"
-                       : levels);
+        levels.empty() ? "a quantity that it changes at these operating points" : levels);
   }
 }
 

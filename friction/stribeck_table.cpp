@@ -203,7 +203,7 @@ StribeckTable build_stribeck_table(const TableAxes& axes, std::vector<std::strin
 InterpolatedMoment interpolate(const StribeckTable& table, const TablePosition& position,
                                Outside outside) {
   if (table.slab.count != 1)
-    throw std::invalid_argument("a slab of a table answers no question: join all of them first");
+    throw std::invalid_argument("a slab is only a part of a table: merge all slabs first");
   const TableAxes& axes = table.axes;
   const Stencil n = stencil(speed_axis, axes.speed, position.speed, outside);
   const Stencil a = stencil(axial_axis, axes.axial_load, position.axial_load, outside);

@@ -11,8 +11,8 @@ verdict::Calibration calibrate(const fit::Subject& subject, const record::Record
   if (!subject.approximates()) return verdict::calibrate_by_noise(subject, record, options);
   if (options.profile)
     throw std::invalid_argument(
-        "intervals by profile likelihood need readings with independent noise, and what a model "
-        "of a record over time leaves follows itself");
+        "profile likelihood intervals need readings with independent noise; the residuals of a "
+        "record over time are correlated");
   return tolerance::calibrate_approximation(subject, record);
 }
 

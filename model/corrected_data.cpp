@@ -61,7 +61,7 @@ std::string correction_text(const Model& model, const effects::Effect& effect) {
   if (std::string oil = oil_text(before, after); !oil.empty()) return oil;
   if (std::isnan(after.temperature)) return {};
   if (effect.description->parameters.front().unit == "K")
-    return fmt::format("the film is {:.2g} K {} than the record says",
+    return fmt::format("the film is {:.2g} K {} than the recorded temperature",
                        std::abs(after.temperature - warm),
                        after.temperature > warm ? "warmer" : "colder");
   return fmt::format("the sensor sees {:.0f} % of the rise of the film above {:.1f} C",

@@ -226,28 +226,29 @@ void Judge::add_notes(Findings& findings) const {
   };
   add(lost, lost_, 1.0, fmt::format("balls have lost the inner race, up to {:.0f}", lost_.value));
   add(bottom, bottom_, 1.0,
-      fmt::format("no axial load holds the contact angle: the ring has moved back until the balls "
-                  "carry at the bottom of the grooves, at about 0 deg; {:.3g} N axial would press "
-                  "half of them against the shoulders",
-                  bottom_.value));
+      fmt::format(
+          "there is no axial load, so the balls carry at the bottom of the grooves at about 0 deg; "
+          "{:.3g} N of axial load would press half of them against the shoulders",
+          bottom_.value));
   add(far_side, far_, degree,
-      fmt::format("balls carry beyond the bottom of the groove, at {:.3g} deg, where an "
-                  "angular-contact bearing has no shoulder: it needs more axial load than this",
+      fmt::format("balls carry beyond the bottom of the groove, at {:.3g} deg, on the side without "
+                  "a shoulder: the bearing needs more axial load",
                   -far_.value / degree));
   add(limits::static_load, load_, 1.0,
       fmt::format("the static equivalent load is above C0 = {:.6g} N, up to {:.4g} N", load_.limit,
                   load_.value));
   add(limits::static_pressure, pressure_, GPa,
-      fmt::format("the contact pressure is above 4.2 GPa, which leaves dents, up to {:.3g} GPa",
-                  pressure_.value / GPa));
+      fmt::format(
+          "the contact pressure is up to {:.3g} GPa, above the 4.2 GPa that cause permanent dents",
+          pressure_.value / GPa));
 }
 
 void Judge::add_speeds(Findings& findings) const {
   if (catalogue_.points > 0)
     findings.push_back(finding_of(
         limits::catalogue_speed, catalogue_, rpm,
-        fmt::format("{}{:.6g} rpm is above {:.6g} rpm, the catalogue's speed with {} of one "
-                    "bearing on a spring; rigid sets reach less",
+        fmt::format("{}{:.6g} rpm is above {:.6g} rpm, the speed limit of the catalogue with {} "
+                    "for one bearing with spring preload; rigid sets have a lower limit",
                     catalogue_.place.empty() ? "" : catalogue_.place + ": ",
                     catalogue_.point.speed / rpm, catalogue_.limit / rpm, lubrication(*model_))));
   if (speed_factor_.points > 0)
@@ -263,39 +264,39 @@ void Judge::add_speeds(Findings& findings) const {
 
 void Judge::add_heat(Findings& findings) const {
   if (ring_.points > 0)
-    findings.push_back(finding_of(
-        limits::ring_temperature, ring_, 1.0,
-        fmt::format("{}the ring has {:.4g} C, above {:.4g} C: grease and oil age fast. Less "
-                    "preload, speed or oil, or cooling, brings it down",
-                    before(ring_), celsius(ring_.value), limits::ring_temperature.value),
-        celsius_zero));
+    findings.push_back(
+        finding_of(limits::ring_temperature, ring_, 1.0,
+                   fmt::format("{}the ring has {:.4g} C, above {:.4g} C: grease and oil age fast. "
+                               "Less preload, speed or oil, or more cooling reduces it",
+                               before(ring_), celsius(ring_.value), limits::ring_temperature.value),
+                   celsius_zero));
   if (preload_.points > 0)
     findings.push_back(finding_of(
         limits::preload_factor, preload_, 1.0,
         fmt::format("{:.6g} rpm: the preload is {:.4g} N, {:.3g} times the {:.4g} N as mounted and "
                     "above {:g} times: heat and speed press the sets together. Springs or a "
-                    "smaller preload as mounted hold it down",
+                    "smaller mounted preload reduce it",
                     preload_.point.speed / rpm, preload_.value * mounted_, preload_.value, mounted_,
                     limits::preload_factor.value)));
   if (stiff_.points > 0) {
     const double viscosity =
         model_->lubricant.kinematic_viscosity(stiff_.point.temperature) / mm2_per_s;
-    Finding stiff = finding_of(
-        limits::oil_stiff, stiff_, 1.0,
-        fmt::format("{}the oil has {:.3g} mm2/s at {:.4g} C, above {:g} mm2/s: it is near its "
-                    "pour point and hardly reaches the contacts",
-                    before(stiff_), viscosity, celsius(stiff_.point.temperature),
-                    limits::oil_stiff.value));
+    Finding stiff =
+        finding_of(limits::oil_stiff, stiff_, 1.0,
+                   fmt::format("{}the oil has {:.3g} mm2/s at {:.4g} C, above {:g} mm2/s: near its "
+                               "pour point, little oil reaches the contacts",
+                               before(stiff_), viscosity, celsius(stiff_.point.temperature),
+                               limits::oil_stiff.value));
     stiff.value = viscosity, stiff.allowed = limits::oil_stiff.value;
     findings.push_back(std::move(stiff));
   }
   if (hot_.points > 0)
-    findings.push_back(finding_of(
-        limits::oil_hot, hot_, 1.0,
-        fmt::format("{}the lubricant has {:.4g} C, above {:.4g} C: rings of bearings change their "
-                    "size there, and oil decomposes",
-                    before(hot_), celsius(hot_.value), limits::oil_hot.value),
-        celsius_zero));
+    findings.push_back(
+        finding_of(limits::oil_hot, hot_, 1.0,
+                   fmt::format("{}the lubricant has {:.4g} C, above {:.4g} C: the rings change "
+                               "their size and the oil decomposes",
+                               before(hot_), celsius(hot_.value), limits::oil_hot.value),
+                   celsius_zero));
 }
 
 Findings Judge::findings() const {
@@ -304,8 +305,8 @@ Findings Judge::findings() const {
   if (running_.points > 0)
     findings.push_back(finding_of(
         limits::running_pressure, running_, GPa,
-        fmt::format("{}the contact pressure is {:.3g} GPa while the bearing runs, above {:g} GPa: "
-                    "the raceways tire. Less load or preload brings it down",
+        fmt::format("{}the contact pressure of the running bearing is {:.3g} GPa, above {:g} GPa: "
+                    "the raceways fatigue. Less load or preload reduces it",
                     before(running_), running_.value / GPa, limits::running_pressure.value)));
   if (table_.points > 0) {
     const bearing::OperatingPoint& at = table_.point;
@@ -314,7 +315,7 @@ Findings Judge::findings() const {
         limits::friction_table, table_, at.speed * N_mm,
         fmt::format("{} of {} rotating states are outside the friction table {} ({}), the one with "
                     "most heat at {}{:.6g} rpm, {:.4g} N axial, {:.4g} N radial, {:.4g} C: the "
-                    "value at the edge applies there, {:.4g} N mm",
+                    "program uses the value at the edge, {:.4g} N mm",
                     table_.points, turning_, model_->table->file, model_->table->range(),
                     table_.place.empty() ? "" : table_.place + ", ", at.speed / rpm, at.axial_load,
                     at.radial_load, celsius(at.temperature), torque / N_mm));

@@ -51,7 +51,7 @@ class ModelBearing {
   [[nodiscard]] const bearing::Bearing& with_balls() const {
     if (const bearing::Bearing* const balls = ball_bearing()) return *balls;
     throw std::invalid_argument(
-        "the model has a cylindrical roller bearing; this is computed for ball bearings alone");
+        "the model has a cylindrical roller bearing; this calculation is only for ball bearings");
   }
 
   std::variant<bearing::Bearing, bearing::RollerBearing> kind_;

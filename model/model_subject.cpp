@@ -180,7 +180,7 @@ std::unique_ptr<fit::Subject> ModelSubject::without_free_candidates() const {
 std::unique_ptr<fit::Subject> ModelSubject::with_shape(const std::string& id,
                                                        const fit::Shape& shape) const {
   effects::UserMadeEffect own{.id = id,
-                              .title = "shape of what is missing, found in measurements",
+                              .title = "shape of the missing effect, found in measurements",
                               .torque_Nmm = shape.formula,
                               .parameters = {}};
   for (const fit::Parameter& c : shape.coefficients)
@@ -290,7 +290,7 @@ const effects::Description* ModelSubject::description(const std::string& id) con
 
 const Model& model_of(const fit::Subject& subject) {
   const auto* const known = dynamic_cast<const ModelSubject*>(&subject);
-  if (!known) throw std::invalid_argument("the subject is no model of a bearing or a shaft");
+  if (!known) throw std::invalid_argument("the model is not a bearing or a shaft");
   return known->model();
 }
 

@@ -122,7 +122,7 @@ std::string first_unmet(const effects::Description& effect, const Model& model,
 
 std::string ruled_out(const effects::Description& effect, const Model& model) {
   if (effect.works_with(model.supply)) return {};
-  return fmt::format("the bearing is lubricated by {}, this needs {}",
+  return fmt::format("the bearing is lubricated by {}, but this effect needs {}",
                      friction::words(*model.supply), effects::text(effect.supplies));
 }
 
@@ -143,14 +143,14 @@ std::string refused_by_rollers(const effects::Description& effect) {
       std::pair{"inlet-shear-heating", "its constants are for ball bearings"},
       std::pair{"load-exponent", "the load moment of rollers is in proportion to the load"},
       std::pair{"load-offset", "it is an axial force, which the bearing does not carry"},
-      std::pair{"load-calibration", "it is about an axial load, which the bearing does not carry"},
-      std::pair{"thermal-preload", "it goes by the contact angle"},
+      std::pair{"load-calibration", "it acts on an axial load, which the bearing does not carry"},
+      std::pair{"thermal-preload", "it depends on the contact angle"},
       std::pair{"ball-material", "there are no balls"}};
   for (const auto& [id, why] : reasons)
     if (effect.id == id) return fmt::format("a ball bearing: {}", why);
   if (effect.condition)
-    return "a ball bearing: it moves rings against balls in grooves; of cylindrical rollers "
-           "radial_clearance_um says the clearance in operation";
+    return "a ball bearing: it moves rings against balls in grooves; for cylindrical rollers enter "
+           "the operating clearance as radial_clearance_um";
   return effect.needs_equilibrium ? "a ball bearing: its formula is for balls" : "";
 }
 
@@ -159,7 +159,7 @@ std::string refused_by_table(const effects::Description& effect) {
   const bool of_oil =
       effect.id == effects::LubricantViscosity::id || effect.id == effects::ViscositySlope::id;
   if (effect.lubricant || effect.base_law || of_oil || effect.id == effects::GreaseChurning::id)
-    return "another base law: a friction table does not tell the viscous moment from the rest";
+    return "another base law: a friction table does not separate the viscous moment from the rest";
   return {};
 }
 
@@ -170,11 +170,12 @@ std::string refused_by_law(const effects::Description& effect, const Model& mode
   if (model.law == friction::FrictionLaw::table) return refused_by_table(effect);
   if (model.law != friction::FrictionLaw::contact) return {};
   if (!effect.within_contacts.empty())
-    return fmt::format("another base law: the contact law has it itself, as {}",
+    return fmt::format("another base law: the contact law already includes it, as {}",
                        effect.within_contacts);
   // Both count what balls push aside.
   if (effect.id == effects::LubricantDrag::id && model.law_values.back() > 0.0)
-    return "oil_fraction = 0 under [friction]: the contact law has the drag of the balls itself";
+    return "oil_fraction = 0 under [friction]: the contact law already includes the drag of the "
+           "balls";
   return {};
 }
 
@@ -188,16 +189,16 @@ std::string missing_need(const effects::Description& effect, const Model& model,
                          const record::Record& record) {
   if (!effect.moves(model.form(), measured_of_shaft(record))) {
     if (effect.of_spindles_alone())
-      return "a model of a spindle, with [shaft] and [housing], in which alone it acts";
+      return "a spindle model with [shaft] and [housing]: it acts only there";
     if (model.form() == effects::Form::spindle && effect.condition && effect.follows_heat)
-      return "a model without temperatures of its own: a spindle model has this effect already";
+      return "a model that does not compute temperatures: a spindle model already includes this "
+             "effect";
     if (effect.reads(record::axial_displacement))
-      return "axial displacement of a shaft, on which alone it acts";
+      return "axial displacement of a shaft: it acts only on this";
     if (model.form() == effects::Form::rig)
-      return "the sets of an [arrangement], on which alone it acts";
-    return has_torque_of_sets(model, record)
-               ? "a single bearing on a rig, on which alone it acts: sets share the load"
-               : "friction torque, on which alone it acts";
+      return "the sets of an [arrangement]: it acts only on these";
+    return has_torque_of_sets(model, record) ? "a single bearing on a rig: sets share the load"
+                                             : "friction torque: it acts only on this";
   }
   if (std::string unmet = first_unmet(effect, model, record, false); !unmet.empty()) return unmet;
   for (const record::Channel* channel : effect.channels)

@@ -118,8 +118,8 @@ std::string own_datum_explained(std::string_view id) {
   for (const OwnDatum& d : all)
     if (d.id.substr(0, d.id.find(':')) == plain)
       return fmt::format(
-          "{}: no effect but a number of the model that may be wrong, {}. diagnose tries it, "
-          "usually wrong by {:g} at most; add puts it right.",
+          "{}: not an effect, but a number of the model that may be wrong: {}. diagnose tests it "
+          "(usual error up to {:g}), and add corrects it.",
           plain, d.explained, d.usual);
   return {};
 }

@@ -34,7 +34,7 @@ std::string places_text(const record::Record& record, const std::vector<std::siz
 void check(const record::Record& record, const model::Rig& rig, const CoastDownOptions& options) {
   if (!(rig.inertia > 0.0) || !std::isfinite(rig.inertia))
     throw std::invalid_argument(fmt::format(
-        "inertia = {} kg m2: a coast-down becomes a torque by M = -J dw/dt; it must be above 0",
+        "inertia = {} kg m2: must be above 0; the torque of a coast-down is M = -J dw/dt",
         rig.inertia));
   if (options.windows < 1 || options.fewest_samples < 5 ||
       !(options.largest_fall > 0.0 && options.largest_fall < 1.0))
@@ -201,7 +201,7 @@ class RunRegression {
         kept.push_back(samples[i]);
     }
     if (!rows.empty())
-      note("{} samples stand out of the speed curve and are left out ({})", rows.size(),
+      note("{} samples are outliers of the speed curve and are left out ({})", rows.size(),
            places_text(record_, rows));
     summary_.outliers += static_cast<int>(rows.size());
     return kept;
@@ -273,13 +273,13 @@ std::string no_torque(const record::Record& record, const std::vector<CoastDownR
       runs.begin(), runs.end(),
       [](const CoastDownRun& a, const CoastDownRun& b) { return a.samples < b.samples; });
   if (longest->samples >= options.fewest_samples)
-    return record.source + ": the speed falls nowhere, so there is no torque";
+    return record.source + ": the speed never falls, so there is no torque";
   return fmt::format(
       "{}: {}{} samples are too few for a torque, at least {} are needed{}", record.source,
       of_run(longest->run), longest->samples, options.fewest_samples,
       runs.size() > 1 ? fmt::format("; none of the {} runs has more", runs.size())
       : longest->before_release > 0
-          ? fmt::format("; {} before the release do not count", longest->before_release)
+          ? fmt::format("; {} before the release are not used", longest->before_release)
           : "");
 }
 

@@ -70,19 +70,20 @@ Shape shape_at(const Point& here, const std::vector<Point>& others) {
 
 void check(const record::Record& record, std::span<const Fall> falls, const model::Rig& rig) {
   if (!(rig.inertia > 0.0) || !std::isfinite(rig.inertia))
-    throw std::invalid_argument(fmt::format(
-        "inertia = {} kg m2: a time between two speeds becomes a torque by M = J (w1 - w2)/t; it "
-        "must be above 0",
-        rig.inertia));
+    throw std::invalid_argument(
+        fmt::format("inertia = {} kg m2: must be above 0; the torque from the time between two "
+                    "speeds is M = J (w1 - w2)/t",
+                    rig.inertia));
   if (falls.size() != record.rows())
     throw std::invalid_argument(
         fmt::format("{}: {} falls for {} rows", record.source, falls.size(), record.rows()));
   for (std::size_t i = 0; i < falls.size(); ++i) {
     const Fall& f = falls[i];
     if (!(f.to > 0.0 && f.from > f.to && f.time > 0.0 && std::isfinite(f.from / f.time)))
-      throw std::invalid_argument(fmt::format(
-          "{}, {}: from {} to {} rad/s in {} s: the speed must fall, stay above 0, and take time",
-          record.source, record.place(i), f.from, f.to, f.time));
+      throw std::invalid_argument(
+          fmt::format("{}, {}: from {} to {} rad/s in {} s: the speed must fall and stay above 0, "
+                      "and the time must be above 0",
+                      record.source, record.place(i), f.from, f.to, f.time));
   }
 }
 

@@ -78,10 +78,9 @@ void RigSubject::require(const fit::Record& record) const {
   if (record.has(record::friction_torque)) return;
   if (record.has(record::axial_displacement))
     throw std::invalid_argument(record.source +
-                                ": holds axial displacement, which needs a model with an "
-                                "[arrangement]; of a single bearing measured friction torque is "
-                                "needed");
-  throw std::invalid_argument(record.source + ": holds no friction torque");
+                                ": has axial displacement, which needs a model with an "
+                                "[arrangement]; a single bearing needs measured friction torque");
+  throw std::invalid_argument(record.source + ": has no column of friction torque");
 }
 
 std::shared_ptr<const void> RigSubject::prepare(const fit::Record& record) const {

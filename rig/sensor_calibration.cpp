@@ -102,10 +102,10 @@ class Calibrator {
       throw std::invalid_argument(
           fmt::format("degree = {}: must be from 1 to {}", *degree, highest_sensor_degree));
     if (torques() < 2)
-      throw std::invalid_argument(fmt::format(
-          "all {} readings are at one reference torque, {:.6g} N m: a line needs two torques at "
-          "least, and three to tell whether it is one",
-          count(), readings_.front().torque));
+      throw std::invalid_argument(
+          fmt::format("all {} readings are at one reference torque, {:.6g} N m: a line needs at "
+                      "least two torques, and a test of the line needs three",
+                      count(), readings_.front().torque));
     const int d = degree.value_or(1);
     if (torques() < d + 1 || count() < d + 2)
       throw std::invalid_argument(fmt::format(
@@ -150,7 +150,8 @@ class Calibrator {
   /// Every signal must belong to one torque, and change with it at all.
   void require_a_sensor() const {
     if (!fit_.unscaled().allFinite())
-      throw std::invalid_argument("torques of this size and spread give no curve");
+      throw std::invalid_argument(
+          "the program cannot fit a curve to torques of this size and spread");
     require_no_turn(fit_);
     if (higher_terms(fit_) < surely) require_no_turn(polynomial(best_));
     const double square = (signal_.array() - signal_.mean()).square().sum();
@@ -205,11 +206,11 @@ class Calibrator {
   void look_for_higher_terms() {
     const double p = result_.higher_terms_p_value = higher_terms(fit_);
     if (!(p < sensor_significance)) return;
-    result_.warnings.push_back(record::note::misfit(fmt::format(
-        "a {} misses the readings by up to {:.3g} V, {:.2g} % of the range, and not by chance "
-        "({}): --degree {} follows them",
-        degree_name(result_.degree()), result_.off_curve, percent(result_.off_curve), chance(p),
-        best_)));
+    result_.warnings.push_back(record::note::misfit(
+        fmt::format("a {} differs from the readings by up to {:.3g} V, {:.2g} % of the range, "
+                    "which is not by chance ({}): use --degree {}",
+                    degree_name(result_.degree()), result_.off_curve, percent(result_.off_curve),
+                    chance(p), best_)));
   }
 
   void look_for_lack_of_fit() {
@@ -222,17 +223,17 @@ class Calibrator {
     lack.degrees = torques() - p;
     lack.error_degrees = count() - torques();
     if (lack.error_degrees < 1) {
-      result_.notes.push_back(record::note::unknown(
-          "no torque was read twice, so only polynomials separate the scatter from the shape of "
-          "the curve; read the same torques rising and falling"));
+      result_.notes.push_back(
+          record::note::unknown("no torque was read twice, so the scatter follows only from the "
+                                "fit of a polynomial; read the same torques rising and falling"));
       return;
     }
     lack.repeatability = pure > floor_ ? std::sqrt(pure / lack.error_degrees) : 0.0;
     if (lack.degrees < 1) return;
     if (pure <= floor_) {
       result_.notes.push_back(record::note::unknown(
-          "readings at the same torque are alike to the last digit: their scatter is below the "
-          "resolution of the signal, and the curve is not tested against it"));
+          "readings at the same torque are equal to the last digit: their scatter is below the "
+          "resolution of the signal, so it cannot test the curve"));
       return;
     }
     const double misfit = std::max(0.0, fit_.square - pure);
@@ -241,8 +242,8 @@ class Calibrator {
     // Where higher terms do better, that has been said.
     if (lack.p_value < sensor_significance && !(result_.higher_terms_p_value < sensor_significance))
       result_.warnings.push_back(record::note::misfit(fmt::format(
-          "the means at each torque are off the {} by up to {:.3g} V, {:.2g} % of the range, more "
-          "than repeated readings scatter (F = {:.3g}, {})",
+          "the means at each torque differ from the {} by up to {:.3g} V, {:.2g} % of the range, "
+          "which is more than the scatter of repeated readings (F = {:.3g}, {})",
           degree_name(result_.degree()), result_.off_curve, percent(result_.off_curve),
           lack.statistic, chance(lack.p_value))));
   }
@@ -296,8 +297,7 @@ class Calibrator {
           fmt::format("hysteresis: at falling torque the signal differs from that at rising torque "
                       "by {:+.3g} V on "
                       "average and by {:+.3g} V ({:.2g} % of the range) at {:.4g} N m ({}); the "
-                      "curve runs midway, "
-                      "and half of the difference counts as scatter",
+                      "curve is in the middle, and the scatter includes half of the difference",
                       h.mean, h.largest, percent(h.largest), h.largest_at, chance(h.p_value))));
   }
 
@@ -325,8 +325,8 @@ class Calibrator {
     set_covariance(robust_covariance(fit_));
     result_.warnings.push_back(record::note::noise(fmt::format(
         "the scatter is {:.3g} V in the lower half of the range and {:.3g} V in the upper ({}): "
-        "the standard errors hold all the same, but the scatter of a single reading is only right "
-        "on average",
+        "the standard errors remain valid, but the scatter of a single reading is only correct on "
+        "average",
         result_.scatter_low, result_.scatter_high, chance(p))));
   }
 

@@ -94,7 +94,7 @@ std::string note_outside(const TorqueSensor& s, std::span<const double> signals,
   if (most > s.highest_signal)
     reach += fmt::format("{}up to {:.5g}", reach.empty() ? "" : " and ", most);
   return fmt::format(
-      "{} of {} signals are outside of {:.5g} to {:.5g} V, which the calibration has seen: {} V "
+      "{} of {} signals are outside the calibrated range of {:.5g} to {:.5g} V: {} V "
       "(line{} {}{}); their torques are extrapolated along the tangent",
       count, all, s.lowest_signal, s.highest_signal, reach, count == 1 ? "" : "s", places,
       count > most_named ? ", ..." : "");
@@ -169,7 +169,7 @@ SensedTorques sensed_torques(const TorqueSensor& sensor, std::span<const double>
   if (*std::min_element(std.begin(), std.end()) < least_std) {
     result.std.clear();
     result.notes.push_back(record::note::unknown(
-        from + ": it knows of no scatter, and gives rows no std_Nmm", {.key = "torque_sensor"}));
+        from + ": it has no scatter, so the rows get no std_Nmm", {.key = "torque_sensor"}));
   } else {
     result.notes.push_back(record::note::read_as(
         fmt::format("{}: std_Nmm of a row {} N mm, of which {} N mm comes from the calibration{}: "

@@ -18,8 +18,8 @@ double matching_inertia(const model::ModelSubject& subject, const record::Record
   }
   if (!(of_model > 0.0 && of_record > 0.0))
     throw std::invalid_argument(unit.source +
-                                ": inertia_kgm2 = \"unknown\": the model predicts no torque from "
-                                "which the inertia could follow; enter usual factors of friction");
+                                ": inertia_kgm2 = \"unknown\" needs a torque that the model "
+                                "predicts; enter usual friction factors");
   return of_model / of_record;
 }
 

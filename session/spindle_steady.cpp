@@ -125,10 +125,11 @@ void require_carried(const model::Model& model, const SteadyQuestion& q) {
 
 void require_spindle(const files::ModelFile& file) {
   if (file.model.spindle) return;
-  throw text::InputError(file.source +
-                             ": is no spindle: a spindle has [shaft] and [housing] in addition to "
-                             "its [arrangement]",
-                         {.file = file.source, .key = "shaft"});
+  throw text::InputError(
+      file.source +
+          ": is not a spindle: a spindle has [shaft] and [housing] in addition to "
+          "its [arrangement]",
+      {.file = file.source, .key = "shaft"});
 }
 
 spindle::Simulator simulator_of(const files::ModelFile& file) {

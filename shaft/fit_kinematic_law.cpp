@@ -214,9 +214,8 @@ void add_notes(KinematicLawFit& fit) {
   }
   if (std::abs(fit.standstill) > standstill_share * fit.largest)
     fit.notes.push_back(
-        record::note::check_data(fmt::format("the displacement at standstill is {:.4g} um, the law "
-                                             "says 0: subtract it from all rows, or "
-                                             "the law has to bend to it",
+        record::note::check_data(fmt::format("the displacement at standstill is {:.4g} um, but the "
+                                             "law gives 0: subtract this value from all rows",
                                              fit.standstill / um)));
 }
 

@@ -61,7 +61,7 @@ std::vector<fit::Measured> SetTorqueSubject::measured() const { return {measured
 
 void SetTorqueSubject::require(const fit::Record& record) const {
   if (!record.has(record::friction_torque))
-    throw std::invalid_argument(record.source + ": holds no friction torque");
+    throw std::invalid_argument(record.source + ": has no column of friction torque");
 }
 
 std::unique_ptr<fit::Predictor> SetTorqueSubject::predictor(

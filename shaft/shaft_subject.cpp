@@ -73,7 +73,7 @@ std::vector<fit::Measured> ShaftSubject::measured() const {
 
 void ShaftSubject::require(const fit::Record& record) const {
   if (!record.has(record::axial_displacement))
-    throw std::invalid_argument(record.source + ": holds no axial displacement");
+    throw std::invalid_argument(record.source + ": has no column of axial displacement");
 }
 
 std::unique_ptr<fit::Predictor> ShaftSubject::predictor(const fit::Record& record,
@@ -114,11 +114,11 @@ std::string ShaftSubject::doubt(const fit::Record& record,
   }
   const double alike = product / std::sqrt(square * readings), factor = product / square;
   if (alike < -0.7)
-    return "the readings run against the model: its layout, or the sign of axial_displacement_um, "
-           "which is positive towards the tool?";
+    return "the readings have the opposite sign of the prediction: check the layout, and the sign "
+           "of axial_displacement_um (positive towards the tool)";
   if (alike > 0.7 && (factor < 0.005 || factor > 200.0))
     return fmt::format(
-        "the readings are about {:.2g} times what the model says: is axial_displacement_um in um?",
+        "the readings are about {:.2g} times the prediction: is axial_displacement_um in um?",
         factor);
   return "";
 }
@@ -187,8 +187,8 @@ std::vector<std::string> ShaftSubject::records_needed(
   if (!record.complete(record::inner_ring_temperature) ||
       !record.complete(record::outer_ring_temperature))
     list.emplace_back(
-        "ring temperatures (inner_ring_temperature_C, outer_ring_temperature_C), which say what "
-        "expands");
+        "ring temperatures (inner_ring_temperature_C, outer_ring_temperature_C), for the thermal "
+        "expansion");
   list.emplace_back(
       "the same speeds up and down, each soon after a change and again when warm, to separate "
       "effects of heat from effects of speed");
@@ -196,7 +196,7 @@ std::vector<std::string> ShaftSubject::records_needed(
 }
 
 model::Expected ShaftSubject::expected() const {
-  const std::string rings = "the value of [arrangement] for all rows, else as mounted";
+  const std::string rings = "the value of [arrangement] for all rows, or the mounted preload";
   model::Expected e;
   e.defaults = {
       {&record::speed, unset, ""},
@@ -207,8 +207,9 @@ model::Expected ShaftSubject::expected() const {
                 {&record::outer_ring_temperature, &record::inner_ring_temperature, rings}};
   e.measured = {&record::axial_displacement, &record::friction_torque};
   e.signed_inputs = {&record::axial_load};
-  e.unused = {{&record::radial_load,
-               "radial_load_N is not used: the sets on a shaft take axial load alone"}};
+  e.unused = {
+      {&record::radial_load,
+       "radial_load_N is not used: for sets on a shaft the program uses only the axial load"}};
   e.coast_down = model().rig.coasts_down();
   e.minimum_speed = model().rig.minimum_speed;
   return e;

@@ -85,7 +85,7 @@ BearingCoupling::BearingCoupling(const model::Model& model,
   Vector cold = Vector::Constant(last + 1, sets_.arrangement().design().mounting_temperature);
   cold[last] = 0.0;
   if (!set_inputs({}) || !bear(cold))
-    throw std::invalid_argument("the belt takes the sets apart at standstill");
+    throw std::invalid_argument("the belt force separates the sets at standstill");
   bent_rest_ = sets_.position() - sets_.sets().position;
 }
 

@@ -388,7 +388,7 @@ std::vector<Region> regions_of(const model::Model& model) {
 
 Layout make_layout(const model::Model& model, model::Cells cells) {
   if (!model.spindle || !model.shaft || model.spindle->network)
-    throw std::invalid_argument("the model is no spindle with [shaft] and [housing]");
+    throw std::invalid_argument("the model is not a spindle with [shaft] and [housing]");
   const Spindle& s = *model.spindle;
   require_separate(s);
   Layout layout;

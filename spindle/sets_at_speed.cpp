@@ -90,7 +90,7 @@ SetsAtSpeed SetsOfSpindle::at(const Inputs& inputs, bool warm) {
   for (std::size_t i = 0; i < count; ++i)
     if (!result.bearings[i].report.converged()) {
       result.message =
-          fmt::format("bearing {} has no stiffness: its balls find no equilibrium", i + 1);
+          fmt::format("bearing {} has no stiffness: its balls have no equilibrium", i + 1);
       return result;
     }
   result.status = Status::converged;

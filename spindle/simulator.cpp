@@ -194,7 +194,7 @@ struct Simulator::Parts {
     last = State{};
     if (start) {
       if (start->temperatures.size() != static_cast<std::size_t>(flow.paths().size()))
-        throw std::invalid_argument("state: it is of another spindle, or of other cells");
+        throw std::invalid_argument("state: it belongs to another spindle or another mesh");
       last = *start;
       flow.start(Eigen::Map<const Vector>(start->temperatures.data(), flow.paths().size()));
       return;
@@ -378,7 +378,7 @@ class Simulator::Passage {
 Simulator::Simulator(const model::Model& model)
     : Simulator(model, effects::spindle_condition(model.effects)) {}
 Simulator::Simulator(const model::Model& model, const effects::SpindleCondition& condition) {
-  if (!model.spindle) throw std::invalid_argument("the model is no spindle");
+  if (!model.spindle) throw std::invalid_argument("the model is not a spindle");
   parts_ = std::make_unique<Parts>(model, condition);
 }
 Simulator::Simulator(const Simulator& other)

@@ -235,7 +235,7 @@ class SpindlePredictor : public fit::Predictor {
 }  // namespace
 
 SpindleSubject::SpindleSubject(const model::Model& model) : ModelSubject(model) {
-  if (!model.spindle) throw std::invalid_argument("the model is of no spindle");
+  if (!model.spindle) throw std::invalid_argument("the model is not a spindle");
 }
 
 SpindleSubject::SpindleSubject(const model::Model& model, std::vector<std::string> waiting)
@@ -264,14 +264,14 @@ void SpindleSubject::require(const fit::Record& record) const {
   for (const record::Channel* needed : {&record::time, &record::speed})
     if (!record.complete(*needed))
       throw std::invalid_argument(
-          fmt::format("{}: a spindle runs through time: {} of every row is needed", record.source,
-                      needed->name));
+          fmt::format("{}: a spindle needs {} in every row, because it is simulated over time",
+                      record.source, needed->name));
   const std::vector<fit::Measured> all = measured();
   if (std::none_of(all.begin(), all.end(),
                    [&](const fit::Measured& m) { return record.has(*m.channel); })) {
     std::vector<std::string_view> names;
     for (const fit::Measured& m : all) names.push_back(m.channel->name);
-    throw std::invalid_argument(fmt::format("{}: holds nothing that the model predicts: {}",
+    throw std::invalid_argument(fmt::format("{}: has no column that the model predicts: {}",
                                             record.source, fmt::join(names, ", ")));
   }
   (void)runs_of(record);
@@ -326,8 +326,8 @@ std::string SpindleSubject::lacks(const std::string& id, const fit::Record& reco
   if (std::string need = ModelSubject::lacks(id, record); !need.empty()) return need;
   const effects::Description* const d = description(id);
   if (d && d->condition && !d->as_mounted)
-    return "a model of the sets alone, without [shaft] and [housing]: heat and friction are looked "
-           "for in a spindle";
+    return "a model of the sets only, without [shaft] and [housing]: heat and friction of a "
+           "spindle have their own effects";
   if (d && d->spindle && model().spindle->network)
     return "a model with a geometry, in place of [network]";
   return {};

@@ -187,8 +187,7 @@ StepFit fit_step(std::span<const double> time, std::span<const double> displacem
 std::vector<double> fit_decay(std::span<const double> time, std::span<const double> displacement,
                               std::span<const double> gains) {
   check_step(time, displacement);
-  if (gains.empty() || gains.size() > 2)
-    throw std::invalid_argument("a decay is of one or two lags");
+  if (gains.empty() || gains.size() > 2) throw std::invalid_argument("a decay has one or two lags");
   const Eigen::Map<const Eigen::VectorXd> t(time.data(), static_cast<Eigen::Index>(time.size())),
       u(displacement.data(), static_cast<Eigen::Index>(displacement.size()));
   const auto [lower, upper] = log_bounds(time);

@@ -133,10 +133,10 @@ void check_step_options(std::span<const double> speeds, const StepOptions& optio
   for (const double speed : speeds)
     if (!(speed > 0.0) || !std::isfinite(speed))
       throw std::invalid_argument(
-          fmt::format("speed = {:.6g} rpm: a step needs one above 0 rpm", speed / rpm));
+          fmt::format("speed = {:.6g} rpm: must be above 0 rpm for a step", speed / rpm));
   if (!(options.row > 0.0) || !(options.duration >= 3.0 * options.row))
     throw std::invalid_argument(
-        fmt::format("{:.6g} s with rows of {:.6g} s: a step response needs three rows at least",
+        fmt::format("{:.6g} s with rows every {:.6g} s: a step response needs at least three rows",
                     options.duration, options.row));
 }
 

@@ -53,7 +53,7 @@ double heat_of(const model::HeatSource& source, const model::Spindle& spindle,
   std::vector<double> used;
   for (const std::size_t k : source.formula->used()) {
     if (std::isnan(values[k]))
-      throw std::invalid_argument(fmt::format("heat of {}: \"{}\" goes by {}, which is not given",
+      throw std::invalid_argument(fmt::format("heat of {}: \"{}\" needs {}, which is not given",
                                               source.name, source.formula->text(),
                                               model::heat_variables[k]));
     used.push_back(values[k]);

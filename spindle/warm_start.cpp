@@ -65,7 +65,7 @@ std::string WarmStart::statement() const {
       "the thermometers are up to {:.2g} K above the room in the first row: the spindle starts "
       "warm, as after {:.2g} h at {:.0f} rpm{}",
       rise, duration / 3600.0, inputs.speed / rpm,
-      zeroed ? ", and the zero of its displacement is what fits the readings" : "");
+      zeroed ? ", and the zero of the displacement follows from the fit to the readings" : "");
 }
 
 std::optional<WarmStart> find_warm_start(const model::Model& model, const record::Record& run,

@@ -15,7 +15,7 @@ namespace raceway::tolerance {
 
 record::Note stays_note(const record::Parameter& p) {
   return record::note::unknown(
-      fmt::format("{} stays at {} by its prior (± {}): the record cannot tell it", p.name,
+      fmt::format("{} stays at its prior, {} ± {}: the record does not determine it", p.name,
                   verdict::with_unit(p.value, p.unit, 4),
                   verdict::with_unit(p.prior.std, p.unit, 2)),
       {.key = p.name});
@@ -125,7 +125,7 @@ std::string better_before(const fit::Subject& before, const Approximation& a, co
                       (read.size() > 1 ? fmt::format(" of {}", channels[c].channel->words) : ""));
   }
   if (texts.empty()) return {};
-  return fmt::format(", and before the fit by {}: the record does not make it better",
+  return fmt::format(", and before the fit it was {}: the record does not improve the model",
                      verdict::joined(texts, "and"));
 }
 
@@ -147,9 +147,10 @@ verdict::Calibration calibration_of(const fit::Subject& before, const Approximat
       result.correlation(i, j) =
           errors.covariance(i, j) / std::sqrt(errors.covariance(i, i) * errors.covariance(j, j));
     if (p.at_bound != record::Bound::none)
-      result.messages.push_back(record::note::at_bound(
-          fmt::format("{} = {} ends at a bound", p.name, verdict::with_unit(p.value, p.unit, 4)),
-          {.key = p.name}));
+      result.messages.push_back(
+          record::note::at_bound(fmt::format("{} = {} is at a bound of its range", p.name,
+                                             verdict::with_unit(p.value, p.unit, 4)),
+                                 {.key = p.name}));
   }
   const auto told = count + std::ssize(fit.stays);
   result.correlation.conservativeResizeLike(Eigen::MatrixXd::Identity(told, told));
@@ -184,10 +185,9 @@ verdict::Calibration calibration_of(const fit::Subject& before, const Approximat
   if (!std::isfinite(fit.rms_held_out)) return result;
   result.rms_held_out =
       in_SI(fit.channel_held_out.at(read.front()), channels[read.front()], record);
-  result.messages.push_back(
-      record::note::misfit(fmt::format("on parts of the record that no fit saw it errs by {}{}",
-                                       held_out_text(fit, channels, read, record),
-                                       better_before(before, on_means, means, channels, read))));
+  result.messages.push_back(record::note::misfit(
+      fmt::format("the held-out error is {}{}", held_out_text(fit, channels, read, record),
+                  better_before(before, on_means, means, channels, read))));
   return result;
 }
 
@@ -200,7 +200,8 @@ verdict::Calibration calibrate_approximation(const fit::Subject& subject,
   const auto of = informed(subject, record);
   const Recorded on = means_of_record(*of, record);
   if (on.means.size() == 0)
-    throw std::invalid_argument(record.source + ": nothing was read that the model predicts");
+    throw std::invalid_argument(record.source +
+                                ": the record has no column that the model predicts");
   Approximation fit = approximate(of, on, of->free());
   require_fit(fit);
   require_readings(fit, on, record);
@@ -259,8 +260,10 @@ verdict::AddResult add_approximation(const fit::Subject& subject, std::span<cons
   result.messages.insert(result.messages.begin(), without.notes.begin(), without.notes.end());
   for (const fit::Candidate* c : chosen)
     if (c->of_reading)
-      result.messages.push_back(record::note::limits(fmt::format(
-          "{} cleans this record: it is carried neither to another one nor to a control", c->id)));
+      result.messages.push_back(
+          record::note::limits(fmt::format("{} only removes a disturbance from this record: it is "
+                                           "not used for another record or in a control",
+                                           c->id)));
   const bool within = std::all_of(
       result.channels.begin(), result.channels.end(),
       [](const verdict::ChannelGain& gain) { return gain.rmse_held_out_before <= gain.tolerance; });
@@ -269,13 +272,13 @@ verdict::AddResult add_approximation(const fit::Subject& subject, std::span<cons
     for (const verdict::ChannelGain& gain : result.channels)
       tolerances.push_back(verdict::reading_text(gain.channel(), gain.tolerance));
     result.reason = fmt::format(
-        "without it the model errs by {} on parts held out, within the tolerance of {}: what is "
-        "missing does not matter",
+        "without it the held-out error is {}, which is within the tolerance of {}: the model needs "
+        "no further effect",
         held_out_text(base, channels, read, record), verdict::joined(tolerances, "and"));
   } else if (!(with.rms_held_out < base.rms_held_out)) {
-    result.reason = fmt::format("on parts held out the error does not fall ({} without, {} with)",
-                                held_out_text(base, channels, read, record),
-                                held_out_text(with, channels, read, record));
+    result.reason = fmt::format(
+        "the held-out error does not fall ({} without the effect, {} with it)",
+        held_out_text(base, channels, read, record), held_out_text(with, channels, read, record));
   }
   result.refused = !result.reason.empty();
   return result;

@@ -119,7 +119,7 @@ class Inquiry {
     hold_out(base_, recorded_);
     if (std::isnan(base_.rms_held_out))
       throw std::invalid_argument(
-          "no part of these readings can be held out, so they allow no verdict");
+          "no part of these readings can be held out, so diagnose cannot give a verdict");
     describe();
     step(0.15, "refitting with each effect");
     try_singles();
@@ -174,9 +174,8 @@ class Inquiry {
       all_go_one_way = all_go_one_way && goes_one_way(recorded_.means, c);
     if (all_go_one_way)
       throw std::invalid_argument(
-          "this record cannot validate a model: it goes from one state to another once, so that no "
-          "part of it can be held out and told from the rest; record a cool-down with it, or a "
-          "second profile");
+          "this record cannot validate a model: it goes from one state to another only once, so no "
+          "part can test a fit to the rest. Record a cool-down as well, or a second speed profile");
   }
 
   /// Means of one channel.
@@ -215,19 +214,19 @@ class Inquiry {
     for (std::size_t k = 0; k < base_.names.size(); ++k)
       if (base_.fit.at_bound[k])
         result_.messages.push_back(record::note::at_bound(
-            fmt::format("{} = {} ends at a bound: the record cannot tell it, or something is "
-                        "missing",
-                        base_.parameters[k].name,
-                        verdict::with_unit(base_.parameters[k].value, base_.parameters[k].unit)),
+            fmt::format(
+                "{} = {} is at a bound: the record does not determine it, or an effect is missing",
+                base_.parameters[k].name,
+                verdict::with_unit(base_.parameters[k].value, base_.parameters[k].unit)),
             {.key = base_.parameters[k].name}));
     for (const record::Parameter& p : base_.stays) result_.messages.push_back(stays_note(p));
     for (const fit::Blocking& b : subject_->blockings(record_))
       if (!b.untold.empty())
-        result_.messages.push_back(record::note::plan(fmt::format(
-            "{} {} in one part of the record alone. That part is not held out, so what follows {} "
-            "is not tested: record such a phase twice",
-            fmt::join(b.untold, ", "), b.untold.size() == 1 ? "changes" : "change",
-            b.untold.size() == 1 ? "it" : "them")));
+        result_.messages.push_back(record::note::plan(
+            fmt::format("{} {} only in one part of the record. The program cannot hold out this "
+                        "part, so the model is not tested after {}: record such a phase twice",
+                        fmt::join(b.untold, ", "), b.untold.size() == 1 ? "changes" : "change",
+                        b.untold.size() == 1 ? "it" : "them")));
     for (const std::string& id : subject_->catalogue())
       if (std::string why = subject_->lacks(id, record_); !why.empty())
         result_.not_testable.push_back({id, "needs " + why});
@@ -300,8 +299,7 @@ class Inquiry {
   void leave_out_what_is_not_felt() {
     for (const Tried& t : singles_)
       if (!is_felt(t))
-        result_.not_testable.push_back(
-            {t.on.front()->id, "no reading depends on it, whatever its size"});
+        result_.not_testable.push_back({t.on.front()->id, "no reading depends on it"});
     std::erase_if(singles_, [&](const Tried& t) { return !is_felt(t); });
   }
 
@@ -433,10 +431,10 @@ class Inquiry {
       if (is_worth_its_column(*column, least) &&
           std::all_of(near.begin(), near.end(), [](const Tried* t) { return t->is_wrong_data(); }))
         return false;
-      result_.messages.push_back(record::note::plan(
-          fmt::format("{} follows the displacement more closely ({}), without a mechanism: is it "
-                      "the body that moves?",
-                      column->ids().front(), error(*column))));
+      result_.messages.push_back(
+          record::note::plan(fmt::format("{} follows the displacement more closely ({}), but "
+                                         "without a mechanism. Is this the part that moves?",
+                                         column->ids().front(), error(*column))));
     }
     found_ = std::move(near);
     result_.verdict = found_.size() == 1 ? verdict::Verdict::effect : verdict::Verdict::ambiguous;
@@ -667,9 +665,10 @@ class Inquiry {
     if (!best.shown) explain(best);
     for (const fit::Candidate* c : best.on)
       if (c->of_reading)
-        result_.messages.push_back(record::note::limits(fmt::format(
-            "{} cleans this record: it is carried neither to another one nor to a control",
-            c->id)));
+        result_.messages.push_back(
+            record::note::limits(fmt::format("{} only removes a disturbance from this record: it "
+                                             "is not used for another record or in a control",
+                                             c->id)));
   }
 
   /// What the readings are made of, with the best.
@@ -726,15 +725,14 @@ class Inquiry {
   [[nodiscard]] std::string sentence() const {
     const fit::Measured& worst = channels_[worst_channel(base_.channel_held_out)];
     const std::string tolerance = verdict::reading_text(*worst.channel, worst.tolerance);
-    const std::string base =
-        fmt::format("on parts held out the refitted model errs by {}, of {} tolerated",
-                    error(base_), tolerance);
+    const std::string base = fmt::format(
+        "the held-out error of the refitted model is {} (tolerance {})", error(base_), tolerance);
     switch (result_.verdict) {
       case verdict::Verdict::nothing_missing:
-        return fmt::format("Nothing is missing that matters: {}.{}", base,
+        return fmt::format("No important effect is missing: {}.{}", base,
                            result_.significant_but_immaterial.empty()
                                ? ""
-                               : " Better, but within the tolerance: " +
+                               : " Small improvements within the tolerance: " +
                                      verdict::joined(result_.significant_but_immaterial, "and") +
                                      ".");
       case verdict::Verdict::effect: {
@@ -750,27 +748,27 @@ class Inquiry {
       }
       case verdict::Verdict::ambiguous:
         return fmt::format(
-            "{}: {}; the first leaves {}, and the others come so near that this record "
-            "cannot tell which of them it is.",
+            "{}: {}; with the first the error is {}. The others are nearly as good, so this record "
+            "does not decide between them.",
             found_text(), base, error(*found_.front()));
       case verdict::Verdict::several_effects:
         return fmt::format(
-            "Consistent with {}: {}; no single effect brings it within (best {} {}), "
-            "together {}.",
+            "Consistent with {}: {}; no single effect reaches the tolerance (best: {}, {}), "
+            "together they give {}.",
             found_text(), base, singles_.front().ids().front(), error(singles_.front()),
             error(*found_.front()));
       case verdict::Verdict::effect_like:
         return fmt::format(
-            "Something is missing that matters: {}; {} takes most of it, and leaves {}: "
-            "more than one thing is missing, or another law.{}",
+            "An important effect is missing: {}; {} explains most of the misfit, but the error "
+            "remains {}: several effects are missing, or another law.{}",
             base, found_text(), error(*found_.front()), course_text());
       case verdict::Verdict::not_in_catalogue:
         break;
     }
-    return fmt::format("Something is missing that nothing in the catalogue explains: {}{}.{}", base,
+    return fmt::format("An effect is missing that is not in the catalogue: {}{}.{}", base,
                        singles_.empty()
                            ? ""
-                           : fmt::format("; the nearest, {}, leaves {}",
+                           : fmt::format("; the best effect of the catalogue, {}, leaves {}",
                                          singles_.front().ids().front(), error(singles_.front())),
                        course_text());
   }
@@ -782,10 +780,10 @@ class Inquiry {
       std::vector<std::string> parts;
       for (const auto& [from, to] : result_.course->when)
         parts.push_back(fmt::format("{:.2f} to {:.2f} h", from / 3600, to / 3600));
-      text += " It errs most from " + verdict::joined(parts, "and") + ".";
+      text += " The error is largest from " + verdict::joined(parts, "and") + ".";
     }
     if (std::isfinite(result_.course->period))
-      text += fmt::format(" It comes back every {:.3g} min.", result_.course->period / 60);
+      text += fmt::format(" It repeats every {:.3g} min.", result_.course->period / 60);
     return text;
   }
 

@@ -27,7 +27,7 @@ std::optional<fit::OtherBase> other_base_of(const fit::Subject& subject,
     if (std::find(ids.begin(), ids.end(), base.id) == ids.end()) continue;
     if (ids.size() > 1)
       throw std::invalid_argument(base.id +
-                                  " is taken by itself; add effects to the model that has it");
+                                  " must be added alone; then add effects to the new model");
     return std::move(base);
   }
   return std::nullopt;
@@ -98,7 +98,8 @@ class Addition {
         const std::string levels = problem_.subject->lacks_levels(id, *problem_.record);
         throw std::invalid_argument(
             levels.empty()
-                ? fmt::format("{}: on these data the free parameters of the model do the same", id)
+                ? fmt::format(
+                      "{}: on these data the free parameters of the model have the same effect", id)
                 : fmt::format("{}: the data lack {}", id, levels));
       }
       members_.push_back(k);
@@ -193,16 +194,16 @@ class Addition {
         errors.push_back(fmt::format("{:.4g} -> {}", c.rmse_held_out_before / c.channel().factor,
                                      reading_text(c.channel(), c.rmse_held_out_after, 4)));
       return fmt::format(
-          "no better than chance: {} on rows that the fit did not see, fall of -2 ln L by {:.1f} "
-          "(needed {:.1f})",
+          "not better than chance: {} on held-out rows; -2 ln L falls by {:.1f} (needed {:.1f})",
           joined(errors, "and"), found_.gain, needed);
     }
     if (const std::string material = immaterial(result); !material.empty()) return material;
     if (const std::string idle = idle_member(needed_each); !idle.empty())
-      return idle + " adds nothing to the others";
+      return idle + " explains nothing beyond the others";
     if (const auto rival = better_rival())
       return fmt::format(
-          "{} leaves structure (p = {:.1g}), and {} explains these data to the noise (p = {:.2g})",
+          "{} leaves a systematic residual (p = {:.1g}), but {} explains these data down to the "
+          "noise (p = {:.2g})",
           ids_.front(), found_.recheck.p_value(), problem_.candidates[rival->members.front()].id(),
           rival->recheck.p_value());
     return {};
@@ -217,7 +218,7 @@ class Addition {
       if (!(c.rmse_held_out_before <= c.tolerance)) return {};
     }
     if (!given) return {};
-    return fmt::format("within the tolerance without it: {} on rows that the fit did not see",
+    return fmt::format("the held-out error is within the tolerance without it: {}",
                        reading_text(result.channels.front().channel(),
                                     result.channels.front().rmse_held_out_before));
   }
@@ -269,7 +270,7 @@ std::unique_ptr<fit::Subject> with_found_shape(const fit::Subject& subject, cons
   if (shape) with = subject.with_shape(id, *shape);
   if (!with)
     throw std::invalid_argument(std::string(added_shape) +
-                                ": no power of the inputs describes what is missing here");
+                                ": no power law of the inputs describes the missing effect");
   return with;
 }
 

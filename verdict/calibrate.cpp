@@ -46,8 +46,8 @@ double error_factor(double misfit, bool noise_known, Calibration& result) {
   const double factor = fit::widening(misfit, freedom);
   if (factor > 1.0)
     result.messages.push_back(record::note::misfit(fmt::format(
-        "the misfit exceeds the noise of the data (chi2/dof = {:.3g}): standard errors are widened "
-        "by {:.3g}, and do not cover what a missing effect does to the values",
+        "the misfit exceeds the noise of the data (chi2/dof = {:.3g}): the standard errors are "
+        "multiplied by {:.3g}. They do not include the influence of a missing effect",
         reduced, factor)));
   return factor;
 }
@@ -68,8 +68,8 @@ void tell_bounds(Calibration& result) {
   for (const record::Parameter& p : result.parameters)
     if (p.at_bound != record::Bound::none)
       result.messages.push_back(record::note::at_bound(
-          fmt::format("{} ends at its {} bound, {}: the data prefer a value beyond it, or the "
-                      "model lacks something",
+          fmt::format("{} is at its {} bound, {}: the data prefer a value beyond it, or an effect "
+                      "is missing in the model",
                       p.name, p.at_bound == record::Bound::lower ? "lower" : "upper",
                       with_unit(p.value, p.unit, 5)),
           {.key = p.name}));
@@ -112,11 +112,11 @@ void take_fit(const fit::Response& response, const fit::ResponseFit& fit,
   tell_bounds(result);
   for (const ChannelError& c : result.channels)
     if (c.rmse_after > c.rmse_before)
-      result.messages.push_back(record::note::misfit(fmt::format(
-          "the RMS error of {} rises, {:.4g} -> {}: readings are weighed by their noise, not all "
-          "alike",
-          c.channel->words, c.rmse_before / c.channel->factor,
-          reading_text(*c.channel, c.rmse_after, 4))));
+      result.messages.push_back(
+          record::note::misfit(fmt::format("the RMS error of {} rises, {:.4g} -> {}, because the "
+                                           "fit weights each reading by its noise",
+                                           c.channel->words, c.rmse_before / c.channel->factor,
+                                           reading_text(*c.channel, c.rmse_after, 4))));
   result.likelihood = likelihood_of_fit(fit.misfit, observed, whitening, noise_known, result);
   result.error_factor = error_factor(fit.misfit, noise_known, result);
   const Eigen::MatrixXd jacobian = whitening(fit.slope);
@@ -159,12 +159,11 @@ fit::ResponseFit fit_with_excess(const fit::Response& response, fit::ResponseFit
   for (std::size_t c = 0; c < channels; ++c)
     if (excess[c] > 0.0) {
       weighed.by_misfit = true;
-      result.messages.push_back(record::note::misfit(
-          fmt::format("misfit exceeds the standard deviations of the rows (chi2/dof = {:.3g}); {} "
-                      "were added to "
-                      "each, by which weights are evened out and standard errors are widened",
-                      chi_square / (static_cast<double>(observed.size()) * (1.0 - share)),
-                      reading_text(*observed.channels[c].channel, excess[c]))));
+      result.messages.push_back(record::note::misfit(fmt::format(
+          "the misfit exceeds the standard deviations of the rows (chi2/dof = {:.3g}): the fit "
+          "adds {} to each, so the weights become more equal and the standard errors larger",
+          chi_square / (static_cast<double>(observed.size()) * (1.0 - share)),
+          reading_text(*observed.channels[c].channel, excess[c]))));
     }
   return fit;
 }
@@ -287,7 +286,7 @@ Calibration fit_moving(const fit::Subject& started, const std::optional<Evidence
         if (const std::string needed = p.held ? "" : started.lacks(p.name, *weighed.problem.record);
             !needed.empty())
           fitted.messages.push_back(record::note::not_identifiable(
-              fmt::format("{} needs {}: its value says little", p.name, needed), {.key = p.name}));
+              fmt::format("{} needs {}: its value is uncertain", p.name, needed), {.key = p.name}));
       if (options.profile) profile(made);
       return std::move(fitted);
     }
@@ -305,13 +304,12 @@ Calibration fit_moving(const fit::Subject& started, const std::optional<Evidence
     }
     result.messages.push_back(record::note::not_identifiable(
         lost->at_bound != record::Bound::none
-            ? fmt::format("{} is not fixed by these data: a fit carries it to its bound, {}; it is "
-                          "held at {}. Do sign and unit of the readings agree with the model?",
+            ? fmt::format("these data do not determine {}: the fit ends at its bound, {}, so the "
+                          "program keeps it at {}. Check sign and unit of the readings",
                           p.name, carried, held)
-            : fmt::format(
-                  "{} is not fixed by these data: a fit carries it to {}, where a change as "
-                  "large as its range is lost in the noise; it is held at {}",
-                  p.name, carried, held),
+            : fmt::format("these data do not determine {}: the fit ends at {}, where even a change "
+                          "by its whole range is below the noise. The program keeps it at {}",
+                          p.name, carried, held),
         {.key = p.name}));
   }
 }
@@ -334,10 +332,10 @@ Calibration calibrate_by_noise(const fit::Subject& subject, const record::Record
   result.rows_not_predicted = problem.not_predicted;
   const std::size_t count = result.parameters.size();
   if (static_cast<std::size_t>(observed.size()) < count)
-    throw std::invalid_argument(fmt::format(
-        "{}: {} rows can be predicted, {} parameters are free: at least as many rows as parameters "
-        "are needed",
-        record.source, observed.size(), count));
+    throw std::invalid_argument(
+        fmt::format("{}: {} rows can be predicted, but {} parameters are free: a fit needs at "
+                    "least one row for each free parameter",
+                    record.source, observed.size(), count));
   if (!problem.not_predicted.empty())
     result.messages.push_back(
         record::note::rows_used(fmt::format("{} of {} rows have no prediction and are not used",

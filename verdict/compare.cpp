@@ -261,16 +261,15 @@ std::string statement_of(const Comparison& c) {
                                 : "";
   const bool tested = std::isfinite(test.p_value);
   if (c.judgement == Judgement::structure && tested)
-    return fmt::format("{} is structure, not noise ({}): {}{}.", misfit, noise, statistic, place);
+    return fmt::format("{} is systematic, not noise ({}): {}{}.", misfit, noise, statistic, place);
   if (c.judgement == Judgement::noise)
-    return fmt::format("{} is no larger than the noise ({}) explains: {}.", misfit, noise,
-                       statistic);
+    return fmt::format("{} agrees with the noise ({}): {}.", misfit, noise, statistic);
   const std::string why =
       "the noise of these data is not known (no repeated rows, no declared std)";
   if (c.judgement == Judgement::structure)
     return fmt::format(
-        "{} is structure at least in part: neighbours in {} err alike (correlation {:.2f}, {}), "
-        "while {}{}.",
+        "{} is systematic at least in part: neighbours in {} have similar residuals (correlation "
+        "{:.2f}, {}), but {}{}.",
         misfit, c.pattern.along->words, c.pattern.correlation, p_value_text(c.pattern.p_value), why,
         place);
   if (std::isfinite(c.pattern.p_value))

@@ -57,9 +57,9 @@ std::string Investigation::sentence() const {
            hidden_text();
   if (outside_the_inputs())
     return fmt::format(
-        "Something is missing that is in no input of the model: at nearly equal operating points "
-        "runs differ by {:.0f} % ({}; {}), which no law of these inputs can do. Find what changes "
-        "from run to run before adding an effect.",
+        "The cause is not an input of the model: at nearly equal operating points runs differ by "
+        "{:.0f} % ({}; {}), and no law of these inputs can explain that. Find out what changes "
+        "from run to run before you add an effect.",
         100.0 * hidden_->scatter, p_text(hidden_->run_p_value), difference_text(record_, *hidden_));
   switch (finding_.kind) {
     case Finding::Kind::single:
@@ -82,24 +82,23 @@ std::string Investigation::sentence() const {
 std::string Investigation::hidden_text() const {
   if (!hidden_) return {};
   return fmt::format(
-      " But readings at nearly equal operating points differ by {:.0f} % ({}), more than such "
-      "readings scatter: something that is in no input of the model may change from row to row.",
+      " But readings at nearly equal operating points differ by {:.0f} % ({}), which is more than "
+      "their noise: a cause that is not an input of the model may change from row to row.",
       100.0 * hidden_->scatter, difference_text(record_, *hidden_));
 }
 
 /// What the explanation leaves, against the noise or what is allowed.
 std::string Investigation::remains_text() const {
   if (!result_.tolerance_limited())
-    return fmt::format("what remains is at noise level (p = {:.2g})", result_.remaining_p_value);
+    return fmt::format("the residual is at noise level (p = {:.2g})", result_.remaining_p_value);
   std::vector<std::string> errors;
   for (const ChannelDiagnosis& c : result_.channels)
     if (std::isfinite(c.tolerance))
       errors.push_back(
-          fmt::format("{:.3g} of {} allowed",
+          fmt::format("{:.3g} (tolerance {})",
                       fit::beyond_noise(c.rmse_held_out_after, c.noise.rms) / c.channel().factor,
                       reading_text(c.channel(), c.tolerance)));
-  return fmt::format("what remains beyond the noise on blocks held out within the range is {}",
-                     joined(errors, "and"));
+  return fmt::format("the held-out error beyond the noise is {}", joined(errors, "and"));
 }
 
 /// Which of some explanations would be wrong data, and where to look first.
@@ -118,9 +117,10 @@ std::string Investigation::data_text(const Set& set) const {
   for (const Explanation* e : set)
     if (e->elastic) bent.push_back(id_of(*e));
   const std::string by_another_law =
-      bent.empty() ? ""
-                   : fmt::format(" {} only by a slightly other law than the catalogue's.",
-                                 joined(bent, "and"));
+      bent.empty()
+          ? ""
+          : fmt::format(" {} fits only with exponents that differ slightly from the catalogue.",
+                        joined(bent, "and"));
   return fmt::format("{} {} would be wrong data, not missing physics: check {} first.",
                      by_another_law, joined(ids, "and"), joined(data, "and"));
 }
@@ -132,7 +132,7 @@ std::string Investigation::single_text() const {
     return fmt::format("Something is missing ({}); it acts like {}, {}: {}.{}",
                        p_text(result_.p_value), joined_sets(set),
                        !plausible_ ? "but of an implausible size"
-                       : !holds_   ? "but the hold-out does not confirm it"
+                       : !holds_   ? "but the held-out rows do not confirm it"
                                    : doubt_,
                        size_text(problem_, best), is_a_shape_alone(set) ? rivals_text() : "");
   if (set.size() == 1) {
@@ -153,14 +153,13 @@ std::string Investigation::single_text() const {
   }
   if (result_.tolerance_limited())
     return fmt::format(
-        "{}: {}, and the others come as near, so that these data cannot tell which of them it "
-        "is.{}{}",
+        "{}: {}. The others are equally good, so these data do not decide between them.{}{}",
         joined_sets(set), remains_text(), data_text(set), measure_text(result_));
   return fmt::format(
-      "{} cannot be told apart on these data (difference {:.1f}, needed {:.0f}); one of them is "
-      "{} ({}).{}{}",
+      "These data cannot separate {} (difference {:.1f}, needed {:.0f}); one of them is {} "
+      "({}).{}{}",
       joined_sets(set), std::abs(best.gain - set[1]->gain), within_reach,
-      data_text(set).empty() ? "missing" : "it", p_text(result_.p_value), data_text(set),
+      data_text(set).empty() ? "missing" : "the cause", p_text(result_.p_value), data_text(set),
       measure_text(result_));
 }
 
@@ -173,7 +172,7 @@ std::string Investigation::rivals_text() const {
         search_->is_physics(e) && sizes_plausible(problem_, e))
       near.push_back(fmt::format("{} ({:.0f} behind)", id_of(e), best - e.gain));
   if (near.empty()) return "";
-  return fmt::format(" Physical effects that come nearest: {}.", joined(near, "and"));
+  return fmt::format(" Physical effects with the most similar shape: {}.", joined(near, "and"));
 }
 
 std::string Investigation::several_text() const {
@@ -181,16 +180,16 @@ std::string Investigation::several_text() const {
   const Explanation& best = *set.front();
   if (!holds_)
     return fmt::format(
-        "Something is missing ({}); {} would do in sample, but the hold-out does not confirm it.",
+        "Something is missing ({}); {} explains the rows of the fit, but the held-out rows do not "
+        "confirm it.",
         p_text(result_.p_value), id_of(best));
   if (!doubt_.empty())
-    return fmt::format("Something is missing ({}); it acts like {} at once, {}: {}.",
+    return fmt::format("Something is missing ({}); it acts like {} together, {}: {}.",
                        p_text(result_.p_value), id_of(best), doubt_, size_text(problem_, best));
   return fmt::format(
-      "Consistent with {} at once, {}; gain {:.0f}, the least of them {:.0f}; {}.{} Error "
-      "{}{}.{}{}",
+      "Consistent with {} together, {}; gain {:.0f}, smallest part {:.0f}; {}.{} Error {}{}.{}{}",
       id_of(best), size_text(problem_, best), best.gain, best.least_loss, remains_text(),
-      set.size() > 1 ? fmt::format(" {} other set(s) do as well.", set.size() - 1) : "",
+      set.size() > 1 ? fmt::format(" {} other set(s) are equally good.", set.size() - 1) : "",
       error_text(result_), shifts(), data_text(set) + instead_text(), measure_text(result_));
 }
 
@@ -204,15 +203,17 @@ std::string Investigation::instead_text() const {
       if (const fit::Candidate& c = problem_.candidates[k].candidate; c.datum.empty())
         beside.insert(c.id);
   const std::string effects = joined({beside.begin(), beside.end()}, "or");
-  return fmt::format(" {} would do as well:{}",
-                     effects.empty() ? "Wrong data alone" : effects + " beside wrong data", data);
+  return fmt::format(" {} would explain the misfit as well:{}",
+                     effects.empty() ? "Wrong data alone" : effects + " together with wrong data",
+                     data);
 }
 
 std::string Investigation::base_laws_text() const {
   const Explanation& both = *finding_.set.front();
   return fmt::format(
-      "Something is missing ({}); {} together would do, {}, {}, but the lesser adds {:.0f}, less "
-      "than two at once must show: the base law has another shape, or an effect acts alike.",
+      "Something is missing ({}); {} together explain it, {}, {}. But the weaker effect adds a "
+      "gain of only {:.0f}, which is too little for a pair: the base law has another shape, or "
+      "another effect has a similar shape.",
       p_text(result_.p_value), id_of(both), size_text(problem_, both), remains_text(),
       both.least_loss);
 }
@@ -227,16 +228,16 @@ std::string Investigation::bent_text() const {
   for (const record::NamedValue& e : set.front()->exponents)
     exponents.push_back(fmt::format("{} {:+.2f}", e.name, e.value));
   return fmt::format(
-      "Something is missing; it acts like {} but not with the catalogue's law (pure law rejected, "
-      "{}; exponents {}): either that effect with another law, or an effect outside the catalogue "
-      "that acts alike.",
+      "Something is missing; it acts like {}, but with other exponents than the catalogue (law of "
+      "the catalogue rejected, {}; exponents {}): this effect has another law here, or a similar "
+      "effect is not in the catalogue.",
       joined_sets(set), p_text(pure), fmt::join(exponents, ", "));
 }
 
 std::string Investigation::partly_text() const {
   return fmt::format(
-      "Something is missing that matters; {} takes more than half of the misfit, {}: {}. More than "
-      "one thing is missing, or another law.",
+      "An important effect is missing; {} explains more than half of the misfit, {}: {}. Several "
+      "effects are missing, or another law.",
       joined_sets(finding_.set), size_text(problem_, *finding_.set.front()), remains_text());
 }
 
@@ -248,9 +249,9 @@ std::string Investigation::unexplained_text() const {
         result_.shape->statement, 100.0 * result_.shape->explained_share);
   std::string pairs;
   if (const auto& weak = search_->weak_pairs(); !weak.empty())
-    pairs = " Pairs that would do, without being shown: " + joined(weak.front(), "and") +
+    pairs = " Pairs that could explain it, but are not proved: " + joined(weak.front(), "and") +
             (weak.size() > 1 ? fmt::format(" and {} more.", weak.size() - 1) : ".");
-  return fmt::format("Something is missing ({}) that nothing in the catalogue explains.{}{}{}",
+  return fmt::format("Something is missing ({}) that no effect of the catalogue explains.{}{}{}",
                      p_text(result_.p_value), nearest_text(), shape, pairs);
 }
 
@@ -270,13 +271,13 @@ std::string Investigation::nearest_text() const {
   const ChannelDiagnosis& first = result_.channels.front();
   const double left = rms_of(*near.front()).front();
   std::string text =
-      fmt::format(" Nearest: {}; {} {:.0f} % of the misfit away and leaves {}", joined_sets(near),
-                  near.size() > 1 ? "the first takes" : "it takes", 100.0 * taken(*near.front()),
-                  reading_text(first.channel(), left));
+      fmt::format(" Best candidate: {}; {} {:.0f} % of the misfit and leaves {}", joined_sets(near),
+                  near.size() > 1 ? "the first explains" : "it explains",
+                  100.0 * taken(*near.front()), reading_text(first.channel(), left));
   const double ratio = left / first.noise.rms;
   if (ratio > 2.0)
-    text += fmt::format(", {:.0f} times the noise: more than one thing is missing, or another law",
-                        ratio);
+    text +=
+        fmt::format(", {:.0f} times the noise: several effects are missing, or another law", ratio);
   return text + ".";
 }
 
@@ -287,20 +288,19 @@ std::string Investigation::other_bases_text() const {
   if (!result_.given_other_base) {
     std::vector<std::string> words;
     for (const OtherBaseTried& b : result_.other_bases) words.push_back(b.words);
-    return fmt::format(" {} in the place of the base law would come no nearer.",
-                       joined(words, "or"));
+    return fmt::format(" {} instead of the base law would not be better.", joined(words, "or"));
   }
   const ChannelDiagnosis& first = result_.channels.front();
   const std::string fall = fmt::format(
       "error {:.3g} -> {}, gain {:.0f} (needed {:.1f})", first.rmse_before / first.channel().factor,
       reading_text(first.channel(), best.rmse.front()), best.gain, result_.needed_gain);
-  const std::string take = fmt::format("raceway add MODEL {} takes it", best.id);
+  const std::string take = fmt::format("use it with: raceway add MODEL {}", best.id);
   if (best.explains) return fmt::format(" {} explains these data: {}; {}.", best.words, fall, take);
   std::vector<std::string> sets;
   for (const std::vector<std::string>& set : result_.given_other_base->sets)
     sets.push_back(joined(set, "and"));
   const std::string names = sets.empty() ? "" : ": " + joined(sets, "or");
-  return fmt::format(" {} comes nearer: {}; {}. Given {} the verdict is {}{}.", best.words, fall,
+  return fmt::format(" {} fits better: {}; {}. With {} the verdict is {}{}.", best.words, fall,
                      take, best.words, name(result_.given_other_base->verdict), names);
 }
 

@@ -82,8 +82,8 @@ bool require_rows(const fit::Problem& problem) {
   const std::size_t declared = std::max(fewest_declared_rows, problem.base.size() + 4);
   if (rows >= declared && deviations_declared(problem)) return true;
   throw std::invalid_argument(fmt::format(
-      "{}: {} rows that can be predicted: a verdict needs at least {}, better 60 or more over "
-      "several levels of every setting; or at least {}, each with its standard deviation (std_{})",
+      "{}: {} rows can be predicted. A verdict needs at least {}, better 60 or more over several "
+      "levels of every setting; or at least {} if each row has its standard deviation (std_{})",
       problem.record->source, rows, needed, declared,
       problem.observed.channels.front().channel->key_unit()));
 }
@@ -116,7 +116,7 @@ void require_variation(Evidence& evidence) {
     }
     if (first.empty()) first = wrong;
     evidence.notes.push_back(
-        record::note::rows_used(fmt::format("{} takes no part: {}", channel.name, wrong),
+        record::note::rows_used(fmt::format("{} is not used: {}", channel.name, wrong),
                                 {.key = std::string(channel.name)}));
   }
   if (useful.empty()) throw std::invalid_argument(evidence.problem.record->source + ": " + first);
@@ -293,8 +293,8 @@ void require_scatter(const Evidence& evidence) {
       continue;
     const record::Channel& channel = *observed.channels[c].channel;
     throw std::invalid_argument(
-        fmt::format("{}: the readings have no scatter at all, so no misfit can be judged; "
-                    "give std_{} where they are exact",
+        fmt::format("{}: the readings have no scatter, so the program cannot judge a misfit. If "
+                    "they are exact, enter std_{}",
                     evidence.problem.record->source, channel.key_unit()));
   }
 }
@@ -303,11 +303,12 @@ void require_scatter(const Evidence& evidence) {
 void leave_out_shapes(Evidence& evidence) {
   for (fit::Screened& s : evidence.problem.candidates)
     if (s.candidate.parameters.size() > 1)
-      s.not_testable = fmt::format("the data lack rows, {} or more, for its shape", fewest_rows);
-  evidence.notes.push_back(record::note::noise(fmt::format(
-      "{} rows are too few to tell their noise: the declared standard deviations are taken as they "
-      "are, and effects of more than one number, two at once and bent laws are not looked for",
-      evidence.problem.observed.row.size())));
+      s.not_testable =
+          fmt::format("the data have too few rows for its shape; it needs {} or more", fewest_rows);
+  evidence.notes.push_back(record::note::noise(
+      fmt::format("{} rows are too few to estimate the noise: diagnose uses the declared standard "
+                  "deviations, and tests only single effects with one parameter",
+                  evidence.problem.observed.row.size())));
 }
 
 /// Rows, candidates and the response of the model, before anything is fitted.
@@ -432,11 +433,10 @@ bool estimate_again(const Evidence& evidence, std::size_t channel, fit::NoiseMod
     const double factor = std::sqrt(misfit / left);
     noise.scale(factor);
     noise.degrees_of_freedom = left;
-    notes.push_back(record::note::noise(
-        fmt::format("the misfit of {} is below the noise that was found first, which is estimated "
-                    "again, {:.2g} "
-                    "times as large",
-                    observed.channels[channel].channel->words, factor)));
+    notes.push_back(
+        record::note::noise(fmt::format("the misfit of {} is below the first estimate of the "
+                                        "noise; the new estimate is {:.2g} times the first",
+                                        observed.channels[channel].channel->words, factor)));
   }
   const double plain = rest.cwiseQuotient(noise.whitening.std()).squaredNorm() / left;
   if (noise.has_memory() && plain < 1.0)

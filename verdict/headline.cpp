@@ -138,7 +138,7 @@ std::string one_of(const Diagnosis& d) {
     choices.resize(most - 1);
     choices.push_back(fmt::format("one of {} others", more));
   }
-  return fmt::format("{} explains the misfit, and these data do not tell which; {}",
+  return fmt::format("{} explains the misfit, but these data do not decide which; {}",
                      capital(joined(choices, "or")), errors(d));
 }
 
@@ -171,14 +171,14 @@ std::string by_verdict(const Diagnosis& d) {
     default:
       break;
   }
-  return "Something is missing that no effect of the catalogue explains: " + error_and_noise(d);
+  return "Something is missing that is not in the catalogue: " + error_and_noise(d);
 }
 
 /// Headline if another base model explains the data.
 std::string other_base(const Diagnosis& d) {
   const OtherBaseTried& base = d.other_bases.front();
   const record::Channel& channel = d.channels.front().channel();
-  return fmt::format("{} explains these data, and no effect does: error {:.3g} -> {}", base.words,
+  return fmt::format("{} explains these data, but no effect does: error {:.3g} -> {}", base.words,
                      d.channels.front().rmse_before / channel.factor,
                      reading_text(channel, base.rmse.front()));
 }
@@ -187,11 +187,12 @@ std::string other_base(const Diagnosis& d) {
 
 std::string headline(const Diagnosis& d, Inputs inputs) {
   if (inputs == Inputs::miss_what_changes && d.verdict != Verdict::nothing_missing)
-    return "Something is missing that no input of the model describes: " + error_and_noise(d);
+    return "The cause is not an input of the model: " + error_and_noise(d);
   const bool explained = !d.other_bases.empty() && d.other_bases.front().explains;
   return (explained ? other_base(d) : by_verdict(d)) +
-         (inputs == Inputs::tell_all ? ""
-                                     : "; but rows at nearly the same point do not read alike");
+         (inputs == Inputs::tell_all
+              ? ""
+              : "; but rows at nearly the same point have different readings");
 }
 
 }  // namespace raceway::verdict

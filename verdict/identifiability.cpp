@@ -129,7 +129,7 @@ class Errors {
         group.push_back(parameter(static_cast<std::size_t>(k)).name);
       }
       result_.messages.push_back(record::note::not_identifiable(
-          fmt::format("{} cannot be told apart at the solution", joined(group, "and"))));
+          fmt::format("{} cannot be separated at the solution", joined(group, "and"))));
     }
   }
 
@@ -141,7 +141,7 @@ class Errors {
     p.std = factor_ * std::sqrt(covariance_(at, at)) / norm_[at];
     if (!(p.std > p.upper - p.lower)) return;
     result_.messages.push_back(record::note::not_identifiable(
-        fmt::format("{} is not fixed by these data: its standard error would be {}, more than the "
+        fmt::format("these data do not determine {}: its standard error would be {}, more than the "
                     "range of its bounds",
                     p.name, with_unit(p.std, p.unit, 5)),
         {.key = p.name}));
@@ -157,10 +157,10 @@ class Errors {
     result_.correlation(static_cast<Eigen::Index>(free_[a]), static_cast<Eigen::Index>(free_[b])) =
         a == b ? 1.0 : c;
     if (a < b && std::abs(c) > 0.99)
-      result_.messages.push_back(record::note::not_identifiable(fmt::format(
-          "{} and {} are correlated by {:.4f}: these data fix a combination of them far better "
-          "than each",
-          first.name, second.name, c)));
+      result_.messages.push_back(record::note::not_identifiable(
+          fmt::format("{} and {} have a correlation of {:.4f}: these data determine a combination "
+                      "of them far better than each of them",
+                      first.name, second.name, c)));
   }
 
   record::Parameter& parameter(std::size_t k) { return result_.parameters[free_[k]]; }
@@ -214,8 +214,8 @@ void hold_dependent(const fit::Response& response, const fit::Whitening& whiteni
     }
     group.push_back(p.name);
     result.messages.push_back(record::note::not_identifiable(
-        fmt::format("{} cannot be told apart on these data: {} is held at {}, and the other {} "
-                    "without a standard error",
+        fmt::format("these data cannot separate {}: {} is kept at {}, and the other {} without a "
+                    "standard error",
                     joined(group, "and"), p.name, with_unit(p.value, p.unit, 5),
                     group.size() == 2 ? "value is" : "values are"),
         {.key = p.name}));

@@ -175,9 +175,10 @@ void Investigation::tell_of_records() {
     for (std::size_t k = 0; k < d.noise.records.size(); ++k)
       texts.push_back(fmt::format("{} {:.2g} times", record_.parts.at(k).name, d.noise.records[k]));
     if (!texts.empty())
-      result_.messages.push_back(record::note::noise(fmt::format(
-          "the records scatter differently, of the noise of all {}; rows are weighed by that",
-          joined(texts, "and"))));
+      result_.messages.push_back(
+          record::note::noise(fmt::format("the records have different noise, relative to the "
+                                          "common noise: {}. The rows are weighted accordingly",
+                                          joined(texts, "and"))));
   }
 }
 
@@ -190,9 +191,8 @@ void Investigation::tell_of_growth() {
     const double least = *std::min_element(values.begin(), values.end());
     const double most = d.noise.largest_swept;
     result_.messages.push_back(record::note::noise(fmt::format(
-        "the scatter of {} grows with {}, from {:.2g} % at {:.4g} {} to {:.2g} % at {:.4g} {}; "
-        "rows "
-        "are weighed by that",
+        "the scatter of {} grows with {}, from {:.2g} % at {:.4g} {} to {:.2g} % at {:.4g} {}. The "
+        "rows are weighted accordingly",
         d.channel().words, swept.words,
         100.0 * d.noise.relative * std::pow(least / most, d.noise.growth), swept.in_unit(least),
         swept.unit, 100.0 * d.noise.relative, swept.in_unit(most), swept.unit)));
@@ -217,59 +217,58 @@ void Investigation::describe_base() {
   std::sort(outliers.begin(), outliers.end(),
             [&](std::size_t a, std::size_t b) { return record_.line(a) < record_.line(b); });
   if (!outliers.empty())
-    tell(record::note::rows_used(
-        fmt::format("{} row(s) are outliers and count with less weight, first {}", outliers.size(),
-                    record_.place(outliers.front()))));
+    tell(
+        record::note::rows_used(fmt::format("{} row(s) are outliers and have less weight, first {}",
+                                            outliers.size(), record_.place(outliers.front()))));
   const std::size_t left_out = result_.rows_not_predicted.size();
   if (evidence_.rows() + left_out < evidence_.rows_in_record)
     tell(record::note::rows_used(fmt::format("{} of {} rows were used, chosen at random",
                                              result_.rows, evidence_.rows_in_record)));
   if (left_out > 0)
     tell(record::note::rows_used(
-        fmt::format("{} row(s) that are not read or cannot be predicted were left out, first {}",
-                    left_out, record_.place(result_.rows_not_predicted.front()))));
+        fmt::format("{} row(s) without a reading or a prediction are not used, first {}", left_out,
+                    record_.place(result_.rows_not_predicted.front()))));
   for (std::size_t k = 0; k < evidence_.base.at_bound.size(); ++k)
     if (evidence_.base.at_bound[k])
-      tell(record::note::at_bound(evidence_.response.parameters[k].name +
-                                      " ends at a bound: the model lacks something, or is far off",
-                                  {.key = evidence_.response.parameters[k].name}));
+      tell(record::note::at_bound(
+          evidence_.response.parameters[k].name +
+              " is at a bound: an effect is missing, or the model is far off",
+          {.key = evidence_.response.parameters[k].name}));
   if (!evidence_.hint.empty()) tell(record::note::unit(evidence_.hint));
   for (const record::Note& one : evidence_.notes) tell(one);
   tell_declared_noise();
   for (const std::string& name : evidence_.idle) {
     const std::string needed = problem_.subject->lacks(name, *problem_.record);
     tell(record::note::not_identifiable("the readings do not depend on " + name +
-                                            ", which stays as it is" +
+                                            ", which keeps its value" +
                                             (needed.empty() ? "" : ": it needs " + needed),
                                         {.key = name}));
   }
   for (const std::string& name : problem_.base)
     if (const std::string needed = problem_.subject->lacks(name, *problem_.record); !needed.empty())
-      tell(record::note::not_identifiable(name + " needs " + needed + ": its value says little",
+      tell(record::note::not_identifiable(name + " needs " + needed + ": its value is uncertain",
                                           {.key = name}));
   if (!base_is_identifiable())
-    tell(record::note::not_identifiable(
-        joined(problem_.base, "and") +
-        " cannot all be told apart on these data: their values mean little; free fewer of them "
-        "under [calibration]"));
+    tell(record::note::not_identifiable(joined(problem_.base, "and") +
+                                        " cannot all be separated by these data, so their values "
+                                        "are uncertain; free fewer of them under [calibration]"));
   for (const ChannelDiagnosis& d : result_.channels)
     if (d.noise.undeclared_blocks && !d.noise.unknown_runs)
       tell(record::note::plan(fmt::format(
-          "{}: offsets of {} follow blocks of rows in which a setting rises or falls and starts "
-          "again, as if each were clamped anew; they count as runs (run_id says which rows are)",
+          "{}: the offset of {} changes between blocks of rows in which a setting rises or falls, "
+          "as after a new clamping; each block is a run (run_id defines other runs)",
           d.channel().words, reading_text(d.channel(), d.noise.run_offset()))));
     else if (d.noise.undeclared_blocks)
-      tell(record::note::plan(
-          fmt::format("{}: the rows stand in blocks in which a setting rises or falls and starts "
-                      "again; they count as runs",
-                      d.channel().words)));
+      tell(record::note::plan(fmt::format(
+          "{}: the rows form blocks in which a setting rises or falls; each block is a run",
+          d.channel().words)));
   tell_of_runs();
   tell_of_records();
   tell_of_growth();
   for (const ChannelDiagnosis& d : result_.channels)
     if (d.noise.repeats_p_value < passed)
       tell(record::note::noise(fmt::format(
-          "repeated rows scatter {:.2g} times as much as the noise found otherwise (p = {:.1g})",
+          "repeated rows scatter {:.2g} times as much as the estimated noise (p = {:.1g})",
           std::sqrt(d.noise.repeats_statistic), d.noise.repeats_p_value)));
 }
 
@@ -285,7 +284,7 @@ void Investigation::attribute() {
   for (const Explanation& single : search_->singles())
     if (!single.fit.converged)
       result_.messages.push_back(record::note::not_converged(fmt::format(
-          "the fit with {} {}: it takes no part in the verdict", id_of(single),
+          "the fit with {} {}: it is not used in the verdict", id_of(single),
           single.ran_away ? "runs away to " + size_text(problem_, single) : "did not converge")));
   if (outside_the_inputs()) return;
   const bool by_tolerance = result_.tolerance_limited() && !std::isnan(share_of_tolerance_);
@@ -341,7 +340,7 @@ std::string Investigation::doubt_about(const Explanation& best) const {
           "{} at {}", best.parameters[k].name,
           with_unit(best.fit.values[static_cast<Eigen::Index>(k)], best.parameters[k].unit)));
   if (!at_bound.empty())
-    return fmt::format("but only with {}, the end of the range", joined(at_bound, "and"));
+    return fmt::format("but only with {}, the limit of its range", joined(at_bound, "and"));
   if (search_->lowers_the_error(best, fall_of_an_effect)) return {};
   const ChannelDiagnosis& first = result_.channels.front();
   return fmt::format("but the error {} from {:.4g} to {}",
@@ -363,8 +362,8 @@ bool Investigation::may_be_block_offsets(const Explanation& e) const {
 std::string Investigation::doubt_about_time(const Set& set) const {
   const bool doubtful = std::all_of(
       set.begin(), set.end(), [this](const Explanation* e) { return may_be_block_offsets(*e); });
-  return doubtful ? "but a zero that was set anew before each block of rows may look the same "
-                    "(run_id says which rows are a run)"
+  return doubtful ? "but a zero that was set before each block of rows may look the same (run_id "
+                    "tells which rows are a run)"
                   : "";
 }
 
@@ -394,8 +393,7 @@ void Investigation::confirm_single() {
   fill(set, *set.front());
   doubt_ = doubt_about(*set.front());
   if (doubt_.empty()) doubt_ = doubt_about_time(set);
-  if (doubt_.empty() && is_a_shape_alone(set))
-    doubt_ = "a shape without a law of physics behind it";
+  if (doubt_.empty() && is_a_shape_alone(set)) doubt_ = "an empirical shape without a physical law";
   if (!plausible_ || !holds_ || !doubt_.empty()) {
     result_.verdict = Verdict::effect_like;
     if (!evidence_.few_rows) result_.shape = find_unknown_shape(evidence_);
@@ -673,11 +671,11 @@ void Investigation::tell_of_all_rows() {
       square_before += x * x;
       square_after += y * y;
     }
-    result_.messages.push_back(record::note::rows_used(fmt::format(
-        "over all {} rows that can be predicted the error falls from {:.3g} to {} with the numbers "
-        "found on those that were used",
-        rows, std::sqrt(square_before / rows) / channel.factor,
-        reading_text(channel, std::sqrt(square_after / rows)))));
+    result_.messages.push_back(record::note::rows_used(
+        fmt::format("on all {} rows that can be predicted, the error falls from {:.3g} to {} with "
+                    "the parameters from the rows of the fit",
+                    rows, std::sqrt(square_before / rows) / channel.factor,
+                    reading_text(channel, std::sqrt(square_after / rows)))));
   }
 }
 

@@ -243,7 +243,7 @@ bool Search::bent_too_far(const Explanation& bent) const {
 }
 
 Finding Search::bent_law() {
-  limits_.step(0.85, "bending the laws of the best");
+  limits_.step(0.85, "testing other exponents");
   bent_.clear();
   shape_ = find_unknown_shape(evidence_);
   for (std::size_t k = 0; k < singles_.size() && k < most_bent; ++k) {

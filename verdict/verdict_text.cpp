@@ -41,7 +41,7 @@ std::string nothing_missing_text(const Diagnosis& d) {
   for (const NotTestable& n : d.not_testable)
     if (hidden.size() < 3) hidden.push_back(n.id);
   return fmt::format(
-      "Nothing missing that these data can show (p = {:.2g}, alarm level 1 %).{}{}", d.p_value,
+      "These data show no missing effect (p = {:.2g}, alarm level 1 %).{}{}", d.p_value,
       found.empty() ? "" : " Would have been found: " + joined(found, "and") + ".",
       hidden.empty() ? "" : " Could not have been found: " + joined(hidden, "and") + ", ...");
 }
@@ -51,16 +51,16 @@ std::string within_tolerance_text(const Diagnosis& d) {
   for (const ChannelDiagnosis& c : d.channels)
     if (std::isfinite(c.tolerance))
       errors.push_back(
-          fmt::format("{:.3g} of {} allowed",
+          fmt::format("{:.3g} (tolerance {})",
                       fit::beyond_noise(c.rmse_held_out_before, c.noise.rms) / c.channel().factor,
                       reading_text(c.channel(), c.tolerance)));
   const std::string certain = d.significant_but_immaterial.empty()
                                   ? ""
-                                  : fmt::format(" Certain, but of no weight here: {}.",
+                                  : fmt::format(" Significant, but within the tolerance: {}.",
                                                 joined(d.significant_but_immaterial, "or"));
   return fmt::format(
-      "Nothing missing that matters: the refitted model errs by {} beyond the noise on blocks held "
-      "out within the range.{}",
+      "No important effect is missing: the held-out error of the refitted model beyond the noise "
+      "is {}.{}",
       joined(errors, "and"), certain);
 }
 
@@ -98,7 +98,7 @@ std::string measure_text(const Diagnosis& d) {
   std::string text;
   if (!texts.empty())
     text =
-        fmt::format(" Measure: {}; predicted difference {:.0f}, by repeating what exists {:.0f}.",
+        fmt::format(" Measure: {}; predicted difference {:.0f}, with repeated old points {:.0f}.",
                     fmt::join(texts, "; "), d.predicted_separation, d.separation_by_repetition);
   if (!d.records_needed.empty())
     text += " Record: " + fmt::format("{}.", fmt::join(d.records_needed, "; "));

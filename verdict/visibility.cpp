@@ -122,7 +122,7 @@ class Sizes {
     return s.unit_size > 0.0 ? s.size().upper : s.size().lower;
   }
   [[nodiscard]] std::string too_little(std::size_t k) const {
-    return fmt::format("even {}, the end of its range, changes too little on these data",
+    return fmt::format("even {}, the limit of its range, changes these data too little",
                        with_unit(end_of_range(k), problem_.candidates[k].size().unit));
   }
 

@@ -52,8 +52,8 @@ void weigh_plainly(Weighed& weighed, std::vector<record::Note>& messages) {
             problem.record->deviation_of(*problem.observed.channels[c].channel);
         some &&
         std::any_of(some->values.begin(), some->values.end(), [](double s) { return s > 0.0; }))
-      messages.push_back(
-          record::note::noise("not every row has a standard deviation: all rows weigh the same"));
+      messages.push_back(record::note::noise(
+          "not every row has a standard deviation: all rows have the same weight"));
     const double size = readings.measured.size() > 0 ? fit::rms(readings.measured) : 1.0;
     parts.emplace_back(Eigen::VectorXd::Constant(readings.measured.size(), size > 0.0 ? size : 1.0),
                        fit::RowOrder{}, 0.0, 0.0);

@@ -13,7 +13,7 @@ struct CoolingSwitch final : EffectKind {
   static constexpr std::array both{gain_ratio, time_ratio};
   static constexpr EffectCard cooling_card{
       .id = "cooling-switch",
-      .title = "the machine answers otherwise with its coolant off",
+      .title = "gain and time constant change while the coolant is off",
       .form = "dx/dt = (K u - x)/tau with K and tau times their ratios where coolant_on = 0",
       .needs = "coolant_on that switches",
       .confused = "motor-heat, thermal-asymmetry",

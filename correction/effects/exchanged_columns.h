@@ -9,7 +9,7 @@ namespace raceway::correction {
 struct ExchangedColumns final : EffectKind {
   static constexpr EffectCard exchanged_card{
       .id = "exchanged-columns",
-      .title = "two temperatures stand under each other's name",
+      .title = "the columns of two temperatures are swapped",
       .form = "T1 of column T2, and T2 of column T1",
       .needs = "two temperatures that vary, of which the model uses one",
       .confused = "motor-heat and other effects of the column that was exchanged",

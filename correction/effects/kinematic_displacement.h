@@ -13,9 +13,9 @@ struct KinematicDisplacement final : EffectKind {
   static constexpr std::array law{A, B, C};
   static constexpr EffectCard kinematic_card{
       .id = "kinematic-displacement",
-      .title = "the shaft moves with speed, at once",
+      .title = "the shaft moves immediately with speed",
       .form = "+ A n^(1 - B exp(-C n))",
-      .needs = "readings while it turns, at several speeds",
+      .needs = "readings at several speeds of the turning shaft",
       .confused = "a section faster than 3 min; an offset-jump at a change of speed",
       .numbers = law};
 

@@ -10,9 +10,9 @@ namespace raceway::correction {
 struct LooseSensor final : EffectKind {
   static constexpr EffectCard loose_card{
       .id = "loose-sensor",
-      .title = "a sensor of temperature came loose for a while",
+      .title = "a temperature sensor was loose for a while",
       .form = "T between two times is the room + (T - room)/share seen",
-      .needs = "a temperature of the model that leaps towards the room and back",
+      .needs = "a temperature of the model that jumps towards the room temperature and back",
       .confused = "a body that cools quickly; offset-jump",
       .numbers = {},
       .of_reading = true,

@@ -22,7 +22,7 @@ struct OffsetJump final : EffectKind {
   static constexpr EffectCard jump_card{.id = "offset-jump",
                                         .title = "the reading jumps: a collet, a probe, a cable",
                                         .form = "+ sum of c H(t - t1), three at most",
-                                        .needs = "dense readings, of which one leaps",
+                                        .needs = "dense readings with a jump",
                                         .confused =
                                             "kinematic-displacement, a hidden heat that is "
                                             "switched on",

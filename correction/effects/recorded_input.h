@@ -25,7 +25,7 @@ struct RecordedInput final : EffectKind {
       .needs =
           "a column that varies and that the model does not use: a temperature, power, current, "
           "load, torque, flow, pressure or position",
-      .confused = "ambient-drift; motor-heat; a body that warms up with the one that was read",
+      .confused = "ambient-drift; motor-heat; a part that warms up together with the measured part",
       .numbers = gain_and_time_constant,
       .by_column = true,
       .by_window = true,

@@ -9,7 +9,7 @@ namespace raceway::correction {
 struct SecondTimeConstant final : EffectKind {
   static constexpr EffectCard second_card{
       .id = "second-time-constant",
-      .title = "a second body behind the first",
+      .title = "a second part that warms up more slowly than the first",
       .form = "+ K/(1 + tau s) u on a channel",
       .needs = "transients longer than three times the fast time constant",
       .confused = "sensor-lag, kinematic-displacement (fast), slow-drift (slow)",

@@ -10,7 +10,7 @@ struct SensorLag final : EffectKind {
       "sensor_time_constant_s", "s", 0.0, 0.0, 3600, 0.0, 3600, 0.0};
   static constexpr std::array one{lag};
   static constexpr EffectCard sensor_card{.id = "sensor-lag",
-                                          .title = "the sensor lags behind what it measures",
+                                          .title = "the sensor follows its temperature with a lag",
                                           .form = "the input is T (1 + tau s s)",
                                           .needs = "a temperature as input",
                                           .confused = "second-time-constant, nearly the same",

@@ -77,8 +77,8 @@ std::vector<fit::Fault> SensorQuantisation::faults(const FittedRecord& in) const
       continue;
     list.push_back({.id = std::string(quantisation_card.id),
                     .datum = fmt::format("the sensor of {}", fmt::join(sensors, ", ")),
-                    .correction = fmt::format("it steps by {:.3g} K, and the displacement with it "
-                                              "through the feedthrough of channel {}",
+                    .correction = fmt::format("its resolution is {:.3g} K, and the feedthrough of "
+                                              "channel {} passes each step to the displacement",
                                               largest, c.name),
                     .without = std::move(without)});
   }

@@ -13,9 +13,9 @@ struct SlowDrift final : EffectKind {
   static constexpr std::array both{size, time_constant_number};
   static constexpr EffectCard drift_card{
       .id = "slow-drift",
-      .title = "something nobody measures settles over the whole record",
+      .title = "an unmeasured slow part of the machine settles over the whole record",
       .form = "+ c (1 - exp(-t/tau))",
-      .needs = "rests, and a room that is known",
+      .needs = "pauses and a recorded room temperature",
       .confused = "ambient-drift, a slow section",
       .numbers = both,
       .of_reading = true};

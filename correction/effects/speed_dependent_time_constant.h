@@ -14,7 +14,7 @@ struct SpeedDependentTimeConstant final : EffectKind {
   static constexpr std::array both{s, g};
   static constexpr EffectCard speed_card{
       .id = "speed-dependent-time-constant",
-      .title = "the faster it turns, the sooner it is warm",
+      .title = "the machine warms up faster at higher speed",
       .form = "tau = tau0 f, K = K0 f^g, f = 1/(1 + s n/10 000 rpm)",
       .needs = "several speeds and phases of cooling",
       .confused = "thermal-asymmetry, motor-heat",

@@ -8,14 +8,15 @@ namespace raceway::correction {
 struct ThermalAsymmetry final : EffectKind {
   static constexpr record::NumberCard ratio{"ratio", "1", 1.0, 0.2, 5.0, 0.2, 5.0, 1.0};
   static constexpr std::array one{ratio};
-  static constexpr EffectCard asymmetry_card{.id = "thermal-asymmetry",
-                                             .title = "it cools otherwise than it warms",
-                                             .form = "tau times the ratio where u < x",
-                                             .needs = "falls between two speeds that are not zero",
-                                             .confused = "speed-dependent-time-constant",
-                                             .numbers = one,
-                                             .of_channel = true,
-                                             .at_channel = true};
+  static constexpr EffectCard asymmetry_card{
+      .id = "thermal-asymmetry",
+      .title = "the machine cools at another rate than it warms up",
+      .form = "tau times the ratio where u < x",
+      .needs = "falls from one speed to another speed above zero",
+      .confused = "speed-dependent-time-constant",
+      .numbers = one,
+      .of_channel = true,
+      .at_channel = true};
 
   [[nodiscard]] const EffectCard& card() const override { return asymmetry_card; }
 

@@ -94,7 +94,7 @@ class Correction(LoopModel):
     def trust(self) -> dict[str, str]:
         """Trust in each displacement, judged by readings that no fit used.
 
-        ``"good"``, ``"inside its range only: ..."``, ``"do not use, because ..."``, or
+        ``"good"``, ``"only inside its range: ..."``, ``"do not use, because ..."``, or
         ``"not known: ..."`` if the file does not say it.
         """
         return self._engine.trust()

@@ -118,7 +118,7 @@ def test_an_effect_in_python_is_part_of_every_variant(model):
         ({"samples": -1}, ValueError, "samples = -1"),
         ({"samples": 2.0}, TypeError, "samples: a whole number is wanted"),
         ({"of": "nonsense"}, raceway.InputError, "no such prediction"),
-        ({"steady": True}, raceway.InputError, "is no spindle"),
+        ({"steady": True}, raceway.InputError, "is not a spindle"),
     ],
 )
 def test_wrong_use_is_refused_in_words(model, given, error, words):

@@ -38,7 +38,7 @@ TEST(Calibrate, OfACoastDownBringsTheErrorDownAndSaysThatStructureIsLeft) {
   const json after = parsed(run("compare " + fitted + " " + data + " --json"));
   EXPECT_LT(after["rmse"].get<double>(), 0.2 * before["rmse"].get<double>());
   EXPECT_LT(after["lack_of_fit"]["p_value"].get<double>(), 0.01);
-  EXPECT_THAT(after["statement"].get<std::string>(), HasSubstr("is structure, not noise"));
+  EXPECT_THAT(after["statement"].get<std::string>(), HasSubstr("is systematic, not noise"));
 
   const Result text = run("compare " + fitted + " " + data);
   EXPECT_THAT(text.out, HasSubstr("mean error (bias)      -0.01 N mm"));
@@ -127,7 +127,7 @@ TEST(Calibrate, ProfilesNeedReadingsAndALikelihood) {
   const Result over_time =
       run("calibrate " + folder + "correction.toml " + folder + "train.csv --profile");
   EXPECT_EQ(over_time.status, 1);
-  EXPECT_THAT(over_time.err, HasSubstr("profile likelihood need"));
+  EXPECT_THAT(over_time.err, HasSubstr("profile likelihood intervals need"));
 }
 
 TEST(Calibrate, FitsAnEffectOfTheModel) {
@@ -151,7 +151,7 @@ TEST(Calibrate, WritesNothingWhereItCannotFit) {
   };
   refused("speed_rpm,axial_load_N,friction_torque_Nmm\n1000,100,92\n", "2 parameters are free");
   refused("speed_rpm,axial_load_N,axial_displacement_um\n1,100,1\n2,100,2\n3,100,3\n",
-          "holds axial displacement, which needs a model with an [arrangement]");
+          "has axial displacement, which needs a model with an [arrangement]");
 }
 
 TEST(Calibrate, ThePreloadOfSetsFollowsFromTheirTorque) {

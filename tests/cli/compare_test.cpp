@@ -103,8 +103,7 @@ TEST_F(Compare, OfADisplacementIsRefusedInOneLine) {
   const Result r = with("compare", "speed_rpm,axial_load_N,axial_displacement_um\n1,100,1\n");
   expect_refused(
       r, "rig.csv with " + model_ +
-             ": holds axial displacement, which needs a model with an [arrangement]; of a single "
-             "bearing measured friction torque is needed\n");
+             ": has axial displacement, which needs a model with an [arrangement]; a single bearing needs measured friction torque\n");
 }
 
 TEST_F(Compare, CheckTellsWhatWasRead) {

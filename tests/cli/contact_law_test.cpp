@@ -221,8 +221,8 @@ TEST_F(ContactLaw, FlagsFactorsOfOtherLawsAndEffectsThatItHasItself) {
   EXPECT_THAT(error_of(model + "f0 = 1.5\n"),
               HasSubstr("f0 = 1.5: belongs to law = \"palmgren\", but the law is \"contact\""));
   EXPECT_THAT(error_of(model + "\n[[effect]]\nid = \"spin-friction\"\n"),
-              HasSubstr("id = \"spin-friction\": needs another base law: the contact law has it "
-                        "itself, as mu_boundary under [friction]"));
+              HasSubstr("id = \"spin-friction\": needs another base law: the contact law already "
+                        "includes it, as mu_boundary under [friction]"));
   EXPECT_THAT(error_of(model + "oil_fraction = 0.01\n\n[[effect]]\nid = \"lubricant-drag\"\n"),
               HasSubstr("needs oil_fraction = 0 under [friction]"));
   EXPECT_THAT(error_of(replaced(model, "[lubricant]", "[lubricant]\neyring_stress_MPa = 50")),

@@ -120,7 +120,7 @@ TEST_F(CorrectLearn, SaysWhatIsWrongWithItsFlags) {
   write("none.csv", "time_s,front_temperature_C,displacement_z_um\n0,20,\n60,21,\n");
   const Result none = learnt("--save " + path("not.toml"), "none.csv");
   EXPECT_EQ(none.status, 1);
-  EXPECT_THAT(none.err, HasSubstr("was never read: nothing to learn from"));
+  EXPECT_THAT(none.err, HasSubstr("has no reading: there is nothing to learn from"));
   EXPECT_FALSE(std::filesystem::exists(path("not.toml")));
 }
 

@@ -54,11 +54,11 @@ TEST_F(CorrectionInput, ASensorThatSticksIsNamedBeforeAnyVerdict) {
       [](int k, std::string text) { return k >= 300 && k < 500 ? cell(text, 2, "28.5") : text; });
   for (const char* command : {"identify ", "diagnose --no-pairs ", "calibrate ", "check "})
     EXPECT_THAT(run(command + model_ + " " + stuck).err,
-                HasSubstr("front_temperature_C stands still for 199 min from 1.8e+04 s on, while "
-                          "others move: does the sensor stick?"))
+                HasSubstr("front_temperature_C is constant for 199 min from 1.8e+04 s on, while "
+                          "other columns change: check the sensor"))
         << command;
   const json d = parsed(run("diagnose --no-pairs " + model_ + " " + stuck + " --json"));
-  EXPECT_THAT(d["notes"].dump(), HasSubstr("does the sensor stick?"));
+  EXPECT_THAT(d["notes"].dump(), HasSubstr("check the sensor"));
 }
 
 TEST_F(CorrectionInput, ASensorThatLeapsIsNamedBeforeAnyVerdict) {
@@ -67,7 +67,7 @@ TEST_F(CorrectionInput, ASensorThatLeapsIsNamedBeforeAnyVerdict) {
   });
   for (const char* command : {"identify ", "diagnose --no-pairs ", "calibrate ", "check "})
     EXPECT_THAT(run(command + model_ + " " + leap).err,
-                HasSubstr("front_temperature_C leaps by more than"))
+                HasSubstr("front_temperature_C jumps by more than"))
         << command;
 }
 
@@ -75,7 +75,7 @@ TEST_F(CorrectionInput, AColumnThatNeverVariesIsNamed) {
   const std::string still = record([](int, std::string text) { return cell(text, 2, "20"); });
   for (const char* command : {"identify ", "diagnose --no-pairs ", "calibrate ", "check "})
     EXPECT_THAT(run(command + model_ + " " + still).err,
-                HasSubstr("front_temperature_C never varies: nothing can be learnt from it"))
+                HasSubstr("front_temperature_C does not vary, so it gives no information"))
         << command;
 }
 
@@ -83,9 +83,9 @@ TEST_F(CorrectionInput, ARecordShorterThanTheSlowTimeConstantIsSaid) {
   const std::string brief = record([](int, std::string text) { return text; }, 60);
   EXPECT_THAT(run("check " + model_ + " " + brief).err,
               HasSubstr("channel front: the time constant of 1800 s is more than a third of the "
-                        "record of 3540 s, which cannot tell it"));
+                        "record of 3540 s, so the record does not determine it"));
   EXPECT_THAT(run("identify " + model_ + " " + brief).err,
-              HasSubstr("the record of 3.54e+03 s is shorter than three of them"));
+              HasSubstr("the record of 3.54e+03 s is shorter than three time constants"));
 }
 
 TEST_F(CorrectionInput, PowerNeedsAFrictionTable) {
@@ -114,8 +114,8 @@ TEST_F(CorrectionInput, PowerBeyondTheDelayElementIsSaid) {
   EXPECT_THAT(r.err, HasSubstr("no displacement from line 123 on: the power leaves the range of a "
                                "delay element"));
   const std::string beyond =
-      "channel power: 282.7 W in line 122: the power leaves the range of a delay element, of which "
-      "the time constant is positive below 214.7 W only";
+      "channel power: 282.7 W in line 122: the power is outside the range of a delay element, "
+      "whose time constant is positive below 214.7 W only";
   EXPECT_THAT(run("compare " + element + " " + data).err, HasSubstr(beyond));
   // Nothing is fitted that rests on it: calibrate and diagnose once ended without a word.
   for (const char* command : {"identify ", "calibrate ", "diagnose --tolerance 1um "})
@@ -131,8 +131,8 @@ TEST_F(CorrectionInput, APolynomialAtAnotherSamplingIsRefused) {
   const std::string data = record([](int, std::string text) { return text; });
   for (const char* command : {"correct ", "compare ", "identify ", "diagnose --tolerance 1um "})
     expect_refused(run(command + printed + " " + data),
-                   "the coefficients of channel published are for a sampling of 1 s, and line 3 "
-                   "comes 60 s after the row before: they hold for no other rate");
+                   "the coefficients of channel published are only valid for a sampling interval "
+                   "of 1 s, but line 3 comes 60 s after the row before");
 }
 
 TEST_F(CorrectionInput, TablesThatAModelNamesAreNeverWrittenOver) {
@@ -199,7 +199,7 @@ TEST_F(BesideABearing, AColumnSaysWhichOfThemIsMeant) {
   EXPECT_EQ(keys(over_time["parameters"]),
             (std::set<std::string>{"front.gain_1", "front.time_constant_1"}));
   EXPECT_EQ(parsed(run("diagnose " + both_ + " " + day_ + z + " --no-pairs --json"))["unit"], "um");
-  expect_refused(run("diagnose " + both_ + " " + rig_ + torque), "8 rows that can be predicted");
+  expect_refused(run("diagnose " + both_ + " " + rig_ + torque), "8 rows can be predicted");
   EXPECT_EQ(parsed(run("check " + both_ + " " + day_ + z + " --json"))["sampling_s"], 60.0);
   EXPECT_EQ(run("solve " + both_ + " --speed 1000 --axial-load 100").status, 0);
   EXPECT_EQ(run("correct " + both_ + " " + day_).status, 0);

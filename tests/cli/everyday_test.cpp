@@ -76,7 +76,7 @@ TEST(Everyday, AnotherBaseLawIsOfferedAndTaken) {
   const Result found = run("diagnose --verbose " + files_of("law-skf"));
   ASSERT_EQ(found.status, 0) << found.err;
   EXPECT_THAT(found.out, HasSubstr("law = skf explains these data"));
-  EXPECT_THAT(found.out, HasSubstr("raceway add MODEL law:skf takes it"));
+  EXPECT_THAT(found.out, HasSubstr("use it with: raceway add MODEL law:skf"));
   EXPECT_THAT(found.out, HasSubstr("verdict: not-in-catalogue"));
   EXPECT_THAT(found.out, HasSubstr("given law = skf: nothing-missing"));
   const json d = json::parse(run("diagnose " + files_of("law-skf") + " --json").out);

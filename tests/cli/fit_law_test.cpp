@@ -132,7 +132,7 @@ TEST(FitLaw, SaysThatADisplacementAtStandstillIsNotTheLaws) {
   const std::string file =
       scratch.write("u.csv", curve([](double n) { return published(n) + 0.5; }));
   EXPECT_THAT(run("fit-law " + file).err,
-              HasSubstr("the displacement at standstill is 0.5 um, the law says 0"));
+              HasSubstr("the displacement at standstill is 0.5 um, but the law gives 0"));
 }
 
 }  // namespace

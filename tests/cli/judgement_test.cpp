@@ -74,13 +74,13 @@ TEST_F(Judged, AQuietAnswerPassesNoLimit) {
 }
 
 TEST_F(Judged, PressureWhileItRunsIsJudgedInEveryCommand) {
-  const std::string said = "GPa while the bearing runs, above 2 GPa";
+  const std::string said = "GPa, above 2 GPa";
   const Result solved = command("solve", model_text, "--speed 1000 --axial-load 30000 --json");
   EXPECT_EQ(of(parsed(solved), "running_pressure")["kind"], "warning");
   EXPECT_THAT(solved.err, HasSubstr(said));
   const Result table = command("table", model_text, "--speed 0,1000 --axial-load 30000 --json");
   EXPECT_EQ(of(parsed(table), "running_pressure")["points"], 1);
-  EXPECT_THAT(table.err, HasSubstr("1000 rpm: the contact pressure is"));
+  EXPECT_THAT(table.err, HasSubstr("1000 rpm: the contact pressure of the running bearing is"));
   EXPECT_THAT(command("solve", model_text, "--speed 0 --axial-load 30000").err,
               Not(HasSubstr(said)));
 }

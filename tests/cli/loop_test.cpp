@@ -147,7 +147,7 @@ TEST(Loop, RefusesAnEffectThatImitatesTheMissingOne) {
   const Result r = run("add " + rig_folder_of_loop + "model.toml spin-friction --data " +
                        rig_folder_of_loop + "train.csv -o " + scratch.file("x.toml"));
   EXPECT_EQ(r.status, 1);
-  EXPECT_THAT(r.err, HasSubstr("lubricant-drag explains these data to the noise"));
+  EXPECT_THAT(r.err, HasSubstr("lubricant-drag explains these data down to the noise"));
   EXPECT_FALSE(std::filesystem::exists(scratch.file("x.toml")));
 }
 

@@ -146,7 +146,8 @@ TEST(RollerCommand, CommandsOfSetsRefuseIt) {
     EXPECT_EQ(r.status, 1) << command;
     EXPECT_THAT(r.err, HasSubstr("has no [arrangement]"));
   }
-  EXPECT_THAT(run("spindle " + model + " --speed 1000 --steady").err, HasSubstr("is no spindle"));
+  EXPECT_THAT(run("spindle " + model + " --speed 1000 --steady").err,
+              HasSubstr("is not a spindle"));
   EXPECT_THAT(run("table " + model + " --speed 1000 --radial-load 500 --report " +
                   scratch.file("page.html"))
                   .err,

@@ -221,7 +221,7 @@ TEST(Sensitivity, RefusesWhatWasAskedWrong) {
   refused(at_point + " --data nonsense", "has no such number");
   refused(at_point + " --global 1000", "must be a power of two");
   refused(at_point + " --global -4", "--global");
-  refused(at_point + " --steady", "is no spindle");
+  refused(at_point + " --steady", "is not a spindle");
   refused(at_point + " --global 64 --spread inner_conformity=0.2 --of stiffness",
           "the changed model is not allowed");
   refused(at_point + " --global 64 --data f0 --spread f0=0", "nothing to sample");

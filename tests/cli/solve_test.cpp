@@ -153,7 +153,7 @@ TEST_F(Solve, AMomentAloneIsCarriedWhereTiltIsFree) {
   const std::string flags = "--speed 6000 --axial-load 0 --moment-z 10000";
   const Result text = solve(free, flags);
   EXPECT_EQ(text.status, 0);
-  EXPECT_THAT(text.err, HasSubstr("has no shoulder"));
+  EXPECT_THAT(text.err, HasSubstr("side without a shoulder"));
   const json d = parsed(solve(free, flags + " --json"));
   EXPECT_EQ(d["seat"], "far_side");
   EXPECT_GT(d["tilt_z_mrad"], 0.1);

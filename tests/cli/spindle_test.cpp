@@ -208,7 +208,7 @@ TEST_F(SpindleCommand, HeatAtAPlaceComesInAndIsListed) {
   EXPECT_EQ(spindle("--speed 6000 --steady --motor-power 2000", heated).status, 0);
   const Result lacking = spindle("--speed 6000 --steady", heated);
   EXPECT_EQ(lacking.status, 1);
-  EXPECT_THAT(lacking.err, HasSubstr("goes by motor_power_W, which is not given"));
+  EXPECT_THAT(lacking.err, HasSubstr("needs motor_power_W, which is not given"));
   const Result row = spindle(profile(), heated);
   EXPECT_EQ(row.status, 1);
   EXPECT_THAT(row.err, HasSubstr("column motor_power_W is missing"));
@@ -326,7 +326,7 @@ TEST_F(SpindleCommand, BeltHeatIsAddedAsItIsCalibrated) {
 TEST_F(SpindleCommand, ModelWithoutShaftIsRefused) {
   const Result r = spindle("--speed 1000 --steady", model_text);
   EXPECT_EQ(r.status, 1);
-  EXPECT_THAT(r.err, HasSubstr("is no spindle: a spindle has [shaft] and [housing]"));
+  EXPECT_THAT(r.err, HasSubstr("is not a spindle: a spindle has [shaft] and [housing]"));
 }
 
 TEST_F(SpindleCommand, SpeedAloneIsRefused) {
@@ -338,7 +338,7 @@ TEST_F(SpindleCommand, StateOfOtherCellsIsRefused) {
   ASSERT_EQ(spindle("--speed 3000 --steady --end-state " + state).status, 0);
   const Result r = spindle(profile() + "--start " + state, base_spindle);
   EXPECT_EQ(r.status, 1);
-  EXPECT_THAT(r.err, HasSubstr("of other cells"));
+  EXPECT_THAT(r.err, HasSubstr("another mesh"));
 }
 
 TEST_F(SpindleCommand, ARadialLoadInAProgrammeWarmsTheFrontBearings) {

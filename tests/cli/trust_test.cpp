@@ -12,8 +12,9 @@ using testing::Not;
 
 const std::string exact_record = source_dir() + "/data/corrections/exact/";
 const std::string one_way =
-    "do not use, because its record goes from one state to another once, and so says nothing of "
-    "another day: record a cool-down with it, or judge it by another record (identify --validate)";
+    "do not use, because its record goes from one state to another only once, so the model is not "
+    "tested for another day: record a cool-down as well, or test it with another record (identify "
+    "--validate)";
 
 /// Identified on the first hours of a record, into found.toml of a folder.
 Result identified(const ScratchFolder& scratch, const std::string& flags) {
@@ -29,8 +30,8 @@ TEST(Trust, ACorrectionOfFourHoursIsNotExported) {
               testing::EndsWith("\ntrust in displacement_z_um: " + one_way + "\n"));
   EXPECT_THAT(file_text(found), HasSubstr("[correction.trust]  # " + one_way + "\nerror_um = "));
   EXPECT_THAT(run("correct " + found + " " + exact_record + "test.csv").out,
-              HasSubstr("\ntrust in displacement_z_um: do not use, because on this record it errs "
-                        "by 14.9 um, and without it the displacement is 14.7 um\n"));
+              HasSubstr("\ntrust in displacement_z_um: do not use, because the error on this "
+                        "record is 14.9 um; the displacement without correction is 14.7 um\n"));
   expect_refused(run("export " + found + " --format python -o " + program), one_way);
   expect_refused(run("export " + found + " --format python -o " + program), "--accept-untrusted");
   const Result forced =
@@ -63,8 +64,8 @@ TEST(Trust, AWholeRecordIsGoodAndSaysSo) {
   scratch.write("found.toml",
                 replaced(file_text(found), "tolerance_um = 1.0", "tolerance_um = 0.1"));
   EXPECT_THAT(run("export " + found + " --format c").err,
-              HasSubstr("warning: trust in displacement_z_um: inside its range only: on parts that "
-                        "no fit saw it errs by 0.185 um, of 0.1 um tolerated"));
+              HasSubstr("warning: trust in displacement_z_um: only inside its range: the error on "
+                        "held-out parts is 0.185 um (tolerance 0.1 um)"));
 }
 
 TEST(Trust, AnotherRecordDecidesWhereOneWasGiven) {
@@ -77,8 +78,8 @@ TEST(Trust, AnotherRecordDecidesWhereOneWasGiven) {
   EXPECT_EQ(run("export " + scratch.file("found.toml") + " --format c").status, 0);
   EXPECT_THAT(
       identified(scratch, "--until 4h --order 1 --validate " + exact_record + "test.csv").out,
-      testing::EndsWith("do not use, because on another record it errs by 14.9 um, and without it "
-                        "the displacement is 14.7 um\n"));
+      testing::EndsWith("do not use, because the error on another record is 14.9 um; the "
+                        "displacement without correction is 14.7 um\n"));
 }
 
 TEST(Trust, IsNotKnownOfAFileThatDoesNotSayIt) {
@@ -87,8 +88,7 @@ TEST(Trust, IsNotKnownOfAFileThatDoesNotSayIt) {
   const Result bare = run("export " + exact_record + "correction.toml --format python");
   EXPECT_EQ(bare.status, 0);
   EXPECT_THAT(bare.err, HasSubstr("note: displacement_z_um: the trust in this correction is not "
-                                  "known: the model does not say how it does on readings that no "
-                                  "fit saw"));
+                                  "known: the model file has no held-out error"));
   // Nor of one whose numbers were changed since.
   ASSERT_EQ(identified(scratch, "--until 4h").status, 0);
   scratch.write("found.toml", replaced(file_text(found), "offset_um = -", "offset_um = "));

@@ -134,8 +134,8 @@ TEST(LagBank, RefusesWhatItCannotDo) {
   EXPECT_THAT(refusal_of_bank(with_channel, made.record, all), HasSubstr("without them"));
   Model warm = bare_bank();
   warm.initial_state = InitialState::free;
-  EXPECT_THAT(refusal_of_bank(warm, made.record, all), HasSubstr("begins from rest"));
-  EXPECT_THAT(refusal_of_bank(bare_bank(), made.record, {}), HasSubstr("needs columns"));
+  EXPECT_THAT(refusal_of_bank(warm, made.record, all), HasSubstr("starts from a machine at rest"));
+  EXPECT_THAT(refusal_of_bank(bare_bank(), made.record, {}), HasSubstr("needs input columns"));
   LagBankOptions negative = all;
   negative.time_constants = {-1.0};
   EXPECT_THAT(refusal_of_bank(bare_bank(), made.record, negative), HasSubstr("must be 0 or more"));

@@ -170,7 +170,7 @@ TEST(Learning, TwoReadingsThatAgreeMoveTheZeroAndAskForIdentification) {
   EXPECT_NEAR(worst(l, truth, 961), 0.0, 0.1);
   ASSERT_THAT(l.due, SizeIs(1));
   EXPECT_EQ(l.due[0].row, 960U);
-  EXPECT_THAT(l.due[0].reason, HasSubstr("100 um at once"));
+  EXPECT_THAT(l.due[0].reason, HasSubstr("the readings jump by 100 um"));
 }
 
 /// The probe reads once more, whatever the interval.
@@ -210,7 +210,7 @@ TEST(Learning, ReadingsThatStayTooFarOffAskForIdentification) {
   Model m = model();
   const Learning l = learn(m, machine(1.0, 60, jumps), {.every = 2 * an_hour});
   ASSERT_FALSE(l.due.empty());
-  EXPECT_THAT(l.due.back().reason, HasSubstr("8 readings in a row are off by"));
+  EXPECT_THAT(l.due.back().reason, HasSubstr("8 consecutive readings have"));
   EXPECT_GT(l.level, 2.0);
   m.tolerance = 4 * um;
   EXPECT_TRUE(learn(m, machine(1.0, 60, jumps), {.every = 2 * an_hour}).due.empty());

@@ -40,28 +40,28 @@ TEST(Trust, IsGoodWhereTheErrorHeldOutIsWithinTheTolerance) {
 TEST(Trust, IsNoneWhereNothingShowsAnotherDay) {
   EXPECT_THAT(line_of(trust_of(judged_by(evidence_with([](Evidence& e) { e.error = unset; })))),
               StartsWith("do not use, because no part of its record could be held out"));
-  EXPECT_THAT(line_of(trust_of(judged_by(evidence_with([](Evidence& e) { e.one_way = true; })))),
-              StartsWith("do not use, because its record goes from one state to another once"));
+  EXPECT_THAT(
+      line_of(trust_of(judged_by(evidence_with([](Evidence& e) { e.one_way = true; })))),
+      StartsWith("do not use, because its record goes from one state to another only once"));
   EXPECT_EQ(
       line_of(trust_of(judged_by(evidence_with([](Evidence& e) { e.duration = 0.4 * hour; })))),
-      "do not use, because a time constant of front is 0.5 h, longer than the 0.4 h of its "
-      "readings");
+      "do not use, because a time constant of front is 0.5 h, longer than its record of 0.4 h");
 }
 
 TEST(Trust, IsNoneWhereTheDisplacementItselfIsHardlyMore) {
   EXPECT_EQ(line_of(trust_of(judged_by(evidence_with(
                 [](Evidence& e) { e.error = 12.3 * um, e.uncorrected = 14.7 * um; })))),
-            "do not use, because on parts that no fit saw it errs by 12.3 um, and without it the "
-            "displacement is 14.7 um");
+            "do not use, because the error on held-out parts is 12.3 um; the displacement without "
+            "correction is 14.7 um");
 }
 
 TEST(Trust, IsWithinTheRangeWhereReadingsAreShortOrMoreIsLeftThanTolerated) {
   EXPECT_EQ(line_of(trust_of(judged_by(evidence_with([](Evidence& e) { e.duration = hour; })))),
-            "inside its range only: a time constant of front is 0.5 h, and the 1 h of its readings "
-            "are shorter than three of them");
+            "only inside its range: a time constant of front is 0.5 h, and its record of 1 h is "
+            "shorter than three of them");
   const Evidence coarse = evidence_with([](Evidence& e) { e.error = 2.5 * um; });
   EXPECT_EQ(line_of(trust_of(judged_by(coarse))),
-            "inside its range only: on parts that no fit saw it errs by 2.5 um, of 1 um tolerated");
+            "only inside its range: the error on held-out parts is 2.5 um (tolerance 1 um)");
   // Without a tolerance a quarter of the displacement counts.
   Model untold = judged_by(coarse);
   untold.tolerance = unset;
@@ -75,7 +75,7 @@ TEST(Trust, GoesByAnotherRecordWhereThereIsOne) {
   EXPECT_EQ(line_of(trust_of(judged_by(shown))), "good");
   shown.error = 10 * um;
   EXPECT_THAT(line_of(trust_of(judged_by(shown))),
-              StartsWith("do not use, because on another record it errs by 10 um"));
+              StartsWith("do not use, because the error on another record is 10 um"));
 }
 
 TEST(Trust, OnARecordIsNoBetterThanItsReadings) {
@@ -86,10 +86,10 @@ TEST(Trust, OnARecordIsNoBetterThanItsReadings) {
   EXPECT_EQ(trust_on(model, {.rms = 1 * um}, 12 * um, inside).level, TrustLevel::good);
   EXPECT_EQ(trust_on(model, {}, unset, inside).level, TrustLevel::good);
   EXPECT_EQ(line_of(trust_on(model, {}, unset, outside)),
-            "inside its range only: 2 of the 100 rows are beyond it");
+            "only inside its range: 2 of the 100 rows are outside");
   EXPECT_EQ(line_of(trust_on(model, {.rms = 12.3 * um}, 14.7 * um, outside)),
-            "do not use, because on this record it errs by 12.3 um, and without it the "
-            "displacement is 14.7 um");
+            "do not use, because the error on this record is 12.3 um; the displacement without "
+            "correction is 14.7 um");
 }
 
 /// Up and down again, with a gap in the readings; or up alone.

@@ -599,7 +599,7 @@ TEST(WrongData, CorrectsWhatWasEnteredBeforeAnythingActs) {
 TEST(GyroscopicSlip, SaysThatItIsEmpirical) {
   const Description& d = *effects::find("gyroscopic-slip");
   EXPECT_NE(d.title.find("empirical"), std::string_view::npos);
-  EXPECT_NE(d.mechanism.find("brakes nothing"), std::string_view::npos);
+  EXPECT_NE(d.mechanism.find("does not brake it"), std::string_view::npos);
   EXPECT_NE(d.source.find("without a source"), std::string_view::npos);
 }
 
@@ -646,7 +646,7 @@ TEST(Catalogue, ConditionsGoThroughTheEquilibrium) {
   EXPECT_EQ(
       model::correction_text(fit::synthetic_model(),
                              {.description = effects::find("load-cell-drift"), .values = {0.4}}),
-      "the real load changes by +0.4 % per kelvin against that of the record");
+      "the real load changes by +0.4 % per kelvin relative to the recorded load");
   // Ceramic balls press less on the outer race.
   const auto ceramic = with("ball-material", 1.0);
   EXPECT_NEAR(ceramic.equilibrium->balls[0].centrifugal_force / ball.centrifugal_force,

@@ -129,7 +129,7 @@ TEST(ModelWithTable, RefusesEffectsOnTheViscousMoment) {
   for (const std::string id :
        {"film-self-heating", "shear-thinning", "viscous-exponent", "lubricant-viscosity"})
     EXPECT_THAT(refusal([&] { (void)tabled(table_law + "\n[[effect]]\nid = \"" + id + "\"\n"); }),
-                HasSubstr("a friction table does not tell the viscous moment from the rest"))
+                HasSubstr("a friction table does not separate the viscous moment from the rest"))
         << id;
   EXPECT_NO_THROW((void)tabled(table_law + "\n[[effect]]\nid = \"seal-friction\"\n"));
 }

@@ -297,10 +297,9 @@ TEST(ModelFile, AnEffectThatTheSupplyRulesOutIsNotedAndStaysOn) {
   EXPECT_THAT(texts(parse_model(complete + churning, "m.toml").notes), testing::IsEmpty());
   const ModelFile file =
       parse_model(changed(oil, oil + "supply = \"oil-air\"\n") + churning, "m.toml");
-  EXPECT_THAT(
-      texts(file.notes),
-      ElementsAre("effect churning: the bearing is lubricated by oil-air, this needs an oil "
-                  "bath; it is switched on all the same"));
+  EXPECT_THAT(texts(file.notes),
+              ElementsAre("effect churning: the bearing is lubricated by oil-air, but this effect "
+                          "needs an oil bath; it is switched on all the same"));
   EXPECT_EQ(file.model.effects.size(), 2u);
 }
 

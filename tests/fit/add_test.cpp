@@ -49,7 +49,7 @@ TEST(Add, CalibratesTheEffectTogetherWithTheBase) {
 TEST(Add, RefusesAnEffectThatIsNotThere) {
   const verdict::AddResult result = add(synthetic_model(), lubricant_drag, measured_with_drag(0.0));
   EXPECT_TRUE(result.refused);
-  EXPECT_THAT(result.reason, HasSubstr("no better"));
+  EXPECT_THAT(result.reason, HasSubstr("not better"));
 }
 
 TEST(Add, RefusesAnEffectWhereAnotherOneExplainsTheData) {
@@ -58,7 +58,7 @@ TEST(Add, RefusesAnEffectWhereAnotherOneExplainsTheData) {
   const verdict::AddResult result = add(synthetic_model(), slip, measured_with_drag(40.0));
   EXPECT_TRUE(result.refused);
   EXPECT_LT(result.channels[0].rmse_held_out_after, result.channels[0].rmse_held_out_before);
-  EXPECT_THAT(result.reason, HasSubstr("explains these data to the noise"));
+  EXPECT_THAT(result.reason, HasSubstr("explains these data down to the noise"));
 }
 
 TEST(Add, TakesAnEffectOfTheUsersOwnThatStandsInTheModel) {
@@ -95,8 +95,8 @@ TEST(Add, SaysWhatIsWrongWithTheRequest) {
   Model oil_air = synthetic_model();
   oil_air.supply = friction::Supply::oil_air;
   EXPECT_EQ(message(oil_air, lubricant_drag),
-            "lubricant-drag: the bearing is lubricated by oil-air, this needs an oil jet or an oil "
-            "bath");
+            "lubricant-drag: the bearing is lubricated by oil-air, but this effect needs an oil "
+            "jet or an oil bath");
 }
 
 }  // namespace

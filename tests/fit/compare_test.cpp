@@ -51,7 +51,7 @@ TEST(Compare, TellsStructureFromNoiseByEveryKindOfEvidence) {
   EXPECT_LT(repeats.lack_of_fit.p_value, 1e-20);
   EXPECT_EQ(repeats.lack_of_fit.noise_degrees_of_freedom, 96);
   EXPECT_EQ(repeats.lack_of_fit.degrees_of_freedom, 46);
-  EXPECT_THAT(repeats.statement, HasSubstr("is structure, not noise"));
+  EXPECT_THAT(repeats.statement, HasSubstr("is systematic, not noise"));
   EXPECT_THAT(repeats.statement, HasSubstr("F = "));
 
   declare_noise(1.0 * N_mm, data);
@@ -67,7 +67,7 @@ TEST(Compare, TellsStructureFromNoiseByEveryKindOfEvidence) {
   EXPECT_EQ(unknown.noise.source, NoiseSource::none);
   EXPECT_EQ(unknown.judgement, verdict::Judgement::structure);
   EXPECT_LT(unknown.pattern.p_value, 1e-3);
-  EXPECT_THAT(unknown.statement, HasSubstr("neighbours in speed err alike"));
+  EXPECT_THAT(unknown.statement, HasSubstr("neighbours in speed have similar residuals"));
 }
 
 TEST(Compare, SaysWhereItFailsWorstFirst) {

@@ -229,7 +229,9 @@ TEST(Diagnose, PairsWithWrongDataStandBehindTwoEffects) {
   EXPECT_EQ(d.verdict, verdict::Verdict::several_effects) << d.sentence;
   for (const auto& set : d.sets)
     for (const std::string& id : set) EXPECT_TRUE(effects::find(id)->datum.empty()) << id;
-  EXPECT_THAT(d.sentence, HasSubstr("seal-friction beside wrong data would do as well: "));
+  EXPECT_THAT(
+      d.sentence,
+      HasSubstr("seal-friction together with wrong data would explain the misfit as well: "));
   EXPECT_THAT(d.sentence, HasSubstr("temperature-gain (the sensor sees "));
 }
 
@@ -262,7 +264,7 @@ TEST(Diagnose, WorksFromEightRowsWithDeclaredDeviations) {
   const verdict::Diagnosis d = diagnose(belief(), some(with_effect("windage", {60.0}), 2.0, 1));
   EXPECT_THAT(named(d), testing::Contains("windage")) << d.sentence;
   EXPECT_THAT(texts(d.messages),
-              testing::Contains(HasSubstr("8 rows are too few to tell their noise")));
+              testing::Contains(HasSubstr("8 rows are too few to estimate the noise")));
   // The same without the deviations, or with one row less.
   DataSet undeclared = some(synthetic_model(), 2.0, 1);
   for (Row& row : undeclared.rows) row.std = unset;
@@ -376,13 +378,14 @@ TEST(Diagnose, LeavesOutWhatTheSupplyOfLubricantRulesOut) {
   std::map<std::string, std::string> ruled_out;
   for (const verdict::NotTestable& n : d.not_testable)
     if (n.reason.starts_with("the bearing is lubricated by oil-air")) ruled_out[n.id] = n.reason;
-  EXPECT_EQ(ruled_out,
-            (std::map<std::string, std::string>{
-                {"churning", "the bearing is lubricated by oil-air, this needs an oil bath"},
-                {"grease-churning", "the bearing is lubricated by oil-air, this needs grease"},
-                {"lubricant-drag",
-                 "the bearing is lubricated by oil-air, this needs an oil jet or an oil "
-                 "bath"}}));
+  EXPECT_EQ(
+      ruled_out,
+      (std::map<std::string, std::string>{
+          {"churning", "the bearing is lubricated by oil-air, but this effect needs an oil bath"},
+          {"grease-churning", "the bearing is lubricated by oil-air, but this effect needs grease"},
+          {"lubricant-drag",
+           "the bearing is lubricated by oil-air, but this effect needs an oil jet or an oil "
+           "bath"}}));
   for (const std::vector<std::string>& set : d.sets)
     for (const std::string& id : set) EXPECT_EQ(ruled_out.count(id), 0U) << id;
   // With a supply that allows it, all is as without one.

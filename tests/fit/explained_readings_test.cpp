@@ -101,7 +101,7 @@ TEST(Diagnose, HoldsTheNumbersOfSomeRowsAgainstAll) {
   ASSERT_EQ(c.diagnosis.rows, 40);
   ASSERT_EQ(c.diagnosis.verdict, verdict::Verdict::effect) << c.diagnosis.sentence;
   ASSERT_FALSE(c.diagnosis.messages.empty());
-  EXPECT_NE(c.diagnosis.messages.back().text.find("over all 72 rows"), std::string::npos);
+  EXPECT_NE(c.diagnosis.messages.back().text.find("on all 72 rows"), std::string::npos);
 }
 
 TEST(ExplainedReadings, AreNotThereWhereNothingIsMissing) {

@@ -57,7 +57,7 @@ TEST(Headline, NamesTheBaseLawThatExplainsTheData) {
   EXPECT_EQ(verdict::headline(d).find("law = skf"), std::string::npos);
   d.other_bases.front().explains = true;
   EXPECT_EQ(verdict::headline(d),
-            "law = skf explains these data, and no effect does: error 44.9 -> 11.5 N mm");
+            "law = skf explains these data, but no effect does: error 44.9 -> 11.5 N mm");
 }
 
 TEST(Headline, DoesNotCallWrongDataAnEffect) {
@@ -76,17 +76,16 @@ TEST(Headline, DoesNotTellANoiseThatIsNotKnown) {
   verdict::Diagnosis d = found(verdict::Verdict::not_in_catalogue, {});
   d.channels[0].noise.rms = unset;
   EXPECT_EQ(verdict::headline(d),
-            "Something is missing that no effect of the catalogue explains: error 44.9 N mm, "
+            "Something is missing that is not in the catalogue: error 44.9 N mm, "
             "noise not known");
 }
 
 TEST(Headline, SaysWhereItIsNotSure) {
   verdict::Diagnosis d =
       found(verdict::Verdict::ambiguous, {{"churning"}, {"windage", "seal-friction"}});
-  EXPECT_EQ(
-      verdict::headline(d),
-      "Churning or windage with seal friction explains the misfit, and these data do not tell "
-      "which; error 44.9 -> 10.7 N mm");
+  EXPECT_EQ(verdict::headline(d),
+            "Churning or windage with seal friction explains the misfit, but these data do not "
+            "decide which; error 44.9 -> 10.7 N mm");
   d = found(verdict::Verdict::effect_like, {});
   d.effects = {effect("churning", "torque_at_10000_rpm_Nmm", 20.0, "N mm")};
   EXPECT_EQ(
@@ -94,21 +93,19 @@ TEST(Headline, SaysWhereItIsNotSure) {
       "The misfit looks like churning, but the data do not confirm it: error 44.9 N mm, noise 10.2 "
       "N mm");
   EXPECT_EQ(verdict::headline(found(verdict::Verdict::not_in_catalogue, {})),
-            "Something is missing that no effect of the catalogue explains: error 44.9 N mm, noise "
+            "Something is missing that is not in the catalogue: error 44.9 N mm, noise "
             "10.2 N mm");
-  EXPECT_EQ(
-      verdict::headline(d, verdict::Inputs::miss_what_changes),
-      "Something is missing that no input of the model describes: error 44.9 N mm, noise 10.2 "
-      "N mm");
+  EXPECT_EQ(verdict::headline(d, verdict::Inputs::miss_what_changes),
+            "The cause is not an input of the model: error 44.9 N mm, noise 10.2 "
+            "N mm");
 }
 
 TEST(Headline, DoubtsWhereEqualPointsReadDifferently) {
   verdict::Diagnosis d = found(verdict::Verdict::effect, {{"churning"}});
   d.effects = {effect("churning", "torque_at_10000_rpm_Nmm", 20.0, "N mm")};
-  EXPECT_EQ(
-      verdict::headline(d, verdict::Inputs::may_miss_something),
-      "Churning is missing: 20 N mm at 10 000 rpm; error 44.9 -> 10.7 N mm; but rows at nearly "
-      "the same point do not read alike");
+  EXPECT_EQ(verdict::headline(d, verdict::Inputs::may_miss_something),
+            "Churning is missing: 20 N mm at 10 000 rpm; error 44.9 -> 10.7 N mm; but rows at "
+            "nearly the same point have different readings");
 }
 
 TEST(Headline, ClaimsNoMoreThanTheDataShow) {

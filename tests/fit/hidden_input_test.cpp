@@ -83,7 +83,7 @@ TEST(HiddenInput, IsAVerdictOfItsOwnWhereItFollowsTheRuns) {
   DataSet data = runs_with({1.0, 1.2, 1.4, 1.6});
   const verdict::Diagnosis told = diagnose(model, data);
   EXPECT_EQ(told.verdict, verdict::Verdict::not_in_catalogue);
-  EXPECT_THAT(told.sentence, HasSubstr("in no input of the model"));
+  EXPECT_THAT(told.sentence, HasSubstr("not an input of the model"));
   EXPECT_EQ(told.channels[0].rmse_after, told.channels[0].rmse_before);
 
   // Without run_id it may be scatter: a warning beside the verdict.

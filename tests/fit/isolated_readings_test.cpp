@@ -58,8 +58,8 @@ TEST(IsolatedReadings, LeaveAndReturnAndTakeNoPart) {
     }
   }
   EXPECT_EQ(found.statement(),
-            "6 readings of axial displacement leave and return while the speed is steady and take "
-            "no part, rows 36, 101, 102, 223, 341, 456");
+            "6 readings of axial displacement jump and return while the speed is steady and are "
+            "not used, rows 36, 101, 102, 223, 341, 456");
 }
 
 TEST(IsolatedReadings, AJumpThatStaysIsNone) {
@@ -79,8 +79,8 @@ TEST(IsolatedReadings, BeyondTheRangeOfAllOthersNeedNoSteadySpeed) {
   const Isolated found = without_isolated_readings(record);
   EXPECT_EQ(found.rows, (std::vector<std::size_t>{60, 340}));
   EXPECT_EQ(found.statement(),
-            "2 readings of axial displacement leave and return while the speed is steady, or by "
-            "more than three times the range of the others, and take no part, rows 61, 341");
+            "2 readings of axial displacement jump and return while the speed is steady, or by "
+            "more than three times the range of the others, and are not used, rows 61, 341");
   // A step of that size which stays is the machine, or another zero.
   std::vector<std::size_t> rows;
   for (std::size_t i = 330; i < 600; ++i) rows.push_back(i);
@@ -132,8 +132,8 @@ TEST(IsolatedReadings, AreToldByAModelWhereTheSpeedChanges) {
       without_isolated_readings(record, record::axial_displacement, {}, predicted);
   EXPECT_EQ(found.rows, chips);
   EXPECT_EQ(found.statement(),
-            "4 readings of axial displacement leave and return, against the fitted model, and take "
-            "no part, rows 32, 91, 92, 151");
+            "4 readings of axial displacement jump and return, against the fitted model, and are "
+            "not used, rows 32, 91, 92, 151");
 }
 
 /// 40 states of a rig, torques of 10 to 98 N mm.
@@ -159,8 +159,9 @@ TEST(ImpossibleRows, AReadingFarBeyondAllOthersIsNamedAndLeftOut) {
   EXPECT_EQ(found.record.rows(), 39u);
   ASSERT_EQ(found.statements.size(), 1u);
   EXPECT_EQ(found.statements.front(),
-            "1 row has a friction torque more than three times the range of all others away from "
-            "them and takes no part, line 13");
+            "1 row has a friction torque that differs from all others by more than three times "
+            "their range "
+            "and is not used, line 13");
   // At a speed that no other row has it may be true.
   record.find(record::speed)->values[12] = 20000.0 * rpm;
   EXPECT_TRUE(without_impossible_rows(record).statements.empty());
@@ -173,7 +174,7 @@ TEST(ImpossibleRows, ATemperatureThatNoOilHasIsNamedAndLeftOut) {
   const PossibleRows found = without_impossible_rows(record);
   EXPECT_EQ(found.record.rows(), 38u);
   EXPECT_EQ(found.statements.front(),
-            "2 rows have a temperature that no machine has and take no part, lines 4, 31");
+            "2 rows have a temperature that no machine has and are not used, lines 4, 31");
 }
 
 /// What a control sets may leap; what has a heat capacity may not.
@@ -187,8 +188,8 @@ TEST(IsolatedReadings, OfAnInputLeaveByItsWholeRange) {
   record.find(record::outer_ring_temperature)->values[200] = kelvin(120.0);
   const Isolated found = without_isolated_readings(record, record::outer_ring_temperature, by);
   EXPECT_EQ(found.statement(),
-            "1 reading of outer ring temperature leaves and returns by more than the range of the "
-            "others and takes no part, rows 201");
+            "1 reading of outer ring temperature jumps and returns by more than the range of the "
+            "others and is not used, rows 201");
 }
 
 }  // namespace

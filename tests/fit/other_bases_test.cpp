@@ -106,7 +106,7 @@ TEST(OtherBases, OneThatExplainsTheDataIsOfferedBesideTheVerdict) {
   EXPECT_EQ(d.verdict, verdict::Verdict::not_in_catalogue) << d.sentence;
   EXPECT_THAT(d.headline, HasSubstr("law = square explains these data"));
   EXPECT_THAT(d.sentence, HasSubstr("law = square explains these data"));
-  EXPECT_THAT(d.sentence, HasSubstr("raceway add MODEL law:square takes it"));
+  EXPECT_THAT(d.sentence, HasSubstr("use it with: raceway add MODEL law:square"));
   ASSERT_THAT(d.other_bases, SizeIs(2));
   const verdict::OtherBaseTried& best = d.other_bases.front();
   EXPECT_EQ(best.id, "law:square");
@@ -129,7 +129,7 @@ TEST(OtherBases, GivenTheBetterOneTheVerdictNamesWhatIsMissingBesideIt) {
   EXPECT_EQ(d.other_bases.front().id, "law:square");
   EXPECT_FALSE(d.other_bases.front().explains);
   EXPECT_EQ(d.given_other_base->verdict, verdict::Verdict::effect) << d.given_other_base->sentence;
-  EXPECT_THAT(d.sentence, HasSubstr("Given law = square the verdict is effect"));
+  EXPECT_THAT(d.sentence, HasSubstr("With law = square the verdict is effect"));
 }
 
 TEST(OtherBases, AreNotTriedWhereAnEffectExplainsTheDataOrNothingIsMissing) {

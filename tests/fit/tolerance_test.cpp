@@ -40,7 +40,7 @@ TEST(Tolerance, LeavesOutOfTheVerdictWhatIsCertainButDoesNotMatter) {
   EXPECT_EQ(d.verdict, verdict::Verdict::nothing_missing);
   EXPECT_TRUE(d.within_tolerance);
   EXPECT_THAT(d.significant_but_immaterial, Contains("lubricant-drag"));
-  EXPECT_THAT(d.sentence, HasSubstr("Nothing missing that matters"));
+  EXPECT_THAT(d.sentence, HasSubstr("No important effect is missing"));
 }
 
 TEST(Tolerance, IsMetByTheEffectThatIsNamed) {

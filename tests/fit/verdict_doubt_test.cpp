@@ -110,14 +110,14 @@ TEST(VerdictDoubt, AShapeWithoutALawIsOnlyActedLike) {
       loop::diagnose(line, readings([](double x) { return 1.0 + x + 0.2 * x * x; }, 0.02));
   EXPECT_EQ(d.verdict, verdict::Verdict::effect_like) << d.sentence;
   EXPECT_TRUE(d.effects.at(0).in_verdict);
-  EXPECT_THAT(d.sentence, HasSubstr("acts like curve, a shape without a law of physics"));
+  EXPECT_THAT(d.sentence, HasSubstr("acts like curve, an empirical shape without a physical law"));
 }
 
 TEST(VerdictDoubt, ABaseParameterAtItsBoundIsNamed) {
   const verdict::Diagnosis d =
       loop::diagnose(Line(), readings([](double x) { return 1.0 - 0.02 * x + 0.2 * x * x; }, 0.02));
   EXPECT_EQ(d.verdict, verdict::Verdict::effect_like) << d.sentence;
-  EXPECT_THAT(d.sentence, HasSubstr("acts like curve, but only with slope at 0, the end of the"));
+  EXPECT_THAT(d.sentence, HasSubstr("acts like curve, but only with slope at 0, the limit of its"));
 }
 
 /// Most of the curve that the law can give, at any size however large.

@@ -41,7 +41,8 @@ TEST(Judgement, PressureOfARunningBearingIsJudgedBelowThatOfAStandingOne) {
   EXPECT_TRUE(running.is_warning);
   EXPECT_DOUBLE_EQ(running.value, 2.3);
   EXPECT_DOUBLE_EQ(running.allowed, 2.0);
-  EXPECT_THAT(running.text, HasSubstr("2.3 GPa while the bearing runs, above 2 GPa"));
+  EXPECT_THAT(running.text,
+              HasSubstr("the contact pressure of the running bearing is 2.3 GPa, above 2 GPa"));
   const JudgedBearing dented{.axial_load = 100.0, .radial_load = 0.0, .outer_pressure = 4.3e9};
   const Finding standing = of(limits::static_pressure, judged(model, {.speed = 0.0}, dented));
   EXPECT_FALSE(standing.is_warning);

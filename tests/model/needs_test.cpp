@@ -38,16 +38,20 @@ TEST(Needs, AnotherSupplyRulesOut) {
   const auto why = [&](const char* id) { return ruled_out(*effects::find(id), model); };
   EXPECT_THAT(why("churning"), IsEmpty());
   model.supply = friction::Supply::oil_air;
-  EXPECT_EQ(why("churning"), "the bearing is lubricated by oil-air, this needs an oil bath");
-  EXPECT_EQ(why("lubricant-drag"),
-            "the bearing is lubricated by oil-air, this needs an oil jet or an oil bath");
+  EXPECT_EQ(why("churning"),
+            "the bearing is lubricated by oil-air, but this effect needs an oil bath");
+  EXPECT_EQ(
+      why("lubricant-drag"),
+      "the bearing is lubricated by oil-air, but this effect needs an oil jet or an oil bath");
   EXPECT_THAT(why("replenishment-starvation"), IsEmpty());
   EXPECT_THAT(why("windage"), IsEmpty());
   model.supply = friction::Supply::bath;
   EXPECT_THAT(why("churning"), IsEmpty());
   EXPECT_EQ(why("replenishment-starvation"),
-            "the bearing is lubricated by an oil bath, this needs oil-air, grease or an oil jet");
-  EXPECT_EQ(why("grease-churning"), "the bearing is lubricated by an oil bath, this needs grease");
+            "the bearing is lubricated by an oil bath, but this effect needs oil-air, grease or an "
+            "oil jet");
+  EXPECT_EQ(why("grease-churning"),
+            "the bearing is lubricated by an oil bath, but this effect needs grease");
 }
 
 TEST(Needs, AreALoadOnEveryRowWhateverItsDirection) {

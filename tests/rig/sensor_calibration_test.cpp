@@ -95,7 +95,7 @@ TEST(SensorCalibration, LackOfFitOfALineThroughTheLoadCellIsThatOfTheHandbook) {
   EXPECT_EQ(c.lack_of_fit.degrees, 18);
   EXPECT_EQ(c.lack_of_fit.error_degrees, 20);
   EXPECT_LT(c.lack_of_fit.p_value, 1e-12);
-  EXPECT_THAT(texts(c.warnings), Contains(HasSubstr("--degree 2 follows them")));
+  EXPECT_THAT(texts(c.warnings), Contains(HasSubstr("use --degree 2")));
 }
 
 TEST(SensorCalibration, TakesTheLowestDegreeThatTheReadingsFollow) {
@@ -260,7 +260,7 @@ TEST(SensorCalibration, RefusesWhatIsNoCalibration) {
   EXPECT_THAT(refusal({}), HasSubstr("no readings"));
   const std::vector<double> tiny{0, 1e-310, 2e-310, 3e-310, 4e-310};
   EXPECT_THAT(refusal(readings(tiny, [](double, std::size_t i) { return static_cast<double>(i); })),
-              HasSubstr("give no curve"));
+              HasSubstr("cannot fit a curve"));
 }
 
 TEST(SensorCalibration, RefusesASignalThatTurns) {

@@ -124,10 +124,9 @@ TEST(SensedTorques, NameTheSignalsThatNoWeightHasMade) {
   const SensedTorques sensed = sensed_torques(line, signals, {}, lines);
   EXPECT_THAT(sensed.torque, testing::Pointwise(testing::DoubleNear(1e-12),
                                                 std::vector<double>{-0.1, 1.0, 10.2, 10.4}));
-  EXPECT_THAT(
-      texts(sensed.notes),
-      Contains(HasSubstr("3 of 4 signals are outside of 0.1 to 5.1 V, which the calibration "
-                         "has seen: down to 0.05 and up to 5.3 V (lines 2, 4, 5)")));
+  EXPECT_THAT(texts(sensed.notes),
+              Contains(HasSubstr("3 of 4 signals are outside the calibrated range of 0.1 to 5.1 V: "
+                                 "down to 0.05 and up to 5.3 V (lines 2, 4, 5)")));
   const SensedTorques inside = sensed_torques(line, std::vector<double>{0.1, 5.1}, {}, lines);
   EXPECT_THAT(texts(inside.notes), Not(Contains(HasSubstr("outside"))));
 }
@@ -139,7 +138,7 @@ TEST(SensedTorques, OfASensorWithoutScatterHaveNoStandardDeviation) {
   const SensedTorques sensed =
       sensed_torques(exact, std::vector<double>{0.6}, {}, std::vector<int>{2});
   EXPECT_THAT(sensed.std, IsEmpty());
-  EXPECT_THAT(texts(sensed.notes), Contains(HasSubstr("it knows of no scatter")));
+  EXPECT_THAT(texts(sensed.notes), Contains(HasSubstr("it has no scatter")));
 }
 
 }  // namespace

@@ -222,7 +222,7 @@ TEST(AddToAShaft, RefusesAMemberThatAddsNothing) {
       add(two_against_one(), ids,
           undeclared_records(with_ring_growth(3.0), ShaftPlan::two_preloads, 1));
   EXPECT_TRUE(r.refused);
-  EXPECT_THAT(r.reason, HasSubstr("thermal-preload adds nothing"));
+  EXPECT_THAT(r.reason, HasSubstr("thermal-preload explains nothing beyond"));
 }
 
 TEST(AddToAShaft, FitsTheEffectAndLowersTheErrorOnOtherRecords) {

@@ -102,7 +102,7 @@ TEST(HeatSource, GoesByFormulaOfSpeedLoadAndPower) {
     static_cast<void>(sources_at_6000(by_power));
     ADD_FAILURE() << "no error";
   } catch (const std::invalid_argument& e) {
-    EXPECT_THAT(e.what(), testing::HasSubstr("goes by motor_power_W, which is not given"));
+    EXPECT_THAT(e.what(), testing::HasSubstr("needs motor_power_W, which is not given"));
   }
 }
 

@@ -77,7 +77,7 @@ function diagnose(report: RecordReport & { command: 'diagnose' }): (Node | undef
   const held = [field(d, heldOut), d.explanations.length ? field(d.effects[0] ?? {}, heldOut) : null];
   return [
     header({ command: 'diagnose', files: shortPaths([d.model, d.data]), badge: verdicts[d.verdict] ?? [d.verdict, 'open'], sentence: d.headline, more: d.sentence }, [
-      ['on parts that no fit saw', held[1] === null ? um(held[0]) : `${number(held[0], 3)} → ${um(held[1])}`],
+      ['on held-out parts', held[1] === null ? um(held[0]) : `${number(held[0], 3)} → ${um(held[1])}`],
       ['tolerance', um(limits.tolerance)],
       ['noise of the sensor', um(limits.noise)],
       ['readings', String(d.rows)],
@@ -102,7 +102,7 @@ function add(report: RecordReport & { command: 'add' }): (Node | undefined)[] {
         command: 'add',
         files: shortPaths([r.model, r.data]),
         badge: r.refused ? ['refused', 'open'] : ['added', 'good'],
-        sentence: r.refused ? `Refused: ${r.reason}.` : `On parts that no fit saw ${number(r.rmse_held_out_before, 3)} → ${um(r.rmse_held_out_after)}.`,
+        sentence: r.refused ? `Refused: ${r.reason}.` : `On held-out parts ${number(r.rmse_held_out_before, 3)} → ${um(r.rmse_held_out_after)}.`,
         more: r.after.statement,
       },
       [['RMS error', `${number(r.before.rmse, 3)} → ${um(r.after.rmse)}`], ['tolerance', um(limits.tolerance)], ['readings', String(r.after.rows)], lengthOf(view)],

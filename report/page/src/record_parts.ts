@@ -39,7 +39,7 @@ export function unitKey(displacement: string): string {
 export function ladder(rungs: Rung[], { tolerance, noise }: Limits, unit: string, note?: string, id = 'ladder'): Figure {
   const um = (value: number | null | undefined) => inUnit(value, unit);
   const held = rungs.some((r) => r.held !== null);
-  const names = ['on all readings', ...(held ? ['on parts that no fit saw'] : [])];
+  const names = ['on all readings', ...(held ? ['on held-out parts'] : [])];
   const values = [rungs.map((r) => r.rms), ...(held ? [rungs.map((r) => r.held)] : [])];
   const most = Math.max(...values.flat().map((v) => v ?? 0));
   const lines = [...(tolerance === null ? [] : [`the tolerance, ${um(tolerance)}`]), ...(noise === null ? [] : [`the noise of the sensor, ${um(noise)}`])];
@@ -65,7 +65,7 @@ export function ladder(rungs: Rung[], { tolerance, noise }: Limits, unit: string
         grid: { left: side.left, right: 56, top: top.height + 24, bottom: 42 },
         tooltip: tooltip(l, (hit) => {
           const r = rungs[hit.dataIndex];
-          return r ? [r.name, ['on all readings', um(r.rms)], ...(held ? ([['on parts that no fit saw', um(r.held)]] as [string, string][]) : []), ...(r.note ? [r.note] : [])] : null;
+          return r ? [r.name, ['on all readings', um(r.rms)], ...(held ? ([['on held-out parts', um(r.held)]] as [string, string][]) : []), ...(r.note ? [r.note] : [])] : null;
         }),
         xAxis: valueAxis(`RMS error [${unit}]`, l, 'x', { scale: false, min: 0, ...(most < Math.max(tolerance ?? 0, noise ?? 0) ? { max: plainCeiling(Math.max(tolerance ?? 0, noise ?? 0)) } : {}) }),
         yAxis: side.option,
@@ -81,7 +81,7 @@ export function ladder(rungs: Rung[], { tolerance, noise }: Limits, unit: string
       };
     },
     table: () => ({
-      columns: ['', `RMS [${unit}]`, ...(held ? [`RMS on parts that no fit saw [${unit}]`] : []), 'over the tolerance', 'numbers'],
+      columns: ['', `RMS [${unit}]`, ...(held ? [`RMS on held-out parts [${unit}]`] : []), 'over the tolerance', 'numbers'],
       rows: rungs.map((r) => [r.name, r.rms, ...(held ? [r.held] : []), tolerance === null ? null : ((r.held ?? r.rms) as number) / tolerance, r.note ?? '']),
     }),
   });

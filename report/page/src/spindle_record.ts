@@ -228,7 +228,7 @@ function diagnose(report: RecordReport & { command: 'diagnose' }): (Node | undef
     .join(' → ');
   return [
     header({ command: 'diagnose', files: shortPaths([d.model, d.data]), badge: verdicts[d.verdict] ?? [d.verdict, 'open'], sentence: d.headline, more: d.sentence }, [
-      ['on parts that no fit saw', `${held} ${times}`],
+      ['on held-out parts', `${held} ${times}`],
       ['channels', String(count)],
       ['readings', String(d.rows)],
       lengthOf(view),
@@ -236,7 +236,7 @@ function diagnose(report: RecordReport & { command: 'diagnose' }): (Node | undef
     section(
       'The verdict',
       grid(
-        channelBars(rows, ['refitted, nothing added', ...(explained ? [`with ${(d.explanations[0] ?? []).join(' and ')}`] : []), 'nothing added, parts that no fit saw']),
+        channelBars(rows, ['refitted, nothing added', ...(explained ? [`with ${(d.explanations[0] ?? []).join(' and ')}`] : []), 'nothing added, held-out parts']),
         rungs.length > 1 ? ladder(rungs, { tolerance: 1, noise: null }, times, togetherNote) : undefined,
       ),
     ),

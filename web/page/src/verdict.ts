@@ -69,7 +69,7 @@ class ErrorBars implements Shown {
   }
 }
 
-const trustWords: Record<Trust['verdict'], [string, string]> = { good: ['good', 'good'], 'within-range': ['inside its range only', 'open'], 'do-not-use': ['do not use', 'bad'], unknown: ['not known', 'open'] };
+const trustWords: Record<Trust['verdict'], [string, string]> = { good: ['good', 'good'], 'within-range': ['only inside its range', 'open'], 'do-not-use': ['do not use', 'bad'], unknown: ['not known', 'open'] };
 
 /// How far a correction may be trusted, as the command says it.
 export function trustLine(trust: Trust): HTMLElement {
