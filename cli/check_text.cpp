@@ -15,7 +15,7 @@
 namespace raceway::cli {
 namespace {
 
-std::string noise_text(const loop::Check::MeasuredChannel& m) {
+std::string noise_of_channel(const loop::Check::MeasuredChannel& m) {
   const auto text = [&](double rms) {
     return fmt::format("{} {} rms", error_text(rms, *m.channel, 3), error_unit(*m.channel));
   };
@@ -39,7 +39,7 @@ void print_measured(const loop::Check& c, const record::Record& data) {
                            : fmt::format(", {} runs", c.runs));
   for (const loop::Check::MeasuredChannel& m : measured)
     fmt::print("noise{}: {}\n", measured.size() > 1 ? fmt::format(" of {}", m.channel->words) : "",
-               noise_text(m));
+               noise_of_channel(m));
 }
 
 /// Scatter of the readings, as far as stops tell it.
