@@ -5,6 +5,7 @@
 #include "cli/report_flag.h"
 #include "report/report.h"
 #include "text/error.h"
+#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
@@ -17,10 +18,10 @@ TEST(WithoutReports, TheFlagSaysHowTheProgramWasBuilt) {
   ReportFlag flag;
   flag.declare(app);
   EXPECT_THAT(app.help(), HasSubstr("-DRACEWAY_REPORT=OFF"));
-  EXPECT_NO_THROW(flag.check(false)) << "nobody asked for a report";
+  EXPECT_NO_THROW(flag.check(text::IfExists::refuse)) << "nobody asked for a report";
   app.parse("--report page.html");
   try {
-    flag.check(false);
+    flag.check(text::IfExists::refuse);
     FAIL() << "a report was promised";
   } catch (const text::InputError& e) {
     EXPECT_THAT(e.what(), HasSubstr("without reports (-DRACEWAY_REPORT=OFF)"));
