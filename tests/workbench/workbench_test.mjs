@@ -59,7 +59,7 @@ test('two candidates can be on; base laws stand in the same list; what does not 
   const { page, faults, close } = await open();
   await click(page, '#candidate-lubricant-drag');
   await click(page, '#candidate-windage');
-  assert.match(await page.textContent('.verdict .callout.doubt'), /The engine does not take it: windage adds nothing/);
+  assert.match(await page.textContent('.verdict .callout.doubt'), /The engine does not take it: windage explains nothing beyond the others/);
   await click(page, '#force');
   assert.match(await sentence(page), /^With lubricant drag and windage/);
   await click(page, '#candidate-windage');
@@ -373,7 +373,7 @@ test('the measured spindle is built in: the lags of its sensors are found in 26 
   const found = file('found.toml');
   const { trust } = JSON.parse(raceway('identify', join(record, 'bare3.toml'), join(record, 'record.csv'), '--lags', 'auto', '--until', '26h', '-o', found, '--json'));
   assert.equal(trust.verdict, 'within-range');
-  assert.match(await page.textContent('#trust'), /inside its range only/);
+  assert.match(await page.textContent('#trust'), /only inside its range/);
   assert.ok((await page.textContent('#trust')).replaceAll('\u00a0', ' ').includes(trust.because.replaceAll(' um', ' µm')));
   const ahead = JSON.parse(raceway('compare', join(record, 'bare3.toml'), found, join(record, 'record.csv'), '--from', '26h', '--zero', 'none', '--json'));
   const [before, now] = ahead.models.map((m) => m.rmse.toPrecision(3));
@@ -387,7 +387,7 @@ test('the measured spindle is built in: the lags of its sensors are found in 26 
   }
   execFileSync('bash', ['-ec', await page.textContent('#shell')], { cwd: folder, stdio: 'pipe', env: { ...process.env, PATH: `${dirname(RACEWAY)}:${process.env.PATH}` } });
   assert.equal(readFileSync(join(folder, 'saved.toml'), 'utf8'), readFileSync(join(folder, 'model.toml'), 'utf8'));
-  assert.match((await saved(page, '#export-python')).text, /inside its range only/);
+  assert.match((await saved(page, '#export-python')).text, /only inside its range/);
   // Lags that were found in more of the record would not be judged by readings that no fit saw.
   await click(page, '#step-data');
   await cut('20h');
