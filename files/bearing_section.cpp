@@ -18,53 +18,57 @@ namespace {
 // Wherever the libraries check as well, these are their ranges.
 constexpr Key keys_of_bearing[]{
     {"catalogue", a_text, unset,
-     "designation of a bearing, estimated where it is in no catalogue; every other key of this "
-     "table may then be left "
-     "out, and overrides its row where it is given"},
-    {"name", a_text, "catalogue, else the file", "for results"},
-    {"ball_count", whole(3, 200), "of the catalogue", "no more than fit on the pitch circle"},
+     "designation of a bearing; if it is not in the catalogue, the program estimates the bearing. "
+     "All other keys of this table are then optional; a given key replaces the value of the "
+     "catalogue"},
+    {"name", a_text, "designation, else name of the file", "for results"},
+    {"ball_count", whole(3, 200), "of the catalogue",
+     "number of balls; they must fit on the pitch circle"},
     {"ball_diameter_mm", between(0.1, 300, "mm"), "of the catalogue", "diameter of a ball"},
     {"pitch_diameter_mm", between(1, 5000, "mm"), "of the catalogue",
-     "diameter of the circle through the centres of the balls, above 1.2 ball diameters"},
+     "diameter of the circle through the ball centres, above 1.2 ball diameters"},
     {"contact_angle_deg", between(0, 65, "deg"), "of the catalogue",
-     "nominal contact angle; 0 is a deep-groove bearing"},
+     "nominal contact angle; 0 for a deep-groove bearing"},
     {"inner_conformity", between(0.5005, 0.7), catalogue_conformity,
-     "radius of the inner groove over ball diameter; required without catalogue"},
+     "radius of the inner groove / ball diameter; required without the key catalogue"},
     {"outer_conformity", between(0.5005, 0.7), catalogue_conformity,
-     "radius of the outer groove over ball diameter; required without catalogue"},
+     "radius of the outer groove / ball diameter; required without the key catalogue"},
     {"static_load_rating_N", between(1, 1e9, "N"), "of the catalogue",
-     "C0; required by the law palmgren"},
+     "static load rating C0; required by the law palmgren"},
     {"ball_material", one_of("steel|silicon-nitride"), "steel",
-     "built in, or the NAME of a [material.NAME]"},
+     "material: a built-in name, or the NAME of a table [material.NAME]"},
     {"ring_material", one_of("steel|silicon-nitride"), "steel",
-     "built in, or the NAME of a [material.NAME]"},
+     "material: a built-in name, or the NAME of a table [material.NAME]"},
     {"bore_mm", between(0, 5000, "mm"), "pitch diameter - 1.5 ball diameters",
-     "bore of the inner ring, below pitch diameter - ball diameter"},
+     "bore of the inner ring; must be below pitch diameter - ball diameter"},
     {"outer_diameter_mm", between(1, 10000, "mm"), "pitch diameter + 1.5 ball diameters",
-     "outer diameter of the outer ring, above pitch diameter + ball diameter, at most twice that"},
+     "outer diameter of the outer ring; must be above pitch diameter + ball diameter and at most "
+     "twice that sum"},
     {"radial_clearance_um", between(0, 10000, "um"), 0.0,
-     "diametral, without load, below the distance of the groove centres; of contact angle 0 alone"},
+     "diametral clearance without load, below the distance of the groove centres; only for contact "
+     "angle 0"},
     {"inner_shoulder_diameter_mm", between(0.1, 5000, "mm"), unset,
-     "where the inner groove ends, between its bottom and the pitch diameter, for the margin of "
-     "the contact ellipse; without it not looked at"},
+     "diameter at which the inner groove ends, between groove bottom and pitch diameter; if it is "
+     "missing, the margin of the contact ellipse is not checked"},
     {"outer_shoulder_diameter_mm", between(1, 10000, "mm"), unset,
-     "where the outer groove ends, between the pitch diameter and its bottom, for the margin of "
-     "the contact ellipse; without it not looked at"},
+     "diameter at which the outer groove ends, between pitch diameter and groove bottom; if it is "
+     "missing, the margin of the contact ellipse is not checked"},
 };
 
 constexpr Key material_keys[]{
     {"elastic_modulus_GPa", between(1, 1200, "GPa"), is_required,
-     "Young's modulus; steel 208, silicon-nitride 310"},
-    {"poisson_ratio", between(0, 0.49), is_required, "steel 0.3, silicon-nitride 0.26"},
+     "Young's modulus; steel: 208, silicon-nitride: 310"},
+    {"poisson_ratio", between(0, 0.49), is_required,
+     "Poisson's ratio; steel: 0.3, silicon-nitride: 0.26"},
     {"density_kg_m3", between(500, 20000, "kg/m3"), is_required,
-     "steel 7800, silicon-nitride 3200"},
+     "density; steel: 7800, silicon-nitride: 3200"},
     {"thermal_expansion_1e6_K", between(0, 50, "1e-6/K"), is_required,
-     "linear; steel 11.5, silicon-nitride 3.2"},
+     "linear thermal expansion; steel: 11.5, silicon-nitride: 3.2"},
     // Balls and rings need neither.
     {"conductivity_W_mK", between(0.05, 2000, "W/(m K)"), unset,
-     "thermal conductivity; needed only by a segment of a spindle"},
+     "thermal conductivity; required only for segments of a spindle"},
     {"heat_capacity_J_kgK", between(50, 5000, "J/(kg K)"), unset,
-     "heat capacity; needed only by a segment of a spindle"},
+     "specific heat capacity; required only for segments of a spindle"},
 };
 
 using bearing::BearingGeometry;

@@ -22,25 +22,27 @@ using record::Channel;
 
 constexpr Key columns_keys[]{
     {"decimal_mark", one_of(".|,"), unset,
-     "decimal mark of the file; the other mark separates thousands. Needed where the numbers can "
-     "be read in two ways"},
+     "decimal mark of the file; the other mark separates thousands. Required if the numbers are "
+     "ambiguous"},
     {"date_order", one_of("day first|month first|year first"), unset,
-     "order in dates with slashes, dashes or years of two digits. Needed where it changes the time "
-     "between rows"},
+     "order of day, month and year in dates with slashes, dashes or two-digit years. Required if "
+     "the order changes the time between rows"},
     {"settings_hold", one_of("from row|until row"), unset,
-     "of records over time. \"from row\": speed, loads, feeds and coolant hold from their row "
-     "until "
-     "the next, as in a programme of events, and a reading in their row was taken just before; "
-     "\"until row\": from the row before, as loggers stamp the end of an interval. Otherwise "
-     "a record of a spindle is read as \"until row\"; for a correction settings hold from "
-     "their row, and the reading in it was taken with them"},
+     "rows between which the settings (speed, loads, feeds, coolant) of a record over time apply. "
+     "\"from row\": from their row to the next, as in a programme of events; the reading in the "
+     "row was taken just before the change. \"until row\": from the previous row to their row, as "
+     "in loggers that stamp the end of an interval. Default: \"until row\" for a spindle; for a "
+     "correction, settings apply from their row to the next, and the reading in the row was taken "
+     "with these settings"},
 };
 constexpr Key rule_keys[]{
     {"column", a_text, is_required,
-     "COLUMN is one of this program, this the header that it has in the file; a text alone is "
-     "short for it, a number holds for all rows"},
-    {"unit", a_text, "from the header", "of theirs; \"excel\" for days as Excel has dates"},
-    {"factor", between(-1e9, 1e9), 1.0, "by which theirs is multiplied first; not 0"},
+     "header of the column in your file. COLUMN is the name of the column in raceway. Short forms: "
+     "COLUMN = \"header\", or COLUMN = number for all rows"},
+    {"unit", a_text, "from the header",
+     "unit of the column in your file; \"excel\" for Excel serial dates (days)"},
+    {"factor", between(-1e9, 1e9), 1.0,
+     "factor by which the program multiplies the column before it converts the unit; not 0"},
 };
 
 std::string_view variable_of(const Channel& channel) {

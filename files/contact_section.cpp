@@ -24,42 +24,44 @@ const std::string words_of_oil =
 
 const Key contact_lubricant_keys[]{
     {"type", one_of(words_of_oil), "mineral",
-     "kind of oil, which gives the defaults of the keys below; for the law contact"},
-    {"pressure_viscosity_1_GPa", between(3, 40, "1/GPa"), "of the type, from the viscosity",
+     "type of the oil; sets the defaults of the keys below; for the law contact"},
+    {"pressure_viscosity_1_GPa", between(3, 40, "1/GPa"), "from type and viscosity",
      "pressure-viscosity coefficient; for the law contact"},
     {"density_15C_kg_m3", between(600, 2000, "kg/m3"), usual_oil.density_15C,
-     "density of the oil, by default of its type, here mineral; for the law contact"},
+     "density of the oil; the default depends on the type (shown: mineral); for the law contact"},
     {"conductivity_W_mK", between(0.05, 1, "W/(m K)"), usual_oil.conductivity,
-     "thermal conductivity of the oil, by default of its type, here mineral; for the law contact"},
+     "thermal conductivity of the oil; the default depends on the type (shown: mineral); for the "
+     "law contact"},
     {"limiting_traction", between(traction_card), usual_oil.limiting_traction,
-     "traction over pressure that the oil cannot exceed, by default of its type, here mineral; for "
-     "the law contact"},
+     "largest ratio of traction to pressure in the oil; the default depends on the type (shown: "
+     "mineral); for the law contact"},
     {"eyring_stress_MPa", between(0.5, 30, "MPa"), friction::contact::default_eyring_stress / MPa,
-     "shear stress from which the oil thins; for the law contact"},
+     "shear stress above which the oil shows shear thinning; for the law contact"},
 };
 const Key contact_bearing_keys[]{
     {"race_roughness_um", between(0.002, 2, "um"), usual_contact.race_roughness / um,
-     "Rq of the grooves; for the law contact"},
+     "roughness Rq of the grooves; for the law contact"},
     {"ball_roughness_um", between(0.002, 2, "um"), usual_contact.ball_roughness / um,
-     "Rq of the balls; for the law contact"},
+     "roughness Rq of the balls; for the law contact"},
 };
 const Key contact_friction_keys[]{
     {"inlet_over_b", between(1.05, 100), unset,
-     "where the oil begins before a contact, over its half width b; without it the inlet is "
-     "flooded"},
+     "distance of the oil meniscus before the contact / half width b of the contact; without it, "
+     "the inlet is flooded"},
     // Zhou and Hoeprich's share of the asperities; their numbers belong to a surface.
     {"asperity_factor", between(0.1, 10), usual_contact.asperities.B,
-     "B of the share of load on the asperities, exp(-B lambda^C)"},
+     "B in the load share of the asperities, exp(-B lambda^C)"},
     {"asperity_exponent", between(0.2, 5), usual_contact.asperities.C,
-     "C of the share of load on the asperities, exp(-B lambda^C)"},
+     "C in the load share of the asperities, exp(-B lambda^C)"},
 };
 
 constexpr model::LifeData usual_life;
 constexpr Key life_keys[]{
-    {"dynamic_load_rating_N", between(1, 1e9, "N"), "C of ISO 281 from the geometry", "C"},
-    {"fatigue_load_N", between(0.01, 1e8, "N"), "C_u of ISO 281 from the geometry", "C_u"},
+    {"dynamic_load_rating_N", between(1, 1e9, "N"), "calculated by ISO 281 from the geometry", "C"},
+    {"fatigue_load_N", between(0.01, 1e8, "N"), "calculated by ISO 281 from the geometry", "C_u"},
     {"contamination", between(0, 1), usual_life.contamination, "e_C of ISO 281"},
-    {"reliability", between(90, 99.95, "%"), usual_life.reliability, "reliability of the life"},
+    {"reliability", between(90, 99.95, "%"), usual_life.reliability,
+     "reliability for which the life is calculated"},
 };
 
 using friction::contact::ContactData;

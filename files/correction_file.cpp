@@ -33,30 +33,32 @@ constexpr double most = 1e9;  // of any number of a file
 
 constexpr Key correction_keys[]{
     {"displacement", a_text, is_required,
-     "the column that is modelled, displacement_NAME_um, or an angle, displacement_NAME_urad, "
-     "whose "
-     "keys end in urad in the place of um: gain_urad_K, offset_urad, tolerance_urad ..."},
-    {"name", a_text, "as the column", "for results"},
+     "column that the correction predicts: displacement_NAME_um, or displacement_NAME_urad for an "
+     "angle. The keys of an angle end in urad instead of um: gain_urad_K, offset_urad, "
+     "tolerance_urad ..."},
+    {"name", a_text, "name of the column", "for results"},
     {"tolerance_um", between(0, 1e6, "um"), unset,
-     "RMS error on parts held out with which the user is content, above 0; diagnose needs it, "
-     "here, "
-     "under [loop] or by --tolerance"},
-    {"measurement_std_um", between(0, 1e6, "um"), "found from neighbouring readings",
-     "noise of a single reading"},
+     "acceptable RMS error on held-out parts, above 0; required by diagnose, here, under [loop] or "
+     "as --tolerance"},
+    {"measurement_std_um", between(0, 1e6, "um"), "estimated from neighbouring readings",
+     "standard deviation of the noise of one reading"},
     {"initial_state", one_of("rest|free"), "rest",
-     "free: the machine was warm when its record began"},
-    {"offset_um", between(-1e6, 1e6, "um"), 0.0, "constant of the prediction"},
+     "state of the machine at the start of the record; rest: in thermal equilibrium, free: warm, "
+     "initial states are fitted"},
+    {"offset_um", between(-1e6, 1e6, "um"), 0.0, "constant that is added to the prediction"},
     {"sampling_s", between(1e-6, 1e6, "s"), unset,
-     "time between rows for which polynomials hold; any other is refused"},
-    {"channel", a_list, unset, "what moves the machine, [[correction.channel]]"},
+     "sampling interval for which numerator and denominator are valid; records with another "
+     "interval are rejected"},
+    {"channel", a_list, unset, "causes of displacement, tables [[correction.channel]]"},
     {"kinematic", a_table, unset, "the table [correction.kinematic]"},
-    {"effect", a_list, unset, "effects, [[correction.effect]]"},
+    {"effect", a_list, unset, "effects, tables [[correction.effect]]"},
     {"prior", a_table, unset,
-     "\"PARAMETER\" = { value, std }: what is known of a number before the next fit, "
-     "[correction.prior]"},
-    {"range", a_table, unset, "COLUMN = [lowest, highest] of every input, [correction.range]"},
+     "\"PARAMETER\" = { value, std }: value and uncertainty of a parameter that are known before "
+     "the next fit, [correction.prior]"},
+    {"range", a_table, unset,
+     "COLUMN = [lowest, highest]: range of each input in the training data, [correction.range]"},
     {"still_s", a_table, unset,
-     "COLUMN = longest time that a temperature stood still in the data of the fit, in s, "
+     "COLUMN = longest time in s without a change of a temperature in the training data, "
      "[correction.still_s]"},
     {"together", a_table, unset, "the table [correction.together]"},
     {"covariance", a_table, unset, "the table [correction.covariance]"},
@@ -65,80 +67,85 @@ constexpr Key correction_keys[]{
 };
 
 constexpr Key correction_channel_keys[]{
-    {"name", a_text, "as the input", "for results"},
+    {"name", a_text, "name of the input", "for results"},
     {"input", a_text, is_required,
-     "a column, a list of which the mean drives, or \"power_W\": torque of a friction table times "
-     "the speed"},
+     "input of the channel: a column, a list of columns (their mean is used), or \"power_W\" "
+     "(torque of a friction table times speed)"},
     {"exponent", between(0.5, 3.0), 1.0,
-     "exponent of an input that is a speed n, which counts as n (n/1000 rpm)^(exponent - 1)"},
+     "exponent for a speed n as input: n (n/1000 rpm)^(exponent - 1) drives the channel"},
     {"reference", a_text, unset,
-     "a temperature whose rise is subtracted from the rise of the input"},
-    {"sections", a_list, unset, "lags, with gain and time constant"},
+     "temperature column whose rise is subtracted from the rise of the input"},
+    {"sections", a_list, unset, "lags of the channel, each with gain and time constant"},
     {"scale", between(-1e6, 1e6), 1.0,
      "factor on the whole channel, such as the gain of a sister spindle"},
     {"window", a_table, unset,
-     "{ column, points, acts_on }: share with which the channel acts at a position of an axis"},
+     "{ column, points, acts_on }: share of the channel as a function of an axis position"},
     {"friction_table", a_text, unset,
-     "for \"power_W\": a CSV with speed_rpm, axial_load_N, temperature_C, friction_torque_Nmm, in "
+     "for \"power_W\": CSV with speed_rpm, axial_load_N, temperature_C and friction_torque_Nmm, in "
      "the folder of the model"},
     {"axial_load_N", between(-1e8, 1e8, "N"), 0.0,
-     "for \"power_W\": axial load at which the table is read, a number or a column"},
-    {"radial_load_N", between(0, 1e8, "N"), "the value of a table that has one",
-     "for \"power_W\": radial load at which the table is read, a number or a column"},
-    {"temperature_C", between(-273, 500, "C"), "the value of a table that has one",
-     "for \"power_W\": temperature at which the table is read, a number or a column"},
+     "for \"power_W\": axial load for the friction table, a number or a column"},
+    {"radial_load_N", between(0, 1e8, "N"), "value of the table, if it has only one",
+     "for \"power_W\": radial load for the friction table, a number or a column"},
+    {"temperature_C", between(-273, 500, "C"), "value of the table, if it has only one",
+     "for \"power_W\": temperature for the friction table, a number or a column"},
     {"gain", a_table, unset,
-     "in place of sections, over \"power_W\" or a column that is no temperature, such as a load: { "
-     "slope_um_W, offset_um }, { factor, exponent } or { table }"},
+     "gain as a function of the input, instead of sections; for \"power_W\" or a column that is "
+     "not a temperature, such as a load: { slope_um_W, offset_um }, { factor, exponent } or { "
+     "table }"},
     {"time_constant", a_table, unset,
-     "with gain: { slope_min_W, offset_min }, { factor, exponent } or { table }"},
+     "time constant as a function of the input, together with gain: { slope_min_W, offset_min }, { "
+     "factor, exponent } or { table }"},
     {"numerator", a_list, unset,
-     "in place of sections: polynomial in z^-1, um per unit of the input"},
-    {"denominator", a_list, unset, "in place of sections: polynomial in z^-1"},
+     "numerator polynomial in z^-1, instead of sections; in um per unit of the input"},
+    {"denominator", a_list, unset, "denominator polynomial in z^-1, instead of sections"},
 };
 constexpr Key window_keys[]{
-    {"column", a_text, is_required, "the position, NAME_position_mm, or another column"},
+    {"column", a_text, is_required, "column of the position, NAME_position_mm, or another column"},
     {"points", a_list, is_required,
-     "[from, full_from, full_to, to] in the unit of the column: the share is 0 outside of the "
-     "outer "
-     "points, 1 between the inner ones and straight between; [from, to] has sharp edges; -inf and "
-     "inf are no edges"},
+     "[from, full_from, full_to, to] in the unit of the column: the share is 0 outside from and "
+     "to, 1 between full_from and full_to, and linear between. [from, to] has sharp edges; -inf or "
+     "inf: no edge on this side"},
     {"acts_on", one_of("displacement|input"), "displacement",
-     "displacement: a body that is felt there; input: heat that arises there"},
+     "factor that the share multiplies: displacement (a body that acts only there) or input (heat "
+     "that arises only there)"},
 };
 // Of an input in kelvin; the names of others end in their unit.
 constexpr Key feedthrough_keys[]{{"feedthrough_um_K", between(-most, most, "um/K"), 0.0,
-                                  "share that follows at once; ends in the unit of the input: "
-                                  "um_K, um_W, um_m_min, um_rpm, um_A, "
-                                  "um_mm ..."}};
-constexpr Key section_gain_keys[]{
-    {"gain_um_K", between(-most, most, "um/K"), is_required,
-     "displacement in the end, per unit of the input; ends in that unit: um_K, um_W, um_m_min, "
-     "um_rpm, um_A, um_mm ..."}};
+                                  "displacement without lag, per unit of the input. The name ends "
+                                  "in this unit: um_K, um_W, um_m_min, um_rpm, um_A, um_mm ..."}};
+constexpr Key section_gain_keys[]{{"gain_um_K", between(-most, most, "um/K"), is_required,
+                                   "steady displacement per unit of the input. The name ends in "
+                                   "this unit: um_K, um_W, um_m_min, um_rpm, um_A, um_mm ..."}};
 constexpr Key section_time_keys[]{
     {"time_constant_s", between(1e-3, most, "s"), is_required, "time constant of the lag"}};
 constexpr Key element_gain_keys[]{
     {"slope_um_W", between(-most, most, "um/W"), unset,
-     "slope of a straight line over the input; ends in its unit: slope_um_W, slope_um_N ..."},
-    {"offset_um", between(-most, most, "um"), unset, "value of that line where the input is 0"},
-    {"factor", between(-most, most, "um"), unset, "of factor x^exponent, x the input in its unit"},
-    {"exponent", between(-10, 10), unset, "of factor x^exponent"},
+     "slope of the gain against the input. The name ends in the unit of the input: slope_um_W, "
+     "slope_um_N ..."},
+    {"offset_um", between(-most, most, "um"), unset, "value of the straight line at input 0"},
+    {"factor", between(-most, most, "um"), unset,
+     "factor in factor x^exponent; x is the input in its unit"},
+    {"exponent", between(-10, 10), unset, "exponent in factor x^exponent"},
     {"table", a_text, unset,
-     "a CSV with power_W, or the column of the input, and gain_um, in the folder of the model"},
+     "CSV with gain_um and power_W, or the column of the input, in the folder of the model"},
 };
 constexpr Key element_time_keys[]{
     {"slope_min_W", between(-most, most, "min/W"), unset,
-     "slope of a straight line over the input; ends in its unit: slope_min_W, slope_min_N ..."},
-    {"offset_min", between(-most, most, "min"), unset, "value of that line where the input is 0"},
-    {"factor", between(-most, most, "min"), unset, "of factor x^exponent, x the input in its unit"},
-    {"exponent", between(-10, 10), unset, "of factor x^exponent"},
+     "slope of the time constant against the input. The name ends in the unit of the input: "
+     "slope_min_W, slope_min_N ..."},
+    {"offset_min", between(-most, most, "min"), unset, "value of the straight line at input 0"},
+    {"factor", between(-most, most, "min"), unset,
+     "factor in factor x^exponent; x is the input in its unit"},
+    {"exponent", between(-10, 10), unset, "exponent in factor x^exponent"},
     {"table", a_text, unset,
-     "a CSV with power_W, or the column of the input, and time_constant_min, in the folder of the "
+     "CSV with time_constant_min and power_W, or the column of the input, in the folder of the "
      "model"},
 };
 
 constexpr Key kinematic_keys[]{
-    {"A", between(-most, most, "um"), is_required, "of u = A n^(1 - B exp(-C n)), n in rpm"},
+    {"A", between(-most, most, "um"), is_required,
+     "coefficient A in u = A n^(1 - B exp(-C n)), n in rpm"},
     {"B", between(-1, 2), is_required, "of u = A n^(1 - B exp(-C n))"},
     {"C", between(0, 1, "1/rpm"), is_required, "of u = A n^(1 - B exp(-C n))"},
 };
@@ -147,20 +154,21 @@ constexpr Key correction_effect_keys[]{
     {"id", a_text, is_required,
      "id of an effect on records over time (raceway effects), followed by its numbers, or a new id "
      "with a formula"},
-    {"input", a_text, unset, "column, or list of columns, that drives it"},
-    {"channel", a_text, unset, "name of the channel that it changes"},
-    {"axis", a_text, unset, "axis that it acts on"},
+    {"input", a_text, unset, "column, or list of columns, that drives the effect"},
+    {"channel", a_text, unset, "name of the channel that the effect changes"},
+    {"axis", a_text, unset, "axis on which the effect acts"},
     {"window", a_table, unset,
-     "{ column, points, acts_on } of input, as of a channel: where its channel acts otherwise"},
+     "{ column, points, acts_on } for the input, as in a channel; required only if the window of "
+     "the channel is different"},
 };
 constexpr Key correction_own_effect_keys[]{
-    {"formula", a_text, unset, "formula of your own effect, over columns and its parameters"},
+    {"formula", a_text, unset, "formula of your own effect, from columns and its parameters"},
     {"title", a_text, unset, "title of your own effect, for messages"},
     {"gain_um", between(-most, most, "um"), unset,
-     "gain of your own effect, um per unit of its formula, required; 0: the effect is off and a "
-     "candidate"},
+     "gain of your own effect in um per unit of its formula, required; 0: the effect is off, and "
+     "diagnose tests it"},
     {"time_constant_s", between(1, 1e7, "s"), unset,
-     "time constant of the lag of your own effect; without it the effect acts at once"},
+     "time constant of the lag of your own effect; without it, the effect has no lag"},
 };
 
 using correction::DrivenChannel;

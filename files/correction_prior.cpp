@@ -16,10 +16,11 @@ namespace {
 
 constexpr Key prior_keys[]{
     {"value", between(-1e12, 1e12), is_required,
-     "of the number PARAMETER before the next fit, in its unit; written by step-response and "
+     "expected value of PARAMETER before the next fit, in its unit; written by step-response and "
      "join"},
     {"std", between(0, 1e12), is_required,
-     "its standard uncertainty, above 0: fits weigh it against the readings"},
+     "standard uncertainty of the value, above 0; a fit weights the value and the readings "
+     "accordingly"},
 };
 
 }  // namespace

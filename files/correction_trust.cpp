@@ -18,29 +18,32 @@ namespace raceway::files {
 namespace {
 
 constexpr Key correction_together_keys[]{
-    {"columns", a_list, is_required, "inputs that varied; written by identify, calibrate and add"},
+    {"columns", a_list, is_required,
+     "inputs that varied in the record; written by identify, calibrate and add"},
     {"mean", a_list, is_required, "mean of each input"},
     {"std", a_list, is_required, "standard deviation of each input"},
-    {"correlation", a_list, is_required, "lower triangle, row by row"},
+    {"correlation", a_list, is_required, "correlation of the inputs: lower triangle, row by row"},
     {"farthest", between(0, 1e9), is_required,
-     "largest distance from the mean, in standard deviations"},
+     "largest distance of a row from the mean, in standard deviations"},
 };
 constexpr Key correction_residual_keys[]{
-    {"rms_um", between(0, 1e9, "um"), is_required, "of what was left on parts that no fit saw"},
+    {"rms_um", between(0, 1e9, "um"), is_required, "RMS residual on held-out parts"},
     {"correlation_time_s", between(0, 1e12, "s"), unset, "correlation time of the residual"},
 };
 
 constexpr Key correction_trust_keys[]{
     {"error_um", between(0, 1e9, "um"), unset,
-     "RMS on readings that no fit saw; left out where there were none. Written by identify, "
-     "calibrate and add; export judges by this table"},
+     "RMS error on held-out readings; missing if there were none. Written by identify, calibrate "
+     "and add; export reads this table to decide about the trust"},
     {"uncorrected_um", between(0, 1e9, "um"), is_required,
-     "RMS of the readings themselves, a constant taken off"},
-    {"duration_s", between(0, 1e12, "s"), is_required, "of the readings of the longest run"},
+     "RMS of the readings after a constant is subtracted"},
+    {"duration_s", between(0, 1e12, "s"), is_required,
+     "duration of the readings in the longest run"},
     {"course", one_of("returns|one-way"), is_required,
-     "one-way: the readings go from one state to another once"},
+     "course of the readings; one-way: they go from one state to another only once"},
     {"judged_by", one_of("held-out|other-record"), is_required,
-     "the readings that no fit saw: parts of the record, or another one (identify --validate)"},
+     "source of the held-out readings: parts of the record, or another record (identify "
+     "--validate)"},
 };
 
 using correction::Model;

@@ -16,7 +16,7 @@ constexpr Key effect_id_keys[]{{"id", a_text, is_required,
                                 "its numbers, or a new id with a formula"}};
 constexpr Key own_effect_keys[]{
     {"torque_Nmm", a_text, unset,
-     "formula of your own effect: torque over the columns and its parameters"},
+     "formula of your own effect: torque from columns and its parameters"},
     {"title", a_text, unset, "title of your own effect, for messages"},
 };
 

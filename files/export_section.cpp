@@ -13,60 +13,66 @@ namespace {
 const correction::ControlSettings usual_control;
 const Key control_keys[]{
     {"limit_um", between(1e-3, 1e6, "um"), usual_control.limit_um.all,
-     "an offset is at most this, either way; of all axes, or { COLUMN = ... } by displacement"},
-    {"slew_um_s", between(1e-6, 1e6, "um/s"), usual_control.slew_um_s.all,
-     "an offset goes no faster; of all axes, or by displacement"},
-    {"limit_urad", between(1e-3, 1e6, "urad"), usual_control.limit_um.all,
-     "as limit_um, of angles: of all, or by displacement"},
-    {"slew_urad_s", between(1e-6, 1e6, "urad/s"), usual_control.slew_um_s.all,
-     "as slew_um_s, of angles: of all, or by displacement"},
-    {"sign", between(-1, 1), usual_control.sign.all,
-     "1 or -1: offset = sign * displacement, an axis moves against it; of all axes, or by "
+     "largest offset in both directions; one value for all axes, or { COLUMN = ... } for each "
      "displacement"},
+    {"slew_um_s", between(1e-6, 1e6, "um/s"), usual_control.slew_um_s.all,
+     "highest slew rate of an offset; for all axes, or for each displacement"},
+    {"limit_urad", between(1e-3, 1e6, "urad"), usual_control.limit_um.all,
+     "largest angle offset in both directions; for all angles, or for each displacement"},
+    {"slew_urad_s", between(1e-6, 1e6, "urad/s"), usual_control.slew_um_s.all,
+     "highest slew rate of an angle offset; for all angles, or for each displacement"},
+    {"sign", between(-1, 1), usual_control.sign.all,
+     "1 or -1 in offset = sign * displacement; -1 moves the axis against the displacement; for all "
+     "axes, or for each displacement"},
     {"unit", one_of("um|mm|counts"), usual_control.unit.all,
-     "unit of the offset, counts being whole numbers; of all axes, or by displacement"},
+     "unit of the offset; counts are whole numbers; for all axes, or for each displacement"},
     {"count_um", between(1e-6, 1e6, "um"), usual_control.count_um.all,
-     "size of one count; of all axes, or by displacement"},
+     "size of one count; for all axes, or for each displacement"},
     {"unit_of_angles", one_of("urad|mrad|rad|deg|counts"), "urad",
-     "as unit, of angles: of all, or by displacement"},
+     "unit of an angle offset; for all angles, or for each displacement"},
     {"count_urad", between(1e-6, 1e6, "urad"), usual_control.count_um.all,
-     "as count_um, of angles: of all, or by displacement"},
+     "size of one count of an angle offset; for all angles, or for each displacement"},
     {"axis", one_of("x|y|z|u|v|w|a|b|c"),
-     "LETTER of displacement_LETTER_um or displacement_LETTER_urad",
-     "axis of LinuxCNC that is moved"},
-    {"plausible", a_list, "[-40, 150] of temperatures, 10 times the range of others",
-     "[lowest, highest] possible value of an input, in its unit; one pair is for all temperatures, "
-     "or { COLUMN = [...] } for any input"},
+     "LETTER in displacement_LETTER_um or displacement_LETTER_urad",
+     "LinuxCNC axis that the offset moves"},
+    {"plausible", a_list, "temperatures: [-40, 150]; other inputs: 10 times their range",
+     "[lowest, highest] plausible value of an input in its unit; one pair for all temperatures, or "
+     "{ COLUMN = [...] } for any input"},
     {"fastest_per_s", between(0, 1e9), usual_control.fastest_per_s.all,
-     "largest change of an input in a second, in its unit, 0 for no limit; one number is for all "
+     "largest change of an input per second in its unit; 0: no limit; one number for all "
      "temperatures, or { COLUMN = ... } for any input"},
     {"stuck_s", between(0, 1e9, "s"), usual_control.stuck_s.all,
-     "longest time without a change of an input, 0 for no limit; one number is for all "
-     "temperatures, or { COLUMN = ... } for any input"},
+     "longest time without a change of an input; 0: no limit; one number for all temperatures, or "
+     "{ COLUMN = ... } for any input"},
     {"smoothing_s", between(0, 1e6, "s"), usual_control.smoothing_s.all,
-     "time constant that instant parts feel inputs with, for sensors of coarse steps; of all "
-     "inputs, or { COLUMN = ... }"},
+     "time constant of a filter on the inputs of instant parts, for sensors with coarse "
+     "resolution; for all inputs, or { COLUMN = ... }"},
     {"on_fault", one_of("hold|last-safe|zero"), usual_control.on_fault,
-     "reaction to a faulty input after hold_s: continue with its last value, fade to the last "
-     "offset from good inputs, or fade to 0"},
+     "reaction to a faulty input after hold_s: hold (use its last value), last-safe (fade to the "
+     "last offset from good inputs) or zero (fade to 0)"},
     {"hold_s", between(0, 1e6, "s"), usual_control.hold_s,
-     "time for which a faulty input keeps its last value"},
+     "time for which the program uses the last good value of a faulty input"},
     {"fade_s", between(0.1, 1e6, "s"), usual_control.fade_s,
-     "time in which an offset fades and returns"},
+     "time in which an offset fades after a lasting fault, and in which it returns"},
     {"longest_gap_s", between(1e-3, 1e6, "s"), usual_control.longest_gap_s,
-     "between two calls; after a longer one offsets move no further than in this time, and an "
-     "alarm is raised"},
+     "longest normal time between two calls; after a longer gap, offsets move at most as far as in "
+     "this time, and the program raises an alarm"},
     {"clock_jump_s", between(1e-3, 1e9, "s"), usual_control.clock_jump_s,
-     "more between two calls is a clock that was set, and nothing moves"},
+     "longest time between two calls; a longer time means that the clock was set, and the offsets "
+     "keep their values"},
     {"restart", one_of("decay|resume|rest"), usual_control.restart,
-     "after a longer gap: sections go on as if speeds and feeds were 0 meanwhile, as if no time "
-     "had passed, or from rest"},
+     "sections after the control was off for longer than longest_gap_s: decay (assume speeds and "
+     "feeds of 0 in this time), resume (assume that no time has passed) or rest (start from a "
+     "machine at rest)"},
     {"touch_off", one_of("keep|clear"), usual_control.touch_off,
-     "what is applied at a touch-off stays, or goes back to 0; offsets count from there"},
+     "offset after a touch-off: keep the applied offset, or clear it to 0; later offsets are "
+     "measured from this value"},
     {"disabled", one_of("zero|freeze"), usual_control.disabled,
-     "offsets go to 0 by their slew, or stand"},
+     "offsets when the correction is disabled: zero (go to 0 at their slew rate) or freeze (keep "
+     "their values)"},
     {"beyond_range", one_of("linear|hold"), usual_control.beyond_range,
-     "sections go on in proportion beyond [correction.range], or hold there as instant parts do"},
+     "sections for inputs outside [correction.range]: linear (extrapolate) or hold (use the value "
+     "at the edge, as for instant parts)"},
 };
 
 class ExportReader {

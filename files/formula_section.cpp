@@ -12,8 +12,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 constexpr Key formula_number[]{
     {"value", between(-infinity, infinity), is_required,
-     "parameter of a formula; a number alone is short for it"},
-    {"unit", a_text, "1", "unit of the parameter, for results"},
+     "value of the parameter; NAME = number is the short form"},
+    {"unit", a_text, "1", "unit of the parameter in results"},
     {"lower", between(-infinity, infinity), unset, "bound of a calibration"},
     {"upper", between(-infinity, infinity), unset, "bound of a calibration"},
 };

@@ -22,13 +22,13 @@ const std::string words_of_supply =
                               friction::Supply::jet, friction::Supply::bath});
 const Key lubricant_keys[]{
     {"viscosity_40C_mm2_s", between(1, 1e5, "mm2/s"), is_required,
-     "kinematic viscosity of the oil, for a grease of its base oil; other temperatures by ASTM "
-     "D341"},
+     "kinematic viscosity of the oil (for a grease: of its base oil); raceway converts to other "
+     "temperatures by ASTM D341"},
     {"viscosity_100C_mm2_s", between(0.5, 1e5, "mm2/s"), is_required,
-     "kinematic viscosity, below that at 40 C"},
-    {"supply", one_of(words_of_supply), "inlets as oil-air, grease and jet leave them",
-     "supply of the lubricant; excludes effects that need another supply; with bath, the contact "
-     "inlets of the law contact are flooded"},
+     "kinematic viscosity at 100 C, below the viscosity at 40 C"},
+    {"supply", one_of(words_of_supply), "contact inlets as with oil-air, grease or jet",
+     "lubricant supply; excludes effects that need another supply. With bath, the law contact "
+     "assumes flooded contact inlets"},
 };
 
 using friction::F1Load;
@@ -52,22 +52,25 @@ const std::string words_of_load = names_as_words(std::array{F1Load::P0, F1Load::
 const Key law_keys[]{
     {"law", one_of(words_of_law), "palmgren", "base law of friction"},
     {"file", a_text, unset,
-     "CSV of a friction table, measured or of raceway table: columns speed_rpm, axial_load_N, "
-     "radial_load_N, temperature_C, friction_torque_Nmm and, for its error band, std_Nmm or "
-     "friction_torque_band_Nmm; the law table needs it, under another law diagnose tests it"},
+     "CSV of a friction table, measured or written by raceway table: columns speed_rpm, "
+     "axial_load_N, radial_load_N, temperature_C, friction_torque_Nmm and, for the error band, "
+     "std_Nmm or friction_torque_band_Nmm. Required by the law table; with another law, diagnose "
+     "tests the table"},
 };
 const Key palmgren_keys[]{
     number_of(FrictionLaw::palmgren, "f0",
-              "factor of the viscous moment, by lubrication; required without catalogue"),
+              "factor of the viscous moment, depends on the lubrication; required without the key "
+              "catalogue"),
     number_of(FrictionLaw::palmgren, "z",
-              "factor of the load moment, by bearing type; required without catalogue"),
+              "factor of the load moment, depends on the bearing type; required without the key "
+              "catalogue"),
     number_of(FrictionLaw::palmgren, "y",
-              "exponent of the load moment; required without catalogue"),
+              "exponent of the load moment; required without the key catalogue"),
     {"f1_load", one_of(words_of_load), "P0",
-     "the load of the factor f1, the static equivalent load or the load F_b of the moment"},
+     "load in the factor f1: static equivalent load P0, or load F_b of the moment"},
 };
 constexpr std::string_view replenishment =
-    "replenishment, 3e-8 for bath or jet, 6e-8 for grease or oil-air, 0 is off";
+    "replenishment constant; bath or jet: 3e-8, grease or oil-air: 6e-8, 0: off";
 const Key skf_keys[]{
     number_of(FrictionLaw::skf, "mu_bl", "friction coefficient of boundary lubrication"),
     number_of(FrictionLaw::skf, "mu_EHL", "friction coefficient of a full film"),
@@ -78,10 +81,10 @@ const Key contact_law_keys[]{
               "factor on the rolling resistance of the oil"),
     number_of(FrictionLaw::contact, "hysteresis_factor",
               "factor on the hysteresis of the material"),
-    number_of(FrictionLaw::contact, "mu_boundary", "friction coefficient where asperities touch"),
+    number_of(FrictionLaw::contact, "mu_boundary", "friction coefficient of the asperity contacts"),
     number_of(FrictionLaw::contact, "K_rs", replenishment),
     number_of(FrictionLaw::contact, "oil_fraction",
-              "oil in the free space that the balls plough through; 0 is no drag"),
+              "share of oil in the free space through which the balls move; 0: no drag"),
 };
 
 const Key table_law_keys[]{
@@ -94,12 +97,12 @@ const Key roller_law_keys[]{
     {"law", one_of(words_of_roller_law), "palmgren", "base law of friction"}};
 const Key roller_load_keys[]{
     {"f1_load", one_of(words_of_roller_load), "rollers",
-     "the load that the law counts: the radial load, as the laws are printed, or what the rollers "
-     "carry, so that a preload has torque"},
+     "load in the law: the sum of the roller loads, so that a preload causes torque, or the radial "
+     "load F_r, as in the printed laws"},
 };
 const Key roller_f0 = [] {
   Key key = number_of(FrictionLaw::roller_palmgren, "f0", "factor of the viscous moment");
-  key.fallback = "grease 0.8, oil-air 1.5, bath 3, jet 6, else 1.5";
+  key.fallback = "grease 0.8, oil-air 1.5, bath 3, jet 6, no supply 1.5";
   return key;
 }();
 const Key roller_palmgren_keys[]{
@@ -210,7 +213,7 @@ void refuse_friction_of_balls(const Section& s) {
            "\"palmgren\" and \"skf\"");
   for (const char* const key : {"z", "y"})
     if (const toml::node* const node = s.find(key))
-      s.fail(key, fmt::format("{} = {}: belongs to a ball bearing; the load moment of cylindrical "
+      s.fail(key, fmt::format("{} = {}: belongs to a ball bearing; the load moment cylindrical "
                               "rollers is f1 F d_m with a constant f1",
                               key, text::shown(*node)));
 }
@@ -226,10 +229,10 @@ std::vector<KeyTable> friction_tables() {
         std::pair(FrictionLaw::contact, "law contact"), std::pair(FrictionLaw::table, "law table")})
     for (const std::span<const Key> keys : keys_of_law(law))
       tables.push_back({"friction", keys, only});
-  tables.push_back({"friction", roller_law_keys, "of cylindrical rollers"});
-  tables.push_back({"friction", roller_load_keys, "of cylindrical rollers"});
-  tables.push_back({"friction", roller_palmgren_keys, "of cylindrical rollers, law palmgren"});
-  tables.push_back({"friction", roller_skf_keys, "of cylindrical rollers, law skf"});
+  tables.push_back({"friction", roller_law_keys, "cylindrical rollers"});
+  tables.push_back({"friction", roller_load_keys, "cylindrical rollers"});
+  tables.push_back({"friction", roller_palmgren_keys, "cylindrical rollers, law palmgren"});
+  tables.push_back({"friction", roller_skf_keys, "cylindrical rollers, law skf"});
   return tables;
 }
 

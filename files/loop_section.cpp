@@ -17,21 +17,21 @@ namespace raceway::files {
 namespace {
 
 constexpr Key calibration_keys[]{
-    {"free", a_list, "the usual parameters of the law",
-     "parameters to be fitted: those of the law, preload_N, inner_conformity, outer_conformity, "
-     "conformity, contact_angle_deg, \"EFFECT.NUMBER\"; in a correction its parameters or groups "
-     "of them"},
+    {"free", a_list, "usual parameters of the law",
+     "parameters to fit: parameters of the law, preload_N, inner_conformity, outer_conformity, "
+     "conformity, contact_angle_deg, \"EFFECT.NUMBER\"; for a correction: its parameters or groups "
+     "of parameters"},
     {"covariance", a_table, unset, "the table [calibration.covariance]"},
 };
 constexpr Key loop_keys[]{
     {"tolerance_Nmm", between(0, 1e9, "Nmm"), unset,
-     "error of the friction torque below which nothing matters, above 0"},
+     "largest error of the friction torque that you accept; above 0"},
     {"tolerance_um", between(0, 1e9, "um"), unset,
-     "error of the displacement below which nothing matters, above 0"},
+     "largest error of the displacement that you accept; above 0"},
     {"tolerance_urad", between(0, 1e9, "urad"), unset,
-     "of a correction: error of an angle below which nothing matters, above 0"},
+     "for corrections: largest error of an angle that you accept; above 0"},
     {"tolerance_K", between(0, 1e9, "K"), unset,
-     "of a spindle: error of a temperature below which nothing matters, above 0"},
+     "for spindles: largest error of a temperature that you accept; above 0"},
 };
 
 /// Full names by every name that a parameter may be called: that of an effect is "id.name", and

@@ -9,28 +9,30 @@ namespace {
 constexpr model::Rig usual_rig;
 constexpr Key rig_keys[]{
     {"inertia_kgm2", between(1e-9, 1e6, "kg m2"), unset,
-     "inertia of all rotating parts, a number or \"unknown\"; coast-down records need it"},
+     "moment of inertia of all rotating parts, a number or \"unknown\"; required for coast-down "
+     "records"},
     {"bearings", whole(1, 100), static_cast<double>(usual_rig.bearings),
-     "bearings on the rig, which reads so many times the torque of one"},
+     "number of bearings on the rig; the reading is the sum of their torques"},
     {"axial_load_N", between(0, 1e8, "N"), unset, "per bearing, for rows without that column"},
     {"radial_load_N", between(0, 1e8, "N"), usual_rig.radial_load,
      "per bearing, for rows without that column"},
     {"temperature_C", between(-273, 500, "C"), celsius(usual_rig.temperature),
-     "lubricant temperature, for rows without that column"},
-    {"room_temperature_C", between(-273, 500, "C"), "in diagnose and add the coldest row",
-     "needed by the effect temperature-gain"},
+     "lubricant temperature, for records without this column"},
+    {"room_temperature_C", between(-273, 500, "C"), "coldest row (diagnose and add)",
+     "room temperature, for the effect temperature-gain"},
     {"minimum_speed_rpm", between(0, 1e6, "rpm"), usual_rig.minimum_speed / rpm,
-     "slower rows of a coast-down are left out and counted"},
+     "lowest speed of the coast-down rows that the program uses; a note gives the number of slower "
+     "rows"},
 };
 
 constexpr Key race_control_keys[]{
     {"race_control", one_of("outer|inner|balanced"), "outer",
-     "what turns the balls: no spin at the outer race, none at the inner, or with the law contact "
-     "the equilibrium of tractions"},
+     "assumption about ball spin: none at the outer race, none at the inner race, or (with law = "
+     "\"contact\") equilibrium of the tractions"},
 };
 constexpr Key tilt_keys[]{
     {"tilt", one_of("locked|free"), "locked",
-     "whether the inner ring may tilt; free, the moment is carried, by default zero"},
+     "tilt of the inner ring: locked, or free so that the balls carry the moment (default 0)"},
 };
 
 /// The number, or the word for one that nobody knows.

@@ -25,37 +25,39 @@ constexpr std::string_view roller_type = "cylindrical-roller";
 
 constexpr Key type_keys[]{
     {"type", one_of("ball|cylindrical-roller"), "ball",
-     "rolling elements of the bearing; cylindrical rollers have keys of their own"},
+     "type of the rolling elements; cylindrical rollers have other keys"},
 };
 
 // Wherever the libraries check as well, these are their ranges.
 constexpr Key keys_of_rollers[]{
-    {"name", a_text, "as the file", "for results"},
-    {"roller_count", whole(4, 200), is_required, "no more than fit on 98 % of the pitch circle"},
+    {"name", a_text, "name of the file", "for results"},
+    {"roller_count", whole(4, 200), is_required,
+     "number of rollers; they must fit on 98 % of the pitch circle"},
     {"roller_diameter_mm", between(0.5, 300, "mm"), is_required, "diameter of a roller"},
     {"roller_length_mm", between(0.5, 3000, "mm"), is_required,
-     "effective length of a roller, without its chamfers; at most 10 diameters and the width"},
+     "effective length of a roller without chamfers; at most 10 roller diameters, and at most the "
+     "ring width"},
     {"pitch_diameter_mm", between(1, 5000, "mm"), is_required,
-     "diameter of the circle through the axes of the rollers, above 2 roller diameters"},
+     "diameter of the circle through the roller axes, above 2 roller diameters"},
     {"bore_mm", between(0, 5000, "mm"), unset,
-     "bore of the inner ring, below its raceway; needed by the law skf"},
+     "bore of the inner ring, below its raceway diameter; required by the law skf"},
     {"outer_diameter_mm", between(1, 10000, "mm"), unset,
-     "outer diameter of the ring, from 1 to 2 times its raceway; needed by the law skf"},
-    {"width_mm", between(0.5, 5000, "mm"), unset, "width of the rings, at least the roller length"},
+     "outer diameter of the outer ring, from 1 to 2 times its raceway diameter; required by the "
+     "law skf"},
+    {"width_mm", between(0.5, 5000, "mm"), unset, "ring width, at least the roller length"},
     {"radial_clearance_um", between(-100, 1000, "um"), 0.0,
-     "diametral; negative for a preload. On a rig the clearance in operation"},
+     "diametral clearance; a negative value is a preload. On a rig: clearance in operation"},
     {"radial_clearance_of", one_of("mounted|free"), "mounted",
-     "state in which the clearance is given: on its seats, cold and at standstill, or before "
-     "mounting; a rig has no seats and takes it as it is"},
+     "state for which the clearance is given: mounted on the seats (cold, at standstill), or free "
+     "before mounting. A rig has no seats and uses the value unchanged"},
     {"taper", between(0, 100), 0.0,
-     "taper of the bore, 12 for 1:12, 5 at least; 0 is a cylindrical bore. Without effect on a "
-     "rig"},
+     "taper of the bore, 12 for 1:12, at least 5; 0 for a cylindrical bore. No effect on a rig"},
     {"profile", one_of("iso|none"), "iso",
-     "crowning of the rollers: logarithmic as in ISO/TS 16281, or straight"},
+     "profile of the rollers: logarithmic crowning by ISO/TS 16281, or none (straight)"},
     {"roller_material", one_of("steel|silicon-nitride"), "steel",
-     "built in, or the NAME of a [material.NAME]"},
+     "material: a built-in name, or the NAME of a table [material.NAME]"},
     {"ring_material", one_of("steel|silicon-nitride"), "steel",
-     "built in, or the NAME of a [material.NAME]"},
+     "material: a built-in name, or the NAME of a table [material.NAME]"},
     {"static_load_rating_N", between(1, 1e9, "N"), "44 (1 - D/d_m) Z L D", "C0"},
 };
 /// Those of the geometry, without name and rating.
@@ -64,16 +66,18 @@ constexpr std::span<const Key> keys_of_geometry =
 
 constexpr Key keys_on_shaft[]{
     {"name", a_text, is_required,
-     "letters, digits and _; gives the columns NAME_clearance_um, NAME_radial_force_N and so on"},
-    {"position_mm", on_the_shaft, is_required, "position of its middle, behind the nose face"},
-    {"inner_interference_um", between(-500, 500, "um"), "that of [seat]",
-     "diametral, of its inner ring on the shaft"},
+     "name of the bearing (letters, digits and _) in columns such as NAME_clearance_um and "
+     "NAME_radial_force_N"},
+    {"position_mm", on_the_shaft, is_required,
+     "distance of the bearing centre behind the nose face"},
+    {"inner_interference_um", between(-500, 500, "um"), "value in [seat]",
+     "diametral interference of the inner ring on the shaft"},
     {"drive_up_mm", between(0, 50, "mm"), unset,
-     "distance that its inner ring is driven up the taper, instead of inner_interference_um"},
-    {"outer_clearance_um", between(-500, 500, "um"), "that of [seat]",
-     "diametral, of its outer ring in the housing"},
-    {"lubricant_conductance_W_K", between(0, 1000, "W/K"), "that of [bearing]",
-     "heat from ring to ring by oil film, oil and rolling, in addition to the contacts"},
+     "distance by which the inner ring is driven up the taper; replaces inner_interference_um"},
+    {"outer_clearance_um", between(-500, 500, "um"), "value in [seat]",
+     "diametral clearance of the outer ring in the housing"},
+    {"lubricant_conductance_W_K", between(0, 1000, "W/K"), "value in [bearing]",
+     "thermal conductance from ring to ring through oil and rollers, in addition to the contacts"},
 };
 
 bool has(std::span<const Key> keys, std::string_view name) {
@@ -220,7 +224,7 @@ std::span<const Key> keys_of_type() { return type_keys; }
 
 std::vector<KeyTable> roller_tables() {
   std::vector<KeyTable> tables{{"bearing", type_keys},
-                               {"bearing", keys_of_rollers, "of cylindrical rollers"}};
+                               {"bearing", keys_of_rollers, "cylindrical rollers"}};
   for (const std::span<const Key> keys : all_keys_on_shaft())
     tables.push_back({"shaft.roller_bearing", keys});
   return tables;

@@ -13,29 +13,31 @@ namespace {
 
 constexpr Key torque_sensor_keys[]{
     {"coefficients", a_list, is_required,
-     "2 to 4: signal in V is the sum of coefficient k times M^k, M in N m; written by "
-     "calibrate-sensor"},
+     "2 to 4 coefficients c_k of the curve signal = sum of c_k M^k (k from 0), signal in V and "
+     "torque M in N m; written by calibrate-sensor"},
     {"units", a_list, is_required, "units of the coefficients, [\"V\", \"V/Nm\", ...]"},
     {"std", a_list, is_required, "standard errors of the coefficients"},
     {"correlation", a_list, is_required,
-     "correlation of the coefficients, row by row up to the diagonal"},
+     "correlation of the coefficients: lower triangle, row by row"},
     {"residual_std_V", between(0, 1e6, "V"), is_required, "standard deviation of one reading"},
     {"torque_from_Nm", between(-1e9, 1e9, "Nm"), is_required,
-     "lowest torque of the calibration; beyond it the tangent holds"},
+     "lowest torque of the calibration; below it, the curve continues along its tangent"},
     {"torque_to_Nm", between(-1e9, 1e9, "Nm"), is_required,
-     "highest torque of the calibration; beyond it the tangent holds"},
+     "highest torque of the calibration; above it, the curve continues along its tangent"},
     {"signal_from_V", between(-1e6, 1e6, "V"), is_required,
-     "lowest signal seen in the calibration; signals outside are counted in a note"},
-    {"signal_to_V", between(-1e6, 1e6, "V"), is_required, "highest signal seen in the calibration"},
-    {"readings", whole(1, 1e9), unset, "of the calibration, for messages"},
-    {"source", a_text, unset, "what the calibration is from, for messages"},
+     "lowest signal of the calibration; a note gives the number of signals outside the "
+     "calibration"},
+    {"signal_to_V", between(-1e6, 1e6, "V"), is_required, "highest signal of the calibration"},
+    {"readings", whole(1, 1e9), unset, "number of readings in the calibration, for messages"},
+    {"source", a_text, unset, "source of the calibration, for messages"},
 };
 constexpr Key sensor_zero_keys[]{
     {"zero_V", between(-1e6, 1e6, "V"), "the first coefficient",
-     "signal without torque on the day of the test"},
+     "signal at zero torque on the day of the test"},
     {"zero_std_V", between(0, 1e6, "V"), "residual_std_V", "standard deviation of zero_V"},
     {"file", a_text, unset,
-     "a file with this table, relative to the model, in the place of all but the zero"},
+     "file with this table (path relative to the model); replaces all keys except zero_V and "
+     "zero_std_V"},
 };
 
 /// The coefficients, each in its unit.

@@ -42,60 +42,66 @@ const ArrangementDesign usual_design;
 // Wherever the libraries check as well, these are their ranges.
 const Key arrangement_keys[]{
     {"layout", one_of(words_of_layout), is_required,
-     "sets on the shaft, by letter or by a name of the trade, which also says how many"},
-    {"front", whole(1, 20), "of the layout",
-     "bearings of the set at the tool; required unless the layout says it"},
-    {"rear", whole(0, 20), "of the layout",
-     "bearings of the set behind, none in tandem; required unless the layout says it"},
-    {"mounting", one_of("rigid|spring"), "rigid", "sets held by spacers, or pressed by springs"},
-    {"spring_rate_N_um", between(0, 1e6, "N/um"), 0.0,
-     "rate of the springs; 0 is a constant force"},
+     "arrangement of the sets on the shaft: a letter, or a trade name, which also gives the number "
+     "of bearings"},
+    {"front", whole(1, 20), "from the layout",
+     "number of bearings in the set at the tool; required unless the layout gives it"},
+    {"rear", whole(0, 20), "from the layout",
+     "number of bearings in the rear set (tandem: 0); required unless the layout gives it"},
+    {"mounting", one_of("rigid|spring"), "rigid", "preload of the sets: rigid (spacers) or spring"},
+    {"spring_rate_N_um", between(0, 1e6, "N/um"), 0.0, "spring rate; 0: constant force"},
     {"preload_N", between(0.001, 1e8, "N"), unset,
-     "sum over one side, at standstill; give this key, preload_offset_um or preload_class"},
+     "preload at standstill, sum over the bearings of one set; give one of preload_N, "
+     "preload_offset_um and preload_class"},
     {"preload_offset_um", between(0.001, 1000, "um"), unset,
-     "gap that is ground into the faces: distance by which clamping presses the two sides together "
-     "after they touch; rigid"},
+     "gap that is ground into the ring faces and closed by clamping; only for mounting = "
+     "\"rigid\""},
     {"preload_class", one_of("light|medium|strong"), unset,
-     "preload class of the catalogue; rigid"},
+     "preload class from the catalogue; only for mounting = \"rigid\""},
     {"external_load_N", between(-1e8, 1e8, "N"), 0.0,
      "axial load on the shaft, positive towards the tool"},
     {"shaft_stiffness_N_um", between(0.001, 1e9, "N/um"), "rigid",
      "axial stiffness of the shaft between the sets"},
     {"housing_stiffness_N_um", between(0.001, 1e9, "N/um"), "rigid",
      "axial stiffness of the housing between the sets"},
-    {"distance_mm", between(0, 1e5, "mm"), 0.0, "distance between the sets, for expansion"},
+    {"distance_mm", between(0, 1e5, "mm"), 0.0,
+     "distance between the sets, for the thermal expansion"},
     {"shaft_expansion_1e6_K", between(0, 50, "1e-6/K"),
      usual_design.shaft_expansion / per_million_K,
-     "linear thermal expansion of the shaft; default for a spindle: its [shaft]"},
+     "linear thermal expansion of the shaft; for a spindle, the default comes from the material of "
+     "[shaft]"},
     {"housing_expansion_1e6_K", between(0, 50, "1e-6/K"),
      usual_design.housing_expansion / per_million_K,
-     "linear thermal expansion of the housing; default for a spindle: its [housing]"},
+     "linear thermal expansion of the housing; for a spindle, the default comes from the material "
+     "of [housing]"},
     {"mounting_temperature_C", between(-200, 500, "C"), celsius(usual_design.mounting_temperature),
-     "temperature at which preload and distance were set"},
-    {"inner_ring_temperature_C", between(-200, 500, "C"), "as mounted",
-     "without any of these temperatures nothing expands"},
-    {"outer_ring_temperature_C", between(-200, 500, "C"), "as mounted",
+     "temperature at which the preload was set"},
+    {"inner_ring_temperature_C", between(-200, 500, "C"), "mounting temperature",
+     "temperature of the inner rings; if no temperature is given, no part expands"},
+    {"outer_ring_temperature_C", between(-200, 500, "C"), "mounting temperature",
      "temperature of the outer rings"},
-    {"ball_temperature_C", between(-200, 500, "C"), "the mean of the rings",
+    {"ball_temperature_C", between(-200, 500, "C"), "mean of the two rings",
      "temperature of the balls"},
-    {"shaft_temperature_C", between(-200, 500, "C"), "as the inner ring",
+    {"shaft_temperature_C", between(-200, 500, "C"), "inner ring temperature",
      "temperature of the shaft"},
-    {"housing_temperature_C", between(-200, 500, "C"), "as the outer ring",
+    {"housing_temperature_C", between(-200, 500, "C"), "outer ring temperature",
      "temperature of the housing"},
-    {"front_bearing", a_table, "those of [bearing]",
-     "[arrangement.front_bearing] changes keys of [bearing] for the set at the tool; with two "
-     "brackets, one table for each bearing"},
-    {"rear_bearing", a_table, "those of [bearing]", "the same for the set behind"},
+    {"front_bearing", a_table, "keys of [bearing]",
+     "table [arrangement.front_bearing]: keys of [bearing] with other values for the set at the "
+     "tool; [[arrangement.front_bearing]] is one table for each bearing"},
+    {"rear_bearing", a_table, "keys of [bearing]",
+     "table [arrangement.rear_bearing]: keys of [bearing] with other values for the rear set"},
 };
 constexpr Key positions_keys[]{
     {"front_position_mm", a_list, unset,
-     "centres of the bearings at the tool, behind the nose face"},
-    {"rear_position_mm", a_list, unset, "centres of the bearings behind"},
+     "distances of the bearing centres of the front set behind the nose face"},
+    {"rear_position_mm", a_list, unset,
+     "distances of the bearing centres of the rear set behind the nose face"},
 };
 constexpr Key mounted_bearing_keys[]{
     {"offset_um", between(-1000, 1000, "um"), 0.0,
-     "distance by which a bearing is pressed further than its set; a key of "
-     "[arrangement.rear_bearing] too, in addition to all keys of [bearing]"}};
+     "additional axial displacement of one bearing against its set; also a key of "
+     "[arrangement.rear_bearing]. Both tables also have all keys of [bearing]"}};
 
 constexpr std::string_view front_position = positions_keys[0].name;
 constexpr std::string_view rear_position = positions_keys[1].name;
@@ -302,10 +308,11 @@ class ShaftReader {
     if (!(most > model::steel_flows)) return;
     for (const char* key : {"preload_N", "preload_offset_um", "preload_class"})
       if (const toml::node* const node = s_.find(key))
-        s_.fail(key, fmt::format("{} = {}: presses the balls with {:.3g} GPa as mounted, {:.4g} N: "
-                                 "must be below {:.3g} GPa, at which the hardest steel flows",
-                                 key, text::shown(*node), most / GPa, arrangement.preload(),
-                                 model::steel_flows / GPa));
+        s_.fail(key, fmt::format(
+                         "{} = {}: the contact pressure as mounted is {:.3g} GPa (preload {:.4g} "
+                         "N): it must be below {:.3g} GPa, at which the hardest steel yields",
+                         key, text::shown(*node), most / GPa, arrangement.preload(),
+                         model::steel_flows / GPa));
   }
 
   [[nodiscard]] double class_force(const NamedBearing& b, const std::string& word) const {
@@ -375,7 +382,7 @@ class ShaftReader {
 
 std::vector<KeyTable> arrangement_tables() {
   return {{"arrangement", arrangement_keys},
-          {"arrangement", positions_keys, "of a spindle"},
+          {"arrangement", positions_keys, "spindle"},
           {"arrangement.front_bearing", mounted_bearing_keys}};
 }
 

@@ -52,17 +52,16 @@ const std::array shaft_solid_keys = solid_keys(model::steel_of_shafts);
 const std::array housing_solid_keys = solid_keys(model::iron_of_housings);
 
 constexpr Key shaft_keys[]{
-    {"bore_mm", between(0, 5000, "mm"), 0.0, "bore of all segments that have none of their own"},
-    {"segment", a_list, is_required, "the pieces of the shaft, from the nose to the rear"},
+    {"bore_mm", between(0, 5000, "mm"), 0.0, "bore of all segments without a bore_mm"},
+    {"segment", a_list, is_required,
+     "segments of the shaft from the nose to the rear, [[shaft.segment]]"},
     {"disk", a_list, unset, "masses on the shaft, [[shaft.disk]]"},
     {"roller_bearing", a_list, unset,
-     "cylindrical roller bearings in addition to the sets, free along the axis, "
-     "[[shaft.roller_bearing]]"},
-    {"support", a_list, unset,
-     "springs for bearings of which only a stiffness is known, [[shaft.support]]"},
+     "cylindrical roller bearings in addition to the sets, axially free, [[shaft.roller_bearing]]"},
+    {"support", a_list, unset, "supports for which only a stiffness is known, [[shaft.support]]"},
 };
 constexpr Key shaft_segment_keys[]{
-    {"length_mm", a_length, is_required, "along the shaft"},
+    {"length_mm", a_length, is_required, "length of the segment along the shaft"},
     {"diameter_mm", between(0.1, 5000, "mm"), is_required, "outer diameter"},
     {"bore_mm", between(0, 5000, "mm"), "as the shaft", "bore of this segment"},
     {"material", a_text, "as the shaft",
@@ -71,8 +70,10 @@ constexpr Key shaft_segment_keys[]{
 constexpr Key shaft_disk_keys[]{
     {"position_mm", anywhere, is_required, "behind the nose face"},
     {"mass_kg", between(0, 1e5, "kg"), is_required, "mass of the disk"},
-    {"diametral_inertia_kgm2", between(0, 1e5, "kg m2"), is_required, "about a diameter"},
-    {"polar_inertia_kgm2", between(0, 1e5, "kg m2"), is_required, "about the axis"},
+    {"diametral_inertia_kgm2", between(0, 1e5, "kg m2"), is_required,
+     "moment of inertia about a diameter"},
+    {"polar_inertia_kgm2", between(0, 1e5, "kg m2"), is_required,
+     "moment of inertia about the axis"},
 };
 constexpr Key shaft_support_keys[]{
     {"position_mm", on_the_shaft, is_required, "behind the nose face"},
@@ -82,24 +83,27 @@ constexpr Key shaft_support_keys[]{
 
 const model::Housing usual_housing;
 const Key housing_keys[]{
-    {"start_mm", anywhere, is_required, "front face of the housing, behind the nose face"},
+    {"start_mm", anywhere, is_required,
+     "distance of the front face of the housing behind the nose face"},
     {"length_mm", a_length, is_required, "length of a housing of one piece"},
     {"outer_diameter_mm", between(1, 10000, "mm"), is_required,
-     "of a housing of one piece, which is bored to the bearings"},
-    {"segment", a_list, unset, "pieces, in place of length and diameter"},
+     "outer diameter of a housing of one piece; its bore is the outer diameter of the bearings"},
+    {"segment", a_list, unset,
+     "segments of the housing, instead of length_mm and outer_diameter_mm, [[housing.segment]]"},
     {"flange_mm", anywhere, is_required,
-     "middle of the flange by which it is bolted to the machine"},
+     "distance of the middle of the mounting flange behind the nose face"},
     {"flange_length_mm", between(0.1, longest_mm, "mm"), usual_housing.flange_length / mm,
-     "of the flange"},
+     "axial length of the flange"},
     {"flange_conductance_W_K", between(0, 1e4, "W/K"), usual_housing.flange_conductance,
-     "heat through the flange into the machine; with flange_screws, behind the joint"},
+     "thermal conductance from the flange to the machine; with flange_screws, from the joint to "
+     "the machine"},
     {"flange_screws", whole(1, 1000), unset,
-     "screws of the flange; its joint then conducts by their force"},
+     "number of flange screws; the conductance of the joint then follows from their force"},
     {"flange_screw_force_N", between(1, 1e7, "N"), unset, "clamping force of one screw"},
     {"flange_contact_mm2", between(1, 1e8, "mm2"), unset, "contact area of the flange"},
 };
 constexpr Key housing_segment_keys[]{
-    {"length_mm", a_length, is_required, "along the spindle"},
+    {"length_mm", a_length, is_required, "length of the segment along the spindle"},
     {"outer_diameter_mm", between(1, 10000, "mm"), unset, "outer diameter, required"},
     {"diameter_mm", between(1, 10000, "mm"), unset, "another name of outer_diameter_mm"},
     {"bore_mm", between(0, 5000, "mm"), "the outer diameter of the bearings",
@@ -111,27 +115,27 @@ constexpr Key housing_segment_keys[]{
 constexpr model::Seat usual_seat;
 constexpr Key seat_keys[]{
     {"inner_interference_um", between(-500, 500, "um"), usual_seat.inner_interference / um,
-     "diametral, of the inner rings on the shaft"},
+     "diametral interference of the inner rings on the shaft"},
     {"outer_clearance_um", between(-500, 500, "um"), usual_seat.outer_clearance / um,
-     "diametral, of the outer rings in the housing"},
+     "diametral clearance of the outer rings in the housing"},
     {"roughness_um", between(0.01, 50, "um"), usual_seat.roughness / um,
      "roughness of the contact surfaces"},
     {"slope", between(0.001, 2), usual_seat.slope, "mean slope of the roughness"},
     {"hardness_GPa", between(0.05, 100, "GPa"), usual_seat.hardness / GPa,
      "hardness of the softer surface"},
     {"shoulder_conductance_W_m2K", between(0, 1e6, "W/(m2 K)"), usual_seat.shoulder_conductance,
-     "heat through the shoulders against which the rings stand"},
+     "contact conductance of the shoulders at the rings"},
     {"collar_conductance_W_m2K", between(0, 1e6, "W/(m2 K)"), usual_seat.collar_conductance,
-     "heat between the outer ring and a collar of the shaft that runs against it; over an open gap "
-     "of 0.1 mm it is 270"},
-    {"outer_conductance_W_m2K", between(0.1, 1e6, "W/(m2 K)"), "what the fit gives",
-     "conductance of the outer seats"},
+     "conductance of the gap between the outer ring and a rotating collar of the shaft; about 270 "
+     "for an open gap of 0.1 mm"},
+    {"outer_conductance_W_m2K", between(0.1, 1e6, "W/(m2 K)"),
+     "calculated from the fit of the seat", "contact conductance of the outer seats"},
 };
 
 constexpr Key gap_keys[]{
     {"inner_diameter_mm", between(0.1, 10000, "mm"), unset,
-     "inner diameter of an air gap between shaft and housing; without the table, the gap between "
-     "the sets"},
+     "inner diameter of an air gap between shaft and housing; without the table [gap], the gap "
+     "lies between the sets"},
     {"outer_diameter_mm", between(0.1, 10000, "mm"), unset, "outer diameter of the gap"},
     {"start_mm", on_the_shaft, unset, "behind the nose face"},
     {"end_mm", on_the_shaft, unset, "behind the nose face"},

@@ -10,19 +10,22 @@ namespace raceway::files {
 namespace {
 
 constexpr Key network_keys[]{
-    {"node", a_list, is_required, "bodies in place of a geometry, [[network.node]]"},
-    {"link", a_list, unset, "paths of heat between them, [[network.link]]"},
+    {"node", a_list, is_required,
+     "bodies of a thermal network, instead of a geometry, [[network.node]]"},
+    {"link", a_list, unset, "heat paths between the bodies, [[network.link]]"},
 };
 constexpr Key network_node_keys[]{
-    {"name", a_text, is_required, "for results and links"},
-    {"capacity_J_K", between(1e-6, 1e12, "J/K"), unset, "heat capacity; this or a temperature"},
-    {"temperature_C", between(-273, 2000, "C"), unset, "held"},
-    {"heat_W", between(-1e9, 1e9, "W"), 0.0, "into it"},
+    {"name", a_text, is_required, "name of the body in results and links"},
+    {"capacity_J_K", between(1e-6, 1e12, "J/K"), unset,
+     "heat capacity; give either capacity_J_K or temperature_C"},
+    {"temperature_C", between(-273, 2000, "C"), unset, "constant temperature of the body"},
+    {"heat_W", between(-1e9, 1e9, "W"), 0.0, "heat flow into the body"},
 };
 constexpr Key network_link_keys[]{
     {"from", a_text, is_required, "name of a node, ambient or machine"},
     {"to", a_text, is_required, "name of a node, ambient or machine"},
-    {"conductance_W_K", between(1e-12, 1e9, "W/K"), is_required, "between the two"},
+    {"conductance_W_K", between(1e-12, 1e9, "W/K"), is_required,
+     "thermal conductance between the two nodes"},
 };
 
 using model::Network;

@@ -17,39 +17,40 @@ const model::Spindle usual_spindle;
 constexpr Key own_spindle_keys[]{
     {"name", a_text, "as the bearing", "for results"},
     {"preload_feedback", a_flag, "true",
-     "true: friction by the forces of the warm sets, false: of the cold sets at that "
-     "speed"},
+     "preload for the friction; true: set forces of the warm spindle, false: set forces of the "
+     "cold spindle at the same speed"},
 };
 // In tables that other models have too.
 const Key spindle_bearing_keys[]{
-    {"width_mm", between(0.5, 1000, "mm"), "of the catalogue, else half of outer diameter - bore",
+    {"width_mm", between(0.5, 1000, "mm"), "from the catalogue, else (outer diameter - bore) / 2",
      "width of the rings"},
     {"inner_ring_shoulder_mm", between(1, 5000, "mm"), "pitch diameter - 0.7 ball diameters",
      "shoulder diameter of the inner ring"},
     {"outer_ring_shoulder_mm", between(1, 10000, "mm"), "pitch diameter + 0.7 ball diameters",
      "shoulder diameter of the outer ring"},
     {"lubricant_conductance_W_K", between(0, 1000, "W/K"),
-     "1650 W/(m2 K) by balls and squared diameter",
-     "heat from ring to ring by oil film, oil and rolling balls, in addition to the contacts"},
+     "1650 W/(m2 K) x number of balls x squared ball diameter",
+     "thermal conductance from ring to ring through oil and rolling balls, in addition to the "
+     "contacts"},
 };
 constexpr Key spindle_friction_keys[]{{"inner_heat_share", between(0, 1),
-                                       "by the sliding at each ring",
-                                       "share of the friction heat that goes to the inner ring"}};
+                                       "from the sliding at each ring",
+                                       "share of the friction heat that enters the inner ring"}};
 constexpr Key spindle_solver_keys[]{
     {"cells", one_of("coarse|medium|fine"), "medium", "size of the cells"},
-    {"step_s", between(0.01, 1e5, "s"), "as the error asks for", "the longest time step"},
+    {"step_s", between(0.01, 1e5, "s"), "from the error control", "longest time step"},
 };
 const Key spindle_rig_keys[]{
     {"model_floor_K", between(0, 100, "K"), usual_spindle.model_floor_temperature,
-     "what the model leaves of a temperature up to there is its own coarseness"},
+     "model error of the temperatures; smaller residuals are tolerated"},
     {"model_floor_um", between(0, 1000, "um"), usual_spindle.model_floor_displacement / um,
-     "what the model leaves of a displacement up to there is its own coarseness"},
+     "model error of the displacements; smaller residuals are tolerated"},
 };
 
-const KeyTable tables_of_keys[]{{"bearing", spindle_bearing_keys, "of a spindle"},
-                                {"friction", spindle_friction_keys, "of a spindle"},
-                                {"solver", spindle_solver_keys, "of a spindle"},
-                                {"rig", spindle_rig_keys, "of a spindle"},
+const KeyTable tables_of_keys[]{{"bearing", spindle_bearing_keys, "spindle"},
+                                {"friction", spindle_friction_keys, "spindle"},
+                                {"solver", spindle_solver_keys, "spindle"},
+                                {"rig", spindle_rig_keys, "spindle"},
                                 {"spindle", own_spindle_keys}};
 
 using model::Cells;
@@ -112,7 +113,7 @@ void read_solution(ModelTables& tables, Spindle& spindle) {
   const std::string cells = tables.choice(solver, "cells");
   spindle.cells = cells == "coarse" ? Cells::coarse : cells == "fine" ? Cells::fine : Cells::medium;
   if (!solver.take("step_s", spindle.step))
-    tables.note_default("solver", "step_s", "as the error asks for");
+    tables.note_default("solver", "step_s", "from the error control");
   const Section rig = tables.part("rig", {spindle_rig_keys});
   spindle.model_floor_temperature = tables.number(rig, "model_floor_K");
   spindle.model_floor_displacement = tables.number(rig, "model_floor_um") * um;
@@ -209,7 +210,7 @@ model::Spindle read_spindle(ModelTables& tables, const NamedBearing& bearing,
           tables.part("friction", {spindle_friction_keys}).number("inner_heat_share"))
     spindle.inner_heat_share = *share;
   else
-    tables.note_default("friction", "inner_heat_share", "by the sliding at each ring");
+    tables.note_default("friction", "inner_heat_share", "from the sliding at each ring");
   read_solution(tables, spindle);
   spindle.ambient = read_ambient(tables);
   if (tables.root().contains("network")) spindle.network = read_network(tables, spindle.ambient);

@@ -17,41 +17,45 @@ constexpr model::Ambient usual_air;
 constexpr Key ambient_keys[]{
     {"temperature_C", between(-100, 200, "C"), celsius(usual_air.temperature),
      "temperature of the air"},
-    {"machine_temperature_C", between(-100, 200, "C"), "as the ambient",
+    {"machine_temperature_C", between(-100, 200, "C"), "temperature of the air",
      "temperature of the machine behind the flange"},
     {"emissivity", between(0, 1), usual_air.emissivity,
      "emissivity of the surfaces, for radiation"},
     {"convection_factor", between(0, 20), usual_air.convection_factor,
-     "on free convection of housing and end faces"},
+     "factor on the free convection of housing and end faces"},
     {"rotating_convection", one_of("becker|kendoush|anderson-saunders"), "becker",
-     "author of the correlation for rotating surfaces"},
+     "correlation for the convection of rotating surfaces, by its author"},
 };
 
 constexpr Key coolant_keys[]{
-    {"fluid", one_of("water|oil"), "water", "what flows"},
-    {"inlet_temperature_C", between(-50, 150, "C"), "as the ambient", "where it enters"},
+    {"fluid", one_of("water|oil"), "water", "fluid of the coolant circuit"},
+    {"inlet_temperature_C", between(-50, 150, "C"), "temperature of the air",
+     "coolant temperature at the inlet"},
     {"circuit", a_list, unset,
-     "further circuits around other parts of the housing, [[coolant.circuit]]"},
+     "further coolant circuits around other parts of the housing, [[coolant.circuit]]"},
 };
 constexpr Key circuit_keys[]{
     {"name", a_text, is_required,
-     "letters, digits and _; gives the columns NAME_outlet_temperature_C and heat_to_NAME_W"},
-    {"fluid", one_of("water|oil"), "as in [coolant]", "what flows"},
+     "name of the circuit (letters, digits and _) in the columns NAME_outlet_temperature_C and "
+     "heat_to_NAME_W"},
+    {"fluid", one_of("water|oil"), "as in [coolant]", "fluid of the coolant circuit"},
     {"inlet_temperature_C", between(-50, 150, "C"), "as in [coolant]",
-     "where it enters; without it the circuit follows [coolant] and coolant_inlet_temperature_C"},
+     "coolant temperature at the inlet; without it, the circuit uses the inlet temperature of "
+     "[coolant] or of the column coolant_inlet_temperature_C"},
 };
 constexpr Key channel_keys[]{
-    {"flow_l_min", between(0, 1e4, "l/min"), is_required, "volume in a minute"},
+    {"flow_l_min", between(0, 1e4, "l/min"), is_required, "volume flow"},
     {"diameter_mm", between(1, 10000, "mm"), is_required, "diameter of the helix of the channel"},
     {"channel_width_mm", between(0.1, 1000, "mm"), is_required, "along the spindle"},
     {"channel_depth_mm", between(0.1, 1000, "mm"), is_required, "radial"},
-    {"pitch_mm", between(0.1, 10000, "mm"), is_required, "from turn to turn, at least the width"},
-    {"start_mm", anywhere, is_required, "where it enters, behind the nose face"},
-    {"end_mm", anywhere, is_required, "where it leaves, behind the nose face"},
+    {"pitch_mm", between(0.1, 10000, "mm"), is_required,
+     "axial distance from turn to turn, at least channel_width_mm"},
+    {"start_mm", anywhere, is_required, "distance of the inlet behind the nose face"},
+    {"end_mm", anywhere, is_required, "distance of the outlet behind the nose face"},
     {"stagnant_W_m2K", between(0, 1e5, "W/(m2 K)"), model::Coolant{}.stagnant,
-     "heat transfer where the coolant stands"},
+     "heat transfer coefficient without coolant flow"},
     {"throttle_diameter_mm", between(0.1, 1000, "mm"), unset,
-     "diameter of an orifice at the outlet, for its pressure drop"},
+     "diameter of an orifice at the outlet, for the pressure drop"},
 };
 
 const double usual_share = model::HeatSource{}.rotor_share;
@@ -59,52 +63,60 @@ constexpr const char* heat_meaning =
     "a number, or a formula of speed_rpm, axial_load_N, radial_load_N, moment_Nm, belt_force_N and "
     "motor_power_W";
 const Key factor_key{"heat_factor", between(0, 100), model::HeatSource{}.factor,
-                     "on heat_W where it is a formula, free in a fit"};
+                     "factor on heat_W if it is a formula; can be fitted"};
 const Key motor_keys[]{
     {"heat_W", between(0, 1e6, "W"), 0.0, heat_meaning},
     factor_key,
-    {"position_mm", on_the_shaft, is_required, "position of its middle, behind the nose face"},
+    {"position_mm", on_the_shaft, is_required,
+     "distance of the middle of the motor behind the nose face"},
     {"length_mm", between(0.1, longest_mm, "mm"), is_required, "length of the rotor"},
     {"rotor_diameter_mm", between(0.1, 5000, "mm"), unset, "diameter of the rotor"},
-    {"rotor_share", between(0, 1), usual_share, "share of its heat that goes to the rotor"},
+    {"rotor_share", between(0, 1), usual_share, "share of the heat that enters the rotor"},
 };
 const Key drive_keys[]{
-    {"heat_W", between(0, 1e6, "W"), "0 with belt_force_N, else required", heat_meaning},
+    {"heat_W", between(0, 1e6, "W"), "0 if belt_force_N is given, else required", heat_meaning},
     factor_key,
     {"belt_force_N", between(0, 1e8, "N"), unset,
-     "pull of the belt on the shaft; a programme may have it by rows"},
+     "belt force on the shaft; a speed programme can have it as a column"},
     {"belt_angle_deg", between(-360, 360, "deg"), 0.0,
-     "angle of its pull, from the direction of radial loads at the nose (+y) towards +z"},
-    {"position_mm", on_the_shaft, "the shaft behind the last bearing",
-     "position of the belt and of the middle of the heated part, behind the nose face; required "
+     "angle of the belt force, measured from +y (direction of radial loads at the nose) towards "
+     "+z"},
+    {"position_mm", on_the_shaft, "heated part: the shaft behind the last bearing",
+     "distance of the belt, and of the middle of the heated part, behind the nose face; required "
      "with belt_force_N"},
     {"length_mm", between(0.1, longest_mm, "mm"), unset, "length of the heated part"},
     {"rotor_diameter_mm", between(0.1, 5000, "mm"), unset, "diameter of the heated part"},
-    {"rotor_share", between(0, 1), usual_share, "share of its heat that goes to the shaft"},
+    {"rotor_share", between(0, 1), usual_share, "share of the heat that enters the shaft"},
 };
 const Key heat_keys[]{
-    {"name", a_text, is_required, "letters, digits and _; gives the column NAME_heat_W"},
+    {"name", a_text, is_required,
+     "name of the heat source (letters, digits and _) in the column NAME_heat_W"},
     {"heat_W", between(0, 1e6, "W"), is_required, heat_meaning},
     factor_key,
     {"at", a_text, is_required,
-     "shaft, housing, motor (both between the sets), pulley (shaft behind the last bearing), seal "
-     "(shaft before the first bearing), or the name of a bearing: front_1, rear_1 ..."},
-    {"position_mm", anywhere, "by the place",
-     "position of the middle of the heated part, behind the nose face; required on shaft and "
+     "place of the heat source: shaft, housing, motor (shaft and housing between the sets), pulley "
+     "(shaft behind the last bearing), seal (shaft before the first bearing), or a bearing such as "
+     "front_1 or rear_1"},
+    {"position_mm", anywhere, "from the place",
+     "distance of the middle of the heated part behind the nose face; required for shaft and "
      "housing"},
-    {"length_mm", between(0.1, longest_mm, "mm"), "by the place", "length of the heated part"},
-    {"radius_mm", between(0, 5000, "mm"), "all from bore to surface",
+    {"length_mm", between(0.1, longest_mm, "mm"), "from the place", "length of the heated part"},
+    {"radius_mm", between(0, 5000, "mm"), "all cells from bore to surface",
      "radius of the heated cells of shaft or housing"},
     {"shaft_share", between(0, 1), 0.5,
-     "share of the heat of a motor that goes to the shaft, or at a bearing to the inner ring"},
+     "share of the heat that enters the shaft (motor) or the inner ring (bearing)"},
 };
 
 constexpr Key sensor_keys[]{
-    {"name", a_text, is_required, "letters, digits and _; gives the column NAME_temperature_C"},
-    {"part", one_of("shaft|ring|housing|coolant"), is_required, "what it sits on"},
+    {"name", a_text, is_required,
+     "name of the sensor (letters, digits and _) in the column NAME_temperature_C"},
+    {"part", one_of("shaft|ring|housing|coolant"), is_required,
+     "part on which the sensor is mounted"},
     {"position_mm", anywhere, unset,
-     "behind the nose face, required but in the coolant: there the outlet without it"},
-    {"radius_mm", between(0, 5000, "mm"), unset, "from the axis, required but in the coolant"},
+     "distance behind the nose face; required, except in the coolant, where the default is the "
+     "outlet"},
+    {"radius_mm", between(0, 5000, "mm"), unset,
+     "distance from the axis; required, except in the coolant"},
 };
 
 constexpr double litre_per_minute = 1e-3 / 60.0;  ///< [m³/s]

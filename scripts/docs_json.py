@@ -225,7 +225,7 @@ MEANINGS = {
     "keys": {
         "keys[].kind": "number, text, true or false, list, table",
         "keys[].from": "null of what is no number",
-        "keys[].only": "of which law, of a spindle; null: everywhere",
+        "keys[].only": "models that have the key, such as law skf, spindle; null: all models",
     },
 }
 # Objects whose names are those of parameters, data or files, and documents that stand within another one.

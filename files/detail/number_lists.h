@@ -13,11 +13,12 @@ namespace raceway::files {
 
 /// Keys of a covariance of fitted parameters.
 inline constexpr Key covariance_keys[]{
-    {"parameters", a_list, is_required, "names of what was fitted, as in [calibration] free"},
-    {"units", a_list, is_required, "of each, as calibrate shows it"},
-    {"values", a_list, is_required, "those of the model, to 9 digits"},
+    {"parameters", a_list, is_required, "names of the fitted parameters, as in [calibration] free"},
+    {"units", a_list, is_required, "unit of each parameter, as calibrate prints it"},
+    {"values", a_list, is_required, "values of the parameters in the model, to 9 digits"},
     {"std", a_list, is_required, "standard errors"},
-    {"correlation", a_list, is_required, "row by row up to the parameter with itself, which is 1"},
+    {"correlation", a_list, is_required,
+     "correlation of the parameters: lower triangle, row by row; each row ends with 1"},
 };
 
 /// Returns the value of a required key.

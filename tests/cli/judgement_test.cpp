@@ -98,7 +98,7 @@ TEST_F(Judged, APreloadThatLeavesDentsIsSaidByAll) {
                                     {"solve", "--speed 100"}})
     EXPECT_THAT(command(verb, text, flags).err, HasSubstr(said)) << verb;
   expect_refused(command("check", replaced(text, "300000", "30000000"), ""),
-                 "which the hardest steel flows");
+                 "which the hardest steel yields");
 }
 
 TEST_F(Judged, SpeedsAreJudgedByCatalogueAndSpeedFactor) {

@@ -41,7 +41,7 @@ const unitWords = (unit: string | null): string => (unit ?? '').replace('mm2/s',
 function applies(only: string | null, text: string): boolean {
   const law = valueOf(text, 'friction', 'law') ?? 'palmgren';
   const rollers = valueOf(text, 'bearing', 'type') === 'cylindrical-roller';
-  return (only ?? '').split(', ').every((part) => (part === 'of cylindrical rollers' ? rollers : part === 'of a spindle' ? isSpindle(text) : part.startsWith('law ') ? part === `law ${law}` : part === ''));
+  return (only ?? '').split(', ').every((part) => (part === 'cylindrical rollers' ? rollers : part === 'spindle' ? isSpindle(text) : part.startsWith('law ') ? part === `law ${law}` : part === ''));
 }
 
 function rangeWords(key: Key): string {

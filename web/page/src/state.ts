@@ -112,7 +112,7 @@ export interface Key {
   to: number | null;
   choices: string[];
   default: string | null;
-  only: string | null; // "law palmgren", "of a spindle"
+  only: string | null; // "law palmgren", "spindle"
   meaning: string;
 }
 
