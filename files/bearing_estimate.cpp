@@ -53,7 +53,7 @@ Ratios ratios_of(const BearingOutline& outline, const std::vector<CatalogueBeari
   const bool like_section = near.size() >= enough_rows;
   const auto& used = like_section ? near : all;
   if (used.empty())
-    throw text::InputError("the catalogue has no bearing to estimate another one by");
+    throw text::InputError("the catalogue is empty, so the program cannot estimate a bearing");
   std::vector<double> ball, fill, rating;
   for (const CatalogueBearing* row : used) {
     const bearing::BearingGeometry& g = row->geometry;
@@ -111,8 +111,8 @@ EstimatedBearing estimated_bearing(const BearingOutline& given,
   BearingOutline& o = b.outline;
   if (std::isnan(o.bore) || std::isnan(o.outer_diameter))
     throw text::InputError(
-        fmt::format("bearing \"{}\" is not in the catalogue; with --bore and --outer-diameter, and "
-                    "--balls if it is known, its inner geometry is estimated",
+        fmt::format("bearing \"{}\" is not in the catalogue; to estimate its inner geometry, give "
+                    "--bore and --outer-diameter, and --balls if you know it",
                     o.designation),
         {.key = "BEARING"});
   if (!(o.bore > 0 && o.outer_diameter > 1.1 * o.bore && o.outer_diameter < 5.0 * o.bore))
@@ -170,14 +170,14 @@ std::string estimated_model_text(const EstimatedBearing& b, friction::FrictionLa
   const BearingOutline& o = b.outline;
   const CatalogueBearing row = row_of(b);
   const auto of_rows = fmt::format(
-      "in {} catalogue bearings of {} section{}", b.rows, b.like_section ? "like" : "another",
+      "from {} catalogue bearings of {} section{}", b.rows, b.like_section ? "similar" : "another",
       b.like_series ? "" : fmt::format(", none of series {}", o.dimension_series));
-  const auto of_rigidity = spread(b.conformity, 1.0, "by printed rigidities of pairs");
+  const auto of_rigidity = spread(b.conformity, 1.0, "from printed rigidities of pairs");
   ModelRemarks remarks{
-      .title = fmt::format(
-          "Model of a {} on a rig. The catalogue lacks this bearing: values marked as estimated "
-          "come\n# from bearings of {} section. Replace them if you know the right values.",
-          o.designation, b.like_section ? "like" : "another"),
+      .title = fmt::format("Model of a {} on a rig. The catalogue does not contain this bearing: "
+                           "values marked as estimated\n# come from bearings of {} section. "
+                           "Replace them if you know the correct values.",
+                           o.designation, b.like_section ? "similar" : "another"),
       .ball_material = o.ball_material,
       .of_key = {{"ball_diameter_mm", spread(b.ball_diameter, mm, of_rows)},
                  {"pitch_diameter_mm", "estimated: mean of bore and outer diameter"},

@@ -148,12 +148,14 @@ void BearingReader::read_material(const toml::key& key, const toml::node& node) 
   const std::string place = tables_.place(key);
   if (!node.is_table())
     throw text::InputError(
-        fmt::format("{}: {} = {}: materials are tables, written as [material.NAME]", place, name,
-                    text::shown(node)),
+        fmt::format("{}: {} = {}: a material must be a table, written as [material.NAME]", place,
+                    name, text::shown(node)),
         tables_.at(key));
   if (find_material(name))
     throw text::InputError(
-        fmt::format("{}: [material.{}]: this name is built in; take another", place, name),
+        fmt::format(
+            "{}: [material.{}]: this is the name of a built-in material; choose another name",
+            place, name),
         tables_.at(key));
   const Section s(tables_.source(), "material." + name, node.as_table(), {material_keys});
   for (const char* of_heat : {"conductivity_W_mK", "heat_capacity_J_kgK"}) (void)s.number(of_heat);
@@ -256,10 +258,11 @@ void BearingReader::take_estimate(const Section& s, const std::string& designati
   draft.ceramic_balls = named.ceramic_balls;
   for (const auto& [key, value] : keys_of(named.row.geometry))
     if (!s.find(key))
-      tables_.note_default(s.name(), key, fmt::format("{:.6g}", value),
-                           key != "contact_angle_deg" ? "estimated, in no catalogue"
-                           : named.states_angle       ? "by the designation"
-                                                      : "assumed, the designation states none");
+      tables_.note_default(
+          s.name(), key, fmt::format("{:.6g}", value),
+          key != "contact_angle_deg" ? "estimated, because the bearing is not in the catalogue"
+          : named.states_angle       ? "by the designation"
+                                     : "assumed, because the designation has no contact angle");
 }
 
 void BearingReader::read_geometry(const Section& s, Draft& draft) {

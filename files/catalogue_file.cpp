@@ -99,7 +99,7 @@ std::string own_data_directory() {
   const char* const named = std::getenv("RACEWAY_DATA");
   if (!named || !*named) return {};
   if (!is_folder(named))
-    throw text::InputError(fmt::format("RACEWAY_DATA = {}: is not a directory", named),
+    throw text::InputError(fmt::format("RACEWAY_DATA = {}: this folder does not exist", named),
                            {.file = named, .key = "RACEWAY_DATA"});
   return named;
 }
@@ -184,7 +184,7 @@ std::vector<CatalogueBearing> parse_catalogue(std::string text, const std::strin
                              {path, table.line(i), "designation"});
     if (rows[i].full_name().find_first_of("\"\\") != std::string::npos)
       throw text::InputError(
-          fmt::format("{}:{}: designation = {}: must be without quotes and backslashes", path,
+          fmt::format("{}:{}: designation = {}: must not contain quotes or backslashes", path,
                       table.line(i), text::quoted(rows[i].full_name())),
           {path, table.line(i), "designation"});
     const double balls = table.number(i, ball_count);
@@ -238,8 +238,8 @@ std::vector<CatalogueBearing> read_catalogues() {
   }
   if (files.empty())
     throw text::InputError(
-        "the folder with the catalogue of bearings was not found; name one in the environment "
-        "variable RACEWAY_DATA",
+        "the folder with the catalogue of bearings was not found; set the environment variable "
+        "RACEWAY_DATA to this folder",
         {.key = "RACEWAY_DATA"});
   std::vector<CatalogueBearing> rows;
   for (const std::string& file : files)

@@ -83,10 +83,11 @@ void read_unit(const Section& s, const toml::key& key, const std::string& text, 
   if (rule.excel_date) return;
   if (own) rule.unit = text::find_unit(text, own->dimension);
   if (rule.unit) return;
-  const std::string known = own ? "must be " + text::listed_units(own->dimension) : "it has none";
+  const std::string known =
+      own ? "must be " + text::listed_units(own->dimension) : "this quantity has no unit";
   throw text::InputError(
       fmt::format("{}: [columns] {}: unit = \"{}\": {}{}", place_of(s, key).text(), key.str(), text,
-                  known, *rule.channel == record::time ? ", or excel for its dates" : ""),
+                  known, *rule.channel == record::time ? ", or excel for Excel serial dates" : ""),
       place_of(s, key));
 }
 
@@ -96,11 +97,11 @@ void read_rule_table(const Section& s, const toml::key& key, const toml::table& 
   const Section one(s.source(), fmt::format("columns.{}", key.str()), &table, {rule_keys});
   const auto column = one.text("column");
   if (!column || column->empty())
-    wrong(s, key, table, "needs the header of their column: column = \"...\"");
+    wrong(s, key, table, "the header of the column in your file is missing: column = \"...\"");
   rule.header = *column;
   if (const auto unit = one.text("unit")) read_unit(s, key, *unit, rule);
   rule.factor = one.value("factor");
-  if (rule.factor == 0.0) wrong(s, key, table, "factor = 0 makes all of it 0");
+  if (rule.factor == 0.0) wrong(s, key, table, "factor = 0: must not be 0");
 }
 
 ColumnRule read_rule(const Section& s, const toml::key& key, const toml::node& node,
@@ -113,7 +114,8 @@ ColumnRule read_rule(const Section& s, const toml::key& key, const toml::node& n
     const Names known = names_of_channels();
     const std::string near = text::suggestion(key.str(), known);
     wrong(s, key, node,
-          "no column of this program" + (near.empty() ? "; it has " + text::listed(known) : near));
+          "raceway has no column of this name" +
+              (near.empty() ? "; it has " + text::listed(known) : near));
   }
   ColumnRule rule{.key = std::string(key.str()),
                   .channel = named->channel,
@@ -124,7 +126,8 @@ ColumnRule read_rule(const Section& s, const toml::key& key, const toml::node& n
     const Channel& c = *rule.channel;
     const double si = rule.key_unit ? rule.key_unit->to_SI(value) : c.to_SI(value);
     if (c.role == record::Role::run || c.role == record::Role::measured)
-      wrong(s, key, node, "must be a column of the file in quotes, no number for all rows");
+      wrong(s, key, node,
+            "must be a column of the file in quotes; one number for all rows is not possible");
     const double lower = c.is_input() ? -c.upper : c.lower;  // the sign is judged with the model
     if (!(si >= c.to_SI(lower) && si <= c.to_SI(c.upper)))
       wrong(s, key, node, fmt::format("must be from {} to {} {}", c.lower, c.upper, c.unit));
@@ -257,13 +260,14 @@ ColumnMap read_columns(const ModelTables& tables) {
     for (const ColumnRule& other : map.rules) {
       if (*other.channel == *rule.channel)
         throw text::InputError(
-            fmt::format("{}: [columns] {} and {} are one quantity; keep one of them",
+            fmt::format("{}: [columns] {} and {} are the same quantity; keep one of them",
                         rule.place.text(), other.key, rule.key),
             rule.place);
       if (!rule.header.empty() && other.header == rule.header)
-        throw text::InputError(fmt::format("{}: [columns] {} and {} are both the column \"{}\"",
-                                           rule.place.text(), other.key, rule.key, rule.header),
-                               rule.place);
+        throw text::InputError(
+            fmt::format("{}: [columns] {} and {} both name the column \"{}\"; correct one of them",
+                        rule.place.text(), other.key, rule.key, rule.header),
+            rule.place);
     }
     map.rules.push_back(std::move(rule));
   }
@@ -274,13 +278,15 @@ ColumnMap parse_column_map(std::string_view text, const std::string& source) {
   const ModelTables tables(text, source);
   for (const auto& [key, node] : tables.root())
     if ((key.str() != "columns" && key.str() != "transducers") || !node.is_table())
-      throw text::InputError(fmt::format("{}: {}: a file of columns has the tables [columns] and "
-                                         "[transducers] alone",
-                                         tables.place(key), key.str()),
-                             tables.at(key));
+      throw text::InputError(
+          fmt::format(
+              "{}: {}: a file for --columns may have only the tables [columns] and [transducers]",
+              tables.place(key), key.str()),
+          tables.at(key));
   if (!tables.section("columns").given() && !tables.section("transducers").given())
     throw text::InputError(
-        source + ": no table [columns]: speed_rpm = \"header of their column\" ...",
+        source +
+            ": the table [columns] is missing; write speed_rpm = \"header in your file\" and so on",
         {.file = source, .key = "columns"});
   return read_columns(tables);
 }

@@ -54,11 +54,11 @@ std::vector<double> ColumnReader::numbers(
   }
   if (missing.count > 0)
     notes_.push_back(record::note::left_out(
-        fmt::format("{} of {} readings of {} have no valid value ({}) and are left out "
-                    "(line{} {}{})",
-                    missing.count, table_.rows(), source.name, text::listed(missing.texts),
-                    missing.count == 1 ? "" : "s", missing.lines,
-                    missing.count > Missing::shown ? ", ..." : ""),
+        fmt::format(
+            "{} of {} readings of {} have no valid value ({}) and are not used (line{} {}{})",
+            missing.count, table_.rows(), source.name, text::listed(missing.texts),
+            missing.count == 1 ? "" : "s", missing.lines,
+            missing.count > Missing::shown ? ", ..." : ""),
         {.file = table_.source, .key = source.name}));
   return list;
 }
@@ -104,8 +104,8 @@ std::vector<double> ColumnReader::times(const ColumnSource& source,
     }
     if (!time)
       bad.add(table_.line(row), source.name, stamp(source, row),
-              elapsed ? "is no time such as 1:30:05"
-                      : "is no time such as 2024-03-12T08:15:00 or 12.03.2024 08:15:00");
+              elapsed ? "is not a time such as 1:30:05"
+                      : "is not a time such as 2024-03-12T08:15:00 or 12.03.2024 08:15:00");
     list.push_back(time.value_or(unset));
   }
   elapsed ? undo_midnights(source, list) : undo_changes_of_clocks(source, list);
@@ -114,8 +114,8 @@ std::vector<double> ColumnReader::times(const ColumnSource& source,
   clock_start_ = {elapsed ? ClockKind::elapsed : ClockKind::dates, first};
   if (!std::isnan(first) && !elapsed)
     notes_.push_back(
-        record::note::read_as(fmt::format("column {} has {}: time_s counts from {}", source.name,
-                                          source.excel_date ? "dates of Excel" : "dates",
+        record::note::read_as(fmt::format("column {} has {}: time_s is measured from {}",
+                                          source.name, source.excel_date ? "Excel dates" : "dates",
                                           undecided_date_ ? begin : text::timestamp_text(first)),
                               {.file = table_.source, .key = source.name}));
   if (unit && elapsed)
@@ -125,7 +125,7 @@ std::vector<double> ColumnReader::times(const ColumnSource& source,
         {.file = table_.source, .key = source.name}));
   if (elapsed && first > 0.0)
     notes_.push_back(record::note::read_as(
-        fmt::format("column {} has {}: time_s counts from {}", source.name,
+        fmt::format("column {} has {}: time_s is measured from {}", source.name,
                     unit || text::parse_elapsed(begin) ? "elapsed times" : "times of day", begin),
         {.file = table_.source, .key = source.name}));
   return list;
@@ -160,8 +160,8 @@ std::optional<double> ColumnReader::unit_of_short_times(const ColumnSource& sour
   }
   const text::Place place{table_.source, table_.line(0), source.name};
   throw text::InputError(
-      fmt::format("{}: {} = {}: hours and minutes, or minutes and seconds? Say unit = \"h\" or "
-                  "\"min\" in [columns]: {} = {{ column = {}, unit = \"h\" }}",
+      fmt::format("{}: {} = {}: does the column have hours and minutes, or minutes and seconds? "
+                  "Set unit = \"h\" or \"min\" in [columns]: {} = {{ column = {}, unit = \"h\" }}",
                   place.text(), source.name, table_.shown(0, source.column), source.channel->name,
                   text::in_quotes(source.name)),
       place);
@@ -184,9 +184,9 @@ void ColumnReader::undo_midnights(const ColumnSource& source, std::vector<double
   }
   if (count > 0)
     notes_.push_back(record::note::read_as(
-        fmt::format("column {} passes midnight {}, first before line {}: time_s goes on",
-                    source.name, count == 1 ? "once" : fmt::format("{} times", count),
-                    table_.line(first)),
+        fmt::format(
+            "column {} passes midnight {}, first before line {}: time_s continues without a jump",
+            source.name, count == 1 ? "once" : fmt::format("{} times", count), table_.line(first)),
         {.file = table_.source, .line = table_.line(first), .key = source.name}));
 }
 
@@ -236,7 +236,7 @@ void ColumnReader::ask_for_order(const ColumnSource& source, const std::vector<R
   }
   const text::Place place{table_.source, table_.line(row), source.name};
   throw text::InputError(
-      fmt::format("{}: {} = {}: is it {}? Say date_order = {} in [columns]", place.text(),
+      fmt::format("{}: {} = {}: is it {}? Set date_order = {} in [columns]", place.text(),
                   source.name, cell, text::listed(dates, "or"), text::listed(orders, "or")),
       place);
 }
@@ -273,7 +273,8 @@ void ColumnReader::undo_changes_of_clocks(const ColumnSource& source, std::vecto
         (table_.is_numeric(source.column) || !text::has_zone(stamp(source, row)))) {
       shift += back ? hour : -hour;
       notes_.push_back(record::note::read_as(
-          fmt::format("line {}: the clock goes {} by one hour, {} of summer time: time_s goes on",
+          fmt::format("line {}: the clock goes {} by one hour, {} of summer time: time_s continues "
+                      "without a jump",
                       table_.line(row), back ? "back" : "forward",
                       back ? "the end" : "the beginning"),
           {.file = table_.source, .line = table_.line(row), .key = source.name}));
@@ -306,9 +307,9 @@ void ColumnReader::keep_mark(char mark, std::size_t row, std::string_view text) 
 void ColumnReader::check_decimal_marks() const {
   if (comma_.line == 0 || point_.line == 0) return;
   throw text::InputError(
-      fmt::format(
-          "{}:{}: {} has a decimal comma, but {} in line {} a decimal point; use one of them",
-          table_.source, comma_.line, comma_.cell, point_.cell, point_.line),
+      fmt::format("{}:{}: {} has a decimal comma, but {} in line {} has a decimal point; use the "
+                  "same decimal mark in the whole file",
+                  table_.source, comma_.line, comma_.cell, point_.cell, point_.line),
       {.file = table_.source, .line = comma_.line});
 }
 

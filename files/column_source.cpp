@@ -27,8 +27,8 @@ const text::Unit& stated_unit(std::string_view text, const Channel& channel,
   if (const text::Unit* const unit = text::find_unit(text, own.dimension)) return *unit;
   const std::string& header = table.header[column];
   throw text::InputError(
-      fmt::format("{}: column {}: {} is no known unit of {}: {}. State it in [columns]: {} = {{ "
-                  "column = {}, unit = \"...\" }}",
+      fmt::format("{}: column {}: {} is not a known unit of {}; known units: {}. Give the unit in "
+                  "[columns]: {} = {{ column = {}, unit = \"...\" }}",
                   table.header_place().text(), text::in_quotes(header),
                   text::in_quotes(std::string(text)), channel.words,
                   text::listed_units(own.dimension), channel.name, text::in_quotes(header)),
@@ -89,7 +89,8 @@ const text::Unit* unit_by_name(const NamedChannel& named, const text::CsvTable& 
   const text::Unit* const below = own ? in_unit_row(table, column, *named.channel) : nullptr;
   if (below && below != ending)
     throw text::InputError(
-        fmt::format("{}: column {} has {} in the row of units below it; mend one",
+        fmt::format("{}: the name of column {} and its unit {} in the row of units do not agree; "
+                    "correct one of them",
                     table.header_place().text(), table.header[column], below->words),
         table.header_place(table.header[column]));
   return named.unit;
@@ -113,7 +114,7 @@ void note_unit(const ColumnSource& source, Recognised& result) {
 void add(ColumnSource source, const text::CsvTable& table, Recognised& result) {
   if (const ColumnSource* const twin = result.find(*source.channel))
     throw text::InputError(
-        fmt::format("{}: columns {} and {} are both {}; keep one of them",
+        fmt::format("{}: columns {} and {} are both read as {}; keep one of them",
                     table.header_place().text(), twin->name, source.name, source.channel->words),
         table.header_place(source.name));
   result.columns.push_back(std::move(source));
@@ -187,7 +188,7 @@ void join_dates(const text::CsvTable& table, Recognised& result) {
                     : !first_is(other, text::parse_clock))
       continue;
     result.notes.push_back(
-        record::note::read_as(fmt::format("columns {} and {} together are {}", found->name,
+        record::note::read_as(fmt::format("columns {} and {} are read together as {}", found->name,
                                           result.others[k], found->channel->name),
                               {.key = found->name}));
     found->dates = names_clock ? other : found->column;
@@ -203,11 +204,11 @@ void require_columns(const text::CsvTable& table, const ReadOptions& options, Re
     if (rule.constant) continue;
     if (const ColumnSource* const own = found.find(*rule.channel)) {
       if (!own->unit_stated && (rule.unit || rule.factor != 1.0))
-        found.notes.push_back(record::note::read_as(
-            fmt::format("column {} is read as its name says: {} is for a column \"{}\", which is "
-                        "not there",
-                        own->name, rule.place.text(), rule.header),
-            rule.place));
+        found.notes.push_back(
+            record::note::read_as(fmt::format("column {} is read by its name: {} does not apply, "
+                                              "because the file has no column \"{}\"",
+                                              own->name, rule.place.text(), rule.header),
+                                  rule.place));
       continue;
     }
     if (options.of_several) {
@@ -215,7 +216,7 @@ void require_columns(const text::CsvTable& table, const ReadOptions& options, Re
       continue;
     }
     throw text::InputError(
-        fmt::format("{}: no column \"{}\", which {} takes for {}{}; the header has {}",
+        fmt::format("{}: the column \"{}\" is missing, which {} uses for {}{}; the header has {}",
                     table.header_place().text(), rule.header, rule.place.text(), rule.key,
                     text::suggestion(rule.header, table.header), text::listed(table.header)),
         table.header_place(rule.header));
@@ -340,11 +341,11 @@ std::string drop_rows(text::CsvTable& table, const std::function<bool(std::size_
   const std::size_t all = table.rows();
   if (count == all)
     throw text::InputError(
-        fmt::format("{}: none of {} rows has a number in every column; nothing is left",
+        fmt::format("{}: none of the {} rows has a number in every column, so no row can be used",
                     table.source, all),
         {.file = table.source});
   table.remove_rows(remove);
-  return fmt::format("{} of {} rows {} and are left out (line{} {}{})", count, all, have,
+  return fmt::format("{} of {} rows {} and are not used (line{} {}{})", count, all, have,
                      count == 1 ? "" : "s", lines, count > shown ? ", ..." : "");
 }
 
@@ -357,7 +358,7 @@ std::string drop_empty_rows(text::CsvTable& table, const std::vector<ColumnSourc
                                                  : text::is_missing(table.cell(row, source.column));
         });
       },
-      "have an empty cell or no number");
+      "have an empty cell or a cell without a number");
 }
 
 }  // namespace raceway::files

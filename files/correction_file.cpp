@@ -191,8 +191,8 @@ const toml::array* list_of_tables(const Section& s, std::string_view key) {
   const toml::node* const node = s.find(key);
   if (!node) return nullptr;
   if (!node->is_array_of_tables() && !(node->is_array() && node->as_array()->empty()))
-    s.fail(key,
-           fmt::format("{}: is a list of tables, each written as [[correction.{}]]", key, key));
+    s.fail(key, fmt::format("{}: must be a list of tables, each written as [[correction.{}]]", key,
+                            key));
   return node->as_array();
 }
 
@@ -250,7 +250,7 @@ class CorrectionReader {
     const auto name = s.text("displacement");
     if (!name)
       s.fail_missing("displacement",
-                     ", the column that is modelled, such as \"displacement_z_um\"");
+                     ", the column that the correction predicts, such as \"displacement_z_um\"");
     const Channel* const c = record::series_channel(*name);
     if (!c || c->role != record::Role::measured)
       s.fail("displacement",
@@ -266,8 +266,8 @@ class CorrectionReader {
     if (!c || !c->is_input())
       s.fail(key, fmt::format("{} = \"{}\": must be power_W, speed_rpm, coolant_on, or a column "
                               "NAME_temperature_C, NAME_feed_m_min, NAME_speed_rpm, "
-                              "NAME_position_mm, NAME_current_A, NAME_voltage_V, or NAME in W, N, "
-                              "Nm, l_min, bar or percent, as spindle_power_W",
+                              "NAME_position_mm, NAME_current_A, NAME_voltage_V, or NAME with unit "
+                              "W, N, Nm, l_min, bar or percent, such as spindle_power_W",
                               key, name));
     return c;
   }
@@ -285,8 +285,8 @@ class CorrectionReader {
         s.fail(key, fmt::format("{} = {}: must be columns in quotes", key, text::shown(*node)));
       list.push_back(input_column(s, key, *one.value<std::string>()));
       if (list.back()->key_unit() != list.front()->key_unit())
-        s.fail(key, fmt::format("{}: the mean of {} and {} has no unit", key, list.front()->name,
-                                list.back()->name));
+        s.fail(key, fmt::format("{}: {} and {} have different units, so they have no mean", key,
+                                list.front()->name, list.back()->name));
     }
     return list;
   }
@@ -297,11 +297,10 @@ class CorrectionReader {
       in.name = "power_W";
       const auto file = s.text("friction_table");
       if (!file)
-        s.fail(
-            "input",
-            "input = \"power_W\": needs friction_table, a CSV with speed_rpm, axial_load_N, "
-            "temperature_C and friction_torque_Nmm, as raceway table writes it; a power that was "
-            "recorded has a name of its own, as spindle_power_W");
+        s.fail("input",
+               "input = \"power_W\": friction_table is missing, a CSV with speed_rpm, "
+               "axial_load_N, temperature_C and friction_torque_Nmm, as raceway table writes it. "
+               "For a recorded power, use its column, such as spindle_power_W");
       in.table = std::make_shared<const correction::FrictionTable>(table(s, *file));
       const correction::FrictionTable& t = *in.table;
       in.axial_load = coordinate(s, record::axial_load, t.axial_load, 0.0);
@@ -314,25 +313,27 @@ class CorrectionReader {
       in.name = in.columns.front()->name;
       for (const std::string_view key :
            {"friction_table", "axial_load_N", "radial_load_N", "temperature_C"})
-        if (s.find(key)) s.fail(key, fmt::format("{}: belongs to input = \"power_W\"", key));
+        if (s.find(key))
+          s.fail(key, fmt::format("{}: only possible with input = \"power_W\"", key));
     }
     if (const toml::node* const node = s.find("window"))
       in.window = window(part_of(s, "correction.channel.window", *node, {window_keys}));
     in.exponent = s.value("exponent");
     if (s.find("exponent") && in.unit() != "rpm")
-      s.fail("exponent", "exponent: belongs to an input that is a speed");
+      s.fail("exponent", "exponent: only possible if the input is a speed");
     if (const auto name = s.text("reference")) {
       in.reference = input_column(s, "reference", *name);
       if (in.is_power() || !record::is_temperature(*in.reference) ||
           !record::is_temperature(*in.columns.front()))
-        s.fail("reference", "reference: is a temperature, of an input that is one");
+        s.fail("reference", "reference: the reference and the input must both be temperatures");
     }
     return in;
   }
 
   correction::Window window(const Section& s) {
     const auto column = s.text("column");
-    if (!column) s.fail_missing("column", ", the position, such as \"x_position_mm\"");
+    if (!column)
+      s.fail_missing("column", ", the column of the position, such as \"x_position_mm\"");
     correction::Window w{.column = input_column(s, "column", *column)};
     const toml::node* const node = s.find("points");
     if (!node) s.fail_missing("points", ", [from, full_from, full_to, to]");
@@ -345,7 +346,7 @@ class CorrectionReader {
     if (points.size() != 4 || !std::is_sorted(points.begin(), points.end()) || !node->is_array() ||
         std::any_of(points.begin(), points.end(), [](double p) { return std::isnan(p); }))
       s.fail("points", fmt::format("points = {}: must be [from, full_from, full_to, to] or [from, "
-                                   "to], rising",
+                                   "to], in ascending order",
                                    text::shown(*node)));
     for (std::size_t k = 0; k < 4; ++k) w.points[k] = w.column->to_SI(points[k]);
     w.of_input = tables_.choice(s, "acts_on") == "input";
@@ -379,15 +380,15 @@ class CorrectionReader {
                fmt::format("{}: must be a number, or a column {}", of.name,
                            record::is_temperature(of) ? "NAME_temperature_C" : "that ends in _N"));
       if (axis.size() < 2)
-        s.fail(of.name, fmt::format("{} = \"{}\": the friction table has one value of it, so that "
-                                    "the column would change nothing",
+        s.fail(of.name, fmt::format("{} = \"{}\": the friction table has only one value of it, so "
+                                    "the column would have no effect",
                                     of.name, c->name));
       return {.column = c};
     }
     if (const auto value = s.number(of.name)) return {.value = of.to_SI(*value)};
     if (!std::isnan(otherwise)) return {.value = otherwise};
     if (axis.size() > 1)
-      s.fail_missing(of.name, ", at which the friction table is read (a number or a column)");
+      s.fail_missing(of.name, ", at which the friction table is read: give a number or a column");
     return {.value = axis.front()};
   }
 
@@ -399,7 +400,7 @@ class CorrectionReader {
     std::vector<std::string> known;
     for (const double load : loads) known.push_back(fmt::format("{:g}", load));
     s.fail("radial_load_N",
-           fmt::format("radial_load_N = {:g} N lies beyond {}, which has the radial load{} {} N",
+           fmt::format("radial_load_N = {:g} N is outside {}, which has the radial load{} {} N",
                        asked, in.table->file, known.size() == 1 ? "" : "s", text::listed(known)));
   }
 
@@ -415,9 +416,11 @@ class CorrectionReader {
         std::string(c.input.is_power() ? "power" : c.input.columns.front()->variable));
     for (const DrivenChannel& other : m.channels)
       if (other.name == c.name)
-        s.fail("name", fmt::format("name = \"{}\": two channels have it", c.name));
+        s.fail("name",
+               fmt::format("name = \"{}\": two channels have this name; rename one", c.name));
     if (c.name.find_first_of(".:\" ") != c.name.npos)
-      s.fail("name", fmt::format("name = \"{}\": must have no blank, dot, colon or quote", c.name));
+      s.fail("name",
+             fmt::format("name = \"{}\": must not contain blanks, dots, colons or quotes", c.name));
     const double factor = um / c.input.factor();
     c.feedthrough = s.value(feedthrough) * factor;
     c.scale = s.value("scale");
@@ -425,20 +428,16 @@ class CorrectionReader {
                      (s.find("gain") || s.find("time_constant") ? 1 : 0) +
                      (s.find("numerator") || s.find("denominator") ? 1 : 0);
     if (ways > 1)
-      s.fail(
-          "name",
-          fmt::format(
-              "channel {}: has more than one of sections, gain with time_constant, and numerator "
-              "with denominator",
-              c.name));
+      s.fail("name", fmt::format("channel {}: give only one of these: sections, gain with "
+                                 "time_constant, or numerator with denominator",
+                                 c.name));
     if (s.find("sections")) read_sections(s, section_gain_keys[0].as(gain, per_input), factor, c);
     if (s.find("gain") || s.find("time_constant")) read_element(s, c);
     if (s.find("numerator") || s.find("denominator")) read_printed(s, m, c);
     if (ways == 0 && c.feedthrough == 0.0 && !s.find(feedthrough))
-      s.fail("name",
-             fmt::format(
-                 "channel {}: has no sections: sections = [{{ {} = 5, time_constant_s = 3600 }}]",
-                 c.name, gain));
+      s.fail("name", fmt::format("channel {}: sections are missing, for example sections = [{{ {} "
+                                 "= 5, time_constant_s = 3600 }}]",
+                                 c.name, gain));
     return c;
   }
 
@@ -446,8 +445,9 @@ class CorrectionReader {
     const toml::node& node = *s.find("sections");
     if (!node.is_array())
       s.fail("sections",
-             fmt::format("sections = {}: must be a list, as [{{ {} = 5, time_constant_s = 3600 }}]",
-                         text::shown(node), gain.name));
+             fmt::format(
+                 "sections = {}: must be a list such as [{{ {} = 5, time_constant_s = 3600 }}]",
+                 text::shown(node), gain.name));
     for (const toml::node& one : *node.as_array()) {
       const std::array gains{gain};
       const Section of = part_of(s, "sections", one, {gains, section_time_keys});
@@ -465,7 +465,8 @@ class CorrectionReader {
     own_keys[0] = own_keys[0].as(slope, fmt::format("{}/{}", stem, input.unit()));
     const toml::node* const node = s.find(key);
     if (!node)
-      s.fail("name", fmt::format("gain and time_constant stand together: {} is missing", key));
+      s.fail("name",
+             fmt::format("gain and time_constant are only possible together: {} is missing", key));
     const Section of = part_of(s, key, *node, {std::span<const Key>(own_keys)});
     if (of.find("table")) {
       const auto file = of.text("table");
@@ -491,10 +492,9 @@ class CorrectionReader {
 
   void read_element(const Section& s, DrivenChannel& c) {
     if (c.input.course() == record::Course::straight)
-      s.fail(
-          "gain",
-          "gain and time_constant go with input = \"power_W\" or a column that is no temperature, "
-          "such as a load; a temperature has sections");
+      s.fail("gain",
+             "gain and time_constant are not possible for a temperature: use sections; gain and "
+             "time_constant need input = \"power_W\" or a column such as a load");
     constexpr double minute = 60.0;
     c.element = correction::DelayElement{
         characteristic(s, c.input, "gain", element_gain_keys, um),
@@ -502,16 +502,19 @@ class CorrectionReader {
         !c.input.is_power() && !record::acts_by_amount(*c.input.columns.front())};
     notes_.push_back(record::note::assumed(
         fmt::format(
-            "channel {}: at {} of 0 its gain is 0, with the time constant of that {}{}", c.name,
-            c.input.is_power() ? "a power" : "an input", c.input.is_power() ? "power" : "input",
-            c.input.is_power() ? ": the paper that it comes from is silent about standstill" : ""),
+            "channel {}: at {} = 0 the gain is 0, and the time constant is the value at this {}{}",
+            c.name, c.input.is_power() ? "a power" : "an input",
+            c.input.is_power() ? "power" : "input",
+            c.input.is_power() ? ": the source of this law gives no value for standstill" : ""),
         {.key = c.name}));
   }
 
   std::vector<double> coefficients(const Section& s, std::string_view key) const {
     const toml::node* const node = s.find(key);
     if (!node)
-      s.fail("name", fmt::format("numerator and denominator stand together: {} is missing", key));
+      s.fail(
+          "name",
+          fmt::format("numerator and denominator are only possible together: {} is missing", key));
     std::vector<double> list;
     const toml::array* const array = node->as_array();
     if (!array || array->empty())
@@ -527,9 +530,9 @@ class CorrectionReader {
 
   void read_printed(const Section& s, const Model& m, DrivenChannel& c) {
     if (std::isnan(m.sampling))
-      s.fail(
-          "numerator",
-          "numerator: coefficients hold for one sampling time: [correction] sampling_s is missing");
+      s.fail("numerator",
+             "numerator: the coefficients are valid for one sampling interval only: [correction] "
+             "sampling_s is missing");
     correction::TransferFunction printed{coefficients(s, "numerator"),
                                          coefficients(s, "denominator"), m.sampling};
     for (double& a : printed.numerator) a *= um / c.input.factor();
@@ -550,29 +553,34 @@ class CorrectionReader {
     const auto id = s.text("id");
     Names known;
     for (const correction::EffectCard& card : correction::catalogue()) known.emplace_back(card.id);
-    if (!id) s.fail_missing("id", ", the name of an effect of raceway effects");
+    if (!id) s.fail_missing("id", ", the id of an effect; raceway effects lists them");
     const correction::EffectKind* const found = correction::find_kind(*id);
     if (s.find("formula")) {
       if (found)
         s.fail(
             "formula",
-            fmt::format("formula: {} is an effect of the catalogue; give yours another id", *id));
+            fmt::format(
+                "formula: {} is the id of an effect in the catalogue; give your effect another id",
+                *id));
       return own_effect(s, *id, m);
     }
     if (!found || found->card().evidence)
-      s.fail("id", fmt::format("id = \"{}\": no effect on a displacement over time{}; one of your "
-                               "own has a formula",
+      s.fail("id", fmt::format("id = \"{}\": unknown effect on a displacement over time{}; for an "
+                               "effect of your own, give a formula",
                                *id, text::suggestion(*id, known)));
     Effect e{.id = *id};
     e.columns = columns(s, "input");
     e.where = s.text("channel").value_or(s.text("axis").value_or(""));
     if (s.find("channel") && !correction::find_channel(m, e.where))
-      s.fail("channel", fmt::format("channel = \"{}\": the model has no such channel", e.where));
+      s.fail("channel",
+             fmt::format("channel = \"{}\": the model has no channel of this name", e.where));
     if (const toml::node* const node = s.find("window")) {
       if (!found->card().by_window)
-        s.fail("window", fmt::format("window: {} has none; input has one", *id));
+        s.fail("window", fmt::format("window: not possible with {}, only with input", *id));
       if (!e.columns.empty())
-        s.fail("window", "window: the input of a channel acts in it; channel names it, not input");
+        s.fail("window",
+               "window: the effect uses the window of its channel; name the channel with channel "
+               "instead of input");
       e.window = window(part_of(s, "correction.effect.window", *node, {window_keys}));
     }
     if (found->card().needs_input && e.columns.empty() && !e.window)
@@ -597,10 +605,11 @@ class CorrectionReader {
     if (id.empty() || id.find_first_of(" .:\t\n,;\"'") != id.npos ||
         std::string_view("=+-@").find(id.front()) != std::string_view::npos)
       s.fail("id", fmt::format("id = {}: must be a name without blanks, dots, colons, commas, "
-                               "semicolons and quotes, and not begin with =, +, - or @",
+                               "semicolons and quotes, and must not begin with =, +, - or @",
                                text::quoted(id)));
     for (const Effect& before : m.effects)
-      if (before.id == id) s.fail("id", fmt::format("id = \"{}\": two effects have it", id));
+      if (before.id == id)
+        s.fail("id", fmt::format("id = \"{}\": two effects have this id; rename one", id));
     correction::OwnEffect::Given given{.id = id,
                                        .title = s.text("title").value_or(""),
                                        .formula = s.text("formula").value_or(""),
@@ -611,7 +620,7 @@ class CorrectionReader {
       const std::string name(key.str());
       if (std::find(taken.begin(), taken.end(), name) != taken.end()) continue;
       if (correction::column_of_formula(name))
-        s.fail(name, fmt::format("{}: a column has this name; take another", name));
+        s.fail(name, fmt::format("{}: a column has this name; choose another name", name));
       const FormulaNumber n = read_formula_number(s, id, name, node, taken);
       given.parameters.push_back({n.name, n.unit, n.value, n.lower, n.upper, n.in_braces});
     }
@@ -630,7 +639,7 @@ class CorrectionReader {
       fail_formula(s, "formula", id, given.formula, error, known);
     }
     if (e.own->columns().empty())
-      s.fail("formula", fmt::format("formula = \"{}\": has no column of a record in it, such as "
+      s.fail("formula", fmt::format("formula = \"{}\": must contain a column of a record, such as "
                                     "speed_rpm or front_temperature_C",
                                     given.formula));
     e.off = e.values.front() == 0.0;
@@ -646,13 +655,13 @@ class CorrectionReader {
         s.fail(name, fmt::format("{} = {}: must be [lowest, highest]", name, text::shown(node)));
       const double low = *pair->get(0)->value<double>(), high = *pair->get(1)->value<double>();
       if (!(low <= high))
-        s.fail(name,
-               fmt::format("{} = {}: the lowest is above the highest", name, text::shown(node)));
+        s.fail(name, fmt::format("{} = {}: the lowest value must not be above the highest", name,
+                                 text::shown(node)));
       if (name.ends_with(of_power)) {
         const std::string channel = name.substr(0, name.size() - of_power.size());
         const DrivenChannel* const c = correction::find_channel(m, channel);
         if (channel.empty() || !c || !c->input.is_power())
-          s.fail(name, fmt::format("{}: the model has no channel {} that the power drives", name,
+          s.fail(name, fmt::format("{}: the model has no channel {} with input = \"power_W\"", name,
                                    channel));
         m.range.push_back({.name = channel, .lower = low, .upper = high});
         continue;
@@ -722,7 +731,7 @@ void read_tolerance(const ModelTables& tables, Model& model) {
   const auto value = s.number(key);
   if (!value) return;
   if (!std::isnan(model.tolerance))
-    s.fail(key, key + ": stands under [correction] as well; keep one of them");
+    s.fail(key, key + ": is also given under [correction]; keep one of them");
   model.tolerance = *value * um;
 }
 
@@ -768,8 +777,8 @@ CorrectionFile parse_correction(std::string text, const std::string& source,
   for (std::size_t k = 0; k < file.models.size(); ++k) {
     for (std::size_t j = 0; j < k; ++j)
       if (file.models[j].displacement == file.models[k].displacement)
-        throw text::InputError(fmt::format("{}: two tables [[correction]] model {}", source,
-                                           file.models[k].displacement->name),
+        throw text::InputError(fmt::format("{}: two tables [[correction]] predict {}; remove one",
+                                           source, file.models[k].displacement->name),
                                {.file = source, .key = "displacement"});
     file.models[k].free = read_free(tables, file.models[k]);
     read_tolerance(tables, file.models[k]);

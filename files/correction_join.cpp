@@ -49,8 +49,8 @@ std::string parts_of(const CorrectionFile& file, const std::string& text) {
   const auto take = [&](const toml::table& table, std::string_view key) {
     if (table.is_inline())
       refuse(file,
-             fmt::format("{0} is written in braces: write it as [correction.{0}] or "
-                         "[[correction.{0}]] to join it",
+             fmt::format("{0} is an inline table in braces: write it as [correction.{0}] or "
+                         "[[correction.{0}]] to join the files",
                          key),
              std::string(key));
     const Lines lines = lines_of(text, table);
@@ -119,17 +119,18 @@ void narrow(std::vector<correction::SeenRange>& ranges, const correction::SeenRa
 
 void require_alike(std::span<const CorrectionFile> files) {
   if (files.size() < 2)
-    throw text::InputError("raceway join: one file is not enough; name two corrections or more",
+    throw text::InputError("raceway join: only one file is given; name at least two corrections",
                            {.key = "MODEL"});
   for (const CorrectionFile& file : files) {
     if (file.models.size() != 1)
-      refuse(file, "has several displacements: join the corrections of one displacement");
+      refuse(file, "has several displacements; each file may have only one");
     const Model& first = files.front().models.front();
     const Model& m = file.models.front();
     if (!(*m.displacement == *first.displacement))
       refuse(file,
-             fmt::format("corrects {}, but {} corrects {}; join corrections of one displacement",
-                         m.displacement->name, files.front().source, first.displacement->name),
+             fmt::format(
+                 "corrects {}, but {} corrects {}; all files must correct the same displacement",
+                 m.displacement->name, files.front().source, first.displacement->name),
              "displacement");
   }
 }
@@ -148,7 +149,9 @@ std::string head_of(std::span<const CorrectionFile> files, const std::string& na
     if (!std::isnan(sampling) && !std::isnan(m.sampling) && sampling != m.sampling)
       refuse(
           file,
-          fmt::format("sampling_s = {:g} s, but an earlier file has {:g} s", m.sampling, sampling),
+          fmt::format(
+              "sampling_s = {:g} s, but an earlier file has {:g} s; all files need the same value",
+              m.sampling, sampling),
           "sampling_s");
     first(sampling, m.sampling);
   }
@@ -177,10 +180,10 @@ std::string tables_beside(std::span<const CorrectionFile> files, std::vector<rec
       const toml::node* const node = root.get(key);
       if (!node) continue;
       if (from) {
-        notes.push_back(
-            record::note::unused(fmt::format("{}: [{}] is not used; the sum has the table of {}",
-                                             file.source, key, from->source),
-                                 {.file = file.source, .key = std::string(key)}));
+        notes.push_back(record::note::unused(
+            fmt::format("{}: [{}] is not used; the joined correction has the table of {}",
+                        file.source, key, from->source),
+            {.file = file.source, .key = std::string(key)}));
         continue;
       }
       from = &file;
@@ -231,8 +234,9 @@ JoinedCorrection join_corrections(std::span<const CorrectionFile> files, const s
   if (const std::string priors = prior_text(seen); !priors.empty()) joined.text += "\n" + priors;
   if (const std::string range = trust_text(seen); !range.empty()) joined.text += "\n" + range;
   joined.text += fmt::format("\n[calibration]\nfree = [\"{}\"]\n", fmt::join(free, "\", \""));
-  joined.notes.push_back(record::note::limits(
-      "the trust of the sum is not known: compare it with a record of the whole machine"));
+  joined.notes.push_back(
+      record::note::limits("the trust of the joined correction is unknown: compare it with a "
+                           "record of the whole machine"));
   return joined;
 }
 

@@ -40,7 +40,7 @@ void read_priors(const Section& correction, correction::Model& model) {
   for (const auto& [key, prior] : *node->as_table()) {
     const std::string name(key.str());
     if (std::find(known.begin(), known.end(), name) == known.end())
-      all.fail(name, fmt::format("{}: no parameter is called so; nearest: {}", name,
+      all.fail(name, fmt::format("{}: unknown parameter; nearest: {}", name,
                                  record::nearest_names(name, known, 3)));
     if (!prior.is_table())
       all.fail(name, fmt::format("{} = {}: must be {{ value, std }}", name, text::shown(prior)));
@@ -55,7 +55,7 @@ void read_priors(const Section& correction, correction::Model& model) {
 std::string prior_text(const correction::Model& model) {
   if (model.priors.empty()) return {};
   std::string text =
-      "[correction.prior]  # known before the next fit: value and standard uncertainty\n";
+      "[correction.prior]  # values before the next fit, with standard uncertainty\n";
   for (const correction::NumberPrior& p : model.priors)
     text += fmt::format("\"{}\" = {{ value = {}, std = {} }}\n", p.name,
                         text::toml_float(text::with_15_digits(p.prior.value)),

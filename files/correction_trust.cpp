@@ -71,14 +71,13 @@ correction::SeenTogether read_together(const Section& s) {
   for (const std::string& name : quoted_words(s, "columns")) {
     const Channel* const c = record::series_channel(name);
     if (!c || !c->is_input())
-      s.fail("columns", fmt::format("columns: {} is no input of a correction", name));
+      s.fail("columns", fmt::format("columns: {} cannot be an input of a correction", name));
     seen.columns.push_back(c);
   }
   const std::size_t count = seen.columns.size();
   seen.mean = numbers_of(s, "mean", count);
   seen.std = numbers_of(s, "std", count);
-  if (count == 0 || !(seen.std.minCoeff() > 0.0))
-    s.fail("std", "std: each must be above 0, of an input that varied");
+  if (count == 0 || !(seen.std.minCoeff() > 0.0)) s.fail("std", "std: all values must be above 0");
   // covariance_of() checks the correlation.
   const Eigen::VectorXd scale = seen.std.cwiseInverse();
   seen.correlation = scale.asDiagonal() * covariance_of(s, count) * scale.asDiagonal();
@@ -103,8 +102,9 @@ std::string other_numbers(const fit::Covariance& c, const std::vector<std::strin
       return fmt::format("the model has no {} in {}", c.names[k], units[k]);
     const double value = c.values[static_cast<Eigen::Index>(k)];
     if (!(std::abs(p->value - value) <= same * std::max(std::abs(p->value), std::abs(value))))
-      return fmt::format("{0} = {1:.6g} stands in the model, and it is of {0} = {2:.6g}", p->name,
-                         p->value, value);
+      return fmt::format(
+          "the model has {0} = {1:.6g}, but the covariance was calculated for {0} = {2:.6g}",
+          p->name, p->value, value);
   }
   return {};
 }
@@ -118,9 +118,10 @@ void read_correction_covariance(const Section& s, Model& m, std::vector<std::str
   c.values = numbers_of(s, "values", count);
   c.matrix = covariance_of(s, count);
   if (const std::string why = other_numbers(c, units, m); !why.empty()) {
-    notes.push_back(fmt::format(
-        "{}: [correction.covariance]: {}: no band. identify, calibrate or add find it anew",
-        m.displacement->name, why));
+    notes.push_back(
+        fmt::format("{}: [correction.covariance] is not used: {}. Results have no band; identify, "
+                    "calibrate or add calculate a new covariance",
+                    m.displacement->name, why));
     m.left.reset();
     m.evidence.reset();
     return;
@@ -157,7 +158,7 @@ double outward(double value, bool up) {
 }
 
 std::string range_text(const Model& m) {
-  std::string text = "[correction.range]  # of the record that the numbers come from\n";
+  std::string text = "[correction.range]  # range of the inputs in the training data\n";
   for (const correction::SeenRange& r : m.range) {
     const auto shown_to = [&](double v, bool up) {
       return text::toml_float(outward(r.column ? r.column->in_unit(v) : v, up));
@@ -174,7 +175,8 @@ std::string still_text(const Model& m) {
     if (std::isfinite(r.still))
       text += fmt::format("{} = {}\n", r.name, text::toml_float(record::with_digits(r.still, 6)));
   if (text.empty()) return text;
-  return "[correction.still_s]  # for how long each temperature stood still in that record\n" +
+  return "[correction.still_s]  # longest time without a change of each temperature in this "
+         "record\n" +
          text;
 }
 
@@ -212,7 +214,8 @@ std::string together_text(const correction::SeenTogether& seen) {
   }
   constexpr int digits = 8;
   return fmt::format(
-             "[correction.together]  # the inputs at once, in that record\ncolumns = {}\n"
+             "[correction.together]  # statistics of all inputs together in this record\ncolumns = "
+             "{}\n"
              "mean = {}\nstd = {}\n",
              list_of(names), list_of(mean, digits), list_of(std, digits)) +
          triangle(seen.correlation.rows(), digits,
@@ -231,7 +234,7 @@ std::string covariance_text(const Model& m) {
       if (p.name == c.names[k]) units.push_back(p.unit);
   }
   std::string text = fmt::format(
-      "[correction.covariance]  # of what was fitted, for the band of correct\n"
+      "[correction.covariance]  # covariance of the fitted parameters, for the band of correct\n"
       "parameters = {}\nunits = {}\nvalues = {}\nstd = {}\n",
       list_of(c.names), list_of(units), list_of(c.values, 15), list_of(std, 6));
   text += triangle(c.values.size(), 15, [&](Eigen::Index k, Eigen::Index j) {
@@ -243,7 +246,7 @@ std::string covariance_text(const Model& m) {
 std::string left_text(const Model& m) {
   const correction::Left& left = *m.left;
   std::string text = fmt::format(
-      "[correction.residual]  # what the model left, on parts that no fit saw\n{} = {}\n",
+      "[correction.residual]  # residual of the model on held-out parts\n{} = {}\n",
       correction::in_unit_of(m, "rms_um"), text::toml_float(record::with_digits(left.rms / um, 6)));
   if (std::isfinite(left.correlation_time))
     text += fmt::format("correlation_time_s = {}\n",

@@ -23,12 +23,11 @@ void find_falls(const text::CsvTable& table, const Recognised& found, DataColumn
       columns.falls.push_back(*source);
       columns.falls.back().channel = c;
     } else if (!(*c == fall_time_deviation)) {
-      throw text::InputError(
-          fmt::format(
-              "{}: column {} is missing: the time of a fall needs {}, {} and {}; the header has {}",
-              table.header_place().text(), c->name, speed_from.name, speed_to.name, fall_time.name,
-              text::listed(table.header)),
-          table.header_place(c->name));
+      throw text::InputError(fmt::format("{}: column {} is missing: a file of fall times needs {}, "
+                                         "{} and {}; the header has {}",
+                                         table.header_place().text(), c->name, speed_from.name,
+                                         speed_to.name, fall_time.name, text::listed(table.header)),
+                             table.header_place(c->name));
     }
   }
   std::vector<const Channel*> readings{&torque_signal};
@@ -38,8 +37,8 @@ void find_falls(const text::CsvTable& table, const Recognised& found, DataColumn
   for (const Channel* c : readings)
     if (const ColumnSource* const source = found.find(*c))
       throw text::InputError(
-          fmt::format("{}: columns {} and {} do not go together: a file has times between two "
-                      "speeds, speeds over time, or readings at a speed",
+          fmt::format("{}: columns {} and {} cannot be in the same file: a file has either times "
+                      "between two speeds, speeds over time, or readings at a speed",
                       table.header_place().text(), source->name, speed_from.name),
           table.header_place(source->name));
 }
@@ -61,7 +60,7 @@ void find_signal(const text::CsvTable& table, const Recognised& found, const Rea
                      [](const ColumnSource& p) { return p.channel->role == Role::measured; });
     if (alone && !expected.coast_down)
       throw text::InputError(
-          fmt::format("{}: column {} needs the calibration of its sensor, but the model has no "
+          fmt::format("{}: column {} needs the calibration of the sensor, but the model has no "
                       "[torque_sensor]; raceway calibrate-sensor CSV -o FILE writes this table",
                       table.header_place().text(), signal->name),
           table.header_place(signal->name));
@@ -114,10 +113,9 @@ void find_places(const text::CsvTable& table, const ReadOptions& options,
   for (const Recognised::Constant& c : found.constants)
     if (!record::find_channel(c.channel->name))
       throw text::InputError(
-          fmt::format(
-              "{}: {} = {:.6g}: only a column that the model uses can be one number for all "
-              "rows; name a column of the file instead, or remove the line",
-              c.from, c.channel->name, c.channel->in_unit(c.value)),
+          fmt::format("{}: {} = {:.6g}: the model does not use this column, so one number for all "
+                      "rows is not possible; name a column of the file, or remove the line",
+                      c.from, c.channel->name, c.channel->in_unit(c.value)),
           {.key = std::string(c.channel->name)});
   columns.constants = std::move(found.constants);
   columns.notes = std::move(found.notes);
@@ -156,14 +154,14 @@ void require_measured(const text::CsvTable& table, const model::Expected& expect
     if (std::any_of(expected.measured.begin(), expected.measured.end(),
                     [&](const Channel* c) { return *c == channel; }))
       names.emplace_back(channel.name);
-  const std::string wanted = fmt::format("{}: no measured column: {} is expected",
+  const std::string wanted = fmt::format("{}: a measured column is missing: {}",
                                          table.header_place().text(), text::listed(names, "or"));
   if (!columns.find(record::time) && columns.falls.empty())
     throw text::InputError(
-        fmt::format("{}, or {} for a coast-down; the header has {}\nIf these are "
-                    "columns of another program, "
-                    "raceway check MODEL {} --suggest-columns proposes which is which",
-                    wanted, record::time.name, text::listed(table.header), table.source),
+        fmt::format(
+            "{}, or {} for a coast-down; the header has {}\nIf the columns have other names, "
+            "raceway check MODEL {} --suggest-columns proposes a map to the columns of raceway",
+            wanted, record::time.name, text::listed(table.header), table.source),
         table.header_place());
   if (!expected.coast_down)
     throw text::InputError(
@@ -172,7 +170,7 @@ void require_measured(const text::CsvTable& table, const model::Expected& expect
             "\"unknown\"",
             wanted,
             columns.falls.empty()
-                ? fmt::format("{} and {} alone", record::time.name, record::speed.name)
+                ? fmt::format("only {} and {}", record::time.name, record::speed.name)
                 : "times between two speeds"),
         table.header_place());
 }
@@ -198,18 +196,16 @@ void require_inputs(const text::CsvTable& table, const model::Expected& expected
       continue;
     if (!may_stand_in_model)
       throw text::InputError(
-          fmt::format("{0}: column {1} is missing; the header has {2}\nIf these are columns of "
-                      "another program, "
-                      "raceway check MODEL {3} --suggest-columns proposes which is which",
-                      table.header_place().text(), c.name, text::listed(table.header),
-                      table.source),
+          fmt::format(
+              "{0}: column {1} is missing; the header has {2}\nIf the columns have other names, "
+              "raceway check MODEL {3} --suggest-columns proposes a map to the columns of raceway",
+              table.header_place().text(), c.name, text::listed(table.header), table.source),
           table.header_place(c.name));
     const std::string none =
-        c.kind.empty() ? "" : fmt::format(", 0 if the {} is unknown or none", c.kind);
+        c.kind.empty() ? "" : fmt::format(", 0 if the {} is zero or unknown", c.kind);
     throw text::InputError(
-        fmt::format(
-            "{0}: the {1} is neither in a column {2} nor in the model; write {2} under {3}{4}",
-            table.header_place().text(), c.words, c.name, d.from, none),
+        fmt::format("{0}: the {1} is missing: give a column {2}, or {2} in the model under {3}{4}",
+                    table.header_place().text(), c.words, c.name, d.from, none),
         table.header_place(c.name));
   }
 }

@@ -176,7 +176,7 @@ class Reader {
     if (!columns_.unused.empty()) {
       const std::size_t count = columns_.measured.size() + columns_.unused.size();
       notes_.push_back(record::note::unused(fmt::format(
-          "{} measured columns: {} used, {} not", count == 2 ? "two" : std::to_string(count),
+          "{} measured columns: {} used, {} not used", count == 2 ? "two" : std::to_string(count),
           names_of(columns_.measured), names_of(columns_.unused))));
     }
     for (const auto& [channel, words] : expected_.unused)
@@ -189,7 +189,7 @@ class Reader {
       const auto [last, is_new] = last_time.emplace(run_of(row), time[row]);
       if (!is_new && time[row] < last->second) {
         notes_.push_back(record::note::read_as(
-            fmt::format("time_s goes back at line {}; rows are taken as they stand",
+            fmt::format("time_s goes back at line {}; the rows are used in the order of the file",
                         table_.line(row)),
             {.file = table_.source, .line = table_.line(row), .key = "time_s"}));
         return;
@@ -228,7 +228,7 @@ class Reader {
     if (!has(record::run)) {
       runs_.emplace_back("1");
       values(record::run).assign(table_.rows(), 0.0);
-      notes_.push_back(record::note::filled_in("no column run_id: all rows are taken as one run",
+      notes_.push_back(record::note::filled_in("no column run_id: all rows are read as one run",
                                                {.key = "run_id"}));
     }
     std::vector<double> last_time(runs_.size(), -std::numeric_limits<double>::infinity());
@@ -245,14 +245,13 @@ class Reader {
     cells_.bad.throw_if_any();
     const double minimum = record::speed.in_unit(expected_.minimum_speed);
     if (fast.empty())
-      throw text::InputError(
-          fmt::format(
-              "{}: all {} rows are below minimum_speed_rpm = {:.6g} of [rig]; nothing is left",
-              table_.source, table_.rows(), minimum),
-          {.file = table_.source, .key = std::string(record::speed.name)});
+      throw text::InputError(fmt::format("{}: all {} rows are below minimum_speed_rpm = {:.6g} of "
+                                         "[rig], so no row can be used",
+                                         table_.source, table_.rows(), minimum),
+                             {.file = table_.source, .key = std::string(record::speed.name)});
     if (fast.size() < table_.rows())
       notes_.push_back(record::note::left_out(
-          fmt::format("{} of {} rows below minimum_speed_rpm = {:.6g} left out",
+          fmt::format("{} of {} rows below minimum_speed_rpm = {:.6g} are not used",
                       table_.rows() - fast.size(), table_.rows(), minimum)));
     return record().picked(fast);
   }
@@ -291,12 +290,13 @@ class Reader {
     const double minimum = record::speed.in_unit(expected_.minimum_speed);
     if (fast.empty())
       throw text::InputError(
-          fmt::format("{}: no fall ends above minimum_speed_rpm = {:.6g} of [rig]; nothing is left",
-                      table_.source, minimum),
+          fmt::format(
+              "{}: no fall ends above minimum_speed_rpm = {:.6g} of [rig], so no row can be used",
+              table_.source, minimum),
           {.file = table_.source, .key = std::string(record::speed.name)});
     if (fast.size() < table_.rows())
       notes_.push_back(record::note::left_out(
-          fmt::format("{} of {} falls end below minimum_speed_rpm = {:.6g} and are left out",
+          fmt::format("{} of {} falls end below minimum_speed_rpm = {:.6g} and are not used",
                       table_.rows() - fast.size(), table_.rows(), minimum)));
     const Record what = record().picked(fast);
     return torque([&](const model::Rig& of) { return rig::fall_torque(what, falls, of); });
@@ -313,11 +313,10 @@ class Reader {
       assumed.inertia = rig::matching_inertia(*make_subject(subject_.model(), unit), unit);
       Record result = of(assumed);
       result.notes.push_back(record::note::assumed(
-          fmt::format(
-              "inertia_kgm2 = \"unknown\": {:.4g} kg m2 taken, which gives the mean torque of "
-              "the model as it stands; torques, f0, z and all sizes in N mm are known up to this "
-              "factor, and what the record tells is the shape",
-              assumed.inertia),
+          fmt::format("inertia_kgm2 = \"unknown\": {:.4g} kg m2 is assumed, which gives the mean "
+                      "torque of the unfitted model. Torques, f0, z and all sizes in N mm have an "
+                      "unknown common factor; the record determines only the shape of the curve",
+                      assumed.inertia),
           {.key = "inertia_kgm2"}));
       result.up_to_a_factor = true;
       return result;

@@ -394,13 +394,12 @@ void require_angular_contact(std::string_view designation) {
   if (d.other_type.empty()) return;
   constexpr std::string_view of_rollers = "a cylindrical roller bearing";
   throw text::InputError(
-      fmt::format(
-          "bearing {} is {}: the catalogue has single-row angular-contact ball bearings, as "
-          "7014 C{}",
-          text::quoted(designation), d.other_type,
-          d.other_type == of_rollers
-              ? "; a model of rollers has type = \"cylindrical-roller\" (docs/roller.md)"
-              : ""),
+      fmt::format("bearing {} is {}: the catalogue has only single-row angular-contact ball "
+                  "bearings, such as 7014 C{}",
+                  text::quoted(designation), d.other_type,
+                  d.other_type == of_rollers ? "; a model of a cylindrical roller bearing has type "
+                                               "= \"cylindrical-roller\" (docs/roller.md)"
+                                             : ""),
       {.key = "BEARING"});
 }
 

@@ -114,8 +114,7 @@ DisplacementCurve curve_of(text::CsvTable table, const ReadOptions& options) {
   bad.throw_if_any();
   if (without > 0)
     curve.notes.push_back(record::note::left_out(
-        fmt::format("{} of {} rows have no displacement, as their status says: "
-                    "left out",
+        fmt::format("{} of {} rows have no displacement (see their status) and are not used",
                     without, table.rows())));
   return curve;
 }
@@ -132,10 +131,10 @@ std::string displacement_table_text(const shaft::DisplacementTable& table,
       "# Axial displacement of the shaft against speed, of {}\n"
       "# raceway {}\n"
       "# between two rows: a cubic with these values and slopes at both ends (Hermite); {}\n"
-      "# not to be used below the first or above the last speed\n"
+      "# do not use it below the first or above the last speed\n"
       "speed_rpm,axial_displacement_um,slope_um_rpm\n",
       text::printable(source), RACEWAY_VERSION,
-      table.monotone ? "monotone" : "it turns where the rows turn, and nowhere else");
+      table.monotone ? "monotone" : "it changes direction only where the rows change direction");
   for (std::size_t i = 0; i < table.speed.size(); ++i)
     text += fmt::format("{:.12g},{:.12g},{:.12g}\n", table.speed[i] / rpm,
                         table.displacement[i] / um, table.slope[i] / (um / rpm));

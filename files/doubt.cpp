@@ -43,10 +43,11 @@ std::vector<Read> read_again(const Source& source, ReadOptions options) {
 Doubt other_temperature(const record::Channel& channel, double from, double to,
                         std::string_view unit) {
   const text::Unit& other = *text::find_unit(unit, text::Dimension::temperature);
-  return {.text = fmt::format("{} of {:.4g} to {:.4g} C looks like {}: {:.3g} to {:.3g} C?",
-                              channel.name, from, to, unit == "K" ? "kelvin" : "fahrenheit",
-                              celsius(other.to_SI(from)), celsius(other.to_SI(to))),
-          .units = {{&channel, other.suffix}}};
+  return {
+      .text = fmt::format("{} is {:.4g} to {:.4g} C: are the values in {} ({:.3g} to {:.3g} C)?",
+                          channel.name, from, to, unit == "K" ? "kelvin" : "fahrenheit",
+                          celsius(other.to_SI(from)), celsius(other.to_SI(to))),
+      .units = {{&channel, other.suffix}}};
 }
 
 record::Record in_other_unit(record::Record data, const record::Channel& channel,
@@ -83,7 +84,8 @@ std::vector<record::Note> asked_about(const std::vector<Doubt>& doubts, const So
       warnings.push_back(record::note::unit(doubt.text, {.file = source.name}));
     else
       questions += fmt::format(
-          "{}{}: {} Say so in [columns]: {}. If the file is right, state its unit there.",
+          "{}{}: {} If so, set the unit in [columns]: {}. If the file is right, set its unit "
+          "there, too.",
           questions.empty() ? "" : "\n", source.name, doubt.text, answers);
   }
   if (!questions.empty()) throw text::InputError(questions, place);

@@ -209,33 +209,35 @@ std::optional<Doubt> factor_of_readings(const model::ModelSubject& subject, cons
   };
   const std::array factors{
       NamedFactor{1000.0, 5.0, 3.0,
-                  timed    ? "N m in a column of N mm, or ms for s"
-                  : moment ? "N m in a column of N mm"
-                           : "mm in a column of um",
+                  timed    ? "are values in N m in a column of N mm, or in ms in a column of s"
+                  : moment ? "are values in N m in a column of N mm"
+                           : "are values in mm in a column of um",
                   of_readings(moment ? "Nm" : "mm", "ms")},
-      NamedFactor{1e6, 5.0, 3.0, moment ? "kN m in a column of N mm" : "m in a column of um",
-                  of_readings(moment ? "kNm" : "m", "us")},
+      NamedFactor{
+          1e6, 5.0, 3.0,
+          moment ? "are values in kN m in a column of N mm" : "are values in m in a column of um",
+          of_readings(moment ? "kNm" : "m", "us")},
       NamedFactor{60.0,
                   2.0,
                   1.4,
-                  "minutes for seconds, or 1/s for rpm",
+                  "are values in min instead of s, or in 1/s instead of rpm",
                   {{&record::speed, "1_s"}, {&record::time, "min"}}},
       NamedFactor{9.7,
                   1.4,
                   1.4,
-                  "kgf for N, or rad/s for rpm",
+                  "are values in kgf instead of N, or in rad/s instead of rpm",
                   {{&record::axial_load, "kgf"}, {&record::speed, "rad_s"}}}};
   if (!ratio.far() || (!moment && std::abs(ratio.correlation) < 0.9)) return std::nullopt;
   for (const NamedFactor& f : factors) {
     if (!ratio.near(f.factor, f.within) || ratio.spread > std::log(f.most_spread)) continue;
     if (!moment && f.factor < 100.0) continue;
     const bool small = ratio.middle < 0;
-    std::string text =
-        fmt::format("readings of {} are about {:.0f} times too {} for the model: {}?",
-                    channel.words, f.factor == 9.7 ? 10.0 : f.factor, small ? "small" : "large",
-                    small || f.factor < 100.0
-                        ? std::string(f.words)
-                        : std::string("a wrong unit (") + (moment ? "N mm, N m" : "um, mm") + ")");
+    std::string text = fmt::format(
+        "readings of {} are about {:.0f} times too {} for the model: {}?", channel.words,
+        f.factor == 9.7 ? 10.0 : f.factor, small ? "small" : "large",
+        small || f.factor < 100.0
+            ? std::string(f.words)
+            : std::string("is the unit wrong (") + (moment ? "N mm, N m" : "um, mm") + ")");
     std::vector<Doubt::Guess> units = f.units;
     // Too large are readings that were in our unit and were read in a larger one.
     if (!small && f.factor >= 100.0) units = {{&channel, moment ? "Nmm" : "um"}};
@@ -247,11 +249,11 @@ std::optional<Doubt> factor_of_readings(const model::ModelSubject& subject, cons
 std::optional<std::string> sign_of_readings(const Channel& channel, const Ratio& ratio) {
   if (!ratio.known() || ratio.opposite < 0.9) return std::nullopt;
   if (channel == record::friction_torque)
-    return "readings of friction torque have the other sign: positive is what opposes the motion; "
-           "factor = -1 in [columns] turns it";
+    return "readings of friction torque have the opposite sign: a torque against the motion is "
+           "positive; set factor = -1 in [columns]";
   // The position may go the other way for reasons of its own, but then not in proportion.
   if (ratio.correlation > -0.95 || ratio.far()) return std::nullopt;
-  return fmt::format("readings of {} have the other sign ({}); factor = -1 in [columns] turns it",
+  return fmt::format("readings of {} have the opposite sign ({}); set factor = -1 in [columns]",
                      channel.words, channel.direction);
 }
 
@@ -285,11 +287,10 @@ std::optional<Doubt> unit_of_speed(const model::ModelSubject& subject, const Rec
   const double fastest = range_of_values(data.values(record::speed)).second;
   constexpr double never = 6e6, usual = 3e6;
   if (speed_factor(fastest) > never && speed_factor(fastest * rpm) < usual)
-    return Doubt{
-        fmt::format("speeds up to {:.4g} rpm are beyond any bearing of this size (n d_m = {:.2g} "
-                    "mm/min): rpm in a column of rad/s or 1/s?",
-                    fastest / rpm, speed_factor(fastest)),
-        {{&record::speed, "rpm"}}};
+    return Doubt{fmt::format("speeds up to {:.4g} rpm are impossible for a bearing of this size (n "
+                             "d_m = {:.2g} mm/min): are values in rpm in a column of rad/s or 1/s?",
+                             fastest / rpm, speed_factor(fastest)),
+                 {{&record::speed, "rpm"}}};
   if (!ratio.far()) return std::nullopt;
   for (const char* name : {"krpm", "1/s"}) {
     const text::Unit& unit = *text::find_unit(name, text::Dimension::speed);
@@ -297,10 +298,10 @@ std::optional<Doubt> unit_of_speed(const model::ModelSubject& subject, const Rec
     if (speed_factor(range_of_values(changed.values(record::speed)).second) > usual) continue;
     const Ratio other = ratio_of(subject, changed);
     if (other.known() && std::abs(other.middle) < std::log(2.0))
-      return Doubt{
-          fmt::format("speeds up to {:.4g} rpm do not go with the readings: {} in a column of rpm?",
-                      fastest / rpm, unit.words),
-          {{&record::speed, unit.suffix}}};
+      return Doubt{fmt::format("speeds up to {:.4g} rpm do not agree with the readings: are values "
+                               "in {} in a column of rpm?",
+                               fastest / rpm, unit.words),
+                   {{&record::speed, unit.suffix}}};
   }
   return std::nullopt;
 }
@@ -345,8 +346,8 @@ std::optional<Doubt> unit_of_shaft_load(const model::ModelSubject& subject, cons
       const double other = misfit(subject, in_other_unit(data, *channel, unit));
       if (!(other < good) || misfit(subject, data) < other / far_better) continue;
       return Doubt{
-          fmt::format("{}s of {:.4g} to {:.4g} N do not go with the readings, {:.4g} to "
-                      "{:.4g} N do: {} in a column of N?",
+          fmt::format("{}s of {:.4g} to {:.4g} N do not agree with the readings, but {:.4g} to "
+                      "{:.4g} N do: are values in {} in a column of N?",
                       channel->words, least, largest, unit.to_SI(least), unit.to_SI(largest), name),
           {{channel, unit.suffix}}};
     }
@@ -371,12 +372,11 @@ std::optional<Doubt> unit_of_coast_down(const model::ModelSubject& subject, cons
     in_unit = &unit;
   }
   if (!in_unit) return std::nullopt;
-  return Doubt{
-      fmt::format("readings of friction torque are about {:.2g} times too {} for the model: times "
-                  "in {} in a column of s?",
-                  std::exp(std::abs(ratio.middle)), ratio.middle < 0 ? "small" : "large",
-                  in_unit->words),
-      {{&record::time, in_unit->suffix}}};
+  return Doubt{fmt::format("readings of friction torque are about {:.2g} times too {} for the "
+                           "model: are times in {} in a column of s?",
+                           std::exp(std::abs(ratio.middle)), ratio.middle < 0 ? "small" : "large",
+                           in_unit->words),
+               {{&record::time, in_unit->suffix}}};
 }
 
 /// Loads that no bearing of this size is run with.
@@ -386,25 +386,25 @@ std::optional<Doubt> unit_of_load(const model::ModelSubject& subject, const Reco
   const double highest = range_of_values(data.values(record::axial_load)).second;
   const auto usual = [&](double load) { return load > 2e-3 * rating && load < 0.5 * rating; };
   if (highest > 0 && highest < 5e-5 * rating && usual(1e3 * highest))
-    return Doubt{
-        fmt::format("axial loads up to {:.4g} N are next to nothing for C0 = {:.4g} N: kN in "
-                    "a column of N?",
-                    highest, rating),
-        {{&record::axial_load, "kN"}}};
+    return Doubt{fmt::format("axial loads up to {:.4g} N are very small for C0 = {:.4g} N: are "
+                             "values in kN in a column of N?",
+                             highest, rating),
+                 {{&record::axial_load, "kN"}}};
   if (highest > 5.0 * rating && usual(1e-3 * highest))
-    return Doubt{fmt::format("axial loads up to {:.4g} N are {:.2g} times C0: N in a column of kN?",
-                             highest, highest / rating),
-                 {{&record::axial_load, "N"}}};
+    return Doubt{
+        fmt::format(
+            "axial loads up to {:.4g} N are {:.2g} times C0: are values in N in a column of kN?",
+            highest, highest / rating),
+        {{&record::axial_load, "N"}}};
   // A load in kilograms: the law makes up for it with numbers that no bearing has.
   const auto [least, largest] = range_of_values(data.values(record::axial_load));
   if (data.up_to_a_factor || !(largest > 1.02 * least)) return std::nullopt;
   const text::Unit& kgf = *text::find_unit("kgf", text::Dimension::force);
   if (evidence_for(subject, data, in_other_unit(data, record::axial_load, kgf)) > remarkable)
-    return Doubt{
-        fmt::format("axial loads of {:.4g} to {:.4g} N do not go with the readings, {:.4g} "
-                    "to {:.4g} N do: kgf in a column of N?",
-                    least, largest, kgf.to_SI(least), kgf.to_SI(largest)),
-        {{&record::axial_load, "kgf"}}};
+    return Doubt{fmt::format("axial loads of {:.4g} to {:.4g} N do not agree with the readings, "
+                             "but {:.4g} to {:.4g} N do: are values in kgf in a column of N?",
+                             least, largest, kgf.to_SI(least), kgf.to_SI(largest)),
+                 {{&record::axial_load, "kgf"}}};
   return std::nullopt;
 }
 
@@ -461,7 +461,7 @@ std::optional<std::string> swapped_columns(const model::ModelSubject& subject, c
       if (!impossible && !ratio.far() && other.unexplained() > 0.1 * ratio.unexplained()) continue;
       least = other.spread;
       left = other.unexplained();
-      best = fmt::format("columns {} and {} look swapped", a.name, b.name);
+      best = fmt::format("columns {} and {} are probably swapped", a.name, b.name);
     }
   // Another base law bends readings as far.
   if (best && !impossible && unexplained_by_other_bases(subject, data) <= left) return std::nullopt;
@@ -484,8 +484,8 @@ std::optional<std::string> unused_temperature(const model::ModelSubject& subject
     const auto [lower, upper] = range_of_values(data.values(*ring));
     if (!(std::max(std::abs(lower - coolest), std::abs(upper - coolest)) > much)) continue;
     return fmt::format(
-        "the viscosity of all rows is that at {0:.4g} C, from {1}, and {2} goes from {3:.4g} to "
-        "{4:.4g} C: if that is the temperature of the lubricant, name its column {5}",
+        "all rows use the viscosity at {0:.4g} C, from {1}, but {2} goes from {3:.4g} to {4:.4g} "
+        "C: if this is the temperature of the lubricant, name its column {5}",
         record::temperature.in_unit(coolest), of_model->from, ring->name, ring->in_unit(lower),
         ring->in_unit(upper), record::temperature.name);
   }

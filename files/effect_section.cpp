@@ -51,7 +51,7 @@ effects::Effect read_user_made(const Section& table, const std::string& id) {
   if (id.empty() || id.find_first_of(" .\t\n,;\"'") != id.npos ||
       std::string_view("=+-@").find(id.front()) != std::string_view::npos)
     s.fail("id", fmt::format("id = {}: must be a name without blanks, dots, commas, semicolons and "
-                             "quotes, and not begin with =, +, - or @",
+                             "quotes, and must not begin with =, +, - or @",
                              text::quoted(id)));
   for (const auto& [key, node] : *s.table()) {
     const std::string name(key.str());
@@ -97,14 +97,15 @@ class EffectReader {
   /// Why the model cannot have it.
   std::string refusal(const Description& d) const {
     if (d.of_spindles_alone())
-      return "acts on a spindle, but this model has no [shaft] and [housing]";
+      return "the effect acts on a spindle, but this model has no [shaft] and [housing]";
     if (form_ == effects::Form::spindle)
       return d.condition && d.follows_heat
-                 ? "the temperatures of a spindle do this already"
-                 : "acts on a bearing on a rig, but this model is of a spindle";
-    return shaft_ ? "acts on a bearing on a rig, but this model is of a shaft, with an "
-                    "[arrangement]"
-                  : "acts on the displacement of a shaft, but this model has no [arrangement]";
+                 ? "not possible, because the calculated temperatures of a spindle already include "
+                   "this effect"
+                 : "the effect acts on a bearing on a rig, but this is the model of a spindle";
+    return shaft_ ? "the effect acts on a bearing on a rig, but this model has an [arrangement]"
+                  : "the effect acts on the displacement of a shaft, but this model has no "
+                    "[arrangement]";
   }
 
   /// Null for one of the user's own.
@@ -116,23 +117,25 @@ class EffectReader {
     if (found && !found->belongs_to(form_)) fail(refusal(*found));
     if (!found && !s.find("torque_Nmm")) {
       const std::string near = text::suggestion(id, ids_);
-      fail(fmt::format("unknown effect{}; one of your own has a formula, torque_Nmm",
+      fail(fmt::format("unknown effect{}; for an effect of your own, give a formula torque_Nmm",
                        near.empty() ? "; the catalogue has " + text::listed(ids_) : near));
     }
     if (found && shaft_ && shaft_->arrangement.design().rear.empty())
       for (const effects::Need need : found->needs)
         if (need == effects::Need::opposed_sets) fail(fmt::format("needs {}", effects::text(need)));
     for (const effects::Effect& before : effects_)
-      if (before.description->id == id) fail("this effect is listed twice");
+      if (before.description->id == id) fail("two tables have this effect; remove one");
     return found;
   }
 
   effects::Effect from_catalogue(const Section& table, const Description& description) {
     // A text is a formula; a number is the parameter that torque-offset calls so.
     if (const toml::node* const formula = table.find("torque_Nmm"); formula && formula->is_string())
-      table.fail("torque_Nmm",
-                 fmt::format("torque_Nmm: {} is an effect of the catalogue; give yours another id",
-                             description.id));
+      table.fail(
+          "torque_Nmm",
+          fmt::format(
+              "torque_Nmm: {} is the id of an effect in the catalogue; give your effect another id",
+              description.id));
     std::vector<Key> numbers;
     for (const effects::Parameter& p : description.parameters)
       numbers.push_back({p.name, between(p), p.initial, description.title});

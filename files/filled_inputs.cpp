@@ -95,7 +95,7 @@ FilledInput fill_input(const record::Channel& channel, record::Record& data) {
   for (std::size_t row = 0; row < values.size(); ++row)
     if (empty(values[row])) result.empty.push_back(row);
   result.note = fmt::format("{} of {} rows have no {}: {}", missing, values.size(), channel.name,
-                            held ? "the last value holds until the next one"
+                            held ? "the last value is used until the next one"
                                  : fmt::format("values are interpolated linearly between readings, "
                                                "over gaps of up to {:.4g} s",
                                                longest));

@@ -60,7 +60,7 @@ void fail_formula(const Section& s, const std::string& key, const std::string& i
       if (valid_name(error.unknown_name))
         hint = fmt::format("; if it is a parameter, give {} = {{value = 1.0, unit = \"N mm\"}}",
                            error.unknown_name);
-      hint += "; a formula knows " + text::listed(known);
+      hint += "; a formula can use " + text::listed(known);
     }
   }
   const toml::source_position at = s.find(key)->source().begin;
@@ -74,9 +74,11 @@ void fail_formula(const Section& s, const std::string& key, const std::string& i
 FormulaNumber read_formula_number(const Section& s, const std::string& id, const std::string& name,
                                   const toml::node& node, const Names& taken) {
   if (std::find(taken.begin(), taken.end(), name) != taken.end())
-    s.fail(name, fmt::format("{}: a variable has this name; take another", name));
+    s.fail(name, fmt::format("{}: a variable has this name; choose another name", name));
   if (!valid_name(name))
-    s.fail(name, fmt::format("{}: must be letters, digits and _, not a digit first", name));
+    s.fail(name,
+           fmt::format("{}: must consist of letters, digits and _, and must not begin with a digit",
+                       name));
   FormulaNumber number{.name = name, .unit = "1"};
   if (!node.is_table()) {
     number.value = *s.number(formula_number[0].as(name, ""));
@@ -88,10 +90,10 @@ FormulaNumber read_formula_number(const Section& s, const std::string& id, const
   number.unit = t.text("unit").value_or("1");
   if (const std::string other = unit_of_no_file(number.unit); !other.empty())
     t.fail("unit",
-           fmt::format("{}: unit = \"{}\": a formula is in the units of the files, N mm, N, "
-                       "rpm, C, mm2/s, mm, s; {} is none of them, and no value is "
-                       "converted: give it in these",
-                       name, number.unit, other));
+           fmt::format(
+               "{}: unit = \"{}\": formulas have the units of the files: N mm, N, rpm, C, mm2/s, "
+               "mm, s. The program does not convert {}; give the value in one of these units",
+               name, number.unit, other));
   t.take("lower", number.lower);
   t.take("upper", number.upper);
   const double from = std::isnan(number.lower) ? -infinity : number.lower;

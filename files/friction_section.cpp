@@ -144,7 +144,7 @@ bool has(FrictionLaw law, std::string_view name) {
 
 std::string belongs_to_other(std::string_view key, const toml::node& value, FrictionLaw other,
                              FrictionLaw law) {
-  return fmt::format("{} = {}: belongs to law = \"{}\", but the law is \"{}\"", key,
+  return fmt::format("{} = {}: this key is only for law = \"{}\", but the law is \"{}\"", key,
                      text::shown(value), friction::name(other), friction::name(law));
 }
 
@@ -175,8 +175,8 @@ std::shared_ptr<const friction::TorqueTable> read_table_of_law(ModelTables& tabl
   if (!file) {
     if (law == FrictionLaw::table)
       s.fail_missing("file",
-                     ", a CSV with speed_rpm, axial_load_N, radial_load_N, temperature_C "
-                     "and friction_torque_Nmm, which the law table needs");
+                     ": the law table needs a CSV with speed_rpm, axial_load_N, radial_load_N, "
+                     "temperature_C and friction_torque_Nmm");
     return nullptr;
   }
   friction::TorqueTable table;
@@ -189,15 +189,16 @@ std::shared_ptr<const friction::TorqueTable> read_table_of_law(ModelTables& tabl
   }
   table.file = *file;
   if (table.of_shaft)
-    s.fail("file", fmt::format("file = \"{}\": is the table of a whole shaft; the law table needs "
-                               "the torque of one bearing, of a model without [arrangement]",
+    s.fail("file", fmt::format("file = \"{}\": the table is for a whole shaft, but the law table "
+                               "needs the torque of one bearing (a model without [arrangement])",
                                *file));
   for (const auto& [has, column] : {std::pair(table.has_axial_load, record::axial_load.name),
                                     std::pair(table.has_radial_load, record::radial_load.name),
                                     std::pair(table.has_temperature, record::temperature.name)})
     if (!has)
-      tables.note_default("friction", column, "all",
-                          fmt::format("{} has no such column: all have its torque", *file));
+      tables.note_default(
+          "friction", column, "all",
+          fmt::format("{} has no such column, so its torque applies to all values", *file));
   return std::make_shared<const friction::TorqueTable>(std::move(table));
 }
 
@@ -205,16 +206,16 @@ std::shared_ptr<const friction::TorqueTable> read_table_of_law(ModelTables& tabl
 void refuse_friction_of_balls(const Section& s) {
   if (s.text_or_empty("law") == friction::name(FrictionLaw::table))
     s.fail("law",
-           "law = \"table\": is for ball bearings; cylindrical rollers have \"palmgren\" and "
-           "\"skf\"");
+           "law = \"table\" is only for ball bearings; for cylindrical rollers, use \"palmgren\" "
+           "or \"skf\"");
   if (s.text_or_empty("law") == friction::name(FrictionLaw::contact))
     s.fail("law",
-           "law = \"contact\": sums friction over the balls of a bearing; cylindrical rollers have "
-           "\"palmgren\" and \"skf\"");
+           "law = \"contact\" is only for ball bearings; for cylindrical rollers, use \"palmgren\" "
+           "or \"skf\"");
   for (const char* const key : {"z", "y"})
     if (const toml::node* const node = s.find(key))
-      s.fail(key, fmt::format("{} = {}: belongs to a ball bearing; the load moment cylindrical "
-                              "rollers is f1 F d_m with a constant f1",
+      s.fail(key, fmt::format("{} = {}: this key is only for ball bearings; the load moment "
+                              "of cylindrical rollers is f1 F d_m with a constant f1",
                               key, text::shown(*node)));
 }
 

@@ -95,7 +95,7 @@ friction::TorqueTable parse_friction_table(std::string text, const std::string& 
   bad.throw_if_any();
   if (!band.empty() && !deviation.empty())
     throw text::InputError(
-        fmt::format("{}:{}: {} and {} both say how sure the torque is: leave one out", source,
+        fmt::format("{}:{}: {} and {} both give the uncertainty of the torque; remove one", source,
                     csv.header_line, torque_band.name, record::torque_deviation.name),
         {source, csv.header_line, std::string(torque_band.name)});
   for (const double std : deviation) band.push_back(band_of_deviation * std);

@@ -110,7 +110,7 @@ std::string drop_impossible_rows(text::CsvTable& table, const std::vector<Column
         return std::any_of(cells.begin(), cells.end(),
                            [&](ImpossibleCells& of) { return of.has(row); });
       },
-      "have a number that is no reading (such as -9999, or beyond what can be)");
+      "have a number that cannot be a reading (such as -9999, or a physically impossible value)");
 }
 
 }  // namespace raceway::files

@@ -70,7 +70,7 @@ std::vector<std::string> KeptColumns::statements(bool named_by_user) const {
   }
   std::vector<std::string> list;
   if (!names.empty())
-    list.push_back(fmt::format("columns kept, but used by no model: {}", text::listed(names)));
+    list.push_back(fmt::format("columns kept, but not used by the model: {}", text::listed(names)));
   if (!texts.empty())
     list.push_back(
         named_by_user ? "not used: " + text::listed(texts)

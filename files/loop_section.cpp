@@ -58,7 +58,7 @@ Names default_names(ModelTables& tables, const model::Model& model) {
   std::string text = list_of(names);
   if (const Names of_torque = model::default_free(model.law);
       model.shaft && !model.spindle && names != of_torque)
-    text += fmt::format(" (of a displacement; of a torque {})", list_of(of_torque));
+    text += fmt::format(" (for a displacement; for a torque: {})", list_of(of_torque));
   tables.note_default("calibration", "free", text);
   return names;
 }
@@ -79,7 +79,7 @@ Names names_in(const Section& s, std::string_view key, const toml::node& node,
         s.at(key, &at));
   };
   if (!node.is_array() || node.as_array()->empty())
-    wrong(node, "must be a list of one name or more, as in [\"f0\", \"z\"]");
+    wrong(node, "must be a list of at least one name, such as [\"f0\", \"z\"]");
   const std::multimap<std::string, std::string> known = full_names(model);
   Names names;
   for (const toml::node& entry : *node.as_array()) {
@@ -92,15 +92,16 @@ Names names_in(const Section& s, std::string_view key, const toml::node& node,
       for (const auto& [called, _] : known) all.push_back(called);
       if (model.spindle && *name == "outer_conductance_W_m2K")
         wrong(entry,
-              "the model has none: the outer seats conduct by their contact; give a value "
-              "to begin with under [seat]");
+              "the model has no such value, because it calculates the conductance from the fit; "
+              "give a start value under [seat]");
       const std::string near = text::suggestion(*name, all);
       wrong(entry,
             "no such parameter" + (near.empty() ? "; this model has " + text::listed(all) : near));
     }
-    if (std::next(first) != last) wrong(entry, "several effects have it; write effect-id." + *name);
+    if (std::next(first) != last)
+      wrong(entry, "several effects have a parameter of this name; write effect-id." + *name);
     if (std::find(names.begin(), names.end(), first->second) != names.end())
-      wrong(entry, "stands twice");
+      wrong(entry, "is given twice");
     names.push_back(first->second);
   }
   return names;
@@ -197,8 +198,8 @@ std::string other_values(const fit::Covariance& covariance, const model::Model& 
           p.name == covariance.names[k] &&
           !(std::abs(p.value - value) <= same * std::max(std::abs(p.value), std::abs(value))))
         return fmt::format(
-            "{0} = {1:.6g} stands in the model, [calibration.covariance] is of {0} "
-            "= {2:.6g}",
+            "the model has {0} = {1:.6g}, but [calibration.covariance] was calculated for {0} = "
+            "{2:.6g}",
             p.name, p.value, value);
   return {};
 }
@@ -219,8 +220,8 @@ std::vector<record::NamedValue> read_tolerances(const ModelTables& tables,
       if (text::tolerance_key(*m.channel) == name)
         tolerances.push_back({std::string(m.channel->name), *value * m.channel->factor});
     if (tolerances.size() == before)
-      s.fail(name, fmt::format("{} = {}: this model predicts {}, and nothing in {}", name, *value,
-                               text::listed(words_of(measured)), unit));
+      s.fail(name, fmt::format("{} = {}: this model predicts {}, but no quantity in {}", name,
+                               *value, text::listed(words_of(measured)), unit));
   }
   return tolerances;
 }

@@ -252,15 +252,15 @@ std::size_t ModelData::find(std::string_view name) const {
     std::vector<std::string> short_names = names;
     for (const std::string& one : names) short_names.push_back(one.substr(one.rfind('.') + 1));
     const std::string near = text::suggestion(name, short_names);
-    throw text::InputError(fmt::format("{}: {} has no such number{}", name, tables_->source,
+    throw text::InputError(fmt::format("{}: {} has no number of this name{}", name, tables_->source,
                                        near.empty() ? "; it has " + text::listed(names) : near),
                            {.file = tables_->source, .key = key});
   }
   std::vector<std::string> all;
   for (const std::size_t k : same_key) all.push_back(names[k]);
-  throw text::InputError(
-      fmt::format("{}: {} has several: {}", name, tables_->source, text::listed(all)),
-      {.file = tables_->source, .key = key});
+  throw text::InputError(fmt::format("{}: {} has several numbers of this name: {}", name,
+                                     tables_->source, text::listed(all)),
+                         {.file = tables_->source, .key = key});
 }
 
 ModelFile ModelData::with(std::span<const std::pair<std::size_t, double>> changes) const {
@@ -280,11 +280,10 @@ std::vector<SpreadText> parse_spreads(const std::string& list) {
     const std::string one(part);
     const std::size_t equals = one.find('=');
     if (equals == one.npos || equals == 0 || equals + 1 == one.size())
-      throw text::InputError(
-          fmt::format("{}: write a number of the model and how far it may be off, as "
-                      "ball_diameter_mm=0.01 or viscosity_40C_mm2_s=10%",
-                      text::quoted(one)),
-          {.key = one.substr(0, equals)});
+      throw text::InputError(fmt::format("{}: write a number of the model and its possible error, "
+                                         "such as ball_diameter_mm=0.01 or viscosity_40C_mm2_s=10%",
+                                         text::quoted(one)),
+                             {.key = one.substr(0, equals)});
     spreads.push_back({.name = one.substr(0, equals), .text = one.substr(equals + 1)});
   }
   return spreads;
@@ -341,9 +340,11 @@ double spread_of(const SpreadText& spread, double value) {
   double number = unset;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(number))
-    refuse("must be a number in the unit of its name, or a share such as 10%");
-  if (number < 0.0) refuse("must be zero or more: it is how far the number may be off either way");
-  if (share && value == 0.0) refuse("a share of zero is none; give it in the unit of its name");
+    refuse("must be a number in the unit of the name, or a percentage such as 10%");
+  if (number < 0.0)
+    refuse("must be 0 or more, because it is the possible error in both directions");
+  if (share && value == 0.0)
+    refuse("a percentage of 0 is 0; give the error in the unit of the name");
   return share ? 0.01 * number * std::fabs(value) : number;
 }
 

@@ -129,7 +129,7 @@ std::string with_value(std::string text, const KeyValue& change) {
   const std::string assignment = fmt::format("{} = {}", path.key, value);
   if (!table) {
     if (path.tables.size() != 1 || path.tables[0].index)
-      throw text::InputError(fmt::format("{}: there is no such table in the model", change.key),
+      throw text::InputError(fmt::format("{}: the model has no table of this name", change.key),
                              {.key = change.key});
     return with_new_table(std::move(text), path, assignment);
   }
@@ -176,8 +176,9 @@ std::string with_values(std::string_view text, std::span<const KeyValue> changes
     const toml::table* const table = find_table(root, path);
     const toml::node* const node = table ? find_number(*table, path) : nullptr;
     if (!node || node->value<double>() != change.value)
-      throw text::InputError(fmt::format("{}: its place in the model was not found", change.key),
-                             {.key = change.key});
+      throw text::InputError(
+          fmt::format("{}: the key was not found in the text of the model", change.key),
+          {.key = change.key});
   }
   if (marked) result.insert(0, text::utf8_mark);
   return result;
@@ -220,7 +221,7 @@ std::vector<KeyValue> changed_data(const model::Model& file, const model::Model&
   };
   const friction::Lubricant &card = file.lubricant, &oil = fitted.lubricant;
   const auto entered = [](double viscosity) {
-    return fmt::format("corrected by measurements; {:.6g} was entered", viscosity / mm2_per_s);
+    return fmt::format("corrected by measurements; entered value: {:.6g}", viscosity / mm2_per_s);
   };
   add("lubricant.viscosity_40C_mm2_s", card.viscosity_40C() / mm2_per_s,
       oil.viscosity_40C() / mm2_per_s, entered(card.viscosity_40C()));
@@ -231,7 +232,7 @@ std::vector<KeyValue> changed_data(const model::Model& file, const model::Model&
       [](const effects::Effect& e) { return e.description->id == effects::TemperatureGain::id; });
   if (needs_room && std::isnan(file.rig.room_temperature))
     add("rig.room_temperature_C", unset, celsius(fitted.rig.room_temperature),
-        "of the coldest row");
+        "from the coldest row");
   return changes;
 }
 
@@ -248,8 +249,8 @@ std::string without_covariance(std::string text) {
   const std::size_t begin = text::line_start(text, table->source().begin.line);
   if (table->is_inline() || text.find_first_not_of(" \t", begin) != text.find('[', begin))
     throw text::InputError(
-        "the covariance under [calibration] is in braces: make it a table of its own, "
-        "[calibration.covariance], or take it out",
+        "the covariance under [calibration] is an inline table in braces: write it as a table "
+        "[calibration.covariance], or remove it",
         {.key = "calibration.covariance"});
   std::size_t end =
       text.find('\n', text::line_start(text, (last ? last : table)->source().end.line));
@@ -274,8 +275,7 @@ std::string with_covariance(std::string text, const fit::Covariance& c,
                                 [&](const auto& one) { return one.name == c.names[k]; });
     if (p == parameters.end())
       throw std::invalid_argument(c.names[k] +
-                                  ": its covariance is given, but the model has no "
-                                  "such parameter");
+                                  ": the covariance has this parameter, but the model does not");
     names.push_back(fmt::format("\"{}\"", c.names[k]));
     units.push_back(fmt::format("\"{}\"", p->unit));
     values.push_back(
@@ -286,7 +286,9 @@ std::string with_covariance(std::string text, const fit::Covariance& c,
       row.push_back(text::toml_float(record::with_digits(c.correlation(k, j), 12)));
     rows.push_back(fmt::format("  [{}],", fmt::join(row, ", ")));
   }
-  text += fmt::format("{0}[calibration.covariance]  # of what was fitted, for --band{0}", line_end);
+  text += fmt::format(
+      "{0}[calibration.covariance]  # covariance of the fitted parameters, for --band{0}",
+      line_end);
   for (const auto& [key, list] :
        {std::pair{"parameters", &names}, {"units", &units}, {"values", &values}, {"std", &std}})
     text += fmt::format("{} = [{}]{}", key, fmt::join(*list, ", "), line_end);
@@ -302,7 +304,8 @@ const toml::table& table_to_edit(const toml::table& root, const std::string& nam
   const toml::table* const table = root[name].as_table();
   if (table && !table->is_inline()) return *table;
   throw text::InputError(
-      fmt::format("[{0}] is in braces: make it a table of its own, to change the law", name),
+      fmt::format("[{0}] is an inline table in braces: write it as a table [{0}] to change the law",
+                  name),
       {.key = name});
 }
 

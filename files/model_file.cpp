@@ -41,10 +41,11 @@ void check_tables(const ModelTables& tables) {
     const std::string place = tables.place(key);
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       if (!node.is_table() && !node.is_array_of_tables())
-        throw text::InputError(fmt::format("{}: {} = {}: stands outside any table; put it below "
-                                           "[bearing] or the table it belongs to",
-                                           place, name, text::shown(node)),
-                               tables.at(key));
+        throw text::InputError(
+            fmt::format(
+                "{}: {} = {}: the key is not in a table; move it below [bearing] or another table",
+                place, name, text::shown(node)),
+            tables.at(key));
       const std::string near = text::suggestion(name, known);
       throw text::InputError(
           fmt::format("{}: [{}]: unknown table{}", place, name,
@@ -55,7 +56,7 @@ void check_tables(const ModelTables& tables) {
     if (name == "effect" || name == "sensor" || name == "heat") {
       if (!node.is_array() || !(node.as_array()->empty() || node.is_array_of_tables()))
         throw text::InputError(
-            fmt::format("{0}: {1}s are written as [[{1}]] with two brackets", place, name),
+            fmt::format("{0}: write {1} as [[{1}]] with two brackets", place, name),
             tables.at(key));
     } else if (!node.is_table()) {
       throw text::InputError(fmt::format("{}: {} = {}: must be a table, written as [{}]", place,
@@ -117,7 +118,7 @@ std::vector<std::string> notes_on_effects(const model::Model& model) {
   for (const effects::Effect& e : model.effects)
     if (const std::string why = model::ruled_out(*e.description, model); !why.empty())
       notes.push_back(
-          fmt::format("effect {}: {}; it is switched on all the same", e.description->id, why));
+          fmt::format("effect {}: {}; the model uses it nevertheless", e.description->id, why));
   return notes;
 }
 
@@ -211,9 +212,8 @@ ModelFile model_of_tables(ModelTables& tables, std::string text) {
     for (const effects::Effect& e : model.effects)
       if (e.description->id == effects::TemperatureGain::id)
         throw text::InputError(
-            fmt::format("{}: the effect {} needs room_temperature_C under [rig]: from "
-                        "where on the sensor sees "
-                        "a share of the rise",
+            fmt::format("{}: the effect {} needs room_temperature_C under [rig], because the "
+                        "sensor measures only a share of the rise above this temperature",
                         source, e.description->id),
             {.file = source, .key = "room_temperature_C"});
   model.free = read_free(tables, model);
@@ -226,7 +226,8 @@ ModelFile model_of_tables(ModelTables& tables, std::string text) {
   model.covariance = read_covariance(tables, model);
   if (model.covariance)
     if (const std::string other = other_values(*model.covariance, model); !other.empty()) {
-      notes.push_back(other + ": there is no band until raceway calibrate has found it anew");
+      notes.push_back(other +
+                      ", so results have no band; raceway calibrate calculates a new covariance");
       model.covariance.reset();
     }
   return {.model = std::move(read.model),
@@ -252,11 +253,10 @@ ModelFile parse_model(std::string text, const std::string& source, std::vector<N
     Names missing = missing_keys_of_bearing(tables);
     for (std::string& one : missing_keys_of_friction(tables)) missing.push_back(std::move(one));
     if (missing.size() < 2) throw;
-    throw text::InputError(
-        fmt::format("{}\n{} keys are missing in all (raceway new BEARING -o FILE "
-                    "writes a whole model):\n  {}",
-                    first.what(), missing.size(), fmt::join(missing, "\n  ")),
-        first.place);
+    throw text::InputError(fmt::format("{}\nIn total, {} keys are missing (raceway new BEARING -o "
+                                       "FILE writes a complete model):\n  {}",
+                                       first.what(), missing.size(), fmt::join(missing, "\n  ")),
+                           first.place);
   }
 }
 

@@ -39,7 +39,8 @@ std::string friction_lines(friction::FrictionLaw law) {
   };
   switch (law) {
     case friction::FrictionLaw::palmgren:
-      add("law", "\"palmgren\"", "or \"skf\", \"contact\": raceway new --law writes their numbers");
+      add("law", "\"palmgren\"",
+          "or \"skf\", \"contact\": raceway new --law writes their parameters");
       add("f0", fmt::format("{}", catalogue_f0),
           "viscous torque, about 1 (oil-air, little grease) to 6 (oil jet)");
       add("z", fmt::format("{}", catalogue_z), "load torque");
@@ -47,27 +48,29 @@ std::string friction_lines(friction::FrictionLaw law) {
       add("f1_load", "\"P0\"", "or \"F_b\", in the factor z (P0/C0)^y of the load torque");
       break;
     case friction::FrictionLaw::skf:
-      add("law", "\"skf\"", "or \"palmgren\", \"contact\": raceway new --law writes their numbers");
-      add("mu_bl", initial("mu_bl"), "friction where asperities touch, at low speed");
-      add("mu_EHL", initial("mu_EHL"), "friction of a full film");
+      add("law", "\"skf\"",
+          "or \"palmgren\", \"contact\": raceway new --law writes their parameters");
+      add("mu_bl", initial("mu_bl"), "friction coefficient of the asperity contacts, at low speed");
+      add("mu_EHL", initial("mu_EHL"), "friction coefficient of a full film");
       add("K_rs", initial("K_rs"), "3e-8 oil bath or jet, 6e-8 grease or oil-air");
       break;
     case friction::FrictionLaw::contact:
       text +=
-          "# To diagnose measured torque, start with \"palmgren\": it has two free numbers.\n# "
-          "raceway add MODEL law:palmgren --data RIG.csv -o NEW.toml changes to this law and fits "
-          "it.\n";
+          "# To diagnose measured torque, start with \"palmgren\", which has two free "
+          "parameters.\n# raceway add MODEL law:palmgren --data RIG.csv -o NEW.toml changes to "
+          "this law and fits it.\n";
       add("law", "\"contact\"",
-          "sums over the balls; or \"palmgren\", \"skf\": raceway new --law writes their numbers");
+          "sums over the balls; or \"palmgren\", \"skf\": raceway new --law writes their "
+          "parameters");
       add("rolling_factor", initial("rolling_factor"),
           "factor on the rolling resistance of the oil, most of the torque at speed; known to +-40 "
           "%");
       add("hysteresis_factor", initial("hysteresis_factor"),
-          "factor on the deformation work that the steel loses");
+          "factor on the hysteresis loss of the steel");
       add("mu_boundary", initial("mu_boundary"),
-          "friction where asperities touch: below lambda 2, at low speed");
+          "friction coefficient of the asperity contacts: below lambda 2, at low speed");
       add("K_rs", initial("K_rs"),
-          "oil that flows back too slowly: 3e-8 bath or jet, 6e-8 grease or oil-air; 0 is off");
+          "replenishment of the oil: 3e-8 bath or jet, 6e-8 grease or oil-air; 0 is off");
       add("oil_fraction", initial("oil_fraction"),
           "share of the free space that is filled with oil; 0: no drag");
       break;
@@ -141,12 +144,12 @@ std::string spindle_lines(const CatalogueBearing& row) {
   };
   const auto number = [](double value) { return fmt::format("{:.6g}", value); };
   add("layout", "\"O\"", "or \"X\"");
-  add("front", "2", "assumed: bearings at the tool");
+  add("front", "2", "assumed: number of bearings at the tool");
   add("rear", "1", "assumed");
   add("mounting", "\"rigid\"", "or \"spring\"; assumed");
-  add("preload_N", number(preload), "assumed: as mounted and still, 0.7 % of C0");
+  add("preload_N", number(preload), "assumed: at standstill as mounted, 0.7 % of C0");
   add("front_position_mm", fmt::format("[{:.6g}, {:.6g}]", first, first + 1.5 * width),
-      "assumed: centres behind the nose face");
+      "assumed: distances of the centres behind the nose face");
   add("rear_position_mm", fmt::format("[{:.6g}]", rear), "assumed");
   text += fmt::format(
       R"(
@@ -172,7 +175,8 @@ flange_mm = {:.6g}                    # centre of where it is bolted to the mach
       segment(seat, bore), segment(middle, rounded(bore + 0.3 * section, 0.5)),
       segment(width, bore), segment(tail, rounded(0.86 * bore, 0.5)), 2.0 * width, 13.75 * width,
       rounded(outer + 1.75 * section, 1.0), 6.0 * width);
-  add("temperature_C", number(celsius(model::Ambient{}.temperature)), "assumed: of the air");
+  add("temperature_C", number(celsius(model::Ambient{}.temperature)),
+      "assumed: temperature of the air");
   text += fmt::format(
       R"(
 [[sensor]]                         # column front_bearing_temperature_C of a record
@@ -198,8 +202,8 @@ std::string contact_lubricant_lines(friction::FrictionLaw law) {
                   "or \"pao\", \"ester\"; sets the defaults of the keys below") +
          "# density_15C_kg_m3 = 880          # mineral; pao 830, ester 930\n"
          "# conductivity_W_mK = 0.13         # mineral; pao and ester 0.15\n"
-         "# pressure_viscosity_1_GPa = 15    # of mineral oil 9.904 nu^0.139, nu in mm2/s\n"
-         "# limiting_traction = 0.06         # of the film; pao 0.045, ester 0.04; matters above "
+         "# pressure_viscosity_1_GPa = 15    # mineral: 9.904 nu^0.139, nu in mm2/s\n"
+         "# limiting_traction = 0.06         # mineral; pao 0.045, ester 0.04; has an effect above "
          "1.2 GPa\n" +
          key_line({}, "eyring_stress_MPa", "5", "shear stress above which a film thins");
 }
@@ -218,12 +222,12 @@ std::string model_text(const CatalogueBearing& row, const ModelRemarks& remarks)
   std::string title = remarks.title;
   if (remarks.of_spindle)
     title = fmt::format(
-        "A spindle on three bearings {}: it runs as it stands. Replace what is marked as assumed\n"
-        "# or estimated by what you know.",
+        "A complete spindle on three bearings {}. Replace the values that are marked as assumed\n# "
+        "or estimated by your own values.",
         name);
   else if (title.empty())
     title = fmt::format(
-        "Model of a {}{} on a rig. Every default is written out: change what you know better.",
+        "Model of a {}{} on a rig. All defaults are written out: replace them by your own values.",
         remarks.ball_material == "steel" ? "" : "hybrid ", name);
   std::string text = fmt::format("# {}\n\n{}\n", title, text::format_line);
   text +=
@@ -239,14 +243,14 @@ std::string model_text(const CatalogueBearing& row, const ModelRemarks& remarks)
   add("pitch_diameter_mm", number(g.pitch_diameter / mm));
   add("contact_angle_deg", number(g.contact_angle / degree));
   add("inner_conformity", number(g.inner_conformity),
-      "groove radius / ball diameter; makers do not print it: assumed");
+      "assumed: groove radius / ball diameter, which makers do not print");
   add("outer_conformity", number(g.outer_conformity), "assumed");
   add("static_load_rating_N", number(g.static_load_rating));
   add("bore_mm", number(g.bore / mm));
   add("outer_diameter_mm", number(g.outer_diameter / mm));
   if (remarks.of_spindle)
     add("width_mm", number(width_of(row) / mm),
-        std::isnan(row.width) ? "estimated: half of outer diameter - bore" : "of the rings");
+        std::isnan(row.width) ? "estimated: half of outer diameter - bore" : "ring width");
   add("ball_material", fmt::format("\"{}\"", remarks.ball_material),
       remarks.ball_material == "steel" ? "or \"silicon-nitride\", or a [material.NAME] as below"
                                        : "or \"steel\", or a [material.NAME] as below");
@@ -256,10 +260,9 @@ std::string model_text(const CatalogueBearing& row, const ModelRemarks& remarks)
     add("race_roughness_um", number(data.race_roughness / um), "Rq; assumed");
     add("ball_roughness_um", number(data.ball_roughness / um), "Rq; assumed");
   }
-  text +=
-      lubricant_lines(remarks.oil) +
-      "# supply = \"oil-air\"               # or \"grease\", \"jet\", \"bath\": rules out effects "
-      "that need another\n";
+  text += lubricant_lines(remarks.oil) +
+          "# supply = \"oil-air\"               # or \"grease\", \"jet\", \"bath\": rules out "
+          "effects that need another supply\n";
   text += contact_lubricant_lines(remarks.law) + friction_lines(remarks.law);
   return text + (remarks.of_spindle ? spindle_lines(row) : rig_lines(remarks.law));
 }

@@ -116,7 +116,7 @@ NewCorrection new_correction(const Source& source, const ReadOptions& given) {
     if (c.channel->role == record::Role::measured) models.push_back(model_of(record, c, inputs));
   if (models.empty())
     throw text::InputError(
-        fmt::format("{}: no column is a displacement: name it in a file for --columns, as "
+        fmt::format("{}: no column is a displacement: name it in a file for --columns, such as "
                     "displacement_z_um = \"HEADER\"; the header has {}",
                     source.name, text::listed(read_measurements(source, options).header)),
         {.file = source.name});
@@ -127,7 +127,7 @@ NewCorrection new_correction(const Source& source, const ReadOptions& given) {
   const std::string next =
       inputs.size() > most_channels
           ? fmt::format(
-                "{} temperatures vary, too many for one channel each. This command uses all of "
+                "{} temperatures vary, too many for a channel each. This command uses all of "
                 "them:\n# raceway identify THIS-FILE RECORD --lags auto -o FOUND.toml",
                 inputs.size())
           : "This command finds gains and time constants:\n# raceway identify THIS-FILE RECORD -o "
@@ -136,11 +136,12 @@ NewCorrection new_correction(const Source& source, const ReadOptions& given) {
       "First correction from {}. Replace the values that are marked as assumed.\n# {}", name, next);
   made.text = with_remarks(
       new_corrections(models, comment),
-      {{"tolerance_um", "assumed: a tenth of the range of the readings; enter your tolerance"},
-       {"tolerance_urad", "assumed: a tenth of the range of the readings; enter your tolerance"},
+      {{"tolerance_um", "assumed: 10 % of the range of the readings; enter your tolerance"},
+       {"tolerance_urad", "assumed: 10 % of the range of the readings; enter your tolerance"},
        {"offset_um", "assumed; identify finds it"},
        {"offset_urad", "assumed; identify finds it"},
-       {"sections", "assumed: a share of the range of the readings, a tenth of the record"}});
+       {"sections",
+        "assumed: gain from the range of the readings, time constant of 10 % of the record"}});
   if (!columns.all_ours) made.text += "\n" + columns.text;
   if (!combined.empty()) made.text += "\n" + combined;
   (void)parse_correction(made.text, "new correction");  // it reads back
@@ -148,9 +149,10 @@ NewCorrection new_correction(const Source& source, const ReadOptions& given) {
   for (const Doubt& doubt : series_doubts(record, std::vector<correction::Model>()))
     made.notes.push_back(record::note::unit(doubt.text, {.file = source.name}));
   if (inputs.empty())
-    made.notes.push_back(record::note::assumed(
-        "no temperature varies by more than 0.5 K, nor does the speed: the model has no channel",
-        {.file = source.name}));
+    made.notes.push_back(
+        record::note::assumed("no temperature varies by more than 0.5 K and the speed is constant, "
+                              "so the model has no channel",
+                              {.file = source.name}));
   return made;
 }
 

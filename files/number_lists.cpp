@@ -22,8 +22,9 @@ Eigen::MatrixXd correlation(const Section& s, std::size_t count) {
       if (i == j ? row[j] != 1.0 : std::abs(row[j]) > 1.0)
         throw text::InputError(
             fmt::format("{}: correlation = {}: {}", s.place(rows->get(i)), row[j],
-                        i == j ? "each row ends with 1, of a parameter with itself"
-                               : "must be from -1 to 1"),
+                        i == j
+                            ? "each row must end with 1, the correlation of a parameter with itself"
+                            : "must be from -1 to 1"),
             s.at("correlation", rows->get(i)));
       matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
           matrix(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) = row[j];
@@ -32,8 +33,8 @@ Eigen::MatrixXd correlation(const Section& s, std::size_t count) {
   const double least = algebra::symmetric_eigen(matrix).values.minCoeff();
   if (least < -rounding)
     s.fail("correlation",
-           fmt::format("correlation: no parameters can be correlated like that (not positive "
-                       "semidefinite, least eigenvalue {:.2g})",
+           fmt::format("correlation: the matrix is not positive semidefinite (smallest eigenvalue "
+                       "{:.2g}), so it is not a valid correlation",
                        least));
   return matrix;
 }
@@ -71,7 +72,7 @@ std::vector<double> numbers(const Section& s, std::string_view key, const toml::
 Eigen::MatrixXd covariance_of(const Section& s, std::size_t count) {
   const std::vector<double> std = numbers(s, "std", required_node(s, "std"), count);
   if (std::any_of(std.begin(), std.end(), [](double v) { return v < 0.0; }))
-    s.fail("std", "std: no standard deviation may be below 0");
+    s.fail("std", "std: all standard deviations must be 0 or more");
   const auto scale =
       Eigen::Map<const Eigen::VectorXd>(std.data(), static_cast<Eigen::Index>(count));
   return scale.asDiagonal() * correlation(s, count) * scale.asDiagonal();

@@ -45,21 +45,21 @@ OilGrade oil_grade(std::string_view words) {
     return *found;
   std::vector<int> all;
   for (const OilGrade& g : grades) all.push_back(g.grade);
-  throw text::InputError(fmt::format("oil {}: not an ISO VG grade; these are known: {}",
+  throw text::InputError(fmt::format("oil {}: not a known ISO VG grade; known grades: {}",
                                      text::quoted(words), fmt::join(all, ", ")),
                          {.key = "--oil"});
 }
 
 std::string lubricant_lines(std::string_view oil) {
   if (oil.empty())
-    return "\n[lubricant]                        # assumed: a thin spindle oil; put in the values "
-           "of yours\n"
-           "viscosity_40C_mm2_s = 22.0         # of a grease: of its base oil\n"
+    return "\n[lubricant]                        # assumed: a thin spindle oil; enter the values "
+           "of your oil\n"
+           "viscosity_40C_mm2_s = 22.0         # for a grease: of its base oil\n"
            "viscosity_100C_mm2_s = 4.8\n";
   const OilGrade found = oil_grade(oil);
   return fmt::format(
       "\n[lubricant]\n"
-      "viscosity_40C_mm2_s = {:<13}# ISO VG {}; of a grease: of its base oil\n"
+      "viscosity_40C_mm2_s = {:<13}# ISO VG {}; for a grease: of its base oil\n"
       "viscosity_100C_mm2_s = {:<12}# assumed: a mineral oil of viscosity index 100\n",
       fmt::format("{:.1f}", 1.0 * found.grade), found.grade, fmt::format("{:.1f}", found.at_100_C));
 }

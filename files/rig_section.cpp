@@ -79,8 +79,8 @@ bearing::Tilt read_tilt(ModelTables& tables) {
   const Section table = tables.section("solver");
   if (const toml::node* const node = table.find("race_control"))
     table.fail("race_control",
-               fmt::format("race_control = {}: says what turns the balls of a bearing; cylindrical "
-                           "rollers have one axis",
+               fmt::format("race_control = {}: this key is only for ball bearings, because "
+                           "cylindrical rollers have a fixed axis of rotation",
                            text::shown(*node)));
   return tilt_of(tables, table.with({tilt_keys}));
 }
@@ -93,8 +93,8 @@ SolverOfFile read_solver(ModelTables& tables, friction::FrictionLaw law, Keys fu
   solver.balanced_balls = control == "balanced";
   if (solver.balanced_balls && law != friction::FrictionLaw::contact)
     s.fail("race_control",
-           "race_control = \"balanced\": the balls turn by the traction of their contacts, which "
-           "[friction] law = \"contact\" alone knows");
+           "race_control = \"balanced\": needs [friction] law = \"contact\", because only this law "
+           "calculates the tractions of the contacts");
   bearing::EquilibriumOptions& options = solver.options;
   if (control == "inner") options.race_control = bearing::RaceControl::inner;
   options.tilt = tilt_of(tables, s);

@@ -83,9 +83,9 @@ EstimatedRollers estimated_rollers(std::string_view designation) {
         {.key = "BEARING"});
   };
   if (digits.size() != 4 || !digits.starts_with("10"))
-    refuse("of cylindrical roller bearings only series N10 is known");
+    refuse("the program can estimate only cylindrical roller bearings of series N10");
   const auto size = boundary_dimensions("10", digits.substr(2));
-  if (!size) refuse("there are no boundary dimensions of this size in the table of ISO 15");
+  if (!size) refuse("the table of ISO 15 has no boundary dimensions for this size");
   bearing::RollerGeometry g;
   g.bore = size->bore;
   g.outer_diameter = size->outer_diameter;
@@ -117,30 +117,30 @@ std::string estimated_model_text(const EstimatedRollers& bearing, friction::Fric
   const bearing::RollerGeometry& g = bearing.geometry;
   const auto length = [](double value) { return fmt::format("{:.6g}", value / mm); };
   std::string text = fmt::format(
-      "# Model of an {} on a rig, a cylindrical roller bearing that is free along its axis.\n"
-      "# Its rollers are estimated from {}: change what you know better.\n\n"
+      "# Model of an {} on a rig, an axially free cylindrical roller bearing.\n"
+      "# The rollers are estimated from {}: replace them by your own values.\n\n"
       "[bearing]\n",
       bearing.designation,
-      bearing.printed() ? "numbers that a maker prints (IBC, 2010)" : "the boundary dimensions");
+      bearing.printed() ? "printed data of a maker (IBC, 2010)" : "the boundary dimensions");
   const auto add = [&](std::string_view key, const std::string& value,
                        std::string_view remark = {}) { text += marked_line(key, value, remark); };
   add("type", "\"cylindrical-roller\"");
   add("name", fmt::format("\"{}\"", bearing.designation));
   add("roller_count", fmt::format("{}", g.roller_count),
       bearing.printed()
-          ? fmt::format("estimated, by C0 = {:.0f} N as printed", bearing.static_rating)
+          ? fmt::format("estimated from the printed C0 = {:.0f} N", bearing.static_rating)
           : "estimated");
   add("roller_diameter_mm", length(g.roller_diameter),
-      bearing.printed() ? fmt::format("estimated, E = {} mm as printed less the pitch diameter",
+      bearing.printed() ? fmt::format("estimated: printed E = {} mm minus pitch diameter",
                                       length(bearing.outer_raceway))
                         : fmt::format("estimated, {} of the section", section_share));
-  add("roller_length_mm", length(g.roller_length), "estimated, as the diameter; without chamfers");
-  add("pitch_diameter_mm", length(g.pitch_diameter),
-      "estimated, middle of bore and outer diameter");
-  add("bore_mm", length(g.bore), "of dimension series 10");
-  add("outer_diameter_mm", length(g.outer_diameter), "of dimension series 10");
-  add("width_mm", length(g.width), "of dimension series 10");
-  add("radial_clearance_um", "0", "diametral, mounted; below zero a preload");
+  add("roller_length_mm", length(g.roller_length),
+      "estimated: equal to the roller diameter; without chamfers");
+  add("pitch_diameter_mm", length(g.pitch_diameter), "estimated: mean of bore and outer diameter");
+  add("bore_mm", length(g.bore), "from dimension series 10");
+  add("outer_diameter_mm", length(g.outer_diameter), "from dimension series 10");
+  add("width_mm", length(g.width), "from dimension series 10");
+  add("radial_clearance_um", "0", "diametral clearance, mounted; below 0: preload");
   add("profile", "\"iso\"", "logarithmic crowning; or \"none\"");
   add("roller_material", fmt::format("\"{}\"", roller_material),
       "\"steel\" or \"silicon-nitride\"");
@@ -155,7 +155,8 @@ std::string estimated_model_text(const EstimatedRollers& bearing, friction::Fric
   add("law", fmt::format("\"{}\"", friction::name(law)), "or \"palmgren\", \"skf\"");
   for (const friction::Parameter& p : friction::parameters(law))
     add(p.name, fmt::format("{:g}", p.initial));
-  add("f1_load", "\"rollers\"", "what the rollers carry; or \"F_r\", the radial load as printed");
+  add("f1_load", "\"rollers\"",
+      "sum of the roller loads; or \"F_r\", the radial load, as in the printed laws");
   return text;
 }
 

@@ -94,11 +94,12 @@ void refuse_keys_of_balls(const Section& s) {
       if (!node || has(keys_of_rollers, key.name)) continue;
       const std::string of_rollers =
           key.name.starts_with("ball") ? "roller" + std::string(key.name.substr(4)) : "";
-      s.fail(key.name, fmt::format("{} = {}: belongs to a ball bearing; the type is \"{}\"{}",
-                                   key.name, text::shown(*node), roller_type,
-                                   has(keys_of_rollers, of_rollers)
-                                       ? fmt::format(", which has {}", of_rollers)
-                                       : std::string()));
+      s.fail(
+          key.name,
+          fmt::format("{} = {}: this key is only for ball bearings, but the type is \"{}\"{}",
+                      key.name, text::shown(*node), roller_type,
+                      has(keys_of_rollers, of_rollers) ? fmt::format(", which has {}", of_rollers)
+                                                       : std::string()));
     }
 }
 
@@ -160,11 +161,13 @@ std::string name_on_shaft(const Section& s, const std::vector<model::RollerOnSha
     s.fail("name", fmt::format("name = \"{}\": {}", name, why));
   };
   if (!names_a_column(name))
-    fail("must be letters, digits and _, since it gives the column NAME_clearance_um");
+    fail(
+        "must be letters, digits and _, because it becomes part of column names such as "
+        "NAME_clearance_um");
   for (const char* set : {"front_", "rear_"})
-    if (name.starts_with(set)) fail("names a bearing of the sets; take another name");
+    if (name.starts_with(set)) fail("is the name of a bearing in the sets; choose another name");
   for (const model::RollerOnShaft& other : before)
-    if (other.name == name) fail("another roller bearing has this name");
+    if (other.name == name) fail("another roller bearing has this name; choose another name");
   return name;
 }
 
@@ -176,15 +179,17 @@ void read_seats_on_shaft(const Section& s, model::RollerOnShaft& roller) {
     if (std::isnan(value)) s.fail_missing(key, ", which a bearing on a shaft needs");
   const auto drive_up = s.number("drive_up_mm");
   if (const auto given = s.number("inner_interference_um")) {
-    if (drive_up) s.fail("drive_up_mm", "drive_up_mm: inner_interference_um says it too; take one");
+    if (drive_up)
+      s.fail(
+          "drive_up_mm",
+          "drive_up_mm and inner_interference_um both give the fit of the inner ring; remove one");
     roller.inner_interference = *given * um;
   }
   if (drive_up) {
     if (!(g.taper > 0.0))
-      s.fail("drive_up_mm",
-             fmt::format("drive_up_mm = {:.6g} mm: needs a taper, as 12 for 1:12; the bore is "
-                         "cylindrical",
-                         *drive_up));
+      s.fail("drive_up_mm", fmt::format("drive_up_mm = {:.6g} mm: only possible with a tapered "
+                                        "bore, such as taper = 12 for 1:12",
+                                        *drive_up));
     roller.inner_interference = *drive_up * mm / g.taper;
   }
   s.take("outer_clearance_um", roller.outer_clearance, um);
@@ -197,10 +202,10 @@ void refuse_sets_and_spindles(const ModelTables& tables) {
   for (const std::string& table : others)
     if (const toml::node* const node = tables.root().get(table))
       throw text::InputError(
-          fmt::format(
-              "{}:{}: [{}]: a [bearing] of type \"{}\" is a single bearing on a rig; sets have "
-              "ball bearings, and a spindle has its roller bearings in [[shaft.roller_bearing]]",
-              tables.source(), node->source().begin.line, table, roller_type),
+          fmt::format("{}:{}: [{}]: not possible with a [bearing] of type \"{}\", which is a "
+                      "single bearing on a rig. Sets need ball bearings; for roller bearings of a "
+                      "spindle, use [[shaft.roller_bearing]]",
+                      tables.source(), node->source().begin.line, table, roller_type),
           {.file = tables.source(),
            .line = static_cast<int>(node->source().begin.line),
            .key = table});
@@ -209,11 +214,10 @@ void refuse_sets_and_spindles(const ModelTables& tables) {
 model::Rig read_roller_rig(ModelTables& tables) {
   model::Rig rig = read_rig(tables, {});
   if (rig.axial_load > 0.0)
-    tables.section("rig").fail(
-        "axial_load_N",
-        fmt::format("axial_load_N = {:g}: must be 0, a cylindrical roller bearing of type N "
-                    "carries none",
-                    rig.axial_load));
+    tables.section("rig").fail("axial_load_N",
+                               fmt::format("axial_load_N = {:g}: must be 0, because a cylindrical "
+                                           "roller bearing of type N cannot carry an axial load",
+                                           rig.axial_load));
   rig.axial_load = 0.0;
   return rig;
 }
@@ -259,16 +263,18 @@ bool has_rollers(const ModelTables& tables) {
 void refuse_keys_of_rollers(const Section& bearing) {
   const auto type = bearing.part({type_keys}).choice("type");
   if (type == roller_type)
-    bearing.fail("type",
-                 fmt::format("type = \"{}\": sets have ball bearings; describe a roller bearing "
-                             "alone on a rig, or in a spindle as [[shaft.roller_bearing]]",
-                             roller_type));
+    bearing.fail(
+        "type",
+        fmt::format("type = \"{}\": sets need ball bearings; a roller bearing is possible as a "
+                    "single bearing on a rig, or in a spindle as [[shaft.roller_bearing]]",
+                    roller_type));
   for (const Key& key : keys_of_rollers) {
     const toml::node* const node = bearing.find(key.name);
     if (node && !has(bearing_keys(), key.name) && key.name != width_key)
-      bearing.fail(key.name,
-                   fmt::format("{} = {}: belongs to type = \"{}\"; this is a ball bearing",
-                               key.name, text::shown(*node), roller_type));
+      bearing.fail(
+          key.name,
+          fmt::format("{} = {}: this key is only for type = \"{}\", but this is a ball bearing",
+                      key.name, text::shown(*node), roller_type));
   }
 }
 

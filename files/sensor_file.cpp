@@ -27,7 +27,7 @@ const ColumnSource& required(const text::CsvTable& table, const Recognised& foun
   if (const ColumnSource* const source = other ? found.find(*other) : nullptr) return *source;
   throw text::InputError(
       fmt::format("{}:{}: column {} is missing{}; the header has {}. A calibration has {} and {}; "
-                  "--columns FILE says which of other names are these",
+                  "for columns with other names, use --columns FILE",
                   table.source, table.header_line, channel.name,
                   text::suggestion(channel.name, table.header), text::listed(table.header),
                   reference_torque.name, calibration_signal.name),
@@ -102,13 +102,15 @@ std::string torque_sensor_text(const rig::SensorCalibration& c, std::string_view
   const Lists lists = lists_of(c);
   const auto digits = [](double value) { return fmt::format("{}", text::with_15_digits(value)); };
   return fmt::format(
-      "[torque_sensor]  # signal in V = the sum of coefficient k times M^k, M the torque in N m\n"
+      "[torque_sensor]  # signal in V = sum of c_k M^k, c_k the coefficients from k = 0, M the "
+      "torque in N m\n"
       "coefficients = [{}]\n"
       "units = [{}]\n"
       "std = [{}]\n"
       "correlation = [\n{}\n]\n"
-      "residual_std_V = {}  # of one reading; {} degrees of freedom\n"
-      "torque_from_Nm = {}  # what the calibration has seen; beyond it the tangent holds\n"
+      "residual_std_V = {}  # standard deviation of one reading; {} degrees of freedom\n"
+      "torque_from_Nm = {}  # range of the calibration; outside it, the curve continues along its "
+      "tangents\n"
       "torque_to_Nm = {}\n"
       "signal_from_V = {}\n"
       "signal_to_V = {}\n"

@@ -45,8 +45,8 @@ Eigen::VectorXd read_coefficients(const Section& s) {
   const toml::node& node = required_node(s, "coefficients");
   const std::size_t count = node.is_array() ? node.as_array()->size() : 0;
   if (count < 2 || count > std::size_t{rig::highest_sensor_degree + 1})
-    s.fail("coefficients", fmt::format("coefficients = {}: must be a list of 2 to {} numbers: the "
-                                       "coefficients of 1, M, M2 ...",
+    s.fail("coefficients", fmt::format("coefficients = {}: must be a list of 2 to {} numbers, the "
+                                       "coefficients of 1, M, M^2 ...",
                                        text::shown(node), rig::highest_sensor_degree + 1));
   const std::vector<double> list = numbers(s, "coefficients", node, count);
   const toml::node& units = required_node(s, "units");
@@ -55,9 +55,10 @@ Eigen::VectorXd read_coefficients(const Section& s) {
     const toml::node& unit = *units.as_array()->get(k);
     const std::string known = coefficient_unit(static_cast<int>(k));
     if (unit.value<std::string>() != known)
-      throw text::InputError(fmt::format("{}: units = {}: coefficient {} is in \"{}\"",
-                                         s.place(&unit), text::shown(unit), k + 1, known),
-                             s.at("units", &unit));
+      throw text::InputError(
+          fmt::format("{}: units = {}: the unit of coefficient {} must be \"{}\"", s.place(&unit),
+                      text::shown(unit), k + 1, known),
+          s.at("units", &unit));
   }
   return Eigen::Map<const Eigen::VectorXd>(list.data(), static_cast<Eigen::Index>(count));
 }
@@ -66,7 +67,7 @@ void read_zero(const Section& s, rig::TorqueSensor& sensor) {
   if (const auto value = s.number("zero_V")) sensor.zero = *value;
   if (const auto value = s.number("zero_std_V")) {
     if (!sensor.zero)
-      s.fail("zero_std_V", "zero_std_V without zero_V: it is the standard deviation of that");
+      s.fail("zero_std_V", "zero_std_V is the standard deviation of zero_V, but zero_V is missing");
     sensor.zero_std = *value;
   }
 }
@@ -99,8 +100,8 @@ rig::TorqueSensor read_calibration(const Section& table) {
   if (const auto turn =
           rig::turning_torque(sensor.coefficients, sensor.lowest_torque, sensor.highest_torque))
     s.fail("coefficients",
-           fmt::format("coefficients: the signal turns at {:.4g} N m, within torque_from_Nm and "
-                       "torque_to_Nm: one signal belongs to two torques",
+           fmt::format("coefficients: the curve changes direction at {:.4g} N m, between "
+                       "torque_from_Nm and torque_to_Nm, so one signal has two torques",
                        *turn));
   read_zero(s, sensor);
   return sensor;
@@ -126,8 +127,7 @@ rig::TorqueSensor read_file(const Section& by, const std::string& name, NamedFil
     throw text::InputError(
         path + ": has no table [torque_sensor]; raceway calibrate-sensor CSV -o FILE writes one",
         {.file = path, .key = "torque_sensor"});
-  if (s.find("file"))
-    s.fail("file", "file: this is the file that a model names, and cannot name another one");
+  if (s.find("file")) s.fail("file", "file: a file that a model names cannot name another file");
   rig::TorqueSensor sensor = read_calibration(s);
   sensor.source = path;
   return sensor;

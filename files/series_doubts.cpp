@@ -75,12 +75,11 @@ struct Clock {
   }
 
   [[nodiscard]] Doubt looks_like(const text::Unit& unit) const {
-    return {
-        .text = fmt::format("rows come every {} over {}: is time_s in {}, so that they come every "
-                            "{} over {}?",
-                            duration_text(step), duration_text(length), unit.words,
-                            duration_text(unit.factor * step), duration_text(unit.factor * length)),
-        .units = {{&record::time, unit.suffix}}};
+    return {.text = fmt::format(
+                "the rows have an interval of {} over {}: is time_s in {} (interval {} over {})?",
+                duration_text(step), duration_text(length), unit.words,
+                duration_text(unit.factor * step), duration_text(unit.factor * length)),
+            .units = {{&record::time, unit.suffix}}};
   }
 };
 
@@ -217,8 +216,8 @@ std::vector<const text::Unit*> other_units_of_spindle(const Record& data, const 
 Doubt other_unit_of_spindle(const Record& data, const Channel& channel, const text::Unit& unit) {
   if (channel == record::time) return Clock(data).looks_like(unit);
   const double fastest = extent_of(data.values(channel)).upper;
-  return {.text = fmt::format("speeds of up to {:.4g} rpm do not go with the readings, {:.4g} rpm "
-                              "do: {} in a column of rpm?",
+  return {.text = fmt::format("speeds up to {:.4g} rpm do not agree with the readings, but {:.4g} "
+                              "rpm do: are values in {} in a column of rpm?",
                               channel.in_unit(fastest),
                               channel.in_unit(unit.to_SI(channel.in_unit(fastest))), unit.words),
           .units = {{&channel, unit.suffix}}};
@@ -316,11 +315,11 @@ void look_at_displacements(const Record& data, std::vector<Doubt>& found) {
       if (!likely || apart(unit) < apart(*likely)) likely = &unit;
     }
     if (!likely) continue;
-    found.push_back({.text = fmt::format(
-                         "{} {} by {:.3g} {} for each kelvin of the warmest sensor: is it in "
-                         "{}, {:.3g} {}/K?",
-                         c.channel->name, is_angle ? "turns" : "moves", rate / um, c.channel->unit,
-                         likely->words, rate_in(*likely) / um, c.channel->unit),
+    found.push_back({.text = fmt::format("{} {} by {:.3g} {} for each kelvin of the warmest "
+                                         "sensor: are the values in {} ({:.3g} {}/K)?",
+                                         c.channel->name, is_angle ? "turns" : "moves", rate / um,
+                                         c.channel->unit, likely->words, rate_in(*likely) / um,
+                                         c.channel->unit),
                      .units = {{c.channel, likely->suffix}}});
   }
 }

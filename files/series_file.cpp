@@ -136,8 +136,8 @@ class SeriesReader {
       if (!found_.find(*c)) lacking.emplace_back(c->name);
     if (const auto near = text::nearest_name(channel.name, lacking))
       throw text::InputError(
-          fmt::format("{}:{}: column {} is no sensor of the model; did you mean {}?", table_.source,
-                      table_.header_line, channel.name, *near),
+          fmt::format("{}:{}: column {} is not a sensor of the model; did you mean {}?",
+                      table_.source, table_.header_line, channel.name, *near),
           place_in_header(table_, channel.name));
   }
 
@@ -194,8 +194,8 @@ class SeriesReader {
       cells_.bad.add(
           table_.line(row), record::time.name, table_.shown(row, source->column),
           time[row] == time[row - 1]
-              ? "stands twice within a run: time must rise"
-              : "goes back within a run: sort the rows, or tell the runs apart by run_id");
+              ? "occurs twice within a run; time must increase"
+              : "goes back within a run; sort the rows, or separate the runs with run_id");
     }
   }
 
@@ -242,15 +242,14 @@ void note_gaps(Record& result) {
   }
   if (count > 0)
     result.notes.push_back(record::note::filled_in(
-        fmt::format(
-            "{} gap{} in time, the first before {}, the longest {:.4g} s where rows come every "
-            "{:.4g} s: {}",
-            count, count == 1 ? "" : "s", result.place(first), longest, usual,
-            result.settings_hold == record::SettingsHold::until_row
-                ? "the settings of the next row apply"
-                : "temperatures are interpolated, and settings keep their value") +
+        fmt::format("{} gap{} in time, the first before {}, the longest {:.4g} s (usual interval "
+                    "{:.4g} s): {}",
+                    count, count == 1 ? "" : "s", result.place(first), longest, usual,
+                    result.settings_hold == record::SettingsHold::until_row
+                        ? "the settings of the next row apply"
+                        : "temperatures are interpolated, and settings keep their value") +
             (longest > an_hour ? ". If the machine ran during the gap, give the rows after it "
-                                 "another run_id: a run begins from rest and from a new zero"
+                                 "another run_id; a new run starts from rest with a new zero"
                                : ""),
         {.line = result.line(first)}));
 }
@@ -322,7 +321,7 @@ void fill_inputs(Record& record, const Channels& needed, bool of_spindle) {
     if (costs_rows || (!may_be_needed && static_cast<double>(count) >
                                              most_of_others * static_cast<double>(record.rows()))) {
       record.notes.push_back(record::note::unused(
-          fmt::format("{} has no value for {} of {} rows: the column is left out", channel->name,
+          fmt::format("{} has no value for {} of {} rows: the column is not used", channel->name,
                       count, record.rows()),
           place));
       std::erase_if(record.columns, [&](const auto& c) { return *c.channel == *channel; });
@@ -331,17 +330,17 @@ void fill_inputs(Record& record, const Channels& needed, bool of_spindle) {
     if (!filled.far.empty()) {
       const bool breaks = is_needed || needed.empty();
       record.notes.push_back(record::note::left_out(
-          fmt::format("{} was not read for more than {}, {}: {}", channel->name,
-                      length_text(filled.longest), rows_text(record, filled.far),
-                      breaks ? "the record is broken there, and what was measured there takes no "
-                               "part"
-                             : "the line goes on, as the model does not ask for it"),
+          fmt::format(
+              "{} has no reading for more than {}, {}: {}", channel->name,
+              length_text(filled.longest), rows_text(record, filled.far),
+              breaks ? "the record has a gap there, and the readings in this gap are not used"
+                     : "the values are interpolated, because the model does not use this column"),
           place));
       for (const std::size_t row : filled.far) broken[row] = broken[row] || breaks;
     }
     if (!filled.empty.empty())
       record.notes.push_back(
-          record::note::left_out(fmt::format("{} has no value yet: rows before it are left out, {}",
+          record::note::left_out(fmt::format("rows before the first value of {} are not used, {}",
                                              channel->name, rows_text(record, filled.empty)),
                                  place));
     for (const std::size_t row : filled.empty) empty[row] = true;
@@ -355,9 +354,9 @@ void fill_inputs(Record& record, const Channels& needed, bool of_spindle) {
     if (!empty[row]) whole.push_back(row);
   if (whole.size() == record.rows()) return;
   if (whole.empty())
-    throw text::InputError(
-        fmt::format("{}: no row has every input: {}", record.source, record.notes.back().text),
-        {.file = record.source});
+    throw text::InputError(fmt::format("{}: no row has values for all inputs: {}", record.source,
+                                       record.notes.back().text),
+                           {.file = record.source});
   record = record.picked(whole);
 }
 
@@ -377,11 +376,11 @@ void take_offsets_off(Record& record, const std::function<bool(const Channel&)>&
     for (std::size_t row = 0; row < read->values.size(); ++row)
       read->values[row] -= offset.values[row];
     record.notes.push_back(record::note::read_as(fmt::format(
-        "{1}, which the control added, is subtracted from {0}", of, offset.channel->name)));
+        "the offset of the control, {1}, is subtracted from {0}", of, offset.channel->name)));
   }
   if (!lone.empty())
     record.notes.push_back(record::note::unused(
-        fmt::format("{}: the record has no displacement of that name", text::listed(lone))));
+        fmt::format("{}: the record has no displacement for this offset", text::listed(lone))));
   std::erase_if(record.columns,
                 [](const record::Column& c) { return c.channel->kind == record::offset_kind; });
 }
@@ -407,7 +406,7 @@ class SeriesOfFiles {
         result.notes.push_back(std::move(one));
       }
     result.notes.push_back(
-        record::note::read_as(fmt::format("{} are one record of {} rows on one clock{}",
+        record::note::read_as(fmt::format("{} are joined to one record of {} rows{}",
                                           text::listed(names()), result.rows(), clock_words()),
                               {.file = result.source}));
     return in_common(std::move(result));
@@ -421,7 +420,9 @@ class SeriesOfFiles {
   }
 
   [[nodiscard]] std::string clock_words() const {
-    return files_.front()->clock_start() ? "" : ": time_s counts from the same moment in all";
+    return files_.front()->clock_start()
+               ? ""
+               : "; it is assumed that time_s has the same start in all files";
   }
 
   /// All times count from the first row of the first file.
@@ -429,15 +430,16 @@ class SeriesOfFiles {
     for (std::size_t k = 0; k < parts_.size(); ++k) {
       for (const record::Column& c : parts_[k].columns)
         if (c.channel->role == Role::run)
-          throw text::InputError(
-              fmt::format("{}: column {}: files with clocks of their own are one run",
-                          parts_[k].source, c.channel->name),
-              {.file = parts_[k].source, .key = std::string(c.channel->name)});
+          throw text::InputError(fmt::format("{}: column {}: not possible here, because files that "
+                                             "are joined by time are a single run",
+                                             parts_[k].source, c.channel->name),
+                                 {.file = parts_[k].source, .key = std::string(c.channel->name)});
       const auto &first = files_.front()->clock_start(), &own = files_[k]->clock_start();
       if (first.has_value() != own.has_value() || (first && first->kind != own->kind))
         throw text::InputError(
-            fmt::format("{} and {} have clocks that do not go together: {} and {}",
-                        parts_.front().source, parts_[k].source, words(first), words(own)),
+            fmt::format(
+                "the times of {} and {} cannot be joined, because one has {} and the other has {}",
+                parts_.front().source, parts_[k].source, words(first), words(own)),
             {.file = parts_[k].source, .key = "time_s"});
       if (!first) continue;
       for (double& t : parts_[k].find(record::time)->values) t += own->begin - first->begin;
@@ -467,7 +469,8 @@ class SeriesOfFiles {
       if (result.has(c)) {
         if (c.role == Role::kept) continue;
         throw text::InputError(
-            fmt::format("{}: {} stands in another of these files, too", part.source, c.name),
+            fmt::format("{}: {} is also in another of these files; keep one column", part.source,
+                        c.name),
             {.file = part.source, .key = std::string(c.name)});
       }
       std::vector<double> values(times_.size(), unset);
@@ -523,9 +526,9 @@ class SeriesOfFiles {
       const double last = part.values(record::time).back();
       if (last < times_.back() && is_log_of_changes(part))
         record.notes.push_back(record::note::filled_in(
-            fmt::format("{} has a row where something changed: its last row, at {:.6g} s, holds to "
-                        "the end",
-                        part.source, last),
+            fmt::format(
+                "{} has a row for each change: its last row, at {:.6g} s, applies to the end",
+                part.source, last),
             {.file = part.source, .key = "time_s"}));
       else
         end = std::min(end, last);
@@ -537,11 +540,11 @@ class SeriesOfFiles {
       throw text::InputError(fmt::format("{} have no time in common", text::listed(names())),
                              {.file = record.source, .key = "time_s"});
     if (rows.size() == record.rows()) return record;
-    record.notes.push_back(record::note::left_out(
-        fmt::format("{} rows lie before {:.6g} s or behind {:.6g} s, where one of these files has "
-                    "none, and are left out",
-                    record.rows() - rows.size(), begin, end),
-        {.file = record.source}));
+    record.notes.push_back(
+        record::note::left_out(fmt::format("{} rows before {:.6g} s or after {:.6g} s are not "
+                                           "used, because one of these files has no rows there",
+                                           record.rows() - rows.size(), begin, end),
+                               {.file = record.source}));
     return record.picked(rows);
   }
 
@@ -565,12 +568,13 @@ void require_transducers(const SeriesOfFiles::Files& files, const ColumnMap& map
   for (const Combination* c : combinations_for(map, wanted)) {
     for (const Combination::Term& t : c->terms)
       if (!is_here(t))
-        files.front()->require(*t.transducer, fmt::format(", of which {} [transducers] makes {}",
-                                                          c->place.text(), c->displacement->name));
+        files.front()->require(*t.transducer,
+                               fmt::format(", from which {} [transducers] calculates {}",
+                                           c->place.text(), c->displacement->name));
     if (here(*c->displacement))
       throw text::InputError(
-          fmt::format("{} has a column {}, which {} [transducers] makes of other columns; keep one "
-                      "of them",
+          fmt::format("{} has a column {}, which {} [transducers] calculates from other columns; "
+                      "keep one of the two",
                       files.front()->source(), c->displacement->name, c->place.text()),
           c->place);
   }
@@ -598,7 +602,7 @@ SeriesOfFiles::Files readers_of(const Source& source, const Channels& wanted,
           return std::find(absent.begin(), absent.end(), rule) == absent.end();
         }))
       throw text::InputError(
-          fmt::format("{}: no column \"{}\" in any of these files, which {} takes for {}",
+          fmt::format("{}: none of these files has the column \"{}\", which {} uses for {}",
                       source.name, rule->header, rule->place.text(), rule->key),
           rule->place);
   return files;

@@ -119,9 +119,11 @@ class ShaftReader {
     const int rear = count("rear", set_.rear).value_or(0);
     const bool tandem = d_.layout == Layout::tandem;
     if (tandem && rear > 0)
-      s_.fail("rear", fmt::format("rear = {}: a tandem has no second set", rear));
+      s_.fail("rear",
+              fmt::format("rear = {}: must be 0, because a tandem arrangement has no second set",
+                          rear));
     if (!tandem && rear == 0)
-      s_.fail("rear", "rear = 0: must be from 1 to 20; layout = \"tandem\" has none");
+      s_.fail("rear", "rear = 0: must be from 1 to 20; only layout = \"tandem\" has no rear set");
     d_.rear = read_set("rear", rear);
     read_mounting();
     read_positions();
@@ -183,12 +185,13 @@ class ShaftReader {
     if (!given) in_.note_default("mounting", "\"rigid\"");
     d_.mounting = given == "spring" ? Mounting::spring : Mounting::rigid;
     if (d_.layout == Layout::tandem && d_.mounting == Mounting::rigid)
-      s_.fail("mounting", "mounting: a tandem is held by a spring; write mounting = \"spring\"");
+      s_.fail("mounting",
+              "mounting: a tandem arrangement needs a spring; write mounting = \"spring\"");
     if (d_.mounting == Mounting::spring) {
       d_.spring_rate = number("spring_rate_N_um") * N_per_um;
     } else if (const toml::node* const rate = s_.find("spring_rate_N_um")) {
       s_.fail("spring_rate_N_um",
-              fmt::format("spring_rate_N_um = {}: only with mounting = \"spring\"",
+              fmt::format("spring_rate_N_um = {}: only possible with mounting = \"spring\"",
                           text::shown(*rate)));
     }
   }
@@ -244,9 +247,10 @@ class ShaftReader {
     if (!front && !rear) return;
     const std::string_view missing = front ? rear_position : front_position;
     if (!front || (!rear && !d_.rear.empty()))
-      throw text::InputError(fmt::format("{}: [arrangement] {} is missing: {} is given", s_.place(),
-                                         missing, front ? front_position : rear_position),
-                             s_.at(missing));
+      throw text::InputError(
+          fmt::format("{}: [arrangement] {} is missing; it is required, because {} is given",
+                      s_.place(), missing, front ? front_position : rear_position),
+          s_.at(missing));
     const auto middle = [&](std::string_view key, std::size_t count) {
       double sum = 0.0;
       for (const double position : numbers(s_, key, *s_.find(key), count)) sum += position;
@@ -257,15 +261,14 @@ class ShaftReader {
     const double apart = middle(rear_position, d_.rear.size()) - at_front;
     if (!(apart > 0.0))
       s_.fail(rear_position,
-              fmt::format("{} = {}: must be further from the nose than the bearings of {}",
+              fmt::format("{} = {}: must be further from the nose than the bearings in {}",
                           rear_position, text::shown(*s_.find(rear_position)), front_position));
     constexpr double rounding_mm = 1e-6;
     if (const auto given = s_.number("distance_mm");
         given && std::abs(*given - apart) > rounding_mm)
-      s_.fail("distance_mm",
-              fmt::format("distance_mm = {:.10g} mm: the sets are {:.10g} mm apart by {} and {}; "
-                          "leave it out",
-                          *given, apart, front_position, rear_position));
+      s_.fail("distance_mm", fmt::format("distance_mm = {0:.10g} mm: the distance from {2} and {3} "
+                                         "is {1:.10g} mm; correct or remove this key",
+                                         *given, apart, front_position, rear_position));
     positions_give_distance_ = true;
     d_.distance = apart * mm;
   }
@@ -281,13 +284,13 @@ class ShaftReader {
       if (s_.find(key)) given.emplace_back(key);
     if (given.size() != 1)
       throw text::InputError(
-          fmt::format(
-              "{}: [arrangement] {}: must be one of preload_N, preload_offset_um and preload_class",
-              s_.place(),
-              given.empty() ? "preload is missing" : text::listed(given) + " are given"),
+          fmt::format("{}: [arrangement] {}: give exactly one of preload_N, preload_offset_um and "
+                      "preload_class",
+                      s_.place(),
+                      given.empty() ? "preload is missing" : text::listed(given) + " are given"),
           s_.at(given.empty() ? "preload_N" : given.front()));
     if (d_.mounting == Mounting::spring && given[0] != "preload_N")
-      s_.fail(given[0], fmt::format("{}: a spring has a force, preload_N", given[0]));
+      s_.fail(given[0], fmt::format("{}: a spring needs a force; give preload_N", given[0]));
     if (given[0] == "preload_N") {
       d_.preload = bearing::PreloadForce{*s_.number("preload_N")};
     } else if (given[0] == "preload_offset_um") {
@@ -319,11 +322,12 @@ class ShaftReader {
     const auto fail = [&](const std::string& why) {
       s_.fail("preload_class", fmt::format("preload_class = \"{}\": {}", word, why));
     };
-    if (!b.row) fail(b.name + " is no bearing of the catalogue; give preload_N");
+    if (!b.row)
+      fail(b.name + " is not in the catalogue, so it has no preload class; give preload_N");
     const PairPreload& pair = word == "light"    ? b.row->light
                               : word == "medium" ? b.row->medium
                                                  : b.row->strong;
-    if (std::isnan(pair.force)) fail("the catalogue prints none for " + b.name);
+    if (std::isnan(pair.force)) fail("the catalogue has no preload class for " + b.name);
     return pair.force;
   }
 

@@ -181,7 +181,8 @@ void require_wall(const Section& s, const Segment& segment) {
 /// A housing's outer diameter, by either of the names that it has in the file.
 double outer_diameter_of(const Section& s) {
   const auto a = s.number("outer_diameter_mm"), b = s.number("diameter_mm");
-  if (a && b) s.fail("diameter_mm", "diameter_mm: outer_diameter_mm says it too; take one");
+  if (a && b)
+    s.fail("diameter_mm", "diameter_mm and outer_diameter_mm are the same quantity; remove one");
   if (!a && !b) s.fail_missing("outer_diameter_mm");
   return (a ? *a : *b) * mm;
 }
@@ -211,7 +212,7 @@ std::vector<model::Disk> read_disks(const Section& s) {
     // Of a thin disk; a longer body has more about its diameter, none less than half.
     if (list.back().polar_inertia > 2.0 * list.back().diametral_inertia * (1.0 + 1e-9))
       one.fail("polar_inertia_kgm2",
-               fmt::format("polar_inertia_kgm2 = {:.6g} kg m2: no body has more than twice its "
+               fmt::format("polar_inertia_kgm2 = {:.6g} kg m2: must be at most twice "
                            "diametral_inertia_kgm2 = {:.6g} kg m2",
                            list.back().polar_inertia, list.back().diametral_inertia));
   }
@@ -310,10 +311,12 @@ model::Housing read_housing(ModelTables& tables) {
   if (s.find("segment")) {
     for (const char* key : {"length_mm", "outer_diameter_mm"})
       if (s.find(key))
-        s.fail(key, fmt::format("{} = {}: the segments of [housing] say it; take one", key,
-                                text::shown(*s.find(key))));
+        s.fail(key, fmt::format("{} = {}: not possible together with segments of [housing], which "
+                                "already give this; remove one",
+                                key, text::shown(*s.find(key))));
     housing.segments = read_housing_segments(tables, s, material);
-    if (housing.segments.empty()) s.fail("segment", "segment = []: a housing has one or more");
+    if (housing.segments.empty())
+      s.fail("segment", "segment = []: a housing needs at least one segment");
   } else {
     housing.segments.push_back({.length = s.required("length_mm") * mm,
                                 .diameter = s.required("outer_diameter_mm") * mm,

@@ -106,15 +106,15 @@ class SpindleCheck {
   void check_order() const {
     for (std::size_t k = 1; k < sets_.bearings().size(); ++k)
       if (position(k) - position(k - 1) < rings_[k].width - rounding)
-        fail_bearing(k, fmt::format("stands {} behind the bearing before it; their width_mm is {}: "
-                                    "centres rise from the nose to the rear, one width apart or "
-                                    "more",
-                                    in_mm(position(k) - position(k - 1)), in_mm(rings_[k].width)));
+        fail_bearing(
+            k, fmt::format("is {} behind the previous bearing, but the ring width is {}: give the "
+                           "centres from the nose to the rear, at least one width apart",
+                           in_mm(position(k) - position(k - 1)), in_mm(rings_[k].width)));
     for (std::size_t k = sets_.bearings().size(); k < rings_.size(); ++k)
       for (std::size_t other = 0; other < k; ++other)
         if (rings_[k].front() < rings_[other].rear() - rounding &&
             rings_[other].front() < rings_[k].rear() - rounding)
-          fail_bearing(k, fmt::format("with width_mm = {} it reaches into the bearing at {}",
+          fail_bearing(k, fmt::format("with width_mm = {}, the bearing overlaps the bearing at {}",
                                       in_mm(rings_[k].width), in_mm(position(other))));
   }
 
@@ -124,11 +124,10 @@ class SpindleCheck {
                           double diameter, const char* of) {
       const double most = model::ring_yields * diameter;
       if (interference > most)
-        s.fail(key,
-               fmt::format("{} = {:.6g} um: must be {} {:.4g} um on the {} of {}, where the ring "
-                           "yields",
-                           key, sign * interference / um, sign > 0.0 ? "at most" : "at least",
-                           sign * most / um, of, in_mm(diameter)));
+        s.fail(key, fmt::format("{} = {:.6g} um: must be {} {:.4g} um on the {} of {}, because the "
+                                "ring yields beyond this value",
+                                key, sign * interference / um, sign > 0.0 ? "at most" : "at least",
+                                sign * most / um, of, in_mm(diameter)));
     };
     const std::vector<Section> rollers = tables_in(tables_.section("shaft"), "roller_bearing");
     const std::size_t first = rings_.size() - rollers.size();
@@ -175,8 +174,8 @@ class SpindleCheck {
                                     in_mm(diameter), in_mm(place), in_mm(bore)));
       if (diameter < bore - other_size)
         notes_.push_back(
-            fmt::format("the bearing at {} reaches over a part of the shaft of {}: "
-                        "its ring does not sit there",
+            fmt::format("a part of the shaft under the bearing at {} has diameter_mm = {}: the "
+                        "ring has no contact there",
                         in_mm(at), in_mm(diameter)));
     }
   }
@@ -188,8 +187,8 @@ class SpindleCheck {
                                   in_mm(rings_[k].width), housing_reach()));
     const Segment& around = *housing_.at(at);
     if (around.diameter <= outer)
-      fail_bearing(k, fmt::format("the housing has outer_diameter_mm = {} there, and the bearing "
-                                  "{}: no wall is left",
+      fail_bearing(k, fmt::format("the housing has outer_diameter_mm = {} there, but the bearing "
+                                  "has {}, so the housing has no wall",
                                   in_mm(around.diameter), in_mm(outer)));
     // Where a piece leaves it open, it is bored to the bearings of the sets.
     const double bore = std::isnan(around.bore) ? rings_.front().outer_diameter : around.bore;
@@ -203,8 +202,9 @@ class SpindleCheck {
     const model::Housing& h = spindle_.housing;
     if (!housing_.holds(h.flange - 0.5 * h.flange_length, h.flange + 0.5 * h.flange_length))
       fail("housing", "flange_mm", h.flange,
-           fmt::format("with flange_length_mm = {} it does not lie entirely on the housing: {}",
-                       in_mm(h.flange_length), housing_reach()));
+           fmt::format(
+               "with flange_length_mm = {}, the flange does not lie entirely on the housing: {}",
+               in_mm(h.flange_length), housing_reach()));
   }
 
   /// The formula of a rough contact ends at this share of the hardness.
@@ -215,8 +215,8 @@ class SpindleCheck {
     if (joint.pressure() > highest)
       tables_.section("housing").fail(
           "flange_screw_force_N",
-          fmt::format("flange_screw_force_N = {:.10g} N: {} screws press with {:.4g} MPa; with "
-                      "hardness_GPa = {:.4g} it must be at most {:.4g} MPa",
+          fmt::format("flange_screw_force_N = {:.10g} N: the contact pressure of {} screws is "
+                      "{:.4g} MPa; with hardness_GPa = {:.4g} it must be at most {:.4g} MPa",
                       joint.screw_force, joint.screws, joint.pressure() / MPa,
                       spindle_.seat.hardness / GPa, highest / MPa));
   }
@@ -273,8 +273,8 @@ class SpindleCheck {
     const double half = std::isnan(source->length) ? 0.0 : 0.5 * source->length;
     if (!shaft_.holds(source->position - half, source->position + half))
       fail(table, "position_mm", source->position,
-           fmt::format("{} long, it does not lie entirely on the shaft: {}", in_mm(2.0 * half),
-                       shaft_reach()));
+           fmt::format("with a length of {}, the part does not lie entirely on the shaft: {}",
+                       in_mm(2.0 * half), shaft_reach()));
   }
 
   void check_heated(const Section& s, const model::HeatSource& source) const {
@@ -282,11 +282,11 @@ class SpindleCheck {
     const bool on_housing = source.place == model::HeatSource::Place::housing;
     const Stack& body = on_housing ? housing_ : shaft_;
     if (!body.holds(source.position - 0.5 * source.length, source.position + 0.5 * source.length))
-      s.fail("position_mm",
-             fmt::format(
-                 "position_mm = {}: with length_mm = {} it does not lie entirely on the {}: {}",
-                 in_mm(source.position), in_mm(source.length), on_housing ? "housing" : "shaft",
-                 on_housing ? housing_reach() : shaft_reach()));
+      s.fail("position_mm", fmt::format("position_mm = {}: with length_mm = {}, the heated part "
+                                        "does not lie entirely on the {}: {}",
+                                        in_mm(source.position), in_mm(source.length),
+                                        on_housing ? "housing" : "shaft",
+                                        on_housing ? housing_reach() : shaft_reach()));
     if (std::isnan(source.radius)) return;
     const Segment& at = *body.at(source.position);
     const double from = on_housing ? bore_at(source.position) : at.bore;
@@ -371,8 +371,8 @@ class SpindleCheck {
                      inner ? "the inner ring" : "the outer ring");
       return;
     }
-    s.fail("position_mm",
-           fmt::format("position_mm = {}: no bearing stands there", in_mm(place.position)));
+    s.fail("position_mm", fmt::format("position_mm = {}: there is no bearing at this position",
+                                      in_mm(place.position)));
   }
 
   const ModelTables& tables_;

@@ -59,24 +59,26 @@ void read_nodes(const Section& s, Network& network) {
     const auto name = one.text("name");
     if (!name || name->empty()) one.fail("name", "[network.node] name is missing");
     if (!names_a_column(*name))
-      one.fail("name", fmt::format("name = \"{}\": must be letters, digits and _, since it gives "
-                                   "the column NAME_temperature_C",
+      one.fail("name", fmt::format("name = \"{}\": must be letters, digits and _, because it "
+                                   "becomes part of the column NAME_temperature_C",
                                    *name));
     for (const Network::Node& other : network.nodes)
       if (other.name == *name)
-        one.fail("name", fmt::format("name = \"{}\": another node has this name", *name));
+        one.fail(
+            "name",
+            fmt::format("name = \"{}\": another node has this name; choose another name", *name));
     Network::Node node{.name = *name};
     if (const auto value = one.number("temperature_C")) node.temperature = kelvin(*value);
     one.take("capacity_J_K", node.capacity);
     if (std::isnan(node.capacity) == std::isnan(node.temperature))
-      one.fail("capacity_J_K",
-               fmt::format("node {}: must have one of capacity_J_K and temperature_C, of a body "
-                           "that is held at it",
-                           *name));
+      one.fail("capacity_J_K", fmt::format("node {}: give either capacity_J_K or temperature_C "
+                                           "(for a body at constant temperature)",
+                                           *name));
     node.heat = one.value("heat_W");
     network.nodes.push_back(std::move(node));
   }
-  if (network.nodes.empty()) s.fail("node", "[network] has no node: give [[network.node]]");
+  if (network.nodes.empty())
+    s.fail("node", "[network] has no node: give at least one [[network.node]]");
 }
 
 /// From where heat can leave: a body that no link leads to from one that is held warms for ever.
@@ -97,12 +99,12 @@ void require_ways_out(const Section& s, const Network& network, std::size_t writ
                     [&](const Network::Link& l) { return l.from == k || l.to == k; });
     if (reached[k] && linked) continue;
     nodes[k].fail(
-        "name", linked
-                    ? fmt::format("node {}: no links lead from it to a body that is held at a "
-                                  "temperature (temperature_C, ambient, machine); its heat "
-                                  "would go nowhere",
-                                  network.nodes[k].name)
-                    : fmt::format("node {}: no [[network.link]] names it", network.nodes[k].name));
+        "name",
+        linked
+            ? fmt::format("node {}: no link leads to a body at constant temperature "
+                          "(temperature_C, ambient, machine), so the heat cannot leave this node",
+                          network.nodes[k].name)
+            : fmt::format("node {}: no [[network.link]] names this node", network.nodes[k].name));
   }
 }
 
@@ -117,11 +119,10 @@ std::vector<KeyTable> network_tables() {
 std::vector<model::ThermometerPlace> sensors_of_network(const ModelTables& tables,
                                                         const Network& network) {
   for (const Section& s : sensor_sections(tables))
-    throw text::InputError(
-        fmt::format("{}: [[sensor]]: a [network] gives the temperature of each of its "
-                    "nodes; take the sensor out",
-                    s.place()),
-        s.at());
+    throw text::InputError(fmt::format("{}: [[sensor]]: a [network] already gives the temperature "
+                                       "of each node; remove the sensor",
+                                       s.place()),
+                           s.at());
   std::vector<model::ThermometerPlace> sensors;
   for (const Network::Node& node : network.nodes) sensors.push_back({.name = node.name});
   return sensors;
@@ -137,7 +138,7 @@ model::Network read_network(const ModelTables& tables, const model::Ambient& amb
                        .to = node_of(network, one, "to", ambient),
                        .conductance = one.required("conductance_W_K")};
     if (link.from == link.to)
-      one.fail("to", fmt::format("to = \"{}\": a link leads from one node to another one",
+      one.fail("to", fmt::format("to = \"{}\": a link must connect two different nodes",
                                  network.nodes[link.to].name));
     network.links.push_back(link);
   }

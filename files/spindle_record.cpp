@@ -33,11 +33,11 @@ void refuse_loads(const record::Record& record, const model::Spindle& spindle) {
   };
   if (!spindle.belt)
     refuse(record::belt_force,
-           "the model has no belt: give [drive] belt_force_N, 0 if need be, and position_mm");
+           "the model has no belt: give [drive] position_mm and belt_force_N (0 is allowed)");
   if (spindle.network)
     for (const record::Channel* load :
          {&record::axial_load, &record::radial_load, &record::nose_moment})
-      refuse(*load, "a [network] has no shaft that carries a load");
+      refuse(*load, "a model with [network] has no shaft, so it cannot carry a load");
 }
 
 /// Refuses a record without a column that a formula of heat goes by. Loads are 0 without one.
@@ -49,8 +49,9 @@ void require_power(const record::Record& record, const model::Spindle& spindle) 
       if (model::heat_variables[k] == record::motor_power.name &&
           !(table == "motor" && record.has(record::motor_heat)))
         throw text::InputError(
-            fmt::format("{}: column {} is missing: the heat of {} is \"{}\"", record.source,
-                        record::motor_power.name, source.name, source.formula->text()),
+            fmt::format("{}: column {} is missing, which the heat of {} needs: \"{}\"",
+                        record.source, record::motor_power.name, source.name,
+                        source.formula->text()),
             {.file = record.source, .key = std::string(record::motor_power.name)});
   };
   if (spindle.motor) look(*spindle.motor, "motor");
@@ -70,10 +71,11 @@ record::Record read_spindle_record(const Source& source, const model::Spindle& s
   record::Record record = read_series(source, spindle::measured_channels(spindle), {&record::speed},
                                       of_spindle(options));
   if (!options.columns.settings_hold && settings_change(record))
-    record.notes.push_back(record::note::assumed(
-        "the settings of a row are taken to hold since the row before it; settings_hold = \"until "
-        "row\" in [columns] confirms that, \"from row\" is for a programme of events",
-        {.key = "settings_hold"}));
+    record.notes.push_back(
+        record::note::assumed("it is assumed that the settings of a row apply from the previous "
+                              "row to this row; set settings_hold = \"until row\" in [columns] to "
+                              "confirm this, or \"from row\" for a programme of events",
+                              {.key = "settings_hold"}));
   refuse_loads(record, spindle);
   require_power(record, spindle);
   return record;

@@ -89,15 +89,15 @@ void read_rings(ModelTables& tables, const NamedBearing& bearing, Spindle& spind
          UsedDefault::Origin::catalogue);
   else
     take(spindle.bearing_width, "width_mm", 0.5 * (g.outer_diameter - g.bore),
-         "default: half of outer diameter - bore");
+         "default: (outer diameter - bore) / 2");
   take(spindle.inner_ring_shoulder, "inner_ring_shoulder_mm",
        g.pitch_diameter - 0.7 * g.ball_diameter);
   take(spindle.outer_ring_shoulder, "outer_ring_shoulder_mm",
        g.pitch_diameter + 0.7 * g.ball_diameter);
   const auto require = [&](const char* key, double value, double lower, double upper) {
     if (!(value > lower && value < upper))
-      s.fail(key, fmt::format("{} = {:.6g} mm: must be between {:.6g} and {:.6g} mm, the ring's "
-                              "other diameter and the pitch circle",
+      s.fail(key, fmt::format("{} = {:.6g} mm: must be between {:.6g} and {:.6g} mm, the other "
+                              "diameter of the ring and the pitch diameter",
                               key, value / mm, std::min(lower, upper) / mm,
                               std::max(lower, upper) / mm));
   };
@@ -126,8 +126,8 @@ void read_positions(const ModelTables& tables, const model::Shaft& shaft, Spindl
   const auto read = [&](const char* key, std::size_t count) {
     if (!s.find(key)) {
       if (spindle.network) return std::vector<double>();
-      throw MissingKey(fmt::format("{}: [arrangement] {} is missing: centres of the bearings "
-                                   "behind the nose face, a list of {}",
+      throw MissingKey(fmt::format("{}: [arrangement] {} is missing: give a list of {} with the "
+                                   "distances of the bearing centres behind the nose face",
                                    s.place(), key, count),
                        s.at(key));
     }
@@ -171,15 +171,17 @@ bool is_spindle(const ModelTables& tables) {
   if (has("network"))
     for (const char* other :
          {"shaft", "housing", "gap", "motor", "drive", "heat", "coolant", "seat"})
-      if (has(other)) fail(other, "a [network] stands in place of a geometry; take one of the two");
+      if (has(other))
+        fail(other,
+             "not possible together with [network], which replaces the geometry; remove one of the "
+             "two");
   if (!has("network") && has("shaft") != has("housing"))
     fail(has("shaft") ? "shaft" : "housing",
          "a spindle has both [shaft] and [housing]; the other one is missing");
   const bool spindle = has("network") || has("shaft");
   if (!spindle)
     for (const std::string& name : tables_of_spindle())
-      if (has(name))
-        fail(name, "belongs to a spindle, which a model is with [shaft] and [housing]");
+      if (has(name)) fail(name, "only possible for a spindle, which needs [shaft] and [housing]");
   return spindle;
 }
 
@@ -196,13 +198,14 @@ Keys spindle_keys(std::string_view table, bool spindle) {
 model::Spindle read_spindle(ModelTables& tables, const NamedBearing& bearing,
                             const model::Shaft* shaft, Names& notes) {
   if (!shaft)
-    throw MissingKey(fmt::format("{}: table [arrangement] is missing; a spindle has its sets of "
-                                 "bearings there",
-                                 tables.source()),
-                     {.file = tables.source(), .key = "arrangement"});
+    throw MissingKey(
+        fmt::format("{}: table [arrangement] is missing; it gives the bearing sets of the spindle",
+                    tables.source()),
+        {.file = tables.source(), .key = "arrangement"});
   if (shaft->arrangement.design().rear.empty())
     tables.section("arrangement")
-        .fail("layout", "layout = \"tandem\": a spindle has a front and a rear set");
+        .fail("layout",
+              "layout = \"tandem\": not possible, because a spindle needs a front and a rear set");
   Spindle spindle;
   read_name(tables, bearing.name, spindle);
   read_rings(tables, bearing, spindle);

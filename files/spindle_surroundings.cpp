@@ -129,7 +129,7 @@ using model::ThermometerPlace;
   std::string hint;
   if (!error.unknown_name.empty()) {
     hint = text::suggestion(error.unknown_name, known);
-    hint += "; a formula of heat knows " + text::listed(known);
+    hint += "; a formula of heat can use " + text::listed(known);
   }
   s.fail("heat_W", fmt::format("[{}] heat_W: {}{}\n  {}\n  {:>{}}", s.name(), error.what(), hint,
                                formula, "^", error.position + 1));
@@ -143,11 +143,11 @@ void require_heat(const Section& s, const record::Expression& heat) {
       values.push_back(model::heat_variables[name] == "speed_rpm" ? speed_rpm : 0.0);
     const double watts = heat(values);
     if (!std::isfinite(watts) || watts < 0.0)
-      s.fail("heat_W", fmt::format("[{}] heat_W = \"{}\": gives {} at {} rpm without load: must be "
-                                   "a number of watts from 0",
+      s.fail("heat_W", fmt::format("[{}] heat_W = \"{}\": the value is {} at {} rpm without load; "
+                                   "it must be 0 W or more",
                                    s.name(), heat.text(),
                                    std::isfinite(watts) ? fmt::format("{:.6g} W", watts)
-                                                        : std::string("no number"),
+                                                        : std::string("not a number"),
                                    speed_rpm));
   }
 }
@@ -159,7 +159,7 @@ void read_heat(ModelTables& tables, const Section& s, model::HeatSource& source)
   if (!node) {
     // A record may bring that of the motor; a drive without heat and belt says nothing.
     if (s.name() != "motor" && !s.find("belt_force_N"))
-      s.fail_missing("heat_W", ", a number or a formula as \"0.015*speed_rpm\"");
+      s.fail_missing("heat_W", ", a number or a formula such as \"0.015*speed_rpm\"");
     tables.note_default(s.name(), "heat_W", "0");
     source.watts = 0.0;
   } else if (number) {
@@ -167,7 +167,8 @@ void read_heat(ModelTables& tables, const Section& s, model::HeatSource& source)
   }
   if (number) {
     if (s.find("heat_factor"))
-      s.fail("heat_factor", "heat_factor: belongs to a formula, and heat_W is a number");
+      s.fail("heat_factor",
+             "heat_factor: only possible if heat_W is a formula, but heat_W is a number");
     return;
   }
   const std::string formula = *s.text("heat_W");
@@ -209,13 +210,13 @@ void read_heated_place(ModelTables& tables, const Section& s, std::size_t index,
   const auto refuse = [&](const char* key, const char* why) {
     if (s.find(key)) s.fail(key, fmt::format("{}: at = \"{}\" {}", key, *at, why));
   };
-  if (!solid) refuse("radius_mm", "has no radius; \"shaft\" and \"housing\" have one");
+  if (!solid) refuse("radius_mm", "has no radius; only \"shaft\" and \"housing\" have a radius");
   if (source.place == Place::bearing) {
-    refuse("position_mm", "says where it is");
-    refuse("length_mm", "says how long it is");
+    refuse("position_mm", "already gives the position");
+    refuse("length_mm", "already gives the length");
   }
   if (solid || source.place == Place::pulley || source.place == Place::seal)
-    refuse("shaft_share", "has one part; a motor and a bearing have two");
+    refuse("shaft_share", "has only one part; only a motor or a bearing has a share");
   const bool spanned = s.find("position_mm") || s.find("length_mm");
   for (const char* key : {"position_mm", "length_mm"})
     if ((solid || spanned) && !s.find(key)) s.fail_missing(key);
@@ -238,7 +239,7 @@ void require_liquid(const Section& s, model::Fluid fluid, double inlet) {
       !(inlet >= model::water_freezes && inlet <= model::water_boils))
     s.fail("inlet_temperature_C",
            fmt::format("inlet_temperature_C = {:.6g} C: must be from {:g} to {:g} C for fluid = "
-                       "\"water\", which freezes below and boils above it",
+                       "\"water\", because water freezes or boils outside this range",
                        celsius(inlet), celsius(model::water_freezes), celsius(model::water_boils)));
 }
 
@@ -258,7 +259,7 @@ void read_channel(ModelTables& tables, const Section& s, const std::string& addr
   s.take("throttle_diameter_mm", coolant.throttle_diameter, mm);
   if (coolant.pitch < coolant.channel_width)
     s.fail("pitch_mm", fmt::format("pitch_mm = {:.10g} mm: must be at least channel_width_mm = "
-                                   "{:.10g} mm, or the turns of the channel run into each other",
+                                   "{:.10g} mm, because the turns of the channel must not overlap",
                                    coolant.pitch / mm, coolant.channel_width / mm));
   if (coolant.end <= coolant.start)
     s.fail("end_mm", fmt::format("end_mm = {:.10g} mm: must be above start_mm = {:.10g} mm",
@@ -276,17 +277,19 @@ ThermometerPlace::Part part_of(const Section& s) {
 
 std::string sensor_name(const Section& s, const std::vector<ThermometerPlace>& before) {
   const auto name = s.text("name");
-  if (!name) s.fail("name", "[sensor] name is missing: it gives the column NAME_temperature_C");
+  if (!name)
+    s.fail("name", "[sensor] name is missing: it becomes part of the column NAME_temperature_C");
   const auto fail = [&](const std::string& why) {
     s.fail("name", fmt::format("name = \"{}\": {}", *name, why));
   };
   if (!names_a_column(*name))
-    fail("must be letters, digits and _, since it gives the column NAME_temperature_C");
+    fail("must be letters, digits and _, because it becomes part of the column NAME_temperature_C");
   for (const char* taken : {"ambient", "machine", "coolant_inlet", "inner_ring", "outer_ring"})
     if (*name == taken)
-      fail(fmt::format("{}_temperature_C is a column of its own; take another name", taken));
+      fail(
+          fmt::format("raceway already has a column {}_temperature_C; choose another name", taken));
   for (const ThermometerPlace& other : before)
-    if (other.name == *name) fail("another sensor has this name");
+    if (other.name == *name) fail("another sensor has this name; choose another name");
   return *name;
 }
 
@@ -349,15 +352,17 @@ std::vector<model::Circuit> read_circuits(ModelTables& tables, const model::Cool
   std::vector<model::Circuit> list;
   for (const Section& s : circuit_sections(tables)) {
     const auto name = s.text("name");
-    if (!name) s.fail("name", "[coolant.circuit] name is missing: it names columns of the result");
+    if (!name)
+      s.fail("name",
+             "[coolant.circuit] name is missing: it becomes part of column names of the result");
     const auto fail = [&](const char* why) {
       s.fail("name", fmt::format("name = \"{}\": {}", *name, why));
     };
     if (!names_a_column(*name)) fail("must be letters, digits and _");
     for (const char* taken : {"coolant", "air", "machine"})
-      if (*name == taken) fail("heat_to_NAME_W is a column of its own; take another name");
+      if (*name == taken) fail("raceway already has a column heat_to_NAME_W; choose another name");
     for (const model::Circuit& other : list)
-      if (other.name == *name) fail("another circuit has this name");
+      if (other.name == *name) fail("another circuit has this name; choose another name");
     const std::string address = fmt::format("coolant.circuit[{}]", list.size());
     model::Circuit circuit{.name = *name, .channel = {.fluid = first.fluid}};
     if (const auto fluid = s.choice("fluid"))
@@ -400,15 +405,15 @@ std::vector<model::HeatSource> read_heat_sources(ModelTables& tables, const Name
   for (const Section& s : heat_sections(tables, {heat_keys})) {
     model::HeatSource source;
     const auto name = s.text("name");
-    if (!name) s.fail("name", "[heat] name is missing: it gives the column NAME_heat_W");
+    if (!name) s.fail("name", "[heat] name is missing: it becomes part of the column NAME_heat_W");
     const auto fail = [&](const char* why) {
       s.fail("name", fmt::format("name = \"{}\": {}", *name, why));
     };
     if (!names_a_column(*name)) fail("must be letters, digits and _");
     for (const char* taken : {"motor", "drive"})
-      if (*name == taken) fail("is the name of another table; take another one");
+      if (*name == taken) fail("is the name of another table; choose another name");
     for (const model::HeatSource& other : list)
-      if (other.name == *name) fail("another source of heat has this name");
+      if (other.name == *name) fail("another source of heat has this name; choose another name");
     source.name = *name;
     read_heat(tables, s, source);
     read_heated_place(tables, s, list.size(), bearings, source);
@@ -423,8 +428,8 @@ std::optional<model::Belt> read_belt(const ModelTables& tables) {
   if (!force) {
     if (s.find("belt_angle_deg"))
       s.fail("belt_angle_deg",
-             "belt_angle_deg: belongs to belt_force_N, which is missing; belt_force_N = 0 leaves "
-             "the force to programmes");
+             "belt_angle_deg: belt_force_N is missing; set belt_force_N = 0 if speed programmes "
+             "give the force");
     return std::nullopt;
   }
   return model::Belt{.force = *force,

@@ -44,7 +44,7 @@ constexpr LoadColumn of_speed{"speed_rpm", "speed", "n",      text::Dimension::s
                               rpm,         0.0,     1e6 * rpm};
 constexpr std::string_view name_column = "load_case";
 constexpr std::string_view is_no_reading =
-    "is no reading, but a number that is written in the place of one";
+    "is not a reading, but a number that marks a missing reading";
 
 struct FoundLoadColumn {
   std::size_t at;
@@ -101,11 +101,10 @@ void finish_load(LoadCase& load) {
   std::vector<double> time, displacement;
   for (const std::size_t k : order) {
     if (!time.empty() && time.back() == load.time[k])
-      throw text::InputError(
-          fmt::format("{}: load case {}: the time {:.6g} s stands twice; give each "
-                      "load case a load_case of its own",
-                      load.place.text(), load.name, load.time[k]),
-          load.place);
+      throw text::InputError(fmt::format("{}: load case {}: the time {:.6g} s occurs twice; give "
+                                         "each load case a different load_case",
+                                         load.place.text(), load.name, load.time[k]),
+                             load.place);
     time.push_back(load.time[k]);
     displacement.push_back(load.displacement[k]);
   }
@@ -161,8 +160,8 @@ std::vector<LoadCase> load_cases(const text::CsvTable& table) {
       if (speed.empty()) continue;
       if (!std::isnan(load.speed) && speed[row] != load.speed)
         throw text::InputError(
-            fmt::format("{}:{}: load case {}: its speed changes from {:.6g} to {:.6g} rpm; a step "
-                        "response has one",
+            fmt::format("{}:{}: load case {}: the speed changes from {:.6g} to {:.6g} rpm; a step "
+                        "response must have one speed",
                         table.source, table.line(row), load.name, load.speed / rpm,
                         speed[row] / rpm),
             {.file = table.source, .line = table.line(row), .key = table.header[speed_at->at]});
@@ -188,13 +187,13 @@ std::string read_named_load(const std::string& given, LoadCase& load) {
   if (digits == load.name.npos) throw fail("the load has no unit");
   const text::ParsedNumber number = text::parse_number(load.name.substr(0, digits), false);
   const std::string_view spelling = text::trimmed(std::string_view(load.name).substr(digits));
-  if (!number.problem.empty() || !(number.value >= 0.0)) throw fail("the load is no number");
+  if (!number.problem.empty() || !(number.value >= 0.0)) throw fail("the load is not a number");
   if (const text::Unit* const power = text::find_unit(spelling, text::Dimension::power))
     load.power_start = load.power_end = power->to_SI(number.value);
   else if (const text::Unit* const speed = text::find_unit(spelling, text::Dimension::speed))
     load.speed = speed->to_SI(number.value);
   else
-    throw fail(fmt::format("{} is no unit of a power or a speed", text::quoted(spelling)));
+    throw fail(fmt::format("{} is not a unit of power or speed", text::quoted(spelling)));
   return given.substr(equals + 1);
 }
 
@@ -263,8 +262,8 @@ HistoryUnits history_units(std::string_view text, const std::string& flag) {
           : text::find_unit(text::trimmed(text.substr(comma + 1)), text::Dimension::length);
   if (!time || !length)
     throw text::InputError(
-        fmt::format("{} {}: must be a unit of time and one of length, as s,um or min,mm", flag,
-                    text::quoted(text)),
+        fmt::format("{} {}: must be a unit of time and a unit of length, such as s,um or min,mm",
+                    flag, text::quoted(text)),
         {.key = flag});
   return {time->factor, length->factor};
 }
@@ -307,7 +306,8 @@ LoadCase read_history(const std::string& given, const HistoryUnits& units) {
   bad.throw_if_any();
   if (load.time.empty())
     throw text::InputError(
-        fmt::format("{}: has no row of two numbers, time and displacement", load.place.file),
+        fmt::format("{}: the file has no row with two numbers, time and displacement",
+                    load.place.file),
         load.place);
   finish_load(load);
   return load;

@@ -53,7 +53,8 @@ std::string plain_table_text(const friction::StribeckTable& table) {
 
 std::string modelica_table_text(const friction::StribeckTable& table, std::string_view title) {
   if (table.slab.count != 1)
-    throw text::InputError("a Modelica table is the whole table, no slab: join the slabs first");
+    throw text::InputError(
+        "a Modelica table needs the whole table, not a slab: join the slabs first");
   const friction::TableAxes& axes = table.axes;
   const bool one = axes.radial_load.size() == 1 && axes.temperature.size() == 1;
   const bool curve = axes.axial_load.size() == 1;
@@ -84,10 +85,10 @@ std::string modelica_table_text(const friction::StribeckTable& table, std::strin
         for (std::size_t a = 0; a < axes.axial_load.size(); ++a) {
           const double moment = table.friction_moment[table.index(s, a, r, t)];
           if (std::isnan(moment))
-            throw text::InputError(fmt::format(
-                "a Modelica table has no empty places, and there is no value at {:.6g} rpm, {:.6g} "
-                "N: take a smaller range",
-                axes.speed[s] / rpm, axes.axial_load[a]));
+            throw text::InputError(
+                fmt::format("a Modelica table needs a value at each point, but there is none at "
+                            "{:.6g} rpm, {:.6g} N: use a smaller range",
+                            axes.speed[s] / rpm, axes.axial_load[a]));
           fmt::format_to(put, " {:.12g}", moment);
         }
         out.push_back('\n');

@@ -91,20 +91,22 @@ SlabFile slab_file(const SlabText& file) {
   }
   if (slab.count == 0)
     throw text::InputError(
-        file.name + ": is no slab of a table; raceway table --slab writes such files",
+        file.name + ": the file is not a slab of a table; raceway table --slab writes slabs",
         {.file = file.name});
   slab.rows = text.substr(begin);
   const auto rows = static_cast<std::size_t>(std::count(slab.rows.begin(), slab.rows.end(), '\n'));
   if (rows != slab.points || (!slab.rows.empty() && slab.rows.back() != '\n'))
-    throw text::InputError(fmt::format("{}: {} of its {} points are there; was it cut off?",
-                                       file.name, rows, slab.points),
-                           {.file = file.name});
+    throw text::InputError(
+        fmt::format("{}: the file has only {} of its {} points; was it truncated?", file.name, rows,
+                    slab.points),
+        {.file = file.name});
   return slab;
 }
 
 /// What makes b a slab of another table than a; empty if nothing.
 std::string stranger(const SlabFile& a, const SlabFile& b) {
-  if (a.count != b.count) return fmt::format("one of {} slabs, the other of {}", a.count, b.count);
+  if (a.count != b.count)
+    return fmt::format("one belongs to {} slabs, the other to {}", a.count, b.count);
   if (a.of != b.of || a.grid != b.grid) return "other speeds, loads or temperatures";
   if (a.head != b.head) return "another model, version or columns";
   return {};
@@ -117,7 +119,7 @@ std::size_t place_on(const std::vector<double>& axis, double value) {
 }  // namespace
 
 std::string merged_table_text(const std::vector<SlabText>& slabs) {
-  if (slabs.empty()) throw text::InputError("raceway table: --merge names no slabs");
+  if (slabs.empty()) throw text::InputError("raceway table: --merge needs the names of the slabs");
   std::vector<SlabFile> files;
   for (const SlabText& slab : slabs) files.push_back(slab_file(slab));
   std::sort(files.begin(), files.end(),
@@ -130,7 +132,7 @@ std::string merged_table_text(const std::vector<SlabText>& slabs) {
           {.file = file.name});
   for (std::size_t k = 1; k < files.size(); ++k)
     if (files[k].index == files[k - 1].index)
-      throw text::InputError(fmt::format("slab {}/{} comes twice: {} and {}", files[k].index,
+      throw text::InputError(fmt::format("slab {}/{} is given twice: {} and {}", files[k].index,
                                          first.count, files[k - 1].name, files[k].name),
                              {.file = files[k].name});
   std::size_t size = first.head.size(), points = 0, next = 1;  // the first that is missing
@@ -143,9 +145,10 @@ std::string merged_table_text(const std::vector<SlabText>& slabs) {
     throw text::InputError(fmt::format("{} of {} slabs are missing: the first is {}/{}",
                                        first.count - files.size(), first.count, next, first.count));
   if (points != first.of)
-    throw text::InputError(fmt::format("{}: the slabs have {} points together, the table has {}",
-                                       first.name, points, first.of),
-                           {.file = first.name});
+    throw text::InputError(
+        fmt::format("{}: the slabs have {} points in total, but the table has {}", first.name,
+                    points, first.of),
+        {.file = first.name});
   std::string text;
   text.reserve(size);
   text += first.head;
@@ -157,7 +160,8 @@ void refuse_slab(const text::CsvTable& csv) {
   for (const std::string& comment : csv.comments)
     if (comment.starts_with(slab_mark))
       throw text::InputError(
-          csv.source + ": is one slab of a table; raceway table --merge joins all of them",
+          csv.source +
+              ": the file is only one slab of a table; join all slabs with raceway table --merge",
           {.file = csv.source});
 }
 
@@ -192,7 +196,7 @@ std::vector<std::size_t> points_of_rows(const text::CsvTable& csv, const TableIn
     const auto [twin, is_new] = row_of_index.emplace(index, i);
     if (!is_new)
       throw text::InputError(
-          fmt::format("{}:{}: the point {} stands in line {} already", source, csv.line(i),
+          fmt::format("{}:{}: the point {} is already in line {}", source, csv.line(i),
                       shown(table.point(index)), csv.line(twin->second)),
           {.file = source, .line = csv.line(i)});
     point_of_row.push_back(index);
@@ -202,11 +206,10 @@ std::vector<std::size_t> points_of_rows(const text::CsvTable& csv, const TableIn
     std::size_t missing = 0;
     while (row_of_index.count(missing) > 0) ++missing;
     throw text::InputError(
-        fmt::format(
-            "{}: the grid is not complete: {} speeds x {} axial loads x {} radial loads x {} "
-            "temperatures are {} points, the file has {}; missing is {}",
-            source, axes[0]->size(), axes[1]->size(), axes[2]->size(), axes[3]->size(), size, rows,
-            shown(table.point(missing))),
+        fmt::format("{}: the grid is incomplete: {} speeds x {} axial loads x {} radial loads x {} "
+                    "temperatures are {} points, but the file has {}; for example, {} is missing",
+                    source, axes[0]->size(), axes[1]->size(), axes[2]->size(), axes[3]->size(),
+                    size, rows, shown(table.point(missing))),
         {.file = source});
   }
   return point_of_row;

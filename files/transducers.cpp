@@ -70,15 +70,15 @@ class TransducerReader {
                                 "displacement_NAME_urad",
                                 name));
     if (!node.is_table() || node.as_table()->empty())
-      s_.fail(name, fmt::format("[transducers] {} = {}: must be transducers with their factors, as "
-                                "{{ x1_um = 0.5, x2_um = 0.5 }}",
+      s_.fail(name, fmt::format("[transducers] {} = {}: must be transducers with their factors, "
+                                "such as {{ x1_um = 0.5, x2_um = 0.5 }}",
                                 name, text::shown(node)));
     Combination made{.displacement = displacement, .place = s_.at(name)};
     for (const auto& [key, factor] : *node.as_table()) {
       const Channel* const transducer = record::transducer_channel(key.str());
       if (!transducer)
-        s_.fail(name, fmt::format("[transducers] {}: {}: a transducer is a name that ends in _um, "
-                                  "as x1_um; its column may be in another unit of length",
+        s_.fail(name, fmt::format("[transducers] {}: {}: the name of a transducer must end in _um, "
+                                  "such as x1_um; its column can have another unit of length",
                                   name, key.str()));
       const auto value = factor.value<double>();
       if (!factor.is_number() || !(std::abs(*value) <= largest_factor))
@@ -98,8 +98,8 @@ class TransducerReader {
         });
       });
       if (!used)
-        throw text::InputError(fmt::format("{}: [transducers] {}: its factors are all 0, so that "
-                                           "it is not used: take it out",
+        throw text::InputError(fmt::format("{}: [transducers] {}: all factors of this transducer "
+                                           "are 0, so it is not used; remove it",
                                            s_.place(), transducer->name),
                                s_.at());
     }
@@ -120,9 +120,10 @@ class TransducerReader {
         for (const Eigen::VectorXd& other : before) row -= other.dot(row) * other;
       if (!(row.norm() > nothing * size))
         throw text::InputError(
-            fmt::format("{}: [transducers] {} {}: {} transducers do not tell it from the others",
+            fmt::format("{}: [transducers] {} {}: the {} transducers cannot separate this "
+                        "displacement from the others",
                         c.place.text(), c.displacement->name,
-                        size == 0.0 ? "has factors of 0 alone"
+                        size == 0.0 ? "has only factors of 0"
                                     : fmt::format("follows from {}", text::listed(names)),
                         all.size()),
             c.place);
@@ -186,7 +187,7 @@ void combine_transducers(record::Record& record, const ColumnMap& map,
 
 std::string transducers_text(const ColumnMap& map) {
   if (map.transducers.empty()) return {};
-  std::string text = "[transducers]  # factors in um/um, of angles in urad/um\n";
+  std::string text = "[transducers]  # factors in um/um; for angles in urad/um\n";
   for (const Combination& c : map.transducers) {
     Names terms;
     for (const Combination::Term& t : c.terms)

@@ -17,21 +17,22 @@ void refuse_what_is_no_formula(const std::string& text) {
     throw FormulaError(what, where, "");
   };
   if (const std::size_t at = text.find("**"); at != text.npos)
-    refuse("** is no operator here; a power is written x^2", at);
+    refuse("** is not an operator in formulas; write a power as x^2", at);
   for (std::size_t at = text.find('='); at != text.npos; at = text.find('=', at + 1)) {
     const char before = at > 0 ? text[at - 1] : ' ';
     if (at + 1 < text.size() && text[at + 1] == '=')
       ++at;
     else if (before != '<' && before != '>' && before != '!')
-      refuse("= gives a value to a name, which a formula cannot; == compares", at);
+      refuse("a formula cannot assign a value with =; write == to compare", at);
   }
   int depth = 0;
   for (std::size_t at = 0; at < text.size(); ++at) {
     depth += text[at] == '(' ? 1 : text[at] == ')' ? -1 : 0;
     if (text[at] == ',' && depth <= 0)
-      refuse("a comma stands between the arguments of a function only; decimals have a point, 1.5",
-             at);
-    if (text[at] == ';') refuse("a formula is one expression, without ;", at);
+      refuse(
+          "a comma may only separate the arguments of a function; write decimals with a point, 1.5",
+          at);
+    if (text[at] == ';') refuse("a formula is a single expression; remove the ;", at);
   }
 }
 

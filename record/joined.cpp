@@ -54,7 +54,7 @@ Record joined(std::vector<Record> records) {
   for (const Record& r : records)
     if (r.settings_hold != records.front().settings_hold)
       throw std::invalid_argument(r.source +
-                                  ": its settings hold between other rows than the settings of " +
+                                  ": in this record, settings_hold differs from settings_hold of " +
                                   records.front().source);
   std::sort(records.begin(), records.end(),
             [](const Record& a, const Record& b) { return a.source < b.source; });

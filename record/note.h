@@ -52,66 +52,70 @@ inline constexpr NoteCode read_as{"read-as", NoteKind::note,
                                   "how a file, a column or a unit was read"};
 inline constexpr NoteCode unused{"unused", NoteKind::note, "a column or key that is not used"};
 inline constexpr NoteCode filled_in{"filled-in", NoteKind::note,
-                                    "a value that stands for one that the file does not have"};
+                                    "a value that replaces a missing value of the file"};
 inline constexpr NoteCode left_out{"left-out", NoteKind::note,
-                                   "rows or readings that take no part"};
-inline constexpr NoteCode averaged{"averaged", NoteKind::note, "rows that became one"};
+                                   "rows or readings that are not used"};
+inline constexpr NoteCode averaged{"averaged", NoteKind::note,
+                                   "rows that were averaged to one row"};
 inline constexpr NoteCode defaults{"defaults", NoteKind::note, "number of defaults of the model"};
 inline constexpr NoteCode assumed{"assumed", NoteKind::note,
-                                  "what was taken for granted, chosen or refitted"};
-inline constexpr NoteCode odd_value{"odd-value", NoteKind::note,
-                                    "a value of the model or the question that is unusual or not "
-                                    "consistent; it is used as it stands"};
-inline constexpr NoteCode band{"band", NoteKind::note, "confidence of the numbers that follow"};
-inline constexpr NoteCode load_limit{"load-limit", NoteKind::note,
-                                     "a load, pressure or contact angle beyond what the bearing "
-                                     "is made for"};
+                                  "what the program assumed, chose or refitted"};
+inline constexpr NoteCode odd_value{
+    "odd-value", NoteKind::note,
+    "an unusual or inconsistent value of the model or the command; it is used unchanged"};
+inline constexpr NoteCode band{"band", NoteKind::note,
+                               "confidence band of the numbers that follow"};
+inline constexpr NoteCode load_limit{
+    "load-limit", NoteKind::note,
+    "a load, pressure or contact angle beyond the limits of the bearing"};
 inline constexpr NoteCode law_limit{"law-limit", NoteKind::note,
-                                    "a state beyond what the law describes"};
+                                    "a state outside the range of the law"};
 inline constexpr NoteCode exported{"export", NoteKind::note,
                                    "how an exported correction differs from its model"};
-inline constexpr NoteCode unknown{"unknown", NoteKind::note, "what the data or files cannot tell"};
+inline constexpr NoteCode unknown{"unknown", NoteKind::note,
+                                  "quantities that the data or files do not determine"};
 
 inline constexpr NoteCode unit{"unit", NoteKind::doubt,
-                               "values that look entered in another unit, sign or column"};
+                               "values that are probably in another unit, sign or column"};
 inline constexpr NoteCode sensor{"sensor", NoteKind::doubt,
-                                 "readings that look like a fault of their sensor"};
+                                 "readings that point to a faulty sensor"};
 inline constexpr NoteCode plan{"plan", NoteKind::doubt,
-                               "measurements whose order or levels hide something"};
+                               "measurements whose order or levels can hide an effect"};
 
 inline constexpr NoteCode ignored{"ignored", NoteKind::warning,
-                                  "data of the model or the question that change nothing"};
+                                  "data of the model or the command that have no effect"};
 inline constexpr NoteCode other_rig{"other-rig", NoteKind::warning,
                                     "models that are compared although their rigs differ"};
 inline constexpr NoteCode beyond_range{"beyond-range", NoteKind::warning,
-                                       "inputs outside of what the model was made from"};
+                                       "inputs outside the training data of the model"};
 inline constexpr NoteCode no_prediction{"no-prediction", NoteKind::warning,
                                         "points or rows without a result"};
 inline constexpr NoteCode unloaded{"unloaded", NoteKind::warning,
                                    "a bearing without contact or below its minimum load"};
-inline constexpr NoteCode over_limit{"over-limit", NoteKind::warning,
-                                     "a speed, load, fit or temperature beyond what a part stands"};
+inline constexpr NoteCode over_limit{
+    "over-limit", NoteKind::warning,
+    "a speed, load, fit or temperature beyond the limit of a part"};
 inline constexpr NoteCode cut_contact{"cut-contact", NoteKind::warning,
-                                      "a contact that a shoulder cuts off"};
+                                      "a contact ellipse that reaches over a shoulder"};
 inline constexpr NoteCode at_bound{"at-bound", NoteKind::warning, "a parameter at its bound"};
 inline constexpr NoteCode not_identifiable{"not-identifiable", NoteKind::warning,
                                            "parameters that the data do not determine"};
 inline constexpr NoteCode misfit{"misfit", NoteKind::warning,
-                                 "errors beyond the noise, and what they do to the result"};
+                                 "errors beyond the noise, and their effect on the result"};
 inline constexpr NoteCode noise{"noise", NoteKind::warning,
-                                "how the scatter of the readings was found or weighs"};
+                                "how the scatter of the readings was estimated or weighted"};
 inline constexpr NoteCode not_converged{"not-converged", NoteKind::warning,
-                                        "a fit or a state that found no values"};
+                                        "a fit or a state that did not converge"};
 inline constexpr NoteCode check_data{"check-data", NoteKind::warning,
-                                     "data that a verdict holds for wrong"};
+                                     "data that are probably wrong according to the verdict"};
 inline constexpr NoteCode rows_used{"rows-used", NoteKind::warning,
-                                    "rows or channels that a fit does without"};
+                                    "rows or channels that a fit does not use"};
 inline constexpr NoteCode polynomial{"polynomial", NoteKind::warning,
-                                     "properties of printed polynomials that no machine has"};
+                                     "physically impossible properties of printed polynomials"};
 inline constexpr NoteCode due{"due", NoteKind::warning,
-                              "a reading that was refused, or an identification that is due"};
+                              "a reading that was rejected, or a new identification that is due"};
 inline constexpr NoteCode limits{"limits", NoteKind::warning,
-                                 "what a result does not tell, or where it ends"};
+                                 "what a result does not include, or the limits of its validity"};
 
 }  // namespace note
 

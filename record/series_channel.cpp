@@ -157,7 +157,7 @@ const Channel* channel_of(const Family& family, std::string_view name) {
   one.variable = name.substr(0, name.size() - family.unit.size());
   one.words = in_words(one.variable);
   one.channel = family.like;
-  one.place = std::string(family.like.unit) + " of " + one.words;
+  one.place = std::string(family.like.unit) + " " + one.words;
   one.channel.name = one.name;
   one.channel.variable = one.variable;
   one.channel.words = one.words;

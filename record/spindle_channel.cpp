@@ -53,7 +53,7 @@ const Channel& sensor_channel(std::string_view sensor) {
   one.variable = name.substr(0, name.size() - 2);
   one.words = one.variable;
   std::replace(one.words.begin(), one.words.end(), '_', ' ');
-  one.place = "C of " + one.words;
+  one.place = "C " + one.words;
   one.channel = {.name = one.name,
                  .variable = one.variable,
                  .words = one.words,

@@ -15,7 +15,7 @@ inline constexpr Channel motor_heat{.name = "motor_heat_W",
                                     .upper = 1e7,
                                     .step = 5e-3,
                                     .ratio = true,
-                                    .place = "W of the motor"};
+                                    .place = "W motor heat"};
 
 /// Recorded electrical input of the motor [W].
 inline constexpr Channel motor_power{.name = "motor_power_W",
@@ -26,7 +26,7 @@ inline constexpr Channel motor_power{.name = "motor_power_W",
                                      .upper = 1e7,
                                      .step = 5e-3,
                                      .ratio = true,
-                                     .place = "W taken by the motor"};
+                                     .place = "W motor power"};
 
 /// Recorded moment at the nose, positive like a radial load further forward [N m].
 inline constexpr Channel nose_moment{.name = "moment_Nm",
@@ -37,7 +37,7 @@ inline constexpr Channel nose_moment{.name = "moment_Nm",
                                      .upper = 1e5,
                                      .step = 5e-3,
                                      .ratio = true,
-                                     .place = "N m at the nose"};
+                                     .place = "N m moment at the nose"};
 
 /// Recorded pull of a belt [N].
 inline constexpr Channel belt_force{.name = "belt_force_N",
@@ -49,7 +49,7 @@ inline constexpr Channel belt_force{.name = "belt_force_N",
                                     .step = 5e-3,
                                     .ratio = true,
                                     .kind = "load",
-                                    .place = "N of the belt"};
+                                    .place = "N belt force"};
 
 /// Returns the quantity of a column of a spindle record or speed programme; null for an unknown
 /// name. Names: time_s, run_id, speed_rpm, axial_load_N, radial_load_N, moment_Nm, belt_force_N,

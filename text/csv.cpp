@@ -77,7 +77,8 @@ ParsedNumber parse_number(std::string_view cell, bool decimal_comma) {
             "is ambiguous: write one decimal mark and no thousands separators, as in 1234.5"};
   if (commas > 0 && !decimal_comma && only_digits_and_marks)
     return {none, '\0',
-            "has a decimal comma, which is read only in files separated by semicolons or tabs"};
+            "has a decimal comma, which is allowed only in files with semicolons or tabs between "
+            "the columns"};
   char mark = points > 0 ? '.' : commas > 0 ? ',' : '\0';
   std::string with_point;
   if (mark == ',') {
@@ -89,10 +90,10 @@ ParsedNumber parse_number(std::string_view cell, bool decimal_comma) {
   const char* const end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data(), end, value);
   if (error == std::errc::result_out_of_range && stop == end)
-    return {none, '\0', "is outside the range of numbers"};
+    return {none, '\0', "is too large or too small for a number"};
   if (error != std::errc() || stop != end) {
     if (cell.find(';') != cell.npos || cell.find('\t') != cell.npos)
-      return {none, '\0', "is not a number; is this row separated otherwise than the header?"};
+      return {none, '\0', "is not a number; does this row have another separator than the header?"};
     return {none, '\0', "is not a number"};
   }
   return {value, mark, {}};
@@ -145,8 +146,8 @@ ParsedNumber CsvTable::parsed_text(std::size_t row, std::size_t column,
     std::erase(plain, marks_.asked);
     const Place place{source, line(row), header[column]};
     throw InputError(
-        fmt::format("{}: {} = {}: is it {}, or is the {} a decimal mark? Say decimal_mark = \"{}\" "
-                    "or \"{}\" in [columns], or write the file without separators of thousands",
+        fmt::format("{}: {} = {}: is it {}, or is the {} a decimal mark? Set decimal_mark = \"{}\" "
+                    "or \"{}\" in [columns], or write the file without thousands separators",
                     place.text(), header[column], text, plain,
                     marks_.asked == '.' ? "point" : "comma", marks_.asked == '.' ? ',' : '.',
                     marks_.asked),
@@ -159,8 +160,9 @@ ParsedNumber CsvTable::parsed_text(std::size_t row, std::size_t column,
     const ParsedNumber number = parse_number(text, decimal_comma);
     if (!number.problem.empty()) return number;
     return {std::numeric_limits<double>::quiet_NaN(), '\0',
-            marks_.thousands == '.' ? "has a point where commas are decimal marks"
-                                    : "has a comma where points are decimal marks"};
+            marks_.thousands == '.'
+                ? "has a point, but the decimal mark of this file is the comma"
+                : "has a comma, but the decimal mark of this file is the point"};
   }
   std::string plain(text);
   std::erase(plain, marks_.thousands);
@@ -177,7 +179,7 @@ CsvTable table_of_columns(std::string source, std::vector<DataColumn> columns) {
   const std::size_t rows = columns.empty() ? 0 : length(columns.front());
   for (const DataColumn& column : columns) {
     if (length(column) != rows)
-      throw InputError(fmt::format("{}: column {} has {} values, and {} has {}", table.source,
+      throw InputError(fmt::format("{}: column {} has {} values, but {} has {}", table.source,
                                    printable(column.name), length(column),
                                    printable(columns.front().name), rows),
                        {.file = table.source, .key = printable(column.name)});
@@ -189,8 +191,8 @@ CsvTable table_of_columns(std::string source, std::vector<DataColumn> columns) {
           {.file = table.source, .key = column.name});
     const auto refuse_control = [&](const std::string& text) {
       if (const auto code = control_character(text))
-        throw InputError(fmt::format("{}: column {} holds the control character {}", table.source,
-                                     printable(column.name), *code),
+        throw InputError(fmt::format("{}: column {} contains the control character {}",
+                                     table.source, printable(column.name), *code),
                          {.file = table.source, .key = printable(column.name)});
     };
     refuse_control(column.name);
@@ -212,7 +214,7 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
   table.byte_order_mark = byte_order_mark;
   if (!is_utf8(text)) {
     text = utf8_from_latin1(text);
-    table.notes.emplace_back("not UTF-8; read as Latin-1");
+    table.notes.emplace_back("the file is not UTF-8; it is read as Latin-1");
   }
   table.text_ = std::move(text);
   std::string& all = table.text_;
@@ -233,8 +235,8 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
       table.header.size(),
       [&](std::size_t row, std::size_t column) { return table.cell(row, column); });
   if (table.marks_.thousands != '\0')
-    table.notes.push_back(
-        fmt::format("{} separate thousands", table.marks_.thousands == '.' ? "points" : "commas"));
+    table.notes.push_back(fmt::format("{} are read as thousands separators",
+                                      table.marks_.thousands == '.' ? "points" : "commas"));
   parser.add_notes();
   return table;
 }
@@ -269,7 +271,8 @@ void CsvTable::take_units_out_of_cells() {
     }
     units.resize(header.size());
     units[c] = unit;
-    notes.push_back(fmt::format("the cells of column {} have their unit, {}", header[c], unit));
+    notes.push_back(
+        fmt::format("the unit of column {} is taken from its cells: {}", header[c], unit));
   }
 }
 

@@ -54,7 +54,7 @@ void split_cells(std::string& text, std::size_t begin, std::size_t end, char sep
       first = ++at;
       last = first;
       for (;; ++at) {
-        if (at >= end) throw fail("a quoted cell is not closed on its line");
+        if (at >= end) throw fail("the closing quote of a cell is missing on this line");
         if (text[at] == '"') {
           if (at + 1 < end && text[at + 1] == '"')
             ++at;

@@ -23,9 +23,10 @@ char separator_of_header(std::string_view header, const Place& where) {
   for (const char separator : usual_separators) {
     if (count_separators(header, separator) == 0) continue;
     if (found != '\0')
-      throw InputError(fmt::format("{}: the header is separated by {} and by {}; use one of them",
-                                   where.text(), separator_name(found), separator_name(separator)),
-                       where);
+      throw InputError(
+          fmt::format("{}: the header has {} and {} as separators; use only one of them",
+                      where.text(), separator_name(found), separator_name(separator)),
+          where);
     found = separator;
   }
   return found == '\0' ? ',' : found;
@@ -75,7 +76,7 @@ void CsvParser::run() {
   // Nothing came behind them.
   if (!held_.empty() && footer_ == 0) footer_ = held_.front().line;
   if (table_.header.empty())
-    throw InputError(table_.source + ": no header and no rows, only comments",
+    throw InputError(table_.source + ": the file has only comments, no header and no rows",
                      {.file = table_.source});
   if (rows_ == 0)
     throw InputError(fmt::format("{}: no data rows below the header (line {})", table_.source,
@@ -98,9 +99,10 @@ void CsvParser::take(const Line& line) {
   const std::string_view whole = content(line);
   if (whole.find_first_not_of(" \t") == whole.npos) return;
   if (const auto code = control_character(whole))
-    throw InputError(fmt::format("{}: holds the control character {}, so it is not a text file",
-                                 place(line.number).text(), *code),
-                     place(line.number));
+    throw InputError(
+        fmt::format("{}: the file contains the control character {}, so it is not a text file",
+                    place(line.number).text(), *code),
+        place(line.number));
   if (is_comment(line)) return take_comment(line);
   if (line.number < form_.header_line) {
     labview_.take(whole);
@@ -168,8 +170,8 @@ void CsvParser::check_names(int line) {
   constexpr std::size_t most_columns = 10000;
   const Place where = place(line);
   if (header.size() > most_columns)
-    throw InputError(fmt::format("{}: {} columns: at most {} are read", where.text(), header.size(),
-                                 most_columns),
+    throw InputError(fmt::format("{}: the file has {} columns; at most {} are allowed",
+                                 where.text(), header.size(), most_columns),
                      where);
   // Row numbers, as pandas writes them.
   if (header.front().empty() && header.size() > 1) header.front() = "column 1";
@@ -183,13 +185,13 @@ void CsvParser::check_names(int line) {
     // Equal numbers side by side are rows without a header, told below.
     const auto [twin, is_new] = seen.emplace(name, k + 1);
     if (!is_new && !is_number)
-      throw InputError(fmt::format("{}: column {} stands twice, as columns {} and {}", where.text(),
+      throw InputError(fmt::format("{}: column {} occurs twice, as columns {} and {}", where.text(),
                                    name, twin->second, k + 1),
                        {table_.source, line, name});
     all_numbers = all_numbers && is_number;
   }
   if (all_numbers)
-    throw InputError(where.text() + ": a header with the names of the columns is missing", where);
+    throw InputError(where.text() + ": the header line with the column names is missing", where);
 }
 
 /// Columns without a name of their own that hold the unit of the column before them, as the line
@@ -238,7 +240,7 @@ void CsvParser::take_units(std::vector<CellSpan>& cells, int line) {
     if (find_unit(here) && find_unit(here) == find_unit(unit)) continue;
     if (!unit.empty())
       throw InputError(
-          fmt::format("{}: {} is in {} here, and in {} above: one column has one unit",
+          fmt::format("{}: {} is in {} here, but in {} above; use one unit in a column",
                       place(line).text(), table_.header[named - 1], printable(here), unit),
           place(line));
     unit = here;
@@ -286,7 +288,7 @@ void CsvParser::take_row(const Line& line) {
     return;
   }
   if (footer_ > 0)
-    throw InputError(fmt::format("{}: fewer cells than the header (line {}) has columns",
+    throw InputError(fmt::format("{}: this row has fewer cells than the header (line {})",
                                  place(footer_).text(), table_.header_line),
                      place(footer_));
   give_held();
@@ -306,7 +308,7 @@ bool CsvParser::is_unit_row_again(int line) const {
     if (here == above || (find_unit(here) && find_unit(here) == find_unit(above))) continue;
     if (!find_unit(here) && !find_unit(above)) return false;
     throw InputError(
-        fmt::format("{}: {} is in {} here, and in {} above: one column has one unit",
+        fmt::format("{}: {} is in {} here, but in {} above; use one unit in a column",
                     place(line).text(), k < table_.header.size() ? table_.header[k] : "",
                     quoted(here), quoted(above)),
         place(line));
@@ -382,11 +384,11 @@ void CsvParser::refuse(const std::vector<CellSpan>& cells, const Line& line) con
     if (other == table_.separator) continue;
     const std::size_t count = count_separators(content(line), other);
     if (count == 0 || count + 1 != columns) continue;
-    throw InputError(
-        fmt::format(
-            "{}: the header (line {}) is separated by {}, but this row by {}; use one for both",
-            here, table_.header_line, separator_name(table_.separator), separator_name(other)),
-        place(line.number));
+    throw InputError(fmt::format("{}: the header (line {}) has {} as separators, but this row has "
+                                 "{}; use the same separator",
+                                 here, table_.header_line, separator_name(table_.separator),
+                                 separator_name(other)),
+                     place(line.number));
   }
   const bool all_numbers = std::all_of(cells.begin(), cells.end(), [&](const CellSpan& c) {
     return parse_number(text_of(c), false).problem.empty();
@@ -409,15 +411,15 @@ void CsvParser::add_notes() {
     notes.push_back(fmt::format("line {} is a row of units", form_.unit_line));
   if (headers_again_ > 0)
     notes.push_back(
-        fmt::format("the header stands {} more and is skipped there",
+        fmt::format("the header occurs {} more in the file; these lines are skipped",
                     headers_again_ == 1 ? "once" : fmt::format("{} times", headers_again_)));
   if (lines_between_ > 0)
-    notes.push_back(fmt::format("{} between rows and the header that stands again skipped",
+    notes.push_back(fmt::format("{} between the rows and the repeated header skipped",
                                 plural(lines_between_, "line")));
   if (footer_ > 0)
-    notes.push_back(fmt::format("the text behind the rows, from line {} on, is skipped", footer_));
+    notes.push_back(fmt::format("the text after the rows, from line {} on, is skipped", footer_));
   if (empty_rows_ > 0)
-    notes.push_back(fmt::format("{} of empty cells only skipped", plural(empty_rows_, "row")));
+    notes.push_back(fmt::format("{} with only empty cells skipped", plural(empty_rows_, "row")));
 }
 
 }  // namespace raceway::text

@@ -14,6 +14,7 @@ inline constexpr std::string_view format_line = "format = 1\n";
 
 /// End of the message about a file of another format.
 inline constexpr std::string_view other_format =
-    "must be 1, the format that this version of raceway reads; use the version that wrote the file";
+    "must be 1, because this version of raceway reads format 1 only; use the version that wrote "
+    "the file";
 
 }  // namespace raceway::text

@@ -23,7 +23,7 @@ namespace raceway::text {
 namespace {
 
 constexpr std::size_t longest_input = 4'000'000'000;
-constexpr const char* too_long = "more than 4 GB, which is the most that is read";
+constexpr const char* too_long = "the file is larger than 4 GB, the largest size that is read";
 
 }  // namespace
 
@@ -64,7 +64,7 @@ std::FILE* open_pipe(const std::string& path) {
     }
     if (waited >= patience) {
       std::fclose(file);
-      throw fail("is a pipe into which no program writes; name a file, which can be read again");
+      throw fail("is a pipe, and no program writes to it; name a file instead");
     }
     std::this_thread::sleep_for(pause);
   }
@@ -74,7 +74,9 @@ std::FILE* open_pipe(const std::string& path) {
 std::FILE* open(const std::string& path) {
   if (path == "-") {
     if (!take_standard_input())
-      throw InputError("-: standard input is read once; name a file for the other", {.file = "-"});
+      throw InputError(
+          "-: standard input can be used for one input only; name a file for the other input",
+          {.file = "-"});
     return stdin;
   }
   std::error_code ignored;
@@ -83,7 +85,7 @@ std::FILE* open(const std::string& path) {
   if (status.type() == std::filesystem::file_type::not_found)
     throw InputError(path + ": no such file", {.file = path});
   if (std::filesystem::is_directory(status))
-    throw InputError(path + ": is a directory, a file is expected", {.file = path});
+    throw InputError(path + ": is a directory; name a file", {.file = path});
 
   if (status.type() == std::filesystem::file_type::fifo) return open_pipe(path);
   std::FILE* const file = std::fopen(path.c_str(), "rb");
@@ -119,7 +121,7 @@ std::string read_now(const std::string& path, bool* byte_order_mark) {
     }
     // At once: /dev/zero does not end.
     if (!utf16 && piece.find('\0') != piece.npos)
-      throw InputError(input_name(path) + ": holds NUL bytes, so it is not a text file",
+      throw InputError(input_name(path) + ": the file contains NUL bytes, so it is not a text file",
                        {.file = input_name(path)});
     if (text.size() + count > longest_input)
       throw InputError(input_name(path) + ": " + too_long, {.file = input_name(path)});
@@ -131,7 +133,7 @@ std::string read_now(const std::string& path, bool* byte_order_mark) {
 
   if (utf16) text = utf8_from_utf16(text, input_name(path));
   if (text.find('\0') != std::string::npos)
-    throw InputError(input_name(path) + ": holds NUL bytes, so it is not a text file",
+    throw InputError(input_name(path) + ": the file contains NUL bytes, so it is not a text file",
                      {.file = input_name(path)});
   const bool marked = text.starts_with("\xef\xbb\xbf");
   if (marked) text.erase(0, 3);

@@ -132,8 +132,9 @@ class WholeFile {
   void take_name(IfExists if_exists) {
     if (part_.take_name(target_, if_exists, path_)) return;
     if (errno == EEXIST)
-      throw InputError(exists_already(path_, if_exists) + " (it came during this run)",
-                       {.file = path_});
+      throw InputError(
+          exists_already(path_, if_exists) + " (another program created it during this run)",
+          {.file = path_});
     throw cannot_write(path_);
   }
 
@@ -176,17 +177,19 @@ void refuse_other_formats(const std::string& path) {
   };
   constexpr std::array formats{
       Format{" .xlsx .xls .xlsm .xlsb .ods ", "a workbook",
-             "tables are written as CSV, which Excel opens: name it .csv"},
-      Format{" .png .jpg .jpeg .gif .bmp .tif .tiff .webp .pdf .eps .ps ", "a picture or a page",
-             "pictures are written as SVG and pages as HTML: name it .svg or .html"},
+             "tables are written as CSV, which Excel can open: use a name that ends with .csv"},
+      Format{
+          " .png .jpg .jpeg .gif .bmp .tif .tiff .webp .pdf .eps .ps ", "a picture or a page",
+          "pictures are written as SVG and pages as HTML: use a name that ends with .svg or .html"},
       Format{" .mat .npy .npz .h5 .hdf5 .parquet .feather .pkl .zip .gz ", "a binary file",
-             "files are written as text: name it .csv, .json or .toml"}};
+             "files are written as text: use a name that ends with .csv, .json or .toml"}};
   const std::string ending = lower_case(fs::path(path).extension().string());
   if (ending.empty()) return;
   for (const Format& format : formats)
     if (format.endings.find(" " + ending + " ") != std::string_view::npos)
-      throw InputError(fmt::format("{}: is the name of {}; {}", path, format.kind, format.instead),
-                       {.file = path});
+      throw InputError(
+          fmt::format("{}: this is the name of {}, but {}", path, format.kind, format.instead),
+          {.file = path});
 }
 
 }  // namespace
@@ -204,8 +207,9 @@ void require_name_of(const std::string& path, Written what) {
   if (ending.empty() || ours.find(" " + ending + " ") == ours.npos) return;
   const Format& format = formats[static_cast<std::size_t>(what)];
   if (format.endings.find(ending) == format.endings.npos)
-    throw InputError(fmt::format("{}: {}: name it {}", path, format.words, format.name),
-                     {.file = path});
+    throw InputError(
+        fmt::format("{}: {}; use a name that ends with {}", path, format.words, format.name),
+        {.file = path});
 }
 
 void require_writable(const std::string& path, IfExists if_exists) {
@@ -214,13 +218,13 @@ void require_writable(const std::string& path, IfExists if_exists) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   if (fs::is_directory(status) || path.back() == '/')
-    throw InputError(path + ": is a directory, a file to write is expected", {.file = path});
+    throw InputError(path + ": is a directory; name a file", {.file = path});
   if (is_stream(status)) return;
   if (if_exists != IfExists::replace && fs::exists(fs::symlink_status(path, ignored)))
     throw InputError(exists_already(path, if_exists), {.file = path});
   const fs::path folder = folder_of(path);
   if (!fs::is_directory(folder, ignored))
-    throw InputError(path + ": cannot be written: there is no folder " + folder.string(),
+    throw InputError(path + ": cannot be written: this folder does not exist: " + folder.string(),
                      {.file = path});
   if (::access(folder.c_str(), W_OK | X_OK) != 0)
     throw InputError(path + ": cannot be written: " + folder.string() + ": " + reason(),

@@ -34,7 +34,7 @@ PlainCsv plain_csv(std::string_view csv) {
 
 PlainCsv spreadsheet_csv(std::string_view csv, SpreadsheetMarks marks) {
   if (marks.separator == marks.decimal)
-    throw std::invalid_argument("columns and decimals need marks of their own");
+    throw std::invalid_argument("the column separator and the decimal mark must be different");
   PlainCsv result = plain_csv(csv);
   std::string_view rows = result.table;
   fmt::memory_buffer out;

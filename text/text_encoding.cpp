@@ -70,8 +70,9 @@ std::string utf8_from_utf16(std::string_view text, const std::string& source) {
   const bool failed = iconv(converter, &in, &left, &out, &room) == static_cast<std::size_t>(-1);
   iconv_close(converter);
   if (failed || left != 0)
-    throw InputError(source + ": begins like UTF-16 text, but is not; save it as UTF-8",
-                     {.file = source});
+    throw InputError(
+        source + ": the file begins like UTF-16, but is not valid UTF-16; save it as UTF-8",
+        {.file = source});
   to.resize(to.size() - room);
   return to;
 }
@@ -83,15 +84,14 @@ std::string_view binary_kind(std::string_view text) {
         "is an Excel workbook (.xlsx) or another zip archive; save the sheet as CSV "
         "(in Excel: Save as, CSV UTF-8)"},
        {"\xd0\xcf\x11\xe0"sv,
-        "is an Excel workbook of the old kind (.xls); save the sheet as CSV (in Excel: Save as, "
-        "CSV)"},
-       {"\x1f\x8b"sv, "is packed (gzip); unpack it first"},
+        "is an old Excel workbook (.xls); save the sheet as CSV (in Excel: Save as, CSV)"},
+       {"\x1f\x8b"sv, "is compressed (gzip); decompress it first"},
        {"PAR1"sv, "is a Parquet file; save it as CSV"},
        {"\x89HDF"sv, "is an HDF5 file (also MATLAB 7.3); save its columns as CSV"},
        {"MATLAB 5.0"sv, "is a MATLAB file (.mat); save its columns as CSV (writetable)"},
        {"TDSm"sv, "is a LabVIEW TDMS file; save it as CSV"},
        {"MDF "sv, "is a measurement file (MDF); save it as CSV"},
-       {"%PDF"sv, "is a PDF; a table of numbers (CSV) is needed"}}};
+       {"%PDF"sv, "is a PDF; save the numbers as a table (CSV)"}}};
   for (const auto& [magic, words] : kinds)
     if (text.starts_with(magic)) return words;
   return {};

@@ -75,9 +75,9 @@ void require_short_keys(std::string_view text, std::string_view source) {
       continue;
     }
     if (c == '.' && ++dots > most)
-      throw InputError(
-          fmt::format("{}:{}: a key has more than {} dots; it is no model", source, line, most),
-          {.file = std::string(source), .line = static_cast<int>(line)});
+      throw InputError(fmt::format("{}:{}: a key has more than {} dots, so the file is not a model",
+                                   source, line, most),
+                       {.file = std::string(source), .line = static_cast<int>(line)});
     if (c == '\n' || c == ',' || c == '=' || c == '[' || c == '{') dots = 0;
     if (c == '\n') ++line;
     ++at;
@@ -89,17 +89,16 @@ void require_short_keys(std::string_view text, std::string_view source) {
 void require_usable(const toml::node& node, std::string_view source) {
   const auto require = [&](std::string_view text, const toml::source_region& place) {
     if (const auto code = control_character(text))
-      throw InputError(fmt::format("{}:{}: {}: holds the control character {}", source,
+      throw InputError(fmt::format("{}:{}: {} contains the control character {}", source,
                                    place.begin.line, text::quoted(text), *code),
                        {.file = std::string(source), .line = static_cast<int>(place.begin.line)});
   };
   if (const auto* text = node.as_string()) require(text->get(), node.source());
   if (const auto* number = node.as_integer(); number && !node.value<double>())
     throw InputError(
-        fmt::format(
-            "{}:{}: {}: a whole number beyond 9007199254740992 (2^53) may not be exact; write "
-            "it with a decimal point",
-            source, node.source().begin.line, number->get()),
+        fmt::format("{}:{}: {}: whole numbers above 9007199254740992 (2^53) may be inexact; write "
+                    "the number with a decimal point",
+                    source, node.source().begin.line, number->get()),
         {.file = std::string(source), .line = static_cast<int>(node.source().begin.line)});
   if (const auto* list = node.as_array())
     for (const toml::node& item : *list) require_usable(item, source);
@@ -131,10 +130,10 @@ toml::table parsed(std::string_view text, std::string_view source) {
     throw InputError(fmt::format("{}:{}:{}: {}", source, at.line, at.column, error.description()),
                      {.file = std::string(source), .line = static_cast<int>(at.line)});
   } catch (const std::logic_error&) {
-    throw InputError(
-        fmt::format("{}:{}: no TOML: a key, a value or a bracket is missing or misplaced", source,
-                    broken_line(text)),
-        {.file = std::string(source), .line = static_cast<int>(broken_line(text))});
+    throw InputError(fmt::format("{}:{}: the file is not valid TOML: a key, a value or a bracket "
+                                 "is missing or misplaced",
+                                 source, broken_line(text)),
+                     {.file = std::string(source), .line = static_cast<int>(broken_line(text))});
   }
 }
 
@@ -143,8 +142,8 @@ toml::table parsed(std::string_view text, std::string_view source) {
 toml::table parse_toml(std::string_view text, std::string_view source) {
   constexpr std::size_t most = 10'000'000;
   if (text.size() > most)
-    throw InputError(fmt::format("{}: {:.3g} MB: a model has at most {:.3g} MB", source,
-                                 1e-6 * static_cast<double>(text.size()), 1e-6 * most),
+    throw InputError(fmt::format("{}: the file has {:.3g} MB; a model has at most {:.3g} MB",
+                                 source, 1e-6 * static_cast<double>(text.size()), 1e-6 * most),
                      {.file = std::string(source)});
   require_short_keys(text, source);
   toml::table table = parsed(text, source);

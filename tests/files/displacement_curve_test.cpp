@@ -72,8 +72,8 @@ TEST(DisplacementCurve, LeavesOutNumbersThatAreNoReadings) {
       "speed_rpm,axial_displacement_um\n0,0\n1000,0.5\n2000,-9999\n3000,1.5\n4000,9.9e37\n");
   EXPECT_EQ(curve.points.size(), 3U);
   EXPECT_THAT(texts(curve.notes),
-              ElementsAre("2 of 5 rows have a number that is no reading (such as -9999, or beyond "
-                          "what can be) and are left out (lines 4, 6)"));
+              ElementsAre("2 of 5 rows have a number that cannot be a reading (such as -9999, or a "
+                          "physically impossible value) and are not used (lines 4, 6)"));
 }
 
 TEST(DisplacementCurve, NamesEveryBadCellWithItsLine) {
@@ -85,7 +85,7 @@ TEST(DisplacementCurve, NamesEveryBadCellWithItsLine) {
   EXPECT_THAT(text, HasSubstr("u.csv:5: axial_displacement_um = \"x\": is not a number"));
   EXPECT_THAT(text, HasSubstr("u.csv:5: std_um = 0: must be from 1e-09"));
   EXPECT_THAT(text, HasSubstr("u.csv:6: axial_displacement_um = 1e7: must be from"));
-  EXPECT_THAT(text, HasSubstr("6 bad values in 5 rows"));
+  EXPECT_THAT(text, HasSubstr("6 invalid values in 5 rows"));
 }
 
 TEST(DisplacementCurve, NamesTheColumnThatWasMeant) {

@@ -72,8 +72,9 @@ TEST(Doubts, AFactorOfReadingsIsNamed) {
   EXPECT_THAT(after([](Row& r) { r.torque *= 1e3; }),
               ElementsAre(HasSubstr("1000 times too large")));
   EXPECT_THAT(after([](Row& r) { r.torque /= 9.81; }),
-              ElementsAre(HasSubstr("kgf for N, or rad/s for rpm")));
-  EXPECT_THAT(after([](Row& r) { r.torque /= 60; }), ElementsAre(HasSubstr("1/s for rpm")));
+              ElementsAre(HasSubstr("are values in kgf instead of N, or in rad/s instead of rpm")));
+  EXPECT_THAT(after([](Row& r) { r.torque /= 60; }),
+              ElementsAre(HasSubstr("are values in min instead of s, or in 1/s instead of rpm")));
 }
 
 /// A long record of which every fifth row is right: rows in step with it would tell nothing.
@@ -89,14 +90,17 @@ TEST(Doubts, ALongRecordIsNotLookedAtInStepWithWhatRepeatsInIt) {
 }
 
 TEST(Doubts, TheOtherSignIsNamed) {
-  EXPECT_THAT(after([](Row& r) { r.torque = -r.torque; }), ElementsAre(HasSubstr("other sign")));
+  EXPECT_THAT(
+      after([](Row& r) { r.torque = -r.torque; }),
+      ElementsAre(HasSubstr("readings of friction torque have the opposite sign: a torque against "
+                            "the motion is positive; set factor = -1 in [columns]")));
 }
 
 TEST(Doubts, TemperaturesInOtherUnitsAreNamed) {
   EXPECT_THAT(after([](Row& r) { r.temperature += 273.15; }),
-              ElementsAre(HasSubstr("looks like kelvin: 30 to 45 C?")));
+              ElementsAre(HasSubstr("C: are the values in kelvin (30 to 45 C)?")));
   EXPECT_THAT(after([](Row& r) { r.temperature = 1.8 * r.temperature + 32; }),
-              ElementsAre(HasSubstr("looks like fahrenheit: 30 to 45 C?")));
+              ElementsAre(HasSubstr("C: are the values in fahrenheit (30 to 45 C)?")));
 }
 
 TEST(Doubts, LoadsAndSpeedsInOtherUnitsAreNamed) {
@@ -120,16 +124,16 @@ TEST(Doubts, ATemperatureThatTheViscosityDoesNotFollowIsNamed) {
     return texts_of(text);
   };
   EXPECT_THAT(rows("outer_ring_temperature_C", 20),
-              ElementsAre(HasSubstr("the viscosity of all rows is that at 40 C, from [rig], and "
+              ElementsAre(HasSubstr("all rows use the viscosity at 40 C, from [rig], but "
                                     "outer_ring_temperature_C goes from 50 to 65 C")));
   EXPECT_THAT(rows("temperature_C", 0), IsEmpty());
 }
 
 TEST(Doubts, SwappedColumnsAreNamed) {
   EXPECT_THAT(after([](Row& r) { std::swap(r.speed, r.torque); }),
-              ElementsAre("columns speed_rpm and friction_torque_Nmm look swapped"));
+              ElementsAre("columns speed_rpm and friction_torque_Nmm are probably swapped"));
   EXPECT_THAT(after([](Row& r) { std::swap(r.load, r.speed); }),
-              ElementsAre("columns speed_rpm and axial_load_N look swapped"));
+              ElementsAre("columns speed_rpm and axial_load_N are probably swapped"));
 }
 
 /// Displacements of a shaft as the model has them and 5 % more; preloads times `factor` in the
@@ -164,8 +168,8 @@ TEST(Doubts, PreloadsOfAShaftInOtherUnitsAreNamed) {
   EXPECT_THAT(of_a_shaft(1.0), IsEmpty());
   EXPECT_THAT(of_a_shaft(0.75), IsEmpty());  // a recorded preload may be wrong
   EXPECT_THAT(of_a_shaft(1.0 / 9.80665),
-              ElementsAre("preloads of 30.59 to 91.77 N do not go with the readings, 300 to 900 N "
-                          "do: kgf in a column of N?"));
+              ElementsAre("preloads of 30.59 to 91.77 N do not agree with the readings, but 300 to "
+                          "900 N do: are values in kgf in a column of N?"));
   EXPECT_THAT(of_a_shaft(1e-3), ElementsAre(HasSubstr("kN in a column of N?")));
 }
 

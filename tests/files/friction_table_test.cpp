@@ -78,17 +78,19 @@ TEST(FrictionTableFile, RefusesWhatIsNoWholeGrid) {
     });
   };
   EXPECT_THAT(message("0,100,1\n10,100,2\n0,200,3\n"),
-              HasSubstr("missing is speed_rpm 10, axial_load_N 200"));
+              HasSubstr("for example, speed_rpm 10, axial_load_N 200"));
   EXPECT_THAT(message("0,100,1\n0,100,2\n"), HasSubstr("t.csv:3: the point speed_rpm 0"));
   EXPECT_THAT(message("0,100,1\n10,100,\n"), HasSubstr("t.csv:3"));
-  EXPECT_THAT(message("# slab 1/2: 2 of 4 points, grid 1f\n0,100,1\n10,100,2\n"),
-              HasSubstr("is one slab of a table"));
+  EXPECT_THAT(
+      message("# slab 1/2: 2 of 4 points, grid 1f\n0,100,1\n10,100,2\n"),
+      HasSubstr(
+          ": the file is only one slab of a table; join all slabs with raceway table --merge"));
   EXPECT_THAT(refusal([] {
                 (void)parse_friction_table(
                     "speed_rpm,friction_torque_Nmm,std_Nmm,friction_torque_band_Nmm\n0,1,1,2\n",
                     "t.csv");
               }),
-              HasSubstr("both say how sure the torque is"));
+              HasSubstr("both give the uncertainty of the torque; remove one"));
 }
 
 TEST(ModelWithTable, HasTheTorqueOfTheTable) {
@@ -111,15 +113,17 @@ TEST(ModelWithTable, HasTheTorqueOfTheTable) {
 TEST(ModelWithTable, NeedsAWholeFileOfOneBearing) {
   EXPECT_THAT(refusal([] { (void)tabled("\n[friction]\nlaw = \"table\"\n"); }),
               HasSubstr("[friction] file is missing, a CSV with speed_rpm"));
-  EXPECT_THAT(refusal([] { (void)tabled(table_law + "f0 = 2\n"); }),
-              HasSubstr("f0 = 2: belongs to law = \"palmgren\", but the law is \"table\""));
+  EXPECT_THAT(
+      refusal([] { (void)tabled(table_law + "f0 = 2\n"); }),
+      HasSubstr("f0 = 2: this key is only for law = \"palmgren\", but the law is \"table\""));
   EXPECT_THAT(
       refusal([] { (void)tabled("\n[friction]\nf0 = 1\nz = 0.001\ny = 0.3\nscale = 2\n"); }),
-      HasSubstr("scale = 2: belongs to law = \"table\""));
+      HasSubstr("scale = 2: this key is only for law = \"table\""));
   EXPECT_THAT(refusal([] {
                 (void)tabled(table_law, "speed_rpm,friction_torque_Nmm,front_force_N\n0,1,300\n");
               }),
-              HasSubstr("my.toml:17: file = \"rig/t.csv\": is the table of a whole shaft"));
+              HasSubstr("\": the table is for a whole shaft, but the law table needs the torque of "
+                        "one bearing (a model without [arrangement])"));
   EXPECT_THAT(refusal([] { (void)tabled(table_law, "speed_rpm\n0\n"); }),
               HasSubstr("my.toml:17: file = \"rig/t.csv\": rig/t.csv:1: column "
                         "friction_torque_Nmm is missing"));

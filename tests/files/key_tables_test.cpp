@@ -76,7 +76,8 @@ TEST(KeyTables, EveryKeyHasAMeaningAndStandsOnce) {
   for (const ListedKey& one : keys) {
     EXPECT_NE(one.key.meaning, "") << "[" << one.table << "] " << one.key.name;
     EXPECT_TRUE(seen.emplace(one.table, one.only, one.key.name).second)
-        << "[" << one.table << "] " << one.key.name << " stands twice";
+        << "[" << one.table << "] " << one.key.name
+        << "s occurs twice; give each load case a different load_case";
   }
 }
 
@@ -178,8 +179,8 @@ TEST(KeyTables, KeysThatMustStandThereAreMissed) {
 // Its message asked for a number "from 0 to 0".
 TEST(KeyTables, AMissingTextAsksForNoNumber) {
   EXPECT_EQ(reading_error("[correction]\nname = \"z\"\n"),
-            "m.toml:1: [correction] displacement is missing, the column that is modelled, such as "
-            "\"displacement_z_um\"");
+            "m.toml:1: [correction] displacement is missing, the column that the correction "
+            "predicts, such as \"displacement_z_um\"");
 }
 
 // They were read without a word beside a [correction].

@@ -176,17 +176,17 @@ TEST(ShaftSection, WrongKeysAndValuesAreNamed) {
   EXPECT_EQ(section_error(shaft_sets + "preload_N = -1\n"),
             "m.toml:15: preload_N = -1 N: must be from 0.001 to 100000000 N");
   EXPECT_EQ(section_error(shaft_sets),
-            "m.toml:11: [arrangement] preload is missing: must be one of preload_N, "
+            "m.toml:11: [arrangement] preload is missing: give exactly one of preload_N, "
             "preload_offset_um and preload_class");
   EXPECT_THAT(section_error(shaft_sets + "preload_N = 600\npreload_offset_um = 5\n"),
               HasSubstr("preload_N and preload_offset_um are given"));
   EXPECT_THAT(section_error(shaft_sets + "preload_class = \"medium\"\n"),
-              StartsWith("m.toml:15: preload_class = \"medium\": 7014 is no bearing of the "
-                         "catalogue; give preload_N"));
+              StartsWith("m.toml:15: preload_class = \"medium\": 7014 is not in the catalogue, so "
+                         "it has no preload class; give preload_N"));
   EXPECT_EQ(section_error(shaft_sets + "preload_N = 600\nspring_rate_N_um = 5\n"),
-            "m.toml:16: spring_rate_N_um = 5: only with mounting = \"spring\"");
+            "m.toml:16: spring_rate_N_um = 5: only possible with mounting = \"spring\"");
   EXPECT_THAT(section_error(shaft_sets + "mounting = \"spring\"\npreload_offset_um = 5\n"),
-              StartsWith("m.toml:16: preload_offset_um: a spring has a force, preload_N"));
+              StartsWith("m.toml:16: preload_offset_um: a spring needs a force; give preload_N"));
   EXPECT_THAT(section_error("[arrangement]\nlayout = \"tandem\"\nfront = 2\npreload_N = 600\n"),
               HasSubstr("write mounting = \"spring\""));
   EXPECT_THAT(section_error(shaft_sets + "preload_N = 600\n[[arrangement.rear_bearing]]\n"

@@ -87,7 +87,7 @@ TEST(SpindleRecord, LoadsThatNothingCarriesAreRefused) {
     EXPECT_THAT(tests::message_of([&] {
                   (void)read_spindle_record({"day.csv", text}, network);
                 }),
-                HasSubstr("a [network] has no shaft"));
+                HasSubstr("a model with [network] has no shaft, so it cannot carry a load"));
   }
 }
 
@@ -121,8 +121,9 @@ TEST(SpindleRecord, RowsBeforeTheFirstValueOfAnInputAreLeftOut) {
   EXPECT_EQ(r.rows(), 2u);
   EXPECT_EQ(r.line(0), 3);
   EXPECT_THAT(texts(r.notes),
-              Contains("speed_rpm has no value yet: rows before it are left out, line 2"));
-  EXPECT_THAT(rows_error("time_s,speed_rpm\n60,\n120,nan\n"), HasSubstr("no row has every input"));
+              Contains("rows before the first value of speed_rpm are not used, line 2"));
+  EXPECT_THAT(rows_error("time_s,speed_rpm\n60,\n120,nan\n"),
+              HasSubstr(": no row has values for all inputs:"));
 }
 
 TEST(SpindleRecord, TimeThatGoesBackIsRefused) {
@@ -161,7 +162,9 @@ TEST(SpindleRecord, SettingsWithoutAStatementHoldUntilTheirRowWithANote) {
   const record::Record r = read_rows("time_s,speed_rpm\n0,0\n100,6000\n");
   EXPECT_DOUBLE_EQ(spindle::profile_of(r)[1].inputs.speed, 6000 * rpm);
   EXPECT_THAT(texts(r.notes),
-              Contains(HasSubstr("hold since the row before it; settings_hold = \"until row\"")));
+              Contains(HasSubstr("it is assumed that the settings of a row apply from the previous "
+                                 "row to this row; set settings_hold = \"until row\" in [columns] "
+                                 "to confirm this, or \"from row\" for a programme of events")));
   EXPECT_THAT(texts(read_rows("time_s,speed_rpm\n0,6000\n100,6000\n").notes),
               Not(Contains(HasSubstr("settings_hold"))));
 }

@@ -101,7 +101,7 @@ TEST(SpindleSection, DistanceMayStandBesidePositionsThatGiveIt) {
   };
   EXPECT_EQ(spindle_error(text("215")), "(no error)");
   EXPECT_THAT(spindle_error(text("200")),
-              HasSubstr("s.toml:12: distance_mm = 200 mm: the sets are 215 mm apart"));
+              HasSubstr("s.toml:12: distance_mm = 200 mm: the distance from"));
 }
 
 TEST(SpindleSection, SetsExpandAsShaftAndHousingDo) {
@@ -206,18 +206,20 @@ TEST(SpindleSection, ARollerBearingStandsOnTheShaft) {
 TEST(SpindleSection, ARollerBearingThatCannotStandThereIsRefused) {
   const auto why = [](const std::string& text) { return spindle_error(text); };
   EXPECT_THAT(why(with(with_rollers(), "position_mm = 330", "position_mm = 295")),
-              HasSubstr("reaches into the bearing at 290 mm"));
+              HasSubstr("the bearing overlaps the bearing at 290 mm"));
   EXPECT_THAT(why(with(with_rollers(), "position_mm = 330", "position_mm = 372")),
               HasSubstr("does not lie entirely on the shaft"));
   EXPECT_THAT(why(with(with_rollers(), "bore_mm = 95", "bore_mm = 100")),
               HasSubstr("the housing has bore_mm = 100 mm there"));
-  EXPECT_THAT(why(with_rollers("drive_up_mm = 0.1\n")), HasSubstr("needs a taper"));
+  EXPECT_THAT(why(with_rollers("drive_up_mm = 0.1\n")),
+              HasSubstr("mm: only possible with a tapered bore, such as taper = 12 for 1:12"));
   EXPECT_THAT(why(with_rollers("taper = 12\ndrive_up_mm = 0.1\ninner_interference_um = 5\n")),
-              HasSubstr("take one"));
+              HasSubstr("both give the fit of the inner ring; remove one"));
   EXPECT_THAT(why(with_rollers("inner_interference_um = 310\n")), HasSubstr("the ring yields"));
   EXPECT_THAT(why(with_rollers("z = 0.0007\n")),
               HasSubstr("unknown key in [shaft.roller_bearing]"));
-  EXPECT_THAT(why(with_rollers("", "front_9")), HasSubstr("take another name"));
+  EXPECT_THAT(why(with_rollers("", "front_9")),
+              HasSubstr("is the name of a bearing in the sets; choose another name"));
   EXPECT_THAT(why(with(with_rollers(), "width_mm = 18\n", "")), HasSubstr("width_mm is missing"));
   EXPECT_THAT(why(with(with_rollers(), "roller_count = 20", "roller_count = 40")),
               HasSubstr("roller_count"));
@@ -235,7 +237,8 @@ TEST(SpindleSection, ABeltPullsWhereItSays) {
   EXPECT_THAT(spindle_error(base_spindle + "[drive]\nbelt_force_N = 1500\n"),
               HasSubstr("position_mm is missing"));
   EXPECT_THAT(spindle_error(base_spindle + "[drive]\nheat_W = 20\nbelt_angle_deg = 30\n"),
-              HasSubstr("belt_force_N, which is missing"));
+              HasSubstr("belt_angle_deg: belt_force_N is missing; set belt_force_N = 0 if speed "
+                        "programmes give the force"));
   EXPECT_THAT(spindle_error(base_spindle + "[drive]\nposition_mm = 350\n"),
               HasSubstr("heat_W is missing"));
 }
@@ -284,8 +287,9 @@ TEST(SpindleSection, SourcesOfHeatThatCannotBeAreRefused) {
                       "radius_mm = 20\n"),
               HasSubstr("the housing reaches from"));
   EXPECT_THAT(refused("heat_W = 1\nat = \"front_1\"\nposition_mm = 60\n"),
-              HasSubstr("says where it is"));
-  EXPECT_THAT(refused("heat_W = 1\nat = \"seal\"\nshaft_share = 0.5\n"), HasSubstr("has one part"));
+              HasSubstr("already gives the position"));
+  EXPECT_THAT(refused("heat_W = 1\nat = \"seal\"\nshaft_share = 0.5\n"),
+              HasSubstr("has only one part; only a motor or a bearing has a share"));
   EXPECT_THAT(refused("heat_W = 1\nheat_factor = 2\nat = \"seal\"\n"),
               HasSubstr("heat_W is a number"));
   EXPECT_THAT(refused("heat_W = 1\nat = \"seal\"\n[[heat]]\nname = \"a\"\nheat_W = 1\n"
@@ -331,8 +335,9 @@ TEST(SpindleSection, WhatCannotBeIsRefusedWithItsPlace) {
        "the shaft has diameter_mm = 82 mm"},
       {"rear_position_mm = [290.0]", "rear_position_mm = [20.0]", "must be further from the nose"},
       {"length_mm = 275.0", "length_mm = 255.0", "does not lie entirely in the housing"},
-      {"outer_diameter_mm = 180.0", "outer_diameter_mm = 105.0", "no wall is left"},
-      {"flange_mm = 120.0", "flange_mm = 310.0", "it does not lie entirely on the housing"},
+      {"outer_diameter_mm = 180.0", "outer_diameter_mm = 105.0", ", so the housing has no wall"},
+      {"flange_mm = 120.0", "flange_mm = 310.0",
+       ", the flange does not lie entirely on the housing:"},
       {"flange_mm = 120.0\n", "", "[housing] flange_mm is missing"},
       {"diameter_mm = 140.0", "diameter_mm = 112.0", "outside the wall of the housing"},
       {"end_mm = 300.0", "end_mm = 330.0", "the housing reaches from 40 mm to 315 mm"},
@@ -342,7 +347,7 @@ TEST(SpindleSection, WhatCannotBeIsRefusedWithItsPlace) {
       {"part = \"shaft\"", "part = \"rotor\"", "must be shaft, ring, housing or coolant"},
       {"name = \"shaft_end\"", "name = \"shaft end\"", "must be letters, digits and _"},
       {"name = \"shaft_end\"", "name = \"front_bearing\"", "another sensor has this name"},
-      {"name = \"shaft_end\"", "name = \"ambient\"", "is a column of its own"},
+      {"name = \"shaft_end\"", "name = \"ambient\"", "raceway already has a column"},
       {"inner_ring_shoulder_mm = 82.0", "inner_ring_shoulder_mm = 92.0",
        "must be between 70 and 90"},
       {"inner_heat_share = 0.5", "inner_heat_share = 1.5", "must be from 0 to 1"},
@@ -375,7 +380,7 @@ TEST(SpindleSection, FurtherCircuitsAreReadWithTheirUnits) {
 TEST(SpindleSection, ACircuitThatCannotBeIsRefusedWithItsPlace) {
   const std::vector<WrongSpindle> cases{
       {"name = \"jacket\"\n", "", "[coolant.circuit] name is missing"},
-      {"\"jacket\"", "\"air\"", "heat_to_NAME_W is a column of its own"},
+      {"\"jacket\"", "\"air\"", "raceway already has a column heat_to_NAME_W; choose another name"},
       {"\"jacket\"", "\"my jacket\"", "must be letters, digits and _"},
       {"inlet_temperature_C = 25", "inlet_temperature_C = 120", "must be from 0 to 100 C"},
       {"pitch_mm = 12", "pitch_mm = 5", "must be at least channel_width_mm"},
@@ -408,9 +413,9 @@ TEST(SpindleSection, ScrewsOfTheFlangeAreReadWithTheirUnits) {
               HasSubstr("flange_screws is missing"));
   EXPECT_THAT(spindle_error(with_joint(with(joint, "= 8", "= 8.5"))),
               HasSubstr("must be a whole number"));
-  EXPECT_THAT(
-      spindle_error(with_joint(with(joint, "15000", "1000"))),
-      HasSubstr("8 screws press with 96 MPa; with hardness_GPa = 3 it must be at most 60 MPa"));
+  EXPECT_THAT(spindle_error(with_joint(with(joint, "15000", "1000"))),
+              HasSubstr("the contact pressure of 8 screws is 96 MPa; with hardness_GPa = 3 it must "
+                        "be at most 60 MPa"));
 }
 
 TEST(SpindleSection, ShaftAloneIsNoSpindle) {
@@ -446,7 +451,8 @@ TEST(SpindleSection, BearingsAreFreeToFitInTheUnitOfTheFile) {
 TEST(SpindleSection, OuterSeatIsFreeOnlyWhereItHasAValue) {
   const std::string free = "[calibration]\nfree = [\"outer_conductance_W_m2K\"]\n";
   EXPECT_THAT(spindle_error(base_spindle + free),
-              HasSubstr("give a value to begin with under [seat]"));
+              HasSubstr("the model has no such value, because it calculates the conductance from "
+                        "the fit; give a start value under [seat]"));
   const ModelFile file = spindle_file(
       with(base_spindle, "slope = 0.15", "slope = 0.15\nouter_conductance_W_m2K = 3000") + free);
   EXPECT_EQ(file.model.spindle->seat.outer_conductance, 3000);
@@ -473,7 +479,8 @@ TEST(SpindleSection, NetworkStandsInPlaceOfAGeometry) {
 
 TEST(SpindleSection, NetworkWithoutAWayOutIsRefused) {
   EXPECT_THAT(spindle_error(with(network_text, "to = \"ambient\"", "to = \"rotor\"")),
-              HasSubstr("its heat would go nowhere"));
+              HasSubstr(": no link leads to a body at constant temperature (temperature_C, "
+                        "ambient, machine), so the heat cannot leave this node"));
 }
 
 TEST(SpindleSection, UnknownNodeIsNamedWithTheNearest) {
@@ -483,12 +490,13 @@ TEST(SpindleSection, UnknownNodeIsNamedWithTheNearest) {
 
 TEST(SpindleSection, NodeThatNoLinkNamesIsRefused) {
   EXPECT_THAT(spindle_error(network_text + "[[network.node]]\nname = \"lost\"\ncapacity_J_K = 1\n"),
-              HasSubstr("node lost: no [[network.link]] names it"));
+              HasSubstr("node lost: no [[network.link]] names this node"));
 }
 
 TEST(SpindleSection, NetworkBesideAShaftIsRefused) {
   EXPECT_THAT(spindle_error(shortest_spindle + "[network]\n"),
-              HasSubstr("a [network] stands in place of a geometry"));
+              HasSubstr("not possible together with [network], which replaces the geometry; remove "
+                        "one of the two"));
 }
 
 }  // namespace

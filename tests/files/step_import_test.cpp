@@ -130,9 +130,9 @@ TEST(StepImport, SaysWhatIsMissingOrWrong) {
   EXPECT_THAT(of("time_s,axial_displacement_um,power_W\n1,x,50\n"), HasSubstr("fe.csv:2"));
   EXPECT_THAT(of("time_s,axial_displacement_um,power_W\n-1,1,50\n"), HasSubstr("time_s"));
   EXPECT_THAT(of("time_s,axial_displacement_um,power_W\n1,1,50\n1,2,50\n"),
-              HasSubstr("the time 1 s stands twice"));
+              HasSubstr("the time 1 s occurs twice"));
   EXPECT_THAT(of("load_case,time_s,axial_displacement_um,speed_rpm\na,1,1,50\na,2,2,60\n"),
-              HasSubstr("fe.csv:3: load case a: its speed changes from 50 to 60 rpm"));
+              HasSubstr("fe.csv:3: load case a: the speed changes from 50 to 60 rpm"));
   const History three("1 2 3\n");
   EXPECT_THAT(tests::message_of([&] { (void)read_history(three.with("50W"), {}); }),
               HasSubstr(":1: \"1 2 3\": must be a time"));
@@ -148,18 +148,18 @@ TEST(StepImport, SaysWhatIsMissingOrWrong) {
   }
   const History marked(fmt::format(fmt::runtime(around), "20 -9999"));
   EXPECT_THAT(tests::message_of([&] { (void)read_history(marked.with("50W"), {}); }),
-              HasSubstr(":5: displacement = -9999: is no reading"));
+              HasSubstr(":5: displacement = -9999: is not a reading"));
   EXPECT_THAT(of("time_s,axial_displacement_um,power_W\n1,1,50\n2,1.5,50\n3,9.9e37,50\n"),
               HasSubstr("fe.csv:4: axial_displacement_um = 9.9e37: "));
   EXPECT_THAT(of("time_s,axial_displacement_um,power_W\n1,1,50\n2,1.5,50\n3,999.9,50\n"),
-              HasSubstr("fe.csv:4: axial_displacement_um = 999.9: is no reading, but a number that "
-                        "is written in the place of one"));
+              HasSubstr("fe.csv:4: axial_displacement_um = 999.9: is not a reading, but a number "
+                        "that marks a missing reading"));
   const History right(fmt::format(fmt::runtime(around), "20 2"));
   EXPECT_EQ(read_history(right.with("50W"), {}).time.size(), 6U);
   EXPECT_THAT(tests::message_of([&] { (void)read_history(three.with("50"), {}); }),
               HasSubstr("no unit"));
   EXPECT_THAT(tests::message_of([&] { (void)read_history(three.with("50mm"), {}); }),
-              HasSubstr("no unit of a power or a speed"));
+              HasSubstr("is not a unit of power or speed"));
   EXPECT_THAT(tests::message_of([&] { (void)read_history("a.csv", {}); }),
               HasSubstr("must be LOAD=FILE"));
   EXPECT_THAT(tests::message_of([] { (void)history_units("s", "--units"); }), HasSubstr("as s,um"));

@@ -54,7 +54,7 @@ TEST(TableExchange, TheModelicaFileIsAMatrixInSI) {
   EXPECT_THAT(modelica_table_text(sample({100}), "X"),
               HasSubstr("double friction_torque(3,2)\n0 0.02\n"));
   EXPECT_THAT(tests::message_of([] { (void)modelica_table_text(sample({100}, true), "X"); }),
-              HasSubstr("no value at 0 rpm, 100 N"));
+              HasSubstr("there is none at 0 rpm, 100 N"));
 }
 
 TEST(TablePlot, DrawsACurveForEachLoad) {

@@ -74,12 +74,12 @@ TEST(TableFile, RowsMayStandInAnyOrder) {
 
 TEST(TableFile, MissingAndDoublePointsAreNamed) {
   EXPECT_EQ(table_error(table_header + "0,5,0,40,1\n100,5,0,40,1\n0,9,0,40,1\n"),
-            "t.csv: the grid is not complete: 2 speeds x 2 axial loads x 1 radial loads x 1 "
-            "temperatures are 4 points, the file has 3; missing is speed_rpm 100, axial_load_N 9, "
-            "radial_load_N 0, temperature_C 40");
+            "t.csv: the grid is incomplete: 2 speeds x 2 axial loads x 1 radial loads x 1 "
+            "temperatures are 4 points, but the file has 3; for example, speed_rpm 100, "
+            "axial_load_N 9, radial_load_N 0, temperature_C 40 is missing");
   EXPECT_EQ(table_error(table_header + "0,5,0,40,1\n0,5,0,40,2\n"),
-            "t.csv:3: the point speed_rpm 0, axial_load_N 5, radial_load_N 0, temperature_C 40 "
-            "stands in line 2 already");
+            "t.csv:3: the point speed_rpm 0, axial_load_N 5, radial_load_N 0, temperature_C 40 is "
+            "already in line 2");
 }
 
 TEST(TableFile, WrongCellsAndColumnsAreNamed) {

@@ -47,7 +47,8 @@ std::string record_problem(const ModelFile& file, const std::string& text) {
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const auto at = text.find(from);
-  if (at == text.npos) throw std::logic_error(from + " is not there");
+  if (at == text.npos)
+    throw std::logic_error(from + "does not apply, because the file has no column \"");
   return text.replace(at, from.size(), to);
 }
 
@@ -81,7 +82,7 @@ TEST(SensorReadings, LeaveOutNumbersThatAreNoReadings) {
   const SensorReadings read =
       read_sensor_readings({"w.csv", "reference_Nm,signal_V\n0,0.1\n1,0.7\n2.5,9999.9\n5,3.1\n"});
   EXPECT_EQ(read.readings.size(), 3U);
-  EXPECT_THAT(texts(read.notes), ElementsAre(HasSubstr("are left out (line 4)")));
+  EXPECT_THAT(texts(read.notes), ElementsAre(HasSubstr("are not used (line 4)")));
 }
 
 TEST(SensorReadings, SayWhichColumnIsMissing) {
@@ -119,11 +120,11 @@ TEST(TorqueSensorTable, RefusesWhatIsNoSensor) {
   EXPECT_THAT(model_problem(replaced(table, "residual_std_V", "residual_std_mV")),
               HasSubstr("unknown key in [torque_sensor]; did you mean residual_std_V?"));
   EXPECT_THAT(model_problem(replaced(table, "\"V/Nm\"", "\"mV/Nm\"")),
-              HasSubstr("units = \"mV/Nm\": coefficient 2 is in \"V/Nm\""));
+              HasSubstr("units = \"mV/Nm\": the unit of coefficient 2 must be \"V/Nm\""));
   EXPECT_THAT(model_problem(replaced(table, "torque_to_Nm = 1", "torque_to_Nm = 0")),
               HasSubstr("torque_to_Nm = 0 Nm: must be above torque_from_Nm = 0"));
   EXPECT_THAT(model_problem(replaced(table, "readings = 7", "zero_std_V = 1")),
-              HasSubstr("zero_std_V without zero_V"));
+              HasSubstr("zero_std_V is the standard deviation of zero_V, but zero_V is missing"));
   EXPECT_THAT(model_problem("[torque_sensor]\ncoefficients = [1]\n"),
               HasSubstr("must be a list of 2 to 4 numbers"));
   EXPECT_THAT(model_problem("[torque_sensor]\ncoefficients = [0, 1, -1]\nunits = [\"V\", "
@@ -204,7 +205,7 @@ TEST(TorqueSignal, TakesThePlaceOfATorqueBesideIt) {
 TEST(TorqueSignal, WithoutACalibrationIsNoTorque) {
   const ModelFile file = model_with("");
   EXPECT_THAT(record_problem(file, "speed_rpm,torque_signal_V\n1000,0.6\n"),
-              HasSubstr("d.csv:1: column torque_signal_V needs the calibration of its sensor, but "
+              HasSubstr("d.csv:1: column torque_signal_V needs the calibration of the sensor, but "
                         "the model has no [torque_sensor]"));
   const record::Record r =
       record_by(file, "speed_rpm,friction_torque_Nmm,torque_signal_V\n1000,90,0.6\n");

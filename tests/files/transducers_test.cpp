@@ -70,13 +70,13 @@ TEST(Transducers, AReadingOfWhichOneIsMissingIsMissing) {
 
 TEST(Transducers, AMissingOneIsNamed) {
   EXPECT_THAT([] { (void)nest_record("time_s,x1_um,y1_um\n0,0,0\n60,2,4\n"); },
-              nest_refused("r.csv:1: column x2_um is missing, of which nest.toml:2 [transducers] "
-                           "makes displacement_x_um; the header has time_s, x1_um and y1_um"));
+              nest_refused("r.csv:1: column x2_um is missing, from which nest.toml:2 [transducers] "
+                           "calculates displacement_x_um; the header has time_s, x1_um and y1_um"));
 }
 
 TEST(Transducers, OfARecordAreNamedWhereNoCombinationHasThem) {
   EXPECT_THAT(nest_record("time_s,x1_um,x2_um,y1_um\n0,0,0,0\n60,2,4,1\n").notes,
-              Contains(Field(&record::Note::text, HasSubstr("used by no model: y1_um"))));
+              Contains(Field(&record::Note::text, HasSubstr("not used by the model: y1_um"))));
 }
 
 TEST(Transducers, ARecordWithoutAnyHasItsDisplacementsAsTheyStand) {
@@ -84,19 +84,19 @@ TEST(Transducers, ARecordWithoutAnyHasItsDisplacementsAsTheyStand) {
   EXPECT_NEAR(r.value(nest_b, 1), 10e-6, 1e-17);
   EXPECT_THAT(
       [] { (void)nest_record("time_s,x1_um,x2_um,displacement_b_urad\n0,0,0,0\n60,2,4,1\n"); },
-      nest_refused("has a column displacement_b_urad, which nest.toml:3 [transducers] makes "
-                   "of other columns"));
+      nest_refused("has a column displacement_b_urad, which nest.toml:3 [transducers] calculates "
+                   "from other columns"));
 }
 
 TEST(Transducers, ARowThatFollowsFromOthersIsRefused) {
   EXPECT_THAT(nest_map(nest + "displacement_a_urad = { x1_um = 1, x2_um = 3 }\n"),
               nest_refused("nest.toml:4: [transducers] displacement_a_urad follows from "
-                           "displacement_x_um and displacement_b_urad: 2 transducers do not tell "
-                           "it from the others"));
+                           "displacement_x_um and displacement_b_urad: the 2 transducers cannot "
+                           "separate this displacement from the others"));
   EXPECT_THAT(nest_map("[transducers]\ndisplacement_z_um = { z_um = 1, z2_um = 0 }\n"),
-              nest_refused("[transducers] z2_um: its factors are all 0"));
+              nest_refused("[transducers] z2_um: all factors of this transducer are 0"));
   EXPECT_THAT(nest_map("[transducers]\ndisplacement_z_um = { z_mm = 1 }\n"),
-              nest_refused("z_mm: a transducer is a name that ends in _um"));
+              nest_refused("z_mm: the name of a transducer must end in _um"));
   EXPECT_THAT(nest_map("[transducers]\nz_um = { z1_um = 1 }\n"),
               nest_refused("[transducers] z_um: must be a column displacement_NAME_um or"));
   EXPECT_THAT(nest_map("[transducers]\ndisplacement_z_um = { z1_um = \"1\" }\n"),
@@ -120,7 +120,7 @@ TEST(Transducers, AnOffsetOfAnAngleIsTakenOff) {
       nest_record("time_s,x1_um,x2_um,offset_b_urad\n0,0,0,0\n60,2,4,4\n120,2,4,4\n");
   EXPECT_NEAR(r.value(nest_b, 1), 6e-6, 1e-17);
   EXPECT_THAT(r.notes, Contains(Field(&record::Note::text,
-                                      HasSubstr("offset_b_urad, which the control added, is "
+                                      HasSubstr("the offset of the control, offset_b_urad, is "
                                                 "subtracted from displacement_b_urad"))));
 }
 
@@ -169,14 +169,15 @@ TEST(Angle, HasLimitsAndAUnitOfItsOwnOnAControl) {
   EXPECT_EQ(usual.axes[0].letter, "b");
   EXPECT_THAT(control::control_csv(usual),
               testing::AllOf(HasSubstr(",gain,5,urad/K"), HasSubstr(",limit,100,urad"),
-                             HasSubstr("um is urad in all of their numbers")));
+                             HasSubstr("Displacements whose names end in urad are angles: for "
+                                       "these, read urad instead of um.")));
   const control::ControlPlan deg =
       plan_of(angle_text + "[export]\nunit_of_angles = \"deg\"\nlimit_urad = 40\n");
   EXPECT_EQ(deg.axes[0].output, "offset_b_deg");
   EXPECT_NEAR(deg.axes[0].unit_um, 1e6 * std::acos(-1.0) / 180.0, 1e-8);
   EXPECT_EQ(deg.axes[0].limit_um, 40.0);
   EXPECT_THAT([&] { (void)plan_of(angle_text + "[export]\nlimit_um = 40\n"); },
-              nest_refused("limit_um: no displacement of the model is a length"));
+              nest_refused("limit_um: the model has no displacement a length"));
 }
 
 // 30 urad for 5 K.
@@ -194,7 +195,7 @@ TEST(Angle, IsAskedAboutWhereItsUnitIsImplausible) {
     const std::vector<Doubt> found = doubts(per_urad);
     ASSERT_EQ(found.size(), 1U) << unit;
     EXPECT_THAT(found[0].text, HasSubstr("displacement_b_urad turns by ")) << unit;
-    EXPECT_THAT(found[0].text, HasSubstr(std::string("is it in ") + unit + ", ")) << unit;
+    EXPECT_THAT(found[0].text, HasSubstr(std::string("/K)?") + unit + ", ")) << unit;
   }
 }
 

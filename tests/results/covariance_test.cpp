@@ -143,8 +143,10 @@ TEST(Covariance, IsOfNoUseForOtherValues) {
       files::parse_model(replaced(rig_text + covariance, "f0 = 1.5", "f0 = 1.7"), "m.toml");
   EXPECT_FALSE(file.model.covariance.has_value());
   ASSERT_EQ(file.notes.size(), 1U);
-  EXPECT_THAT(file.notes[0].text,
-              HasSubstr("f0 = 1.7 stands in the model, [calibration.covariance] is of f0 = 1.5"));
+  EXPECT_THAT(
+      file.notes[0].text,
+      HasSubstr(
+          "the model has f0 = 1.7, but [calibration.covariance] was calculated for f0 = 1.5"));
 }
 
 TEST(Covariance, IsRefusedWithLineAndKey) {
@@ -171,7 +173,7 @@ TEST(Covariance, IsRefusedWhereNoParametersCanBeCorrelatedLikeThat) {
   text = replaced(text, "[0.05, 4]", "[1e-4, 0.05, 4]");
   text = replaced(text, "[[1], [-0.5, 1]]", "[[1], [0.9, 1], [-0.9, 0.9, 1]]");
   EXPECT_THAT(tests::message_of([&] { (void)files::parse_model(text, "m.toml"); }),
-              HasSubstr("m.toml:32: correlation: no parameters can be correlated like that"));
+              HasSubstr("m.toml:32: correlation: the matrix is not positive semidefinite"));
 }
 
 }  // namespace

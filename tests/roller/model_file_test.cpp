@@ -58,14 +58,14 @@ TEST(RollerModel, SaysWhatIsWrongInAFile) {
     return message_of([&] { (void)model(bearing, rest); });
   };
   EXPECT_EQ(why("ball_count = 20\n"),
-            "roller.toml:9: ball_count = 20: belongs to a ball bearing; the type is "
+            "roller.toml:9: ball_count = 20: this key is only for ball bearings, but the type is "
             "\"cylindrical-roller\", which has roller_count");
-  EXPECT_THAT(why("contact_angle_deg = 15\n"), HasSubstr("belongs to a ball bearing"));
+  EXPECT_THAT(why("contact_angle_deg = 15\n"), HasSubstr("this key is only for ball bearings"));
   EXPECT_THAT(why("", "[friction]\nz = 0.001\n"),
-              HasSubstr("z = 0.001: belongs to a ball bearing; the load moment of cylindrical "
-                        "rollers is f1 F d_m"));
+              HasSubstr("z = 0.001: this key is only for ball bearings; the load moment of "
+                        "cylindrical rollers is f1 F d_m"));
   EXPECT_THAT(why("", "[friction]\nlaw = \"contact\"\n"),
-              HasSubstr("sums friction over the balls"));
+              HasSubstr("law = \"contact\" is only for ball bearings"));
   EXPECT_THAT(why("", "[rig]\naxial_load_N = 100\n"),
               HasSubstr("axial_load_N = 100: must be 0, a cylindrical roller bearing of type N"));
   EXPECT_THAT(why("", "[arrangement]\nlayout = \"O\"\n"),
@@ -73,16 +73,17 @@ TEST(RollerModel, SaysWhatIsWrongInAFile) {
   EXPECT_THAT(why("radial_clearance_um = -101\n"),
               HasSubstr("radial_clearance_um = -101 um: must be from -100 to 1000 um"));
   EXPECT_THAT(why("width_mm = 7\n"), HasSubstr("width"));
-  EXPECT_THAT(why("race_roughness_um = 0.05\n"), HasSubstr("belongs to a ball bearing"));
-  EXPECT_THAT(why("", "[friction]\nmu_bl = 0.1\n"),
-              HasSubstr("mu_bl = 0.1: belongs to law = \"skf\", but the law is \"palmgren\""));
+  EXPECT_THAT(why("race_roughness_um = 0.05\n"), HasSubstr("this key is only for ball bearings"));
+  EXPECT_THAT(
+      why("", "[friction]\nmu_bl = 0.1\n"),
+      HasSubstr("mu_bl = 0.1: this key is only for law = \"skf\", but the law is \"palmgren\""));
   EXPECT_THAT(why("", "[solver]\nrace_control = \"outer\"\n"),
-              HasSubstr("race_control = \"outer\": says what turns the balls"));
+              HasSubstr("race_control = \"outer\": this key is only for ball bearings"));
   EXPECT_THAT(why("", "[[effect]]\nid = \"spin-friction\"\n"),
               HasSubstr("needs a ball bearing: cylindrical rollers do not spin"));
   EXPECT_THAT(
       message_of([] { (void)files::parse_model("[bearing]\nroller_count = 20\n", "ball.toml"); }),
-      HasSubstr("roller_count = 20: belongs to type = \"cylindrical-roller\""));
+      HasSubstr("roller_count = 20: this key is only for type = \"cylindrical-roller\""));
 }
 
 TEST(RollerModel, DataOfContactsAreNamedAsIgnored) {

@@ -65,8 +65,8 @@ TEST(RollerEstimate, RefusesOtherSeriesAndSizes) {
   const auto why = [](const char* designation) {
     return tests::message_of([&] { (void)files::estimated_rollers(designation); });
   };
-  EXPECT_THAT(why("NU 210"), HasSubstr("only series N10 is known"));
-  EXPECT_THAT(why("N 1099"), HasSubstr("no boundary dimensions of this size"));
+  EXPECT_THAT(why("NU 210"), HasSubstr("only cylindrical roller bearings of series N10"));
+  EXPECT_THAT(why("N 1099"), HasSubstr("no boundary dimensions for this size"));
 }
 
 }  // namespace

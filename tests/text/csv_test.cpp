@@ -48,7 +48,8 @@ TEST(Csv, QuotedCellsMayHoldSeparatorsAndQuotes) {
   EXPECT_EQ(t.header[1], "x");
   EXPECT_EQ(t.cell(0, 0), "a, \"b\"");
   EXPECT_EQ(t.number(0, 1), 2.0);
-  EXPECT_THAT(error_of("a,b\n\"1,2\n"), StartsWith("d.csv:2: a quoted cell is not closed"));
+  EXPECT_THAT(error_of("a,b\n\"1,2\n"),
+              StartsWith("d.csv:2: the closing quote of a cell is missing"));
   EXPECT_THAT(error_of("a,b\n\"1\"2,3\n"), StartsWith("d.csv:2: text follows the closing quote"));
 }
 
@@ -56,34 +57,37 @@ TEST(Csv, TrailingSeparatorsAndEmptyRowsOfSpreadsheetsAreHarmless) {
   const CsvTable t = parse_csv("a,b,\n1,2,\n,,\n3,4\n", "d.csv");
   EXPECT_EQ(t.header.size(), 2u);
   EXPECT_EQ(t.rows(), 2u);
-  EXPECT_EQ(t.notes, (std::vector<std::string>{"1 row of empty cells only skipped"}));
+  EXPECT_EQ(t.notes, (std::vector<std::string>{"1 row with only empty cells skipped"}));
 }
 
 TEST(Csv, EmptyFilesAndFilesWithoutRowsAreErrors) {
   EXPECT_EQ(error_of(""), "d.csv: the file is empty");
   EXPECT_EQ(error_of("\n \r\n"), "d.csv: the file is empty");
-  EXPECT_EQ(error_of("# x\n"), "d.csv: no header and no rows, only comments");
+  EXPECT_EQ(error_of("# x\n"), "d.csv: the file has only comments, no header and no rows");
   EXPECT_EQ(error_of("a,b\n# x\n"), "d.csv: no data rows below the header (line 1)");
 }
 
 TEST(Csv, AnotherSeparatorBelowTheHeaderIsNamed) {
   EXPECT_EQ(error_of("a,b\n1;2\n"),
-            "d.csv:2: the header (line 1) is separated by commas, but this row by semicolons; use "
-            "one for both");
-  EXPECT_THAT(error_of("a;b;c\n1,2,3\n"), HasSubstr("by semicolons, but this row by commas"));
-  EXPECT_THAT(error_of("a\tb\n1,2\n"), HasSubstr("by tabs, but this row by commas"));
-  EXPECT_THAT(error_of("a,b;c\n1;2\n"), StartsWith("d.csv:1: the header is separated by"));
+            "d.csv:2: the header (line 1) has commas as separators, but this row has semicolons; "
+            "use the same separator");
+  EXPECT_THAT(error_of("a;b;c\n1,2,3\n"),
+              HasSubstr("semicolons as separators, but this row has commas"));
+  EXPECT_THAT(error_of("a\tb\n1,2\n"), HasSubstr("tabs as separators, but this row has commas"));
+  EXPECT_THAT(error_of("a,b;c\n1;2\n"), StartsWith("d.csv:1: the header has"));
   const CsvTable t = parse_csv("a,b\n1,5;2\n", "d.csv");
-  EXPECT_THAT(tests::message_of([&] { (void)t.number(0, 1); }), HasSubstr("separated otherwise"));
+  EXPECT_THAT(tests::message_of([&] { (void)t.number(0, 1); }),
+              HasSubstr("is not a number; does this row have another separator than the header?"));
 }
 
 TEST(Csv, ColumnsThatStandTwiceOrHaveNoNameAreErrors) {
-  EXPECT_EQ(error_of("a,b,a\n1,2,3\n"), "d.csv:1: column a stands twice, as columns 1 and 3");
+  EXPECT_EQ(error_of("a,b,a\n1,2,3\n"), "d.csv:1: column a occurs twice, as columns 1 and 3");
   EXPECT_EQ(error_of("a,,b\n1,2,3\n"), "d.csv:1: column 2 has no name");
 }
 
 TEST(Csv, AMissingHeaderIsNoticed) {
-  EXPECT_THAT(error_of("100,100\n3,4\n"), HasSubstr("a header with the names of the columns"));
+  EXPECT_THAT(error_of("100,100\n3,4\n"),
+              HasSubstr(": the header line with the column names is missing"));
 }
 
 TEST(Csv, ARowWhoseFirstCellBeginsWithAHashIsARow) {
@@ -116,7 +120,8 @@ TEST(Csv, TheLastCommentAboveTheDataIsTheHeaderWhereItsCellsFit) {
   EXPECT_EQ(parse_csv("#;a;b\n1;0,5;2\n", "d.csv").header,
             (std::vector<std::string>{"#", "a", "b"}));
   // Cells that do not fit, and a header of its own.
-  EXPECT_THAT(error_of("# a,b,c\n1,2\n"), HasSubstr("a header with the names of the columns"));
+  EXPECT_THAT(error_of("# a,b,c\n1,2\n"),
+              HasSubstr(": the header line with the column names is missing"));
   EXPECT_EQ(parse_csv("# x,y\na,b\n1,2\n", "d.csv").header, (std::vector<std::string>{"a", "b"}));
 }
 
@@ -133,11 +138,11 @@ TEST(Csv, ShapesOfOtherProgramsAreRead) {
   // A header that stands again, and words behind the rows.
   const CsvTable again = parse_csv("a,b\n1,2\na,b\n3,4\nEnd of file\nMade by a logger\n", "d.csv");
   EXPECT_EQ(again.rows(), 2u);
-  EXPECT_EQ(again.notes,
-            (std::vector<std::string>{"the header stands once more and is skipped there",
-                                      "the text behind the rows, from line 5 on, is skipped"}));
+  EXPECT_EQ(again.notes, (std::vector<std::string>{
+                             "the header occurs once more in the file; these lines are skipped",
+                             "the text after the rows, from line 5 on, is skipped"}));
   EXPECT_EQ(error_of("a,b\n1,2\nstopped\n3,4\n"),
-            "d.csv:3: fewer cells than the header (line 1) has columns");
+            "d.csv:3: this row has fewer cells than the header (line 1)");
   // Old line ends.
   EXPECT_EQ(parse_csv("a,b\r1,2\r3,4\r", "d.csv").rows(), 2u);
 }
@@ -154,9 +159,9 @@ TEST(Csv, AColumnOfUnitsBehindEachValueIsItsUnit) {
   EXPECT_EQ(table.units, (std::vector<std::string>{"s", "rpm"}));
   EXPECT_EQ(table.number(1, 1), 700);
   EXPECT_THAT(tests::message_of([&] { (void)read("t,unit\n1,s\n2,min\n"); }),
-              HasSubstr("d.csv:3: t is in min here, and in s above"));
+              HasSubstr("d.csv:3: t is in min here, but in s above"));
   EXPECT_THAT(tests::message_of([&] { (void)read("t,unit,n,unit\n1,a,600,b\n"); }),
-              HasSubstr("column unit stands twice"));
+              HasSubstr("column unit occurs twice"));
   // A table of this program may have a column of that name.
   EXPECT_EQ(parse_csv("value,unit\n1,s\n2,C\n", "t.csv").cell(1, 1), "C");
 }
@@ -177,7 +182,7 @@ TEST(Csv, RowsOfStatisticsBehindTheRowsAreNoRows) {
   const CsvTable table = parse_csv("t,n\n1,600\n2,700\nMean,650\nMax,700\n", "d.csv");
   EXPECT_EQ(table.rows(), 2u);
   EXPECT_THAT(table.notes,
-              testing::Contains("the text behind the rows, from line 4 on, is skipped"));
+              testing::Contains("the text after the rows, from line 4 on, is skipped"));
   // Between rows it is a row, of which the reader says what is wrong.
   EXPECT_EQ(parse_csv("t,n\n1,600\nMean,650\n2,700\n", "d.csv").rows(), 3u);
 }
@@ -186,7 +191,7 @@ TEST(Csv, WordsInTheFirstCellBehindTheRowsAreNoRow) {
   const CsvTable table = parse_csv("t,n,x\n1,600,1\n2,700,2\nEnd of data,,\n", "d.csv");
   EXPECT_EQ(table.rows(), 2u);
   EXPECT_THAT(table.notes,
-              testing::Contains("the text behind the rows, from line 4 on, is skipped"));
+              testing::Contains("the text after the rows, from line 4 on, is skipped"));
   EXPECT_EQ(parse_csv("t,n\n1,600\nPause,\n2,700\n", "d.csv").rows(), 3u);
 }
 
@@ -199,12 +204,12 @@ TEST(Csv, AHeaderThatStandsAgainMayHaveItsUnitsBelowIt) {
       read("t;T\ns;°C\n1;20\n2;21\nstopped\nMean;20.5\nt;T\ns;C\n3;22\nt;T\n4;23\n");
   EXPECT_EQ(table.rows(), 4u);
   EXPECT_EQ(table.number(2, 1), 22);
-  EXPECT_EQ(table.notes,
-            (std::vector<std::string>{
-                "line 2 is a row of units", "the header stands 2 times more and is skipped there",
-                "2 lines between rows and the header that stands again skipped"}));
+  EXPECT_EQ(table.notes, (std::vector<std::string>{
+                             "line 2 is a row of units",
+                             "the header occurs 2 times more in the file; these lines are skipped",
+                             "2 lines between the rows and the repeated header skipped"}));
   EXPECT_EQ(tests::message_of([&] { (void)read("t;T\ns;C\n1;20\nt;T\ns;F\n2;70\n"); }),
-            "d.csv:5: T is in \"F\" here, and in \"C\" above: one column has one unit");
+            "d.csv:5: T is in \"F\" here, but in \"C\" above; use one unit in a column");
 }
 
 TEST(Csv, ALabviewFileWithoutTimesHasThemFromItsHead) {
@@ -269,7 +274,7 @@ TEST(Csv, Latin1IsReadWithANote) {
 TEST(Csv, FilesThatCannotBeReadAreNamed) {
   const std::string folder = testing::TempDir();
   EXPECT_EQ(tests::message_of([&] { (void)read_csv(folder); }),
-            folder + ": is a directory, a file is expected");
+            folder + ": is a directory; name a file");
   EXPECT_EQ(tests::message_of([] { (void)read_csv("no/such.csv"); }), "no/such.csv: no such file");
   const std::string path = folder + "binary.csv";
   std::ofstream(path, std::ios::binary) << std::string("a,b\n1,\0\n", 8);

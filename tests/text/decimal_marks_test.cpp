@@ -39,8 +39,8 @@ TEST(DecimalMarks, GroupsOfThreeDigitsAreThousands) {
 TEST(DecimalMarks, ANumberThatCanBeReadInTwoWaysIsAskedAbout) {
   const std::string german = "n;F;M\n600;200;113\n1.200;200;177\n";
   EXPECT_EQ(problem(german, 1, 0),
-            "d.csv:3: n = 1.200: is it 1200, or is the point a decimal mark? Say decimal_mark = "
-            "\",\" or \".\" in [columns], or write the file without separators of thousands");
+            "d.csv:3: n = 1.200: is it 1200, or is the point a decimal mark? Set decimal_mark = "
+            "\",\" or \".\" in [columns], or write the file without thousands separators");
   EXPECT_EQ(number(german, 0, 0), 600);  // the other cells are read
   // The mirror image with tabs, and commas between the columns.
   EXPECT_THAT(problem("n\tM\n600\t1\n1,200\t2\n", 1, 0), HasSubstr("is it 1200, or is the comma"));
@@ -58,9 +58,9 @@ TEST(DecimalMarks, AnyCellThatTellsSettlesIt) {
   EXPECT_EQ(number("t,M\n20.000,1.500\n20.007,1.250\n", 1, 0), 20.007);  // three digits each
   EXPECT_EQ(number("k,t,M\n1,20.000,1.500\n2,20.007,1.250\n", 1, 1), 20.007);
   EXPECT_THAT(parse_csv("n;M\n600;0,5\n1.200;2\n", "d.csv").notes,
-              Contains("points separate thousands"));
+              Contains("points are read as thousands separators"));
   EXPECT_THAT(parse_csv("n;M\n600;0,5\n1200;2\n", "d.csv").notes,
-              Not(Contains("points separate thousands")));
+              Not(Contains("points are read as thousands separators")));
 }
 
 TEST(DecimalMarks, AMapAnswersForAFile) {
@@ -83,7 +83,7 @@ TEST(DecimalMarks, AMapAnswersForAFile) {
                     "600.5;113;200;30\n",
                     "[columns]\ndecimal_mark = \",\"\n");
               }),
-              HasSubstr("has a point where commas are decimal marks"));
+              HasSubstr("has a point, but the decimal mark of this file is the comma"));
 }
 
 }  // namespace

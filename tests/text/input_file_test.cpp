@@ -44,7 +44,7 @@ TEST(InputFile, APipeIsReadOnceAProgramWritesIntoIt) {
 TEST(InputFile, APipeIntoWhichNobodyWritesIsRefused) {
   const NamedPipe pipe;
   EXPECT_THAT(tests::message_of([&] { (void)read_text(pipe.path()); }),
-              HasSubstr("is a pipe into which no program writes"));
+              HasSubstr("is a pipe, and no program writes to it; name a file instead"));
 }
 
 }  // namespace

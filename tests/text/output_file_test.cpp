@@ -68,9 +68,9 @@ TEST_F(OutputFile, ReplacingKeepsPermissionsAndLinks) {
 
 TEST_F(OutputFile, FoldersAreNoFiles) {
   EXPECT_THAT(tests::message_of([&] { write_text(folder_.string(), "x", IfExists::replace); }),
-              HasSubstr("is a directory, a file to write is expected"));
+              HasSubstr(": is a directory; name a file"));
   EXPECT_THAT(tests::message_of([&] { write_text(path("no/a.csv"), "x", IfExists::refuse); }),
-              HasSubstr("there is no folder"));
+              HasSubstr(": cannot be written: this folder does not exist:"));
   EXPECT_THAT(tests::message_of([] { write_text("", "x", IfExists::refuse); }),
               HasSubstr("is empty"));
 }
@@ -180,8 +180,8 @@ TEST_F(OutputFile, ANameOfAnotherFormatIsRefused) {
     return tests::message_of([&] { require_writable(path(name), IfExists::refuse); });
   };
   EXPECT_THAT(refusal("st.xlsx"),
-              HasSubstr("st.xlsx: is the name of a workbook; tables are written "
-                        "as CSV, which Excel opens: name it .csv"));
+              HasSubstr("st.xlsx: is the name of a workbook; tables are written as CSV, which "
+                        "Excel can open: use a name that ends with .csv"));
   EXPECT_THAT(refusal("st.PNG"), HasSubstr("pictures are written as SVG and pages as HTML"));
   EXPECT_THAT(refusal("st.mat"), HasSubstr("a binary file"));
   EXPECT_THAT(tests::message_of([&] { write_text(path("a.xls"), "1", IfExists::replace); }),
@@ -197,8 +197,10 @@ TEST_F(OutputFile, ANameOfAnotherOfOurFormatsIsRefused) {
     return tests::message_of([&] { require_name_of(name, what); });
   };
   EXPECT_THAT(refusal("st.json", Written::table), HasSubstr("st.json: tables are written as CSV"));
-  EXPECT_THAT(refusal("st.HTML", Written::picture), HasSubstr("as SVG: name it .svg"));
-  EXPECT_THAT(refusal("st.svg", Written::page), HasSubstr("as HTML: name it .html"));
+  EXPECT_THAT(refusal("st.HTML", Written::picture),
+              HasSubstr("as SVG; use a name that ends with .svg"));
+  EXPECT_THAT(refusal("st.svg", Written::page),
+              HasSubstr("as HTML; use a name that ends with .html"));
   for (const char* name : {"st.csv", "st", "st.txt", "st.mo", "st.2"})
     require_name_of(name, Written::table);
   require_name_of("st.svg", Written::picture);

@@ -36,7 +36,7 @@ TEST(TextEncoding, Utf16OfBothOrdersBecomesUtf8) {
   }
   EXPECT_FALSE(is_utf16("C"));
   EXPECT_EQ(tests::message_of([] { (void)utf8_from_utf16("\xff\xfe\xb0", "d.csv"); }),
-            "d.csv: begins like UTF-16 text, but is not; save it as UTF-8");
+            "d.csv: the file begins like UTF-16, but is not valid UTF-16; save it as UTF-8");
 }
 
 }  // namespace
