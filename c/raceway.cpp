@@ -34,8 +34,8 @@ T& required(T* pointer, const char* name) {
 
 void require_count(double count) {
   if (count > most_states)
-    throw text::InputError(
-        fmt::format("{:.10g} states: at most {:.0e} in one call", count, most_states));
+    throw text::InputError(fmt::format(
+        "{:.10g} states are given; at most {:.0e} are allowed in one call", count, most_states));
 }
 
 using Arrays = std::array<const double*, 4>;  // in the order of `names`
@@ -100,7 +100,7 @@ int put_status(std::span<const bearing::SolveStatus> status, int* out, c::Messag
   for (std::size_t k = 1; k < count.size(); ++k) {
     if (count[k] == 0) continue;
     said.say(record::note::not_converged(
-        fmt::format("{} of {} states have not converged: {}, the first is [{}]", count[k],
+        fmt::format("{} of {} states have not converged: {}; the first is [{}]", count[k],
                     status.size(), raceway_status_name(static_cast<int>(k)), first[k])));
     result = RACEWAY_NOT_CONVERGED;
   }
@@ -150,7 +150,7 @@ raceway_model* raceway_create_from_file(const char* path, char* message, size_t 
   return guarded<raceway_model*>(reply, nullptr, [&] {
     const std::string name = &required(path, "path");
     if (name == "-")
-      throw text::InputError("-: standard input belongs to the program that calls; name a file",
+      throw text::InputError("-: the C library does not read standard input; name a file",
                              {.file = name});
     return c::open_handle(session::Source(name));
   });

@@ -15,10 +15,10 @@ std::string control_hal(const ControlPlan& plan, std::string_view name, std::str
   std::string nets;
   for (const ControlAxis& a : plan.axes) {
     if (a.letter.empty())
-      throw text::InputError(
-          fmt::format("{}: {}: LinuxCNC has no axis of this name: [export] axis = {{ {} = \"z\" }}",
-                      plan.source, a.column, a.column),
-          {.file = plan.source, .key = "axis"});
+      throw text::InputError(fmt::format("{}: {}: LinuxCNC has no axis of this name; give the "
+                                         "axis, for example [export] axis = {{ {} = \"z\" }}",
+                                         plan.source, a.column, a.column),
+                             {.file = plan.source, .key = "axis"});
     std::string capital = a.letter;
     capital.front() = static_cast<char>(capital.front() - 'a' + 'A');
     text += fmt::format("#   [AXIS_{}]\n#   OFFSET_AV_RATIO = 0.2\n", capital);
@@ -33,8 +33,8 @@ std::string control_hal(const ControlPlan& plan, std::string_view name, std::str
   text += fmt::format(
       "net {0}-motion-on motion.motion-enabled => {0}.motion-on\n"
       "net {0}-homed motion.is-all-homed => {0}.homed\n"
-      "# Sensors and what else is known go here; then set {0}.enable. From its first call "
-      "temperatures count.\n",
+      "# Connect the sensors and other inputs here; then set {0}.enable. Temperature rises are "
+      "measured from the first call.\n",
       name);
   for (const ControlInput& in : plan.inputs)
     text += fmt::format("#   net SIGNAL => {}.{}   # {}{}\n", name, in.column, in.unit,
@@ -51,7 +51,7 @@ std::string control_hal(const ControlPlan& plan, std::string_view name, std::str
 std::string control_hal_shutdown(const ControlPlan& plan, std::string_view name,
                                  std::string_view program) {
   return fmt::format(
-      "{}# Before LinuxCNC stops moving: what is applied goes back to 0.\nsetp {}.stop 1\n"
+      "{}# Before LinuxCNC stops: the applied offsets go back to 0.\nsetp {}.stop 1\n"
       "loadusr -w /usr/bin/python3 {} --wait-until-done\n",
       control_heading(plan, "# "), name, program);
 }

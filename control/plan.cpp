@@ -85,7 +85,7 @@ class Planner {
           still_s = std::fmax(still_s, r.still);
         }
     guard(in);
-    if (std::string time = allow_to_stand(in, still_s, settings_, "the record of its model");
+    if (std::string time = allow_to_stand(in, still_s, settings_, "the training record");
         !time.empty())
       note(std::move(time));
     plan_.inputs.push_back(std::move(in));
@@ -159,8 +159,8 @@ class Planner {
         unknown += (unknown.empty() ? "" : ", ") + in.column;
     if (!unknown.empty())
       note(
-          fmt::format("[correction.range] has no {}: the program cannot say when this input leaves "
-                      "the range of the training data",
+          fmt::format("[correction.range] has no {}, so the program cannot detect when this input "
+                      "leaves the training data",
                       unknown));
   }
 
@@ -184,9 +184,10 @@ class Planner {
           for (const double n : t.speed) made.torque_Nmm.push_back(t({n, axial, radial, T}) / N_mm);
     if (!t.holds({t.speed.front(), made.axial_load_N.front(), made.radial_load_N.front(),
                   temperatures.front()}))
-      note(fmt::format(
-          "channel {}: its load or temperature is outside {}; the value at the edge applies",
-          channel, t.file));
+      note(
+          fmt::format("channel {}: the load or temperature is outside {}; the program uses the "
+                      "value at the edge",
+                      channel, t.file));
     plan_.tables.push_back(std::move(made));
     return plan_.tables.size() - 1;
   }
@@ -261,24 +262,24 @@ class Planner {
                               {.file = plan_.source, .key = "denominator"});
     };
     if (correction::never_decays(*c.printed))
-      throw refused(fmt::format("no control can run its polynomials: {}",
+      throw refused(fmt::format("the polynomials cannot run in a control: {}",
                                 correction::pole_warnings(*c.printed).front()));
     const correction::TransferFunction f = correction::direct_form(*c.printed, c.input.factor());
     if (const double other = sampling_of(plan_); !std::isnan(other) && other != f.sampling)
-      throw refused(
-          fmt::format("its polynomials are for calls every {:g} s, and another channel has "
-                      "polynomials for every {:g} s: export each displacement to a file of its own",
-                      f.sampling, other));
-    note(
-        fmt::format("channel {}: runs as a difference equation, because {}. It needs a call every "
-                    "{:g} s: after any other interval it keeps its value and sets a flag",
-                    c.name, because, f.sampling));
+      throw refused(fmt::format(
+          "the polynomials of this channel are for calls every {:g} s, but those of another "
+          "channel are for calls every {:g} s; export each displacement to a separate file",
+          f.sampling, other));
+    note(fmt::format(
+        "channel {}: exported as a difference equation, because {}. The program must be called "
+        "every {:g} s; after any other interval the channel keeps its value and sets a flag",
+        c.name, because, f.sampling));
     for (const std::string& meaning : correction::pole_warnings(*c.printed))
       plan_.warnings.push_back(fmt::format("channel {}: {}", c.name, meaning));
     if (const double gap = 1.5 * f.sampling; plan_.settings.longest_gap_s < gap) {
       note(
-          fmt::format("longest_gap_s is {:g} s in place of {:g} s, so that a call every {:g} s is "
-                      "not late",
+          fmt::format("longest_gap_s is {:g} s instead of {:g} s, because calls every {:g} s would "
+                      "otherwise be late",
                       gap, plan_.settings.longest_gap_s, f.sampling));
       plan_.settings.longest_gap_s = gap;
       plan_.settings.clock_jump_s = std::max(plan_.settings.clock_jump_s, gap);
@@ -298,8 +299,8 @@ class Planner {
       if (form.through != 0.0)
         axis.feedthroughs.push_back({c.name, drive, as_printed(form.through * to_um)});
       note(fmt::format(
-          "channel {}: its polynomials became {} section{} and a feedthrough; called every {:g} s "
-          "they give the same result, and they are valid at any other rate",
+          "channel {}: the polynomials were converted to {} section{} and a feedthrough; these "
+          "give the same result with calls every {:g} s, and are also valid at other intervals",
           c.name, form.lags.size(), form.lags.size() == 1 ? "" : "s", c.printed->sampling));
     } catch (const std::invalid_argument& e) {
       add_equation(c, drive, e.what(), axis);
@@ -382,13 +383,15 @@ class Planner {
     if (e.own) {
       if (e.off) return;
       throw text::InputError(
-          fmt::format("{}: effect {} is a formula of your own, which cannot be exported: remove "
-                      "it, or let a column with these values drive a channel",
+          fmt::format("{}: effect {} is a user-defined formula, which cannot be exported: remove "
+                      "it, or use a channel with a column of these values",
                       plan_.source, e.id),
           {.file = plan_.source, .key = e.id});
     }
     if (correction::card_of(e).of_reading) {
-      note(fmt::format("{}: belongs to the readings of one record, and is left out", full_id(e)));
+      note(fmt::format(
+          "{}: not exported, because this effect only removes a disturbance from one record",
+          full_id(e)));
       return;
     }
     std::visit(ShareAdder{*this, m, e, axis}, correction::kind_of(e).share(e, m));
@@ -401,7 +404,7 @@ class Planner {
     hand_out(axis, *m.displacement);
     if (const correction::Trust trust = correction::trust_of(m);
         trust.level == correction::TrustLevel::unknown) {
-      note(fmt::format("{}: the trust in this correction is {}", axis.column,
+      note(fmt::format("{}: the trust in this correction is: {}", axis.column,
                        correction::line_of(trust)));
     } else {
       axis.trust = correction::name(trust.level);
@@ -413,8 +416,8 @@ class Planner {
     for (const Effect& e : m.effects) add(e, m, axis);
     if (m.initial_state == correction::InitialState::free)
       note(
-          fmt::format("{}: initial_state = \"free\" needs readings; the program starts from rest, "
-                      "as if the machine were cold",
+          fmt::format("{}: initial_state = \"free\" needs readings, so the program starts from "
+                      "rest, as if the machine were cold",
                       axis.column));
     if (m.covariance) note(fmt::format("{}: the program has no confidence band", axis.column));
     plan_.axes.push_back(std::move(axis));
@@ -515,8 +518,8 @@ std::string allow_to_stand(ControlInput& in, double still_s,
   if (!(needed > in.stuck_s)) return {};
   const double before = std::exchange(in.stuck_s, needed);
   return fmt::format(
-      "{} did not change for {:.3g} min in {}, so the program calls it stuck after {:.6g} s "
-      "instead of {:.6g} s; stuck_s in [export] sets another time",
+      "{} did not change for {:.3g} min in {}, so the program reports it as stuck after {:.6g} s "
+      "instead of {:.6g} s; set stuck_s in [export] to change this time",
       in.column, still_s / 60.0, where, needed, before);
 }
 

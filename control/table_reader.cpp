@@ -84,7 +84,8 @@ class TableReader {
       if (r.part == "displacement") (void)axis(r, true);
     }
     if (plan_.axes.empty())
-      throw text::InputError(source_ + ": has no row of a displacement", {.file = source_});
+      throw text::InputError(source_ + ": the table has no row for a displacement",
+                             {.file = source_});
     std::size_t from = 0;
     for (std::size_t k = 1; k <= rows_.size(); ++k) {
       const bool same = k < rows_.size() && rows_[k].part == rows_[from].part &&
@@ -127,14 +128,14 @@ class TableReader {
 
   std::size_t input_named(const Row& r, std::string_view column) const {
     const std::size_t place = place_of(plan_, column);
-    if (place == nowhere) fail(r, "no row is of an input with this name");
+    if (place == nowhere) fail(r, "the table has no input of this name");
     return place;
   }
   ControlInput& input(const Row& r, bool make = false) {
     if (const std::size_t known = place_of(plan_, r.of); known != nowhere)
       return plan_.inputs[known];
     const record::Channel* const c = record::series_channel(r.of);
-    if (!make || !c || !c->is_input()) fail(r, "is no input of a correction");
+    if (!make || !c || !c->is_input()) fail(r, "cannot be an input of a correction");
     plan_.inputs.push_back(input_of(*c));
     return plan_.inputs.back();
   }
@@ -177,7 +178,9 @@ class TableReader {
           std::none_of(part.begin(), part.end(), [&](const Row& r) { return r.name == f.name; }))
         fail_missing(part.front(), f.name);
   }
-  [[noreturn]] void fail_unknown(const Row& r) const { fail(r, "no such name in this part"); }
+  [[noreturn]] void fail_unknown(const Row& r) const {
+    fail(r, "unknown name in this part of the table");
+  }
 
   void read_part(const Part& part) {
     const Row& first = part.front();
@@ -232,14 +235,14 @@ class TableReader {
     for (const char c : a.output)
       if (!((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
             c == '_' || c == '-'))
-        fail(part.front(), "output must be of letters, digits, _ and -");
+        fail(part.front(), "output must consist of letters, digits, _ and -");
   }
 
   void read_check(const Part& part) {
     std::map<double, std::size_t> known;
     for (const Row& r : part) {
       const std::vector<double> at = numbers_at(r.name, "at ", {" s"});
-      if (at.empty()) fail(r, "must be named as \"at 600 s\"");
+      if (at.empty()) fail(r, "must have a name such as \"at 600 s\"");
       const auto [found, fresh] = known.emplace(at.front(), plan_.check.rows.size());
       if (fresh)
         plan_.check.rows.push_back({at.front(), std::vector<double>(plan_.inputs.size(), unset),
@@ -274,7 +277,8 @@ class TableReader {
       } else if (r.name.starts_with(of_weight)) {
         const std::size_t next = t.weights.size() + 1;  // of the triangle, row by row
         const std::size_t size = t.inputs.size();
-        if (next > size * (size + 1) / 2) fail(r, "more weights than inputs before it");
+        if (next > size * (size + 1) / 2)
+          fail(r, "has more weights than there are inputs before it");
         const std::size_t column = next - 1 - (size * (size - 1)) / 2;
         if (size == 0 || column >= size ||
             plan_.inputs[t.inputs[column]].column != r.name.substr(of_weight.size()))
@@ -361,11 +365,13 @@ class TableReader {
       fail_missing(first, "input");
     if (d.kind == Kind::motor && std::isnan(d.decay_rpm)) fail_missing(first, "decay_speed");
     if ((d.kind == Kind::power || d.kind == Kind::motor) && place_of(plan_, "speed_rpm") == nowhere)
-      fail(first, "goes by the speed, and no row is of speed_rpm as an input");
+      fail(first, "depends on the speed, but the table has no input speed_rpm");
     const bool rises = d.window_from <= d.window_full_from &&
                        d.window_full_from <= d.window_full_to && d.window_full_to <= d.window_to;
     if (d.window != nowhere && !rises)
-      fail(first, "window_from, window_full_from, window_full_to and window_to must rise");
+      fail(
+          first,
+          "window_from, window_full_from, window_full_to and window_to must be in ascending order");
     if (d.kind == Kind::rise) d.unit = "K";
     if (d.kind == Kind::size) d.unit = plan_.inputs[d.inputs.front()].unit;
     if (d.kind == Kind::motor) d.unit = "1";
@@ -381,7 +387,7 @@ class TableReader {
     std::size_t points = 1;
     for (const auto& axis : axes) points *= axis.size();
     if (torques.empty() || t.torque_Nmm.size() != points)
-      fail(first, "needs the torque at every speed, load and temperature");
+      fail(first, "needs a torque at each speed, load and temperature");
     const auto list = [](const std::set<double>& axis) {
       return std::vector<double>(axis.begin(), axis.end());
     };
@@ -390,7 +396,7 @@ class TableReader {
     if (d.axial_load != nowhere || t.axial_load_N.empty()) t.axial_load_N = list(axes[2]);
     t.speed_rpm = list(axes[3]);
     if (d.temperature == nowhere && t.temperature_C.size() > 1)
-      fail(first, "has torques at several temperatures: temperature must name the input");
+      fail(first, "has torques at several temperatures, so temperature must name an input");
     d.table = plan_.tables.size();
     plan_.tables.push_back(std::move(t));
   }
@@ -410,7 +416,7 @@ class TableReader {
     const Part others = read_driven(part, e, element_numbers);
     const ControlDrive& d = plan_.drives.back();
     if (d.kind != ControlDrive::Kind::power && d.kind != ControlDrive::Kind::size)
-      fail(part.front(), "goes with a power, a load or the like: u must be power or size");
+      fail(part.front(), "needs a power or a load: u must be power or size");
     e.gain_um = curve(part.front(), others, "gain", d.unit);
     e.time_constant_s = curve(part.front(), others, "time_constant", d.unit);
     for (const Row& r : others)
@@ -427,11 +433,11 @@ class TableReader {
                                         : name == "denominator" ? &e.denominator
                                                                 : nullptr;
       if (!list) fail_unknown(r);
-      if (place != list->size()) fail(r, "is not the next one of its polynomial");
+      if (place != list->size()) fail(r, "is not the next coefficient of the polynomial");
       list->push_back(number(r));
     }
     if (e.numerator.size() != e.denominator.size())
-      fail(part.front(), "numerator and denominator must be alike long");
+      fail(part.front(), "numerator and denominator must have the same length");
     a.equations.push_back(std::move(e));
   }
 
@@ -447,7 +453,7 @@ class TableReader {
       const std::string_view what = r.name.substr(name.size() + 1);
       if (const auto at = numbers_at(what, "at ", {end}); !at.empty()) {
         if (!c.input.empty() && at.front() <= c.input.back())
-          fail(r, "what it goes by must rise from row to row");
+          fail(r, "the input must increase from row to row");
         c.input.push_back(at.front());
         c.value.push_back(number(r));
         continue;
@@ -483,16 +489,18 @@ class TableReader {
            {std::tuple{by_speed, plan_.speed, "speed_rpm"},
             std::tuple{by_coolant, plan_.coolant, "coolant_on"}})
         if (needs && place == nowhere)
-          throw text::InputError(fmt::format("{}: {} goes by {}, and no row is of it as an input",
-                                             source_, a.column, column),
-                                 {.file = source_, .key = column});
+          throw text::InputError(
+              fmt::format("{}: {} depends on {}, but the table has no such input", source_,
+                          a.column, column),
+              {.file = source_, .key = column});
     }
     for (const ControlAxis& a : plan_.axes)
       for (const ControlEquation& e : a.equations)
         if (e.sampling_s != sampling_of(plan_))
-          throw text::InputError(fmt::format("{}: {}: equations of two samplings, {} s and {} s",
-                                             source_, a.column, sampling_of(plan_), e.sampling_s),
-                                 {.file = source_, .key = "sampling"});
+          throw text::InputError(
+              fmt::format("{}: {}: the equations have two sampling intervals, {} s and {} s",
+                          source_, a.column, sampling_of(plan_), e.sampling_s),
+              {.file = source_, .key = "sampling"});
     for (const ControlInput& in : plan_.inputs)
       if (!(in.lowest <= in.highest) && !(std::isnan(in.lowest) && std::isnan(in.highest)))
         throw text::InputError(fmt::format("{}: {}, input: lowest = {} and highest = {}", source_,

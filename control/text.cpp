@@ -96,8 +96,7 @@ std::string control_heading(const ControlPlan& plan, std::string_view mark) {
       text += fmt::format("{}Trust in {}: {}.\n", mark, axis.column, harmless(trust_line(axis)));
   if (std::any_of(plan.axes.begin(), plan.axes.end(), [](const auto& a) { return a.angle; }))
     text += fmt::format(
-        "{}Displacements whose names end in urad are angles: um is urad in all of "
-        "their numbers.\n",
+        "{}Displacements whose names end in urad are angles: for these, read urad instead of um.\n",
         mark);
   for (const std::string& warning : plan.warnings)
     text += fmt::format("{}{}{}.\n", mark, before_warning, harmless(warning));

@@ -257,7 +257,8 @@ std::string spindle_run_text(const model::Model& model,
   fmt::memory_buffer out;
   put_title(out, model, "Run", model_text);
   const auto put = std::back_inserter(out);
-  fmt::format_to(put, "# the inputs of a row hold from the row before it to its time\n");
+  fmt::format_to(put,
+                 "# the inputs of a row apply from the previous row to the time of this row\n");
   fmt::format_to(put, "time_s,");
   put_header(out, run_columns(model, {}, {}));
   out.push_back('\n');

@@ -29,7 +29,7 @@ spindle::State parse_spindle_state(const std::string& text, const std::string& s
     throw text::InputError(fmt::format("{}: {}", source, why), {.file = source});
   };
   const text::json document = text::json::parse(text, nullptr, false);
-  if (document.is_discarded()) fail("is not JSON; raceway spindle --end-state writes a state");
+  if (document.is_discarded()) fail("is not JSON; raceway spindle --end-state writes a state file");
   if (!document.is_object() || !document.contains("spindle_state"))
     fail("is not the state of a spindle; raceway spindle --end-state writes one");
   if (const text::json format = document.value("format", text::json(text::format_number));
@@ -37,14 +37,14 @@ spindle::State parse_spindle_state(const std::string& text, const std::string& s
     fail(fmt::format("format = {}: {}", format.dump(), text::other_format));
   const auto number = [&](const char* key) {
     if (!document.contains(key) || !document[key].is_number())
-      fail(fmt::format("{} is missing or no number", key));
+      fail(fmt::format("{} is missing or not a number", key));
     return document[key].get<double>();
   };
   spindle::State state{
       .time = number("time_s"), .structure_time = number("structure_time_s"), .temperatures = {}};
   const auto list = document.find("temperatures_C");
   if (list == document.end() || !list->is_array() || list->empty())
-    fail("temperatures_C is missing or no list");
+    fail("temperatures_C is missing or not a list");
   for (const text::json& one : *list) {
     constexpr double coldest = -273.15, hottest = 2000.0;
     if (!one.is_number() || !(one.get<double>() >= coldest && one.get<double>() <= hottest))

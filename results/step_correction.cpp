@@ -82,12 +82,12 @@ correction::DelayElement step_element(const std::vector<LagAt>& points, double a
   if (form == StepLaw::power) {
     if (std::isnan(laws.gain_power.exponent))
       throw std::invalid_argument(
-          "a power law needs gains of one sign at two powers or loads above 0; take the curve");
+          "a power law needs gains of the same sign at two powers or loads above 0; use the curve");
     return {Characteristic::Power{laws.gain_power.factor, laws.gain_power.exponent},
             Characteristic::Power{laws.time_power.factor, laws.time_power.exponent}};
   }
   if (std::isnan(laws.gain_line.slope))
-    throw std::invalid_argument("a line needs two powers or loads; take the curve");
+    throw std::invalid_argument("a line needs two powers or loads; use the curve");
   return {Characteristic::Line{laws.gain_line.slope, laws.gain_line.offset},
           Characteristic::Line{laws.time_line.slope, laws.time_line.offset}};
 }
@@ -123,8 +123,8 @@ std::string step_friction_text(const correction::FrictionTable& table) {
 std::string step_curve_text(const std::string& input, const Characteristic::Table& gain,
                             const Characteristic::Table& time) {
   std::string text = fmt::format(
-      "# Gain and time constant over the {}: monotone cubics through the step responses, in\n"
-      "# straight pieces\n{},gain_um,time_constant_min\n",
+      "# Gain and time constant over the {}: monotone cubics through the step responses, as\n# "
+      "straight pieces\n{},gain_um,time_constant_min\n",
       input == "power_W" ? "power" : "load", input);
   for (std::size_t k = 0; k < gain.input.size(); ++k)
     text += fmt::format("{:.12g},{:.12g},{:.12g}\n", gain.input[k], gain.value[k] / um,
@@ -222,8 +222,8 @@ correction::Model step_model(const spindle::StepResponses& responses,
                              const StepCorrectionParts& parts) {
   if (parts.power.empty())
     throw std::invalid_argument(
-        "a correction needs the power at a speed above 0 rpm: give load cases both columns, "
-        "speed_rpm and power_W, or name the MODEL");
+        "a correction needs the power at a speed above 0 rpm: give the load cases both columns, "
+        "speed_rpm and power_W, or name a MODEL");
   correction::Model model;
   model.name = parts.name;
   model.displacement = record::series_channel("displacement_z_um");
@@ -236,7 +236,7 @@ correction::Model step_model(const spindle::StepResponses& responses,
     const std::vector<LagAt> points = at_powers(responses.steps, element.lag);
     if (points.empty())
       throw std::invalid_argument(parts.two_lags ? "no step response has two time constants"
-                                                 : "there is no step response that converged");
+                                                 : "no step response converged");
     correction::DrivenChannel channel{.name = element.name};
     channel.input.name = "power_W";
     channel.input.table = friction;
@@ -270,11 +270,11 @@ StepCorrection step_correction(const correction::Model& model, const std::string
   const std::string friction = step_table_path(path, "friction");
   result.tables.emplace_back(friction, step_friction_text(*model.channels.front().input.table));
   result.model = fmt::format(
-      "# Delay elements by step responses: gain and time constant go with the friction power at "
-      "the\n# speed; all bearings together.\n{}{}[correction]\nname = {}\ndisplacement = \"{}\"\n",
-      model.channels.back().input.is_power()
-          ? ""
-          : "# Loads at the nose: at once, and by what they heat at each speed.\n",
+      "# Delay elements from step responses: gain and time constant depend on the friction power "
+      "of\n# all bearings at the speed.\n{}{}[correction]\nname = {}\ndisplacement = \"{}\"\n",
+      model.channels.back().input.is_power() ? ""
+                                             : "# Loads at the nose: immediate displacement, and "
+                                               "displacement by the heat of the load.\n",
       text::format_line, text::in_quotes(model.name), model.displacement->name);
   for (const correction::DrivenChannel& channel : model.channels) {
     const correction::Input& input = channel.input;

@@ -107,11 +107,12 @@ std::string step_responses_text(const spindle::StepResponses& responses, std::st
   fmt::memory_buffer out;
   fmt::format_to(std::back_inserter(out),
                  "# Step responses from rest, of {}\n# raceway {}\n"
-                 "# u = kinematic + K (1 - exp(-t/T)); K and T belong to the power at the end\n",
+                 "# u = kinematic + K (1 - exp(-t/T)); K and T are for the power at the end\n",
                  text::printable(source), RACEWAY_VERSION);
   if (!responses.loads.empty())
-    out.append(std::string_view(
-        "# Rows with a load: steps of that load from the settled spindle; kinematic is at once\n"));
+    out.append(
+        std::string_view("# Rows with a load: steps of this load from the steady state; kinematic "
+                         "is the immediate part\n"));
   if (!model_text.empty()) text::append_model(out, model_text);
   const bool with_name = steps_were_read(responses);
   std::vector<StepColumn> columns(std::begin(step_columns), std::end(step_columns));

@@ -87,9 +87,9 @@ record::Record trial_programme(double fastest) {
 
 std::string superposition_text(const Superposition& s) {
   constexpr double one_hour = 3600.0;
-  return fmt::format("{:.3g} um rms, {:.3g} um at most (after {:.2f} h), of a travel of {:.3g} um",
-                     s.rms / um, s.largest / um, s.time_of_largest / one_hour,
-                     (s.highest - s.lowest) / um);
+  return fmt::format(
+      "{:.3g} um rms, {:.3g} um at most (after {:.2f} h), with a travel of {:.3g} um", s.rms / um,
+      s.largest / um, s.time_of_largest / one_hour, (s.highest - s.lowest) / um);
 }
 
 }  // namespace raceway::results

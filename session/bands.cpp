@@ -33,16 +33,15 @@ std::vector<double> torques_and_losses(const model::Model& model,
 model::Band band_of(const files::ModelFile& file, std::string_view asked_by,
                     std::string_view remedy) {
   if (!file.model.covariance)
-    throw text::InputError(
-        fmt::format("{}: {} has no [calibration.covariance] of the values that stand in it; {}",
-                    asked_by, file.source, remedy),
-        {.file = file.source, .key = "calibration.covariance"});
+    throw text::InputError(fmt::format("{}: {} has no [calibration.covariance] for its values; {}",
+                                       asked_by, file.source, remedy),
+                           {.file = file.source, .key = "calibration.covariance"});
   return model::Band(file.model);
 }
 
 std::string band_statement(const model::Band& band) {
   return fmt::format(
-      "95 % band of the fitted {} alone; what the model lacks and noise are no part of it",
+      "95 % band from the fitted {} only; it does not include missing effects and noise",
       text::listed(band.fitted()));
 }
 

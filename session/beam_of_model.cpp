@@ -12,8 +12,8 @@ BeamOfModel beam_of(const files::ModelFile& file, double load_place) {
   const model::Model& model = file.model;
   if (!model.spindle || model.spindle->shaft.segments.empty())
     throw text::InputError(file.source +
-                               ": has no [shaft] with segments: length_mm and diameter_mm of each "
-                               "piece from the nose to the rear are needed",
+                               ": the model has no [shaft] with segments: give length_mm and "
+                               "diameter_mm of each segment, from the nose to the rear",
                            {.file = file.source, .key = "shaft.segment"});
   try {
     const std::vector<double> places = spindle::bearing_places(*model.spindle);
@@ -66,8 +66,9 @@ bool bends(const model::Spindle& spindle) {
 std::string unused_coolant_off(const model::Model& model, bool coolant_on, bool warm) {
   if (coolant_on) return {};
   if (!model.spindle || !model.spindle->coolant)
-    return "switching the coolant off changes nothing: the model has no [coolant]";
-  if (!warm) return "switching the coolant off changes nothing: the spindle is cold, not warm";
+    return "switching off the coolant has no effect: the model has no [coolant]";
+  if (!warm)
+    return "switching off the coolant has no effect: the spindle is calculated cold, not warm";
   return {};
 }
 

@@ -88,7 +88,9 @@ const model::Model& model_of(const fit::Subject& subject) {
 /// Why the model predicts nothing for a row.
 std::string why_not_predicted(const model::Model& model, const record::Record& data,
                               std::size_t row) {
-  if (model.spindle) return "the simulation ends there, without equilibrium or by thermal runaway";
+  if (model.spindle)
+    return "the simulation ends at this row, because the spindle has no equilibrium or heats up "
+           "without limit";
   if (model.shaft) return "no equilibrium";
   const model::Row asked = model::rows_of(data)[row];
   const model::FrictionPrediction p =
@@ -135,12 +137,12 @@ std::shared_ptr<const fit::Subject> subject_of(const model::Model& model,
   // Runs of all records of a spindle are simulated by themselves.
   if (model.spindle && !own.empty())
     fail(
-        ": a spindle has one set of numbers for all its records; calibrate with each record by "
-        "itself");
+        ": a spindle has the same parameters for all records; calibrate it with each record "
+        "separately");
   if (data.parts.empty() && !own.empty())
     fail(
-        fmt::format(" {}: {} is one record, whose parameters are all its own; name two files of "
-                    "measurements or more",
+        fmt::format(" {}: {} is a single record, so all its parameters are separate; name at least "
+                    "two files of measurements",
                     fmt::join(own, ","), data.source));
   const std::shared_ptr<const fit::Subject> alone = files::make_subject(model, data);
   if (model.spindle || data.parts.empty()) return alone;
@@ -217,19 +219,21 @@ class BearingInLoop final : public LoopModel {
     if (!file_.model.shaft && defaults_ == Defaults::count) warn_of_ignored_data(messages, file_);
     const auto* const first = dynamic_cast<const BearingInLoop*>(&other);
     if (!first)
-      throw text::InputError(
-          file_.source + ": has no [correction]: only corrections can be compared with one",
-          {.file = file_.source, .key = "correction"});
+      throw text::InputError(file_.source +
+                                 ": the model has no [correction]; a correction can only be "
+                                 "compared with other corrections",
+                             {.file = file_.source, .key = "correction"});
     if (file_.model.spindle.has_value() != first->file_.model.spindle.has_value())
-      throw text::InputError(file_.source + ": a spindle can be compared with spindles only",
-                             {.file = file_.source});
+      throw text::InputError(
+          file_.source + ": the model cannot be compared: all models must be spindles, or none",
+          {.file = file_.source});
     warn_of_other_rig(messages, first->file_);
   }
 
   ComparedModel compared(Messages& messages, const record::Record& data, const CompareOptions& how,
                          const Names& per_record) const override {
     if (how.zero != "mean")
-      throw text::InputError("--zero: belongs to corrections; leave it out for other models",
+      throw text::InputError("--zero is only for corrections; remove it for other models",
                              {.key = "--zero"});
     model::Model wanted = written_->model();
     Names names = how.refit;
@@ -310,17 +314,20 @@ class BearingInLoop final : public LoopModel {
         !same(rig.radial_load, of_first.radial_load) ||
         !same(rig.temperature, of_first.temperature) ||
         !same(rig.minimum_speed, of_first.minimum_speed))
-      warn(fmt::format("[rig] differs from [rig] of {}, which is used for all models",
-                       first.source));
+      warn(fmt::format(
+          "[rig] differs from [rig] of {0}; the comparison uses [rig] of {0} for all models",
+          first.source));
     const auto& shaft = file_.model.shaft;
     if (shaft && first.model.shaft && shaft->external_load != first.model.shaft->external_load)
       warn(fmt::format(
-          "external_load_N differs from external_load_N of {}, which is used for all models",
+          "external_load_N differs from external_load_N of {0}; the comparison uses the "
+          "value of {0} for all models",
           first.source));
     if (file_.sensor && !(first.sensor && rig::same_torques(*file_.sensor, *first.sensor)))
-      warn(fmt::format(
-          "[torque_sensor] differs from [torque_sensor] of {}, by which the data are read",
-          first.source));
+      warn(
+          fmt::format("[torque_sensor] differs from [torque_sensor] of {0}; the data are read with "
+                      "the table of {0}",
+                      first.source));
   }
 
   files::ModelFile file_;

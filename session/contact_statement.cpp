@@ -25,13 +25,13 @@ std::string_view regime(double film_ratio) {
 }  // namespace
 
 std::string judgement(const friction::contact::ContactResult& r) {
-  const std::array parts{std::pair{r.rolling(), "rolling of the oil"},
+  const std::array parts{std::pair{r.rolling(), "rolling resistance of the oil"},
                          std::pair{r.sliding(), "sliding in the contacts"},
                          std::pair{r.hysteresis(), "hysteresis of the steel"},
                          std::pair{r.drag, "drag of the balls in the oil"}};
   const auto& largest = *std::max_element(
       parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  return fmt::format("{} (lambda {:.3g} at the thinnest), {} is {:.0f} % of it",
+  return fmt::format("{} (smallest lambda {:.3g}); largest part: {}, {:.0f} %",
                      regime(r.friction.smallest_film_ratio), r.friction.smallest_film_ratio,
                      largest.second, 100.0 * largest.first / r.moment());
 }
@@ -56,10 +56,9 @@ std::string balls_statement(const model::Model& model, const bearing::OperatingP
   };
   using Ball = bearing::BallEquilibrium;
   return fmt::format(
-      "{} balls have {:.2f} of the torque of steel balls at {:.6g} rpm, {:.6g} N: centrifugal "
-      "force "
-      "of a ball {:.3g} instead of {:.3g} N, load at the outer race {:.3g} instead of {:.3g} N, "
-      "elastic modulus {:.0f} instead of {:.0f} GPa (docs/laws.md)",
+      "with {} balls the torque is {:.2f} times the torque with steel balls at {:.6g} rpm and "
+      "{:.6g} N: centrifugal force of a ball {:.3g} instead of {:.3g} N, load at the outer race "
+      "{:.3g} instead of {:.3g} N, elastic modulus {:.0f} instead of {:.0f} GPa (docs/laws.md)",
       model.bearing.balls().name, own.torque / with_steel.torque, point.speed / rpm,
       point.axial_load, largest(own, &Ball::centrifugal_force),
       largest(with_steel, &Ball::centrifugal_force), largest(own, &Ball::outer_load),
@@ -83,15 +82,15 @@ std::vector<std::string> notes_on_state(const model::Model& model, const bearing
         axial, least));
   if (const auto& c = prediction.contacts; c && c->holding_over_traction > 1.0)
     notes.push_back(fmt::format(
-        "the gyroscopic moment needs a friction of {:.3g} times the contact load, {:.3g} times the "
-        "friction of film and asperities, so the balls turn; race_control = \"balanced\" gives the "
-        "right contact angles and displacement (docs/race-control.md)",
+        "the gyroscopic moment needs a friction force of {:.3g} times the contact load, which is "
+        "{:.3g} times the friction of film and asperities, so the balls slip; race_control = "
+        "\"balanced\" gives the correct contact angles and displacement (docs/race-control.md)",
         c->holding_coefficient, c->holding_over_traction));
   const model::BearingLife life = bearing_life(model, point, prediction);
   if (life.hybrid)
     notes.push_back(
-        fmt::format("ISO 281 defines no a_ISO for {} balls, so there is no modified life; L10r is "
-                    "calculated with the formula for steel and the loads of these balls",
+        fmt::format("ISO 281 defines no a_ISO for {} balls, so the modified life is not "
+                    "calculated; L10r uses the formula for steel and the loads of these balls",
                     bearing.balls().name));
   return notes;
 }

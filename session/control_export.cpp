@@ -46,7 +46,7 @@ control::ControlPlan plan_of(Messages& messages, const Source& model, const Sour
     plan.check = control::made_up_check(plan, file.models);
   }
   if (plan.check.rows.empty())
-    plan.notes.push_back("the program contains no record, so its check has nothing to replay");
+    plan.notes.push_back("the exported program contains no record, so it cannot check itself");
   return plan;
 }
 
@@ -58,8 +58,8 @@ void require_control_name(const std::string& format, const std::string& output) 
   const std::filesystem::path path(output);
   if (path.extension() != ".py" || path.stem() != name)
     throw text::InputError(
-        fmt::format("--output {}: a component of LinuxCNC has the name of its file, letters, "
-                    "digits and _ with .py at the end: {}",
+        fmt::format("--output {}: the file name is the name of the LinuxCNC component; use "
+                    "letters, digits and _, and .py at the end, such as {}",
                     output, (path.parent_path() / (name + ".py")).string()),
         {.key = "--output"});
 }
@@ -73,10 +73,10 @@ control::ControlPlan open_plan(Messages& messages, const Source& model, const So
   const std::string text = model.text ? *model.text : text::peek_text(model.name);
   if (!control::is_control_table(text)) return plan_of(messages, model, record);
   if (record)
-    throw text::InputError(
-        fmt::format("--record {}: {} is a table that export wrote, which has its record in it",
-                    record->name, model.name),
-        {.key = "--record"});
+    throw text::InputError(fmt::format("--record {}: {} is a table that export wrote, and it "
+                                       "already contains its record; remove --record",
+                                       record->name, model.name),
+                           {.key = "--record"});
   return control::read_control_table(model.text ? *model.text : text::read_text(model.name),
                                      model.name);
 }
@@ -84,18 +84,20 @@ control::ControlPlan open_plan(Messages& messages, const Source& model, const So
 void require_trust(const control::ControlPlan& plan) {
   for (const control::ControlAxis& axis : plan.axes)
     if (axis.trust == correction::name(correction::TrustLevel::do_not_use))
-      throw text::InputError(fmt::format("{}: {}: {}. --accept-untrusted exports it all the same",
-                                         plan.source, axis.column, control::trust_line(axis)),
-                             {.file = plan.source, .key = "--accept-untrusted"});
+      throw text::InputError(
+          fmt::format("{}: {}: {}. Use --accept-untrusted to export it nevertheless", plan.source,
+                      axis.column, control::trust_line(axis)),
+          {.file = plan.source, .key = "--accept-untrusted"});
   const auto predicts_nothing = [](const control::ControlAxis& axis) {
     return axis.sections.empty() && axis.elements.empty() && axis.feedthroughs.empty() &&
            axis.equations.empty() && axis.kinematics.empty();
   };
   if (std::all_of(plan.axes.begin(), plan.axes.end(), predicts_nothing))
     throw text::InputError(
-        fmt::format("{}: has neither a channel nor an effect, so that it corrects nothing: export "
-                    "the file that identify wrote. --accept-untrusted exports it all the same",
-                    plan.source),
+        fmt::format(
+            "{}: the model has neither a channel nor an effect, so it corrects nothing. Export the "
+            "file that identify wrote, or use --accept-untrusted to export this one",
+            plan.source),
         {.file = plan.source, .key = "--accept-untrusted"});
 }
 

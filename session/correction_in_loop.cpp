@@ -44,8 +44,8 @@ class CorrectionInLoop final : public LoopModel {
                       const LoopModels& compared_with) const override {
     if (data.size() != 1)
       throw text::InputError(
-          "a correction is compared with one record; runs of one machine are rows of one file with "
-          "their run_id, and files of one run with clocks of their own are named by --beside",
+          "a correction is compared with one record only. Put several runs of a machine into one "
+          "file with a column run_id, and name further files of the same run with --beside",
           {.key = "DATA"});
     std::vector<correction::Model> models{model()};
     for (const auto& other : compared_with)
@@ -74,9 +74,10 @@ class CorrectionInLoop final : public LoopModel {
 
   void stand_beside(Messages&, const LoopModel& first) const override {
     if (!dynamic_cast<const CorrectionInLoop*>(&first))
-      throw text::InputError(
-          first.about().source + ": has no [correction]: only corrections can be compared with one",
-          {.file = first.about().source, .key = "correction"});
+      throw text::InputError(first.about().source +
+                                 ": the model has no [correction]; a correction can only be "
+                                 "compared with other corrections",
+                             {.file = first.about().source, .key = "correction"});
   }
 
   ComparedModel compared(Messages& messages, const record::Record& data, const CompareOptions& how,
@@ -105,7 +106,7 @@ class CorrectionInLoop final : public LoopModel {
                     .defaults = file_.defaults};
     if (const std::string leaves = correction::beyond_element(model(), data); !leaves.empty())
       messages.say(record::note::no_prediction(
-          fmt::format("{}: {}: rows from there on have no prediction and are left out",
+          fmt::format("{}: {}: the rows from there on have no prediction and are not used",
                       file_.source, leaves),
           {.file = data.source}));
     const correction::Series series(data);
@@ -146,8 +147,9 @@ class CorrectionInLoop final : public LoopModel {
 
   static void refuse(const Names& per_record) {
     if (!per_record.empty())
-      throw text::InputError("--per-record: a correction is compared with one record",
-                             {.key = "--per-record"});
+      throw text::InputError(
+          "--per-record: a correction is compared with one record only; remove the flag",
+          {.key = "--per-record"});
   }
 
   files::CorrectionFile file_;
@@ -162,9 +164,10 @@ std::unique_ptr<LoopModel> open_correction(Messages& messages, const Source& sou
   Names known;
   for (const correction::Model& m : file.models) known.emplace_back(m.displacement->name);
   if (options.channel.empty() && known.size() > 1)
-    throw text::InputError(fmt::format("{}: has several [[correction]]: choose one by --channel {}",
-                                       file.source, fmt::join(known, " or ")),
-                           {.file = file.source, .key = "--channel"});
+    throw text::InputError(
+        fmt::format("{}: the model has several [[correction]]; choose one with --channel {}",
+                    file.source, fmt::join(known, " or ")),
+        {.file = file.source, .key = "--channel"});
   const auto chosen = options.channel.empty()
                           ? known.begin()
                           : std::find(known.begin(), known.end(), options.channel);

@@ -56,8 +56,8 @@ record::Record open_series(Messages& messages, const Source& given,
                            bool one_by_one) {
   const std::string& path = given.name;
   if (path.ends_with(".toml"))
-    throw text::InputError(path + ": stands where a record over time (CSV) is expected",
-                           {.file = path});
+    throw text::InputError(
+        path + ": this is a model file; a record over time (CSV) is expected here", {.file = path});
   std::vector<const record::Channel*> wanted, needed;
   for (const correction::Model& m : models) {
     wanted.push_back(m.displacement);
@@ -115,14 +115,14 @@ std::string note_of(const correction::Beyond::Part& p, const record::Record& rec
           : fmt::format("in {} of the {} rows", p.rows, record.rows() - p.first);
   if (p.together())
     return fmt::format(
-        "from {} on, {} from there, this combination of inputs lies outside the training data "
-        "(distance {:.3g} there and {:.3g} at most; largest in training {:.3g}): treat the result "
-        "as extrapolation",
+        "from {} on, {}, this combination of inputs lies outside the training data (distance "
+        "{:.3g} in the first of these rows, {:.3g} at most; largest in training {:.3g}): treat the "
+        "result as extrapolation",
         when(record, p.first), share, p.value, p.farthest, p.upper);
   const auto shown = [&](double v) { return number(p.column ? p.column->in_unit(v) : v, 5); };
   return fmt::format(
-      "{}: from {} on, {} from there, outside the training data of {} to {} {}: {} there and {} at "
-      "the farthest",
+      "{}: from {} on, {}, the input is outside the training data of {} to {} {}: {} in the first "
+      "of these rows, {} at the largest distance",
       p.column ? p.name : p.name + " power_W", when(record, p.first), share, shown(p.lower),
       shown(p.upper), p.column ? std::string(p.column->unit) : "W", shown(p.value),
       shown(p.farthest));
@@ -139,8 +139,8 @@ std::vector<std::string> range_notes(const correction::Model& model,
     const std::vector<double> share = correction::extrapolated(model, series, beyond);
     const auto most = std::max_element(share.begin(), share.end());
     notes.push_back(
-        fmt::format("a regression extrapolates there in straight lines: {:.3g} {} of its "
-                    "prediction in {} are extrapolation",
+        fmt::format("outside the training data a regression extrapolates linearly: {:.3g} {} of "
+                    "its prediction in {} are extrapolation",
                     *most / um, correction::unit_of(model),
                     when(record, static_cast<std::size_t>(most - share.begin()))));
   }
@@ -148,8 +148,8 @@ std::vector<std::string> range_notes(const correction::Model& model,
   for (const correction::DrivenChannel& c : model.channels)
     if (const std::size_t rows = series.rows_beyond_table(c.input); rows > 0)
       notes.push_back(fmt::format(
-          "channel {}: {:.1f} % of the rows lie outside of the axes of {}; there the "
-          "value at the edge holds",
+          "channel {}: {:.1f} % of the rows lie outside the range of {}; for these rows, the "
+          "program uses the value at the edge",
           c.name, 100.0 * static_cast<double>(rows) / static_cast<double>(record.rows()),
           c.input.table->file));
   return notes;

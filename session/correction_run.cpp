@@ -67,7 +67,8 @@ results::Corrected corrected_by(const correction::Model& model, const record::Re
                                 [](double v) { return !std::isfinite(v); });
   if (bad != result.predicted.end())
     messages.push_back(record::note::no_prediction(
-        fmt::format("{}: no displacement from {} on: the power leaves the range of a delay element",
+        fmt::format("{}: no displacement is predicted from {} on, because the power leaves the "
+                    "range of a delay element",
                     model.displacement->name,
                     record.place(static_cast<std::size_t>(bad - result.predicted.begin())))));
   return result;
@@ -98,9 +99,9 @@ double duration(const std::string& text, const std::string& flag) {
   const std::string_view name(end, static_cast<std::size_t>(last - end));
   const text::Unit* const unit =
       error == std::errc() ? text::find_unit(name, text::Dimension::time) : nullptr;
-  if (!unit) wrong("write a number and its unit (s, min, h, d), as 4h");
+  if (!unit) wrong("write a number and its unit (s, min, h, d), such as 4h");
   const double seconds = unit->to_SI(value);
-  if (!(seconds > 0.0) || !(seconds <= 1e9)) wrong("must be above 0, and 1e9 s at most");
+  if (!(seconds > 0.0) || !(seconds <= 1e9)) wrong("must be above 0 and at most 1e9 s");
   return seconds;
 }
 
@@ -116,21 +117,19 @@ std::vector<std::string> notes_on(const correction::Model& model) {
   std::vector<std::string> notes;
   if (std::isnan(model.tolerance))
     notes.push_back(
-        fmt::format("{}: no {} in the model: a misfit of {:g} {} is assumed, "
-                    "and no reading is due",
+        fmt::format("{}: the model has no {}: a misfit of {:g} {} is assumed, and the program "
+                    "never asks for a reading",
                     model.displacement->name, correction::in_unit_of(model, "tolerance_um"),
                     correction::usual_misfit / um, correction::unit_of(model)));
   if (std::isnan(model.measured_std))
-    notes.push_back(
-        fmt::format("{}: no {} in the model: readings are taken to "
-                    "scatter by {:g} {}",
-                    model.displacement->name, correction::in_unit_of(model, "measurement_std_um"),
-                    correction::usual_reading_std / um, correction::unit_of(model)));
+    notes.push_back(fmt::format(
+        "{}: the model has no {}: a standard deviation of {:g} {} is assumed for the readings",
+        model.displacement->name, correction::in_unit_of(model, "measurement_std_um"),
+        correction::usual_reading_std / um, correction::unit_of(model)));
   if (model.range.empty())
-    notes.push_back(
-        fmt::format("{}: no [correction.range] in the model: lags that it lacks are "
-                    "not sought",
-                    model.displacement->name));
+    notes.push_back(fmt::format(
+        "{}: the model has no [correction.range]: the program does not look for missing lags",
+        model.displacement->name));
   return notes;
 }
 
@@ -144,8 +143,8 @@ std::vector<std::string> warnings_on(const results::Learnt& one, const record::R
   for (const correction::OfferedReading& r : one.learning.readings)
     if (!r.learnt)
       list.push_back(fmt::format(
-          "{}: the reading is {:.4g} {}, but {:.4g} +- {:.2g} was expected: it is refused and not "
-          "learnt",
+          "{}: the reading is {:.4g} {}, but {:.4g} +- {:.2g} was expected: the reading is "
+          "rejected and not used for learning",
           place(r.row), r.reading / um, one.displacement->unit, r.predicted / um, r.std / um));
   for (const correction::IdentificationDue& d : one.learning.due)
     list.push_back(fmt::format("{}: a new identification is due: {}", place(d.row), d.reason));
@@ -219,8 +218,8 @@ LearningRun learn(SeriesQuestion asked, const LearningChoices& choices) {
            notes_of(record::note::assumed, notes_on(model), {.file = run.asked.file.source}));
     if (run.learnt.back().learning.error.readings == 0)
       run.notes.push_back(
-          record::note::assumed(fmt::format("{}: every reading was used for learning; --every "
-                                            "keeps some readings to test the prediction",
+          record::note::assumed(fmt::format("{}: all readings were used for learning; use --every "
+                                            "to keep some readings for a test of the prediction",
                                             model.displacement->name)));
   }
   return run;

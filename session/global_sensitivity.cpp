@@ -23,9 +23,9 @@ constexpr std::size_t most_numbers = 100000000;
 std::vector<std::string> cannot_tell(const Sensitivity& s, const fit::SobolIndices& found) {
   std::vector<std::string> lines;
   if (2 * found.complete < s.samples)
-    return {
-        fmt::format("only {} of {} samples have a value: the indices describe these samples only",
-                    found.complete, s.samples)};
+    return {fmt::format(
+        "only {} of {} samples have a value, so the indices describe only these samples",
+        found.complete, s.samples)};
   std::vector<std::size_t> order(found.inputs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -39,22 +39,24 @@ std::vector<std::string> cannot_tell(const Sensitivity& s, const fit::SobolIndic
   if (order.size() > 1) {
     const fit::SobolIndex &a = found.inputs[order[0]], &b = found.inputs[order[1]];
     if (a.total - a.total_error < b.total + b.total_error)
-      lines.push_back(fmt::format("these samples cannot tell whether {} or {} matters more",
-                                  name(order[0]), name(order[1])));
+      lines.push_back(fmt::format(
+          "these samples do not show whether {} or {} has more influence; use more samples",
+          name(order[0]), name(order[1])));
   }
   if (widest > 0.1)
     lines.push_back(fmt::format(
-        "intervals are up to +-{:.2g} wide: four times the samples halve them", widest));
+        "the confidence intervals are up to +-{:.2g} wide; four times the samples halve them",
+        widest));
   return lines;
 }
 
 fit::SobolDesign design_of(const SensitivityQuestion& q, const Sensitivity& s) {
   if (s.sampled.empty())
     throw text::InputError(
-        "no number with a spread influences the prediction: there is nothing to sample");
+        "no number with a spread influences the prediction, so no indices can be calculated");
   if ((s.sampled.size() + 2) * s.predictions.size() > most_numbers / q.samples)
     throw text::InputError(fmt::format(
-        "{} samples of {} data and {} predictions are more than {:.0g} numbers: take fewer",
+        "{} samples of {} data and {} predictions are more than {:.0g} numbers: use fewer samples",
         q.samples, s.sampled.size(), s.predictions.size(), static_cast<double>(most_numbers)));
   try {
     return {s.sampled.size(), q.samples, q.seed};

@@ -25,9 +25,8 @@ std::pair<int, int> orders_of(const std::string& text) {
     const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
     if (error != std::errc() || end != part.data() + part.size() || value < 1 || value > 6)
       throw text::InputError(
-          fmt::format("--order {}: must be a number of sections from 1 to 6, or a "
-                      "range of them as 1:3",
-                      text),
+          fmt::format(
+              "--order {}: must be a number of sections from 1 to 6, or a range such as 1:3", text),
           {.key = "--order"});
     return value;
   };
@@ -35,8 +34,9 @@ std::pair<int, int> orders_of(const std::string& text) {
   if (colon == text.npos) return {number(all), number(all)};
   const std::pair result{number(all.substr(0, colon)), number(all.substr(colon + 1))};
   if (result.first > result.second)
-    throw text::InputError(fmt::format("--order {}: the first is above the second", text),
-                           {.key = "--order"});
+    throw text::InputError(
+        fmt::format("--order {}: the first number must not be above the second", text),
+        {.key = "--order"});
   return result;
 }
 
@@ -50,8 +50,8 @@ std::vector<double> lags_of(const std::vector<std::string>& texts) {
     constexpr double longest = 1e7;
     if (error != std::errc() || end != text.data() + text.size() || !(value >= 0.0) ||
         value > longest)
-      throw text::InputError(fmt::format("--lags {}: must be auto, or time constants from 0 (at "
-                                         "once) to 1e7 s by comma, as 0,1200,3600",
+      throw text::InputError(fmt::format("--lags {}: must be auto, or time constants from 0 (no "
+                                         "lag) to 1e7 s, separated by commas, such as 0,1200,3600",
                                          text),
                              {.key = "--lags"});
     if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(value);
@@ -75,8 +75,8 @@ std::vector<const record::Channel*> offered(const std::vector<std::string>& name
     if (!c || !c->is_input() || !record.has(*c)) {
       std::vector<std::string> known;
       for (const record::Column& column : record.columns) known.emplace_back(column.channel->name);
-      throw text::InputError(fmt::format("--inputs {}: {} has no such input{}", name, record.source,
-                                         text::suggestion(name, known)),
+      throw text::InputError(fmt::format("--inputs {}: {} does not have this input{}", name,
+                                         record.source, text::suggestion(name, known)),
                              {.file = record.source, .key = "--inputs"});
     }
     list.push_back(c);
@@ -223,18 +223,18 @@ ArxModels::Text ArxModels::text() const {
     const correction::ArxFit* const best = baseline.best();
     if (!best)
       throw text::InputError(
-          fmt::format("{}: ARX of {}: no order is stable: its simulation grows without end. "
-                      "Sections, without --baseline, are",
+          fmt::format("{}: ARX of {}: no order is stable, so the simulation grows without limit. "
+                      "Sections (without --baseline) are always stable",
                       asked.data.source, displacement->name),
           {.file = asked.data.source, .key = "--baseline"});
     models.push_back(correction::with_arx(asked.file.models[k], baseline, *best));
     result.notes.push_back(record::note::limits(
-        fmt::format(
-            "{}: ARX of order {}, which errs least over the second half ({:.3g} {unit} "
-            "simulated, {:.3g} {unit} one step ahead). A control gets the simulation, at calls "
-            "every {:.10g} s alone",
-            displacement->name, best->order, best->second_half.rms / um, best->one_step.rms / um,
-            baseline.sampling, fmt::arg("unit", displacement->unit)),
+        fmt::format("{}: ARX of order {} has the smallest error over the second half ({:.3g} "
+                    "{unit} simulated, {:.3g} {unit} one step ahead). A control runs the "
+                    "simulation, and only with calls every {:.10g} s",
+                    displacement->name, best->order, best->second_half.rms / um,
+                    best->one_step.rms / um, baseline.sampling,
+                    fmt::arg("unit", displacement->unit)),
         {.file = asked.data.source}));
   }
   result.text = files::new_corrections(models, "ARX models of " + asked.data.source);

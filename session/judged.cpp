@@ -37,12 +37,12 @@ void judge_fit(const char* key, const char* of, double interference, double diam
                Findings& findings) {
   const double share = interference / diameter;
   if (share > model::limits::interference.value)
-    findings.push_back(model::finding(
-        model::limits::interference, share,
-        fmt::format("[seat] {}: an interference of {:.4g} um on {:.4g} mm is {:.2g} of the {}, "
-                    "above {:g}: the ring is near cracking",
-                    key, interference / um, diameter / mm, share, of,
-                    model::limits::interference.value)));
+    findings.push_back(
+        model::finding(model::limits::interference, share,
+                       fmt::format("[seat] {}: an interference of {:.4g} um on {:.4g} mm is {:.2g} "
+                                   "of the {}, above the limit {:g}: the ring can crack",
+                                   key, interference / um, diameter / mm, share, of,
+                                   model::limits::interference.value)));
 }
 
 double at(std::span<const double> row, std::size_t place) {
@@ -92,8 +92,8 @@ Findings judge_mounted(const files::ModelFile& file) {
     limit.is_warning = true;
     findings.push_back(model::finding(
         limit, most / GPa,
-        fmt::format("the preload of {:.6g} N presses the balls of {} with {:.3g} GPa as mounted, "
-                    "above 4.2 GPa, which leaves dents",
+        fmt::format("the preload of {:.6g} N causes at {} a contact pressure of {:.3g} GPa as "
+                    "mounted; above 4.2 GPa the balls leave permanent dents",
                     mounted.preload(), place_of(model, worst), most / GPa)));
     findings.back().place = place_of(model, worst);
   }
@@ -113,27 +113,27 @@ std::vector<record::Note> fit_notes(const model::Model& model) {
     if (e.description->id != effects::InterferenceFit::id) continue;
     // Both are entered in um.
     if (std::abs(e.values[0] - seat / um) <= 1e-9 * std::abs(seat / um)) return {};
-    return {record::note::over_limit(fmt::format(
-        "one fit has two interferences: {:.6g} um of the effect interference-fit in the "
-        "preload, {:.6g} um of [seat] inner_interference_um in the heat through the seat",
-        e.values[0], seat / um))};
+    return {record::note::over_limit(
+        fmt::format("the same fit has two different interferences: {:.6g} um in the effect "
+                    "interference-fit (acts on the preload) and {:.6g} um in [seat] "
+                    "inner_interference_um (acts on the heat through the seat)",
+                    e.values[0], seat / um))};
   }
   const auto& preload = model.shaft->arrangement.design().preload;
   if (!std::holds_alternative<bearing::PreloadOffset>(preload) || !(seat > 0.0)) return {};
   const std::string so = fmt::format(
-      "the preload of {:.4g} N is ground into bearings that are not on the shaft: "
-      "[seat] inner_interference_um = {:.6g} um acts on the heat through the seat, and "
-      "not on this preload",
+      "the preload of {:.4g} N belongs to bearings before mounting: [seat] inner_interference_um = "
+      "{:.6g} um changes the heat through the seat, but not this preload",
       mounted_preload(model), seat / um);
   const effects::Description* const effect =
       effects::find(effects::InterferenceFit::id, effects::Form::spindle);
   if (seat / um > effect->parameters[0].upper) return {record::note::unused(so)};
   model::Model fitted = model;
   fitted.effects.push_back({.description = effect, .values = {seat / um}});
-  return {record::note::unused(
-      fmt::format("{}; with [[effect]] id = \"{}\", interference_um = {:.6g} it is "
-                  "{:.4g} N as mounted",
-                  so, effect->id, seat / um, mounted_preload(fitted)))};
+  return {
+      record::note::unused(fmt::format("{}; with [[effect]] id = \"{}\", interference_um = {:.6g}, "
+                                       "the preload as mounted is {:.4g} N",
+                                       so, effect->id, seat / um, mounted_preload(fitted)))};
 }
 
 std::vector<record::Note> warnings_said(const model::Findings& findings) {
@@ -283,11 +283,10 @@ Findings judge(const model::Model& model, const bearing::Arrangement& mounted,
   const double slope = std::abs(result.slope);
   if (slope > model::beam_limit) {
     const std::string force = named(wording, "--force", "force_N");
-    throw text::InputError(
-        fmt::format("{} = {:.6g} N: the nose would slope by {:.3g} rad; a shaft that is a linear "
-                    "beam on its bearings slopes by at most {:g} rad",
-                    force, result.force, slope, model::beam_limit),
-        {.key = force});
+    throw text::InputError(fmt::format("{} = {:.6g} N: the slope of the nose would be {:.3g} rad; "
+                                       "the linear beam model is valid up to {:g} rad",
+                                       force, result.force, slope, model::beam_limit),
+                           {.key = force});
   }
   Judge judge(model);
   for (std::size_t i = 0; i < result.shaft.bearings.size(); ++i) {
@@ -312,20 +311,20 @@ Findings judge(const model::Model& model, const bearing::Arrangement& mounted,
   std::erase_if(findings,
                 [](const auto& f) { return f.limit == model::limits::friction_table.id; });
   if (slope > model::limits::nose_slope.value * mrad)
-    findings.push_back(model::finding(
-        model::limits::nose_slope, slope / mrad,
-        fmt::format("the nose slopes by {:.3g} mrad, above {:g} mrad: the bearings are tilted "
-                    "beyond what they stand",
-                    slope / mrad, model::limits::nose_slope.value)));
+    findings.push_back(
+        model::finding(model::limits::nose_slope, slope / mrad,
+                       fmt::format("the slope of the nose is {:.3g} mrad, above {:g} mrad: the "
+                                   "tilt of the bearings exceeds their limit",
+                                   slope / mrad, model::limits::nose_slope.value)));
   return findings;
 }
 
 std::vector<record::Note> states_not_counted(const model::Model& model) {
   if (model.law != friction::FrictionLaw::table) return {};
-  return {record::note::limits(fmt::format(
-      "beyond the friction table {} ({}) its edge holds; bearings that run there are not "
-      "counted here, raceway spindle counts them",
-      model.table->file, model.table->range()))};
+  return {record::note::limits(
+      fmt::format("outside the friction table {} ({}) the value at its edge is used; this command "
+                  "does not count such states, but raceway spindle does",
+                  model.table->file, model.table->range()))};
 }
 
 Findings judge_speeds(const model::Model& model, std::span<const double> speeds) {
@@ -416,7 +415,7 @@ void require_possible(const model::Model& model, const record::Record& record) {
       look(*column.channel, [&](double v) {
         if (v < model::water_freezes || v > model::water_boils)
           refuse(std::string(column.channel->name), celsius(v), celsius(model::water_freezes),
-                 celsius(model::water_boils), "C", "water freezes below and boils above it");
+                 celsius(model::water_boils), "C", "outside this range, water freezes or boils");
       });
 }
 

@@ -21,12 +21,13 @@ std::string law_statement(const shaft::KinematicLawFit& f, const std::string& ta
   const std::string& limit = f.mae > shaft::kinematic_law_tolerance ? tolerance : share;
   if (f.verdict == KinematicLawVerdict::scatter)
     return fmt::format(
-        "The mean absolute error is above {}, and the residual jumps from row to row: the rows "
-        "scatter by {} um, and the law is as good as they are.",
+        "The mean absolute error is above {}, but the residual changes randomly from row to row: "
+        "the rows scatter by {} um, and the law fits within this scatter.",
         limit, number(f.scatter / um, 2));
   return fmt::format(
       "The law does not follow the curve: its mean absolute error is above {}, and the residual is "
-      "smooth, a shape that three parameters cannot take. Use the monotone table instead ({}).",
+      "smooth, so three parameters cannot describe this curve. Use the monotone table instead "
+      "({}).",
       limit, table);
 }
 

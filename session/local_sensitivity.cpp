@@ -119,9 +119,10 @@ void take_spreads(const model::Model& model, const SensitivityQuestion& q, Data&
     datum.spread = files::spread_of(text, datum.value);
     datum.spread_from = "given";
     if (datum.whole && datum.spread != std::floor(datum.spread))
-      throw text::InputError(fmt::format("spread of {} = {}: must be a whole number: it is a count",
-                                         text.name, text.text),
-                             {.key = text.name});
+      throw text::InputError(
+          fmt::format("spread of {} = {}: must be a whole number, because it is a number of parts",
+                      text.name, text.text),
+          {.key = text.name});
   }
 }
 
@@ -141,7 +142,8 @@ std::vector<Around> predict_around(Data& data, const Predictor& predictor,
     if (!data.is_asked(k))
       around[k].step = 0.0;
     else if (around[k].step == 0.0)
-      s.not_varied.emplace_back(datum.name, "zero, of which 1 % is none; a spread varies it");
+      s.not_varied.emplace_back(datum.name,
+                                "its value is 0, so the default spread of 1 % is 0; give a spread");
   }
   constexpr std::array<double, 4> shares{1.0, -1.0, 0.5, -0.5};
   for_all(around.size() * 6, q, 0.0, q.samples > 0 ? 0.1 : 1.0, [&](std::size_t i) {
@@ -192,8 +194,8 @@ std::vector<std::size_t> take_what_enters(const Data& data, const std::vector<Ar
     const bool given = datum.spread_from == "given";
     if (!spread_refused.empty() && sampled && given)
       throw text::InputError(
-          fmt::format("spread of {} = {:.6g} ({}): the changed model is not allowed: {}",
-                      datum.name, datum.spread, datum.spread_from, spread_refused),
+          fmt::format("spread of {} = {:.6g} ({}): the varied model is not valid: {}", datum.name,
+                      datum.spread, datum.spread_from, spread_refused),
           {.key = datum.name});
     if (!spread_refused.empty() && sampled)
       s.not_sampled.emplace_back(datum.name, spread_refused);

@@ -39,14 +39,14 @@ void average(Messages& messages, const LoopModel& model, record::Record& data, b
     const std::shared_ptr<const fit::Subject> subject = model.as_written(data);
     if (subject->has_memory() || subject->approximates())
       messages.say(record::note::unused(
-          "--rows changes nothing: rows of a record over time are never averaged",
+          "--rows has no effect: the rows of a record over time are never averaged",
           {.key = "rows"}));
     return;
   }
   fit::Averaged averaged = dwells_of(model, data);
   if (!averaged.any()) return;
   const record::Note said = record::note::averaged(
-      averaged.statement() + "; --rows keeps rows apart", {.file = data.source});
+      averaged.statement() + "; use --rows to keep all rows", {.file = data.source});
   messages.say(said);
   data = std::move(averaged.record);
   data.notes.push_back(said);
@@ -171,11 +171,11 @@ ComparedModels compare(Messages& messages, const std::vector<Source>& models,
     verdict::estimate_unknown_noise(*result.models.back().subject, result.data, model.errors);
   if (!how.refit.empty())
     messages.say(record::note::assumed(
-        fmt::format("{} refitted to {} in each model; all else as in the files",
+        fmt::format("{} refitted to {} in each model; all other values as in the files",
                     fmt::join(how.refit, " and "), result.data.source)));
   if (!options.per_record.empty())
     messages.say(
-        record::note::assumed(fmt::format("{} refitted to each record by itself in each model",
+        record::note::assumed(fmt::format("{} refitted to each record separately in each model",
                                           fmt::join(options.per_record, " and "))));
   return result;
 }
@@ -183,8 +183,9 @@ ComparedModels compare(Messages& messages, const std::vector<Source>& models,
 std::string suggested_columns(Messages& messages, const Source& model, const Source& data,
                               LoopOptions options) {
   if (data.name.ends_with(".toml"))
-    throw text::InputError(data.name + ": stands where measurements (CSV) are expected",
-                           {.file = data.name});
+    throw text::InputError(
+        data.name + ": this is a model file; measurements (CSV) are expected here",
+        {.file = data.name});
   const std::unique_ptr<LoopModel> opened =
       open_any_correction(messages, model, std::move(options));
   return opened->suggested_columns(data);
@@ -221,10 +222,11 @@ CheckedModel check(Messages& messages, const Source& source, const Source& data,
   if (result.over_time)  // the document has a list of these
     messages.say(result.over_time->warnings);
   else if (!result.check.runs_coincide_with.empty())
-    tell(record::note::plan(fmt::format(
-        "each run has its own {0}, so an effect of it looks like a difference between runs; before "
-        "you measure more, plan two runs or more for each level, or all levels within each run",
-        result.check.runs_coincide_with)));
+    tell(record::note::plan(
+        fmt::format("each run has a different {0}, so an effect of {0} cannot be separated from a "
+                    "difference between runs. For further measurements, plan at least two runs for "
+                    "each level, or all levels in each run",
+                    result.check.runs_coincide_with)));
   return result;
 }
 

@@ -30,8 +30,8 @@ Part part_of(const files::ModelParts& parts, const Source& file, const LoopOptio
   if (!parts.bearing) return Part::correction;
   if (options.channel.empty())
     throw text::InputError(
-        fmt::format("{}: describes a bearing and the correction of {}: choose by --channel, of the "
-                    "bearing --channel friction_torque_Nmm",
+        fmt::format("{}: the file has a bearing and the correction of {}: choose one with "
+                    "--channel; --channel friction_torque_Nmm chooses the bearing",
                     file.name, text::listed(parts.displacements)),
         {.file = file.name, .key = "--channel"});
   return std::find(parts.displacements.begin(), parts.displacements.end(), options.channel) ==

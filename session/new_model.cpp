@@ -20,8 +20,8 @@ friction::FrictionLaw wanted_law(const NewModel& wanted) {
   using friction::FrictionLaw;
   if (wanted.law == friction::name(FrictionLaw::table))
     throw text::InputError(
-        "raceway new: a model with the law table needs a table: write law = \"table\" and its file "
-        "under [friction]",
+        "raceway new: the law table needs a friction table; create the model with another law, "
+        "then write law = \"table\" and file = \"TABLE.csv\" under [friction]",
         {.key = "--law"});
   return friction::find_friction_law(wanted.law)
       .value_or(wanted.spindle ? FrictionLaw::palmgren : FrictionLaw::contact);
@@ -35,10 +35,10 @@ std::string new_roller_model(Messages& messages, const NewModel& wanted, bool de
         {.key = "BEARING"});
   };
   if (described)
-    refuse("--bore, --outer-diameter, --balls and --contact-angle describe ball bearings");
-  if (wanted.spindle) refuse("the sets of a spindle have ball bearings");
+    refuse("--bore, --outer-diameter, --balls and --contact-angle are only for ball bearings");
+  if (wanted.spindle) refuse("a spindle needs ball bearings");
   if (wanted.law == friction::name(friction::FrictionLaw::contact))
-    refuse("its laws are palmgren and skf");
+    refuse("choose the law palmgren or skf");
   const files::EstimatedRollers rollers = files::estimated_rollers(wanted.bearing);
   messages.say(record::note::assumed(
       wanted.bearing +
@@ -70,7 +70,7 @@ std::string angle_text(const NewModel& wanted, double angle) {
   const files::Designation d = files::read_designation(wanted.bearing);
   const std::string why = !std::isnan(wanted.contact_angle) ? ""
                           : std::isnan(d.contact_angle)
-                              ? " assumed, as the designation states none"
+                              ? " assumed, because the designation has no contact angle"
                               : fmt::format(" by its designation ({})", d.angle_code);
   return fmt::format("{:.4g} deg{}", angle / degree, why);
 }
@@ -94,8 +94,9 @@ std::string new_model_text(Messages& messages, const NewModel& wanted) {
   if (const files::CatalogueBearing* const row = files::known_bearing(rows, wanted.bearing)) {
     if (described)
       throw text::InputError(
-          fmt::format("raceway new: {} is in the catalogue, with its inner geometry; --bore, "
-                      "--outer-diameter, --balls and --contact-angle are for one that is not",
+          fmt::format("raceway new: the catalogue has the inner geometry of {}; remove --bore, "
+                      "--outer-diameter, --balls and --contact-angle, which are for bearings that "
+                      "are not in the catalogue",
                       row->full_name()),
           {.key = "BEARING"});
     files::CatalogueBearing bearing = *row;
@@ -113,18 +114,17 @@ std::string new_model_text(Messages& messages, const NewModel& wanted) {
     try {
       (void)files::find_bearing(rows, wanted.bearing);
     } catch (const text::InputError& e) {
-      throw text::InputError(std::string(e.what()) +
-                                 "\nwith --bore and --outer-diameter, and --balls if it is known, "
-                                 "the inner geometry of "
-                                 "one that is not is estimated",
-                             e.place);
+      throw text::InputError(
+          std::string(e.what()) +
+              "\nto estimate the inner geometry of a bearing that is not in the catalogue, give "
+              "--bore and --outer-diameter, and --balls if you know it",
+          e.place);
     }
   }
   const files::EstimatedBearing bearing = files::estimated_bearing(known, rows);
   messages.say(
       record::note::assumed(fmt::format("{} is not in the catalogue: {:.6g} x {:.6g} mm, {}{}; "
-                                        "what is estimated is marked in the "
-                                        "model",
+                                        "estimated values are marked in the model",
                                         wanted.bearing, known.bore / mm, known.outer_diameter / mm,
                                         angle_text(wanted, bearing.outline.contact_angle),
                                         balls_text(wanted, known.ball_material)),
@@ -134,7 +134,7 @@ std::string new_model_text(Messages& messages, const NewModel& wanted) {
 
 std::string new_correction_text(Messages& messages, const Source& data, const Reading& reading) {
   if (data.name.ends_with(".toml"))
-    throw text::InputError(data.name + ": stands where a record (CSV) is expected",
+    throw text::InputError(data.name + ": this is a model file; a record (CSV) is expected here",
                            {.file = data.name});
   const files::NewCorrection made =
       files::new_correction(files::repeatable(data), reading.options());

@@ -50,22 +50,21 @@ files::ModelFile open_model(Messages& messages, const Source& source, Accepts ac
     } catch (const text::InputError& e) {
       if (!path.ends_with(".csv")) throw;
       throw text::InputError(
-          std::string(e.what()) + "\n" + path + ": stands where a model (TOML) is expected",
+          std::string(e.what()) + "\n" + path +
+              ": this is a file of measurements; a model (TOML) is expected here",
           e.place);
     }
   }();
   if (file.model.shaft && accepts == Accepts::rig)
-    throw text::InputError(
-        path +
-            ": has an [arrangement]: this command works on a single bearing on a rig; "
-            "displacement, solve, table, check, compare, diagnose, add and calibrate with data "
-            "work on "
-            "a shaft",
-        {.file = path, .key = "arrangement"});
+    throw text::InputError(path +
+                               ": the model has an [arrangement], but this command needs a single "
+                               "bearing on a rig. For a shaft, use displacement, solve, table, "
+                               "check, compare, diagnose, add, or calibrate with data",
+                           {.file = path, .key = "arrangement"});
   if (!file.model.shaft && accepts == Accepts::shaft)
     throw text::InputError(path +
-                               ": has no [arrangement]: a shaft position needs one, with layout, "
-                               "front, rear and preload_N",
+                               ": the model has no [arrangement]; the shaft position needs this "
+                               "table with layout, front, rear and preload_N",
                            {.file = path, .key = "arrangement"});
   for (const files::NamedFile& named : file.files) messages.reads(named.path);
   const std::size_t count = defaults == Defaults::count ? file.defaults.size() : 0;
@@ -88,11 +87,12 @@ void warn_of_ignored_data(Messages& messages, const files::ModelFile& file) {
   const bool skf = !taken.empty() && law != friction::FrictionLaw::skf;
   messages.say(record::note::ignored(
       fmt::format(
-          "{}: in the friction torque {} ignores {}{}; {}law = \"contact\"{} all (docs/laws.md)",
+          "{}: the friction torque by {} does not depend on {}{}; {}law = \"contact\"{} all of "
+          "them (docs/laws.md)",
           file.source, friction::name(law), fmt::join(ignored, ", "),
           model::needs_equilibrium(file.model) ? "" : " and running contact angles",
-          skf ? fmt::format("law = \"skf\" takes in {}, ", fmt::join(taken, ", ")) : std::string(),
-          skf ? "" : " takes in"),
+          skf ? fmt::format("law = \"skf\" uses {}, ", fmt::join(taken, ", ")) : std::string(),
+          skf ? "" : " uses"),
       {.file = file.source}));
 }
 
@@ -130,8 +130,8 @@ std::vector<record::Note> notes_on_table(const model::Model& model, const record
   }
   if (rows == 0.0) return {};
   return {record::note::band(fmt::format(
-      "the friction table {} has a 95 % band of +-{:.3g} N mm on these rows (rms; "
-      "{:.2g} % of its torque): an error within it may be the table's",
+      "the friction table {} has a 95 % band of +-{:.3g} N mm on these rows (rms; {:.2g} % of its "
+      "torque): an error within this band can come from the table",
       model.table->file, std::sqrt(band / rows) / N_mm, 100.0 * std::sqrt(band / torque)))};
 }
 
@@ -139,7 +139,8 @@ record::Record open_one(Messages& messages, const Source& given, const model::Mo
                         const files::ReadOptions& options, bool of_several) {
   const std::string& path = given.name;
   if (path.ends_with(".toml"))
-    throw text::InputError(path + ": stands where measurements (CSV) are expected", {.file = path});
+    throw text::InputError(path + ": this is a model file; measurements (CSV) are expected here",
+                           {.file = path});
   const Source source = files::repeatable(given);
   const std::string from = of_several ? path : std::string();
   if (const auto& spindle = subject.model().spindle) {
@@ -158,11 +159,10 @@ record::Record open_one(Messages& messages, const Source& given, const model::Mo
     return data;
   }
   if (!source.beside.empty())
-    throw text::InputError(
-        path +
-            ": rows of a rig are states, which files with clocks of their own cannot share; "
-            "--beside belongs to records over time",
-        {.file = path, .key = "--beside"});
+    throw text::InputError(path +
+                               ": the rows of a rig are separate states without a common clock; "
+                               "--beside is only for records over time",
+                           {.file = path, .key = "--beside"});
   record::Record data = files::read_record(source, subject, options);
   fit::PossibleRows possible = fit::without_impossible_rows(data);
   if (!possible.statements.empty()) {

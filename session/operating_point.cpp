@@ -26,7 +26,7 @@ std::vector<double> axis_of(std::vector<double> values, double otherwise,
                         name.starts_with("--") ? name : fmt::format("{}[{}]", name, i));
     if (i > 0 && values[i] <= values[i - 1])
       throw text::InputError(
-          fmt::format("{}: the values of an axis of a table must rise, and {} follows {}", name,
+          fmt::format("{}: the values of a table axis must increase, but {} follows {}", name,
                       text::number(values[i]), text::number(values[i - 1])),
           {.key = name});
   }
@@ -72,24 +72,24 @@ void require_loads(Messages& messages, const files::ModelFile& file, const Given
     const std::string other =
         given.radial_load ? named(wording, "--radial-load", "radial_load_N")
                           : named(wording, "--moment-y, --moment-z", "moment_y_Nmm, moment_z_Nmm");
-    throw text::InputError(fmt::format("{}: {} has an [arrangement]: a shaft takes {} alone", other,
-                                       file.source, axial),
-                           {.file = file.source, .key = other});
+    throw text::InputError(
+        fmt::format("{}: {} has an [arrangement]; for a shaft, only {} is possible", other,
+                    file.source, axial),
+        {.file = file.source, .key = other});
   }
   if (!given.axial_load && std::isnan(point_of(model).axial_load))
     throw text::InputError(
         fmt::format("{} is missing, and {} has no axial_load_N under [rig]", axial, file.source),
         {.file = file.source, .key = axial});
   if (model.bearing.rollers() && given.acting_axial_load)
-    throw text::InputError(
-        fmt::format("{}: must be 0 for {}, a cylindrical roller bearing of type N carries none",
-                    axial, file.source),
-        {.file = file.source, .key = axial});
+    throw text::InputError(fmt::format("{}: must be 0 for {}, because a cylindrical roller bearing "
+                                       "of type N cannot carry an axial load",
+                                       axial, file.source),
+                           {.file = file.source, .key = axial});
   if (given.moments && model.solver.tilt == bearing::Tilt::locked)
     messages.say(record::note::ignored(
-        fmt::format("{}: {} change nothing where the shaft holds the tilt; [solver] tilt = "
-                    "\"free\" lets the "
-                    "balls carry them",
+        fmt::format("{}: {} have no effect, because the tilt is locked; set [solver] tilt = "
+                    "\"free\" to let the balls carry them",
                     file.source,
                     named(wording, "--moment-y and --moment-z", "moment_y_Nmm and moment_z_Nmm")),
         {.file = file.source}));

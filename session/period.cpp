@@ -21,10 +21,11 @@ double seconds_of(const std::string& text, const std::string& flag) {
   const std::string_view name(end, static_cast<std::size_t>(last - end));
   const text::Unit* const unit = error == std::errc() ? text::find_unit(name) : nullptr;
   if (!unit || unit->dimension != text::Dimension::time || !(value >= 0.0) || !std::isfinite(value))
-    throw text::InputError(fmt::format("{}: {}: write a time since the first row and its unit, as "
-                                       "22h, 90min or 3600s",
-                                       flag, text::quoted(text)),
-                           {.key = flag});
+    throw text::InputError(
+        fmt::format(
+            "{}: {}: write a time since the first row with its unit, such as 22h, 90min or 3600s",
+            flag, text::quoted(text)),
+        {.key = flag});
   return value * unit->factor;
 }
 
@@ -56,11 +57,11 @@ void Period::apply(record::Record& record,
     throw text::InputError(
         fmt::format("{}: no reading {}{}{}{}: the record goes from 0 to {:.4g} h", record.source,
                     from.empty() ? "" : "from " + from, !from.empty() && !until.empty() ? " " : "",
-                    until.empty() ? "" : "until " + until, " counts",
+                    until.empty() ? "" : "until " + until, " is used",
                     (time.back() - time.front()) / 3600.0),
         {.file = record.source, .key = from.empty() ? "--until" : "--from"});
   record.notes.push_back(record::note::left_out(
-      fmt::format("{} of {} readings are in the chosen time and count", left, all)));
+      fmt::format("{} of {} readings are in the chosen period and are used", left, all)));
 }
 
 }  // namespace raceway::session

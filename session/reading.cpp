@@ -7,8 +7,9 @@ namespace raceway::session {
 std::vector<Source> Reading::sources(std::vector<Source> data) const {
   if (beside.empty()) return data;
   if (data.size() != 1)
-    throw text::InputError("--beside: belongs to one record, and several are given",
-                           {.key = "--beside"});
+    throw text::InputError(
+        "--beside is only possible with one record, but several records are given",
+        {.key = "--beside"});
   for (const std::string& path : beside) data.front().beside.emplace_back(path);
   return data;
 }
@@ -17,10 +18,9 @@ files::ReadOptions Reading::options(const files::ModelFile& model) const {
   if (period.is_given())
     throw text::InputError(
         model.model.spindle
-            ? "--from, --until: a spindle is simulated from the first row on, and compared with "
-              "all "
-              "rows; cut the file"
-            : "--from, --until: belong to records over time, of a model with [correction]",
+            ? "--from, --until: not possible for a spindle, because its simulation starts at the "
+              "first row; shorten the file instead"
+            : "--from, --until are only for records over time and models with [correction]",
         {.key = period.from.empty() ? "--until" : "--from"});
   files::ReadOptions result = options(model.columns);
   result.sensor = model.sensor;

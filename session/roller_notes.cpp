@@ -32,25 +32,27 @@ std::vector<std::string> notes_on_rollers(const bearing::RollerBearing& b,
   std::vector<std::string> notes;
   if (e.loose)
     notes.emplace_back(
-        "no load and a clearance: the bearing is loose, and no roller touches the inner ring");
+        "the bearing has no load and a clearance: it is loose, and no roller touches the inner "
+        "ring");
   else if (e.loaded_rollers() == 0)
     notes.emplace_back("no roller touches the inner ring");
   const double tilt = std::hypot(e.displacement[2], e.displacement[3]);
   if (tilt > bearing::usual_tilt_limit)
     notes.push_back(
-        fmt::format("the inner ring is tilted by {:.3g} mrad; cylindrical rollers stand "
-                    "about {:g} mrad before their ends are overloaded",
+        fmt::format("the inner ring is tilted by {:.3g} mrad; above about {:g} mrad the roller "
+                    "ends are overloaded",
                     tilt / mrad, bearing::usual_tilt_limit / mrad));
   if (speed > 0.0 && !e.loose && e.clearance >= 0.0 && radial < least_load_share * C)
-    notes.push_back(fmt::format(
-        "the radial load of {:.4g} N is below {:.4g} N = {:g} C, and there is no preload: rollers "
-        "may skid",
-        radial, least_load_share * C, least_load_share));
+    notes.push_back(
+        fmt::format("the radial load of {:.4g} N is below the minimum load of {:.4g} N = {:g} C, "
+                    "and the bearing has no preload: rollers may skid",
+                    radial, least_load_share * C, least_load_share));
   const bearing::ContactPressure pressure = largest_pressure(b, e);
   const double most = std::fmax(pressure.inner, pressure.outer);
   if (most > bearing::static_limit_pressure_of_lines)
     notes.push_back(fmt::format(
-        "the contact pressure is above 4 GPa, which leaves dents: {:.3g} GPa", most / GPa));
+        "the contact pressure is {:.3g} GPa; above 4 GPa the rollers leave permanent dents",
+        most / GPa));
   return notes;
 }
 

@@ -34,13 +34,13 @@ void require_question(const files::ModelFile& file, const SensitivityQuestion& q
     for (const double value : axis.values) text::require_range(value, axis.range, named_as(axis));
     if (axis.values.empty()) continue;
     if (q.steady && axis.name != "speed_rpm")
-      throw text::InputError(
-          fmt::format("{}: the steady state of a spindle has loads and temperatures of its model",
-                      named_as(axis)),
-          {.file = file.source, .key = named_as(axis)});
+      throw text::InputError(fmt::format("{}: not possible with the steady state of a spindle, "
+                                         "which uses the loads and temperatures of the model",
+                                         named_as(axis)),
+                             {.file = file.source, .key = named_as(axis)});
     if (shaft && axis.name == "radial_load_N")
       throw text::InputError(
-          fmt::format("{}: {} has an [arrangement]: a shaft takes axial loads alone",
+          fmt::format("{}: {} has an [arrangement]; for a shaft, only axial loads are possible",
                       named_as(axis), file.source),
           {.file = file.source, .key = named_as(axis)});
   }
@@ -66,7 +66,7 @@ std::vector<std::string> wanted_columns(const model::Model& model, const Sensiti
       for (const auto& [short_name, column] : words) all.push_back(short_name);
       all.insert(all.end(), columns.begin(), columns.end());
       throw text::InputError(
-          fmt::format("{}: no such prediction; there are {}", one, text::listed(all)),
+          fmt::format("{}: unknown prediction; must be one of {}", one, text::listed(all)),
           {.key = one});
     }
     if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) wanted.push_back(name);
@@ -159,8 +159,7 @@ std::vector<std::string> sensitivity_warnings(const Sensitivity& s) {
       lines.push_back(fmt::format("{} has no value at {}", p.name, words_of_state(s, p.state)));
   if (s.failed > 0)
     lines.push_back(fmt::format(
-        "{} of {} evaluations lack a prediction, and their samples take no part in it: "
-        "{}, the first where {}",
+        "{} of {} evaluations have no prediction, and their samples are not used: {}; first at {}",
         s.failed, s.evaluations, s.why_failed, [&] {
           std::vector<std::string> at;
           for (std::size_t k = 0; k < s.first_failed.size(); ++k)

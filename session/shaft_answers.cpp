@@ -32,10 +32,11 @@ std::vector<std::string> shaft_warnings(const model::Model& model,
     const std::string places = places_of(r, model.shaft->arrangement), speeds = speeds_of(r);
     lines.push_back(
         r.what == shaft::Unloaded::no_contact
-            ? fmt::format("{}: no contact with the inner ring {}; no load", places, speeds)
-            : fmt::format("{}: below the minimum load {}, there {:.4g} N of {:.4g} N; balls may "
-                          "skid",
-                          places, speeds, r.load, r.minimum_load));
+            ? fmt::format("{}: balls have no contact with the inner ring {}; no load", places,
+                          speeds)
+            : fmt::format(
+                  "{}: the load is below the minimum load {}: {:.4g} N of {:.4g} N; balls may skid",
+                  places, speeds, r.load, r.minimum_load));
   }
   return lines;
 }
@@ -45,12 +46,12 @@ std::string shaft_problem(const model::Model& model, const shaft::ShaftPredictio
     if (f.status() != bearing::SolveStatus::converged) return why_not_converged(model, f);
   switch (prediction.status()) {
     case bearing::SolveStatus::no_equilibrium:
-      return "no_equilibrium: no position of the shaft was found at which the sets are in "
-             "equilibrium";
+      return "no_equilibrium: the solver found no shaft position at which the forces of the sets "
+             "balance";
     case bearing::SolveStatus::singular:
-      return "singular: both sets are free, nothing holds the shaft";
+      return "singular: both sets are without load, so the shaft has no defined position";
     case bearing::SolveStatus::not_finite:
-      return "not_finite: an effect lacks what it looks at, as ring temperatures";
+      return "not_finite: an effect needs data that are missing, such as ring temperatures";
     default:
       return std::string(bearing::name(prediction.status()));
   }

@@ -28,9 +28,9 @@ report::LawOfReport law_of(const ShaftCurve& shown) {
       curve.push_back({.speed = shown.points()[k].speed, .displacement = p.displacement});
   try {
     const shaft::KinematicLawFit f = shaft::fit_kinematic_law(curve);
-    if (f.converged()) return {f, law_statement(f, "raceway fit-law -o FILE writes it")};
-    return {std::nullopt,
-            fmt::format("No law was found: {} after {} steps.", fit::name(f.status), f.iterations)};
+    if (f.converged()) return {f, law_statement(f, "raceway fit-law -o FILE writes this table")};
+    return {std::nullopt, fmt::format("The fit of the law did not converge: {} after {} steps.",
+                                      fit::name(f.status), f.iterations)};
   } catch (const std::invalid_argument& e) {
     return {std::nullopt, fmt::format("No law was fitted: {}.", e.what())};
   }
@@ -58,7 +58,7 @@ std::vector<record::Note> ShaftCurve::warnings() const {
   const auto first = std::find_if(predictions_.begin(), predictions_.end(), has_failed);
   if (first != predictions_.end())
     notes.push_back(record::note::no_prediction(fmt::format(
-        "{} of {} speeds have {}, the first {:.6g} rpm: {}",
+        "{} of {} speeds have {}; the first is {:.6g} rpm: {}",
         std::count_if(predictions_.begin(), predictions_.end(), has_failed), points_.size(),
         first->equilibrium.report.converged() ? "a position, but no torque" : "no value",
         points_[static_cast<std::size_t>(first - predictions_.begin())].speed / rpm,

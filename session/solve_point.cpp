@@ -17,10 +17,9 @@ namespace raceway::session {
 
 std::string words_of_absence(const bearing::SolveReport& report,
                              const bearing::OperatingPoint& point) {
-  if (!report.certain) return ": no position of the inner ring was found that carries this load";
-  return point.axial_load < 0.0
-             ? ": there is none, the axial load pulls the ring off its only shoulder"
-             : ": there is none, no load presses the ring against the balls";
+  if (!report.certain) return ": the solver found no inner ring position that carries this load";
+  return point.axial_load < 0.0 ? ": the axial load pulls the ring away from its only shoulder"
+                                : ": no load presses the ring against the balls";
 }
 
 PointAnswer solve_point(const model::Model& model, const bearing::OperatingPoint& point) {
@@ -98,11 +97,10 @@ std::vector<record::Note> warnings_on_point(const model::Model& model,
       shoulder_margins(bearing_of(model, answer.friction), answer.equilibrium);
   const auto look = [&](const char* race, double margin, double cut) {
     if (margin < 0.0)
-      notes.push_back(record::note::cut_contact(
-          fmt::format("the {} shoulder cuts the contact ellipse off, {:.2g} deg short, "
-                      "{:.2g} % of its length: its edge carries more than the contact "
-                      "pressure says",
-                      race, -margin / degree, 100.0 * cut)));
+      notes.push_back(record::note::cut_contact(fmt::format(
+          "the contact ellipse reaches over the {} shoulder by {:.2g} deg, {:.2g} % of its length: "
+          "at the edge, the pressure is higher than the contact pressure in this result",
+          race, -margin / degree, 100.0 * cut)));
   };
   look("inner", left.inner, left.inner_cut);
   look("outer", left.outer, left.outer_cut);

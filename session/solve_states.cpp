@@ -150,7 +150,8 @@ std::vector<std::size_t> chosen(const std::vector<std::string>& all,
     const auto found = std::find(all.begin(), all.end(), name);
     if (found == all.end())
       throw text::InputError(
-          fmt::format("{}: no such result; there are {}", name, text::listed(all)), {.key = name});
+          fmt::format("{}: unknown result; must be one of {}", name, text::listed(all)),
+          {.key = name});
     places.push_back(static_cast<std::size_t>(found - all.begin()));
   }
   return places;
@@ -213,11 +214,11 @@ std::string beyond_a_state(const effects::Description& effect) {
 void require_rig(const files::ModelFile& file) {
   if (file.model.shaft)
     throw text::InputError(
-        file.source + ": has an [arrangement]: a reading belongs to a bearing on a rig",
+        file.source + ": the model has an [arrangement]; a reading needs a single bearing on a rig",
         {.file = file.source, .key = "arrangement"});
   for (const effects::Effect& effect : file.model.effects)
     if (const std::string more = beyond_a_state(*effect.description); !more.empty())
-      throw text::InputError(fmt::format("{}: {} needs {}, which single states do not have",
+      throw text::InputError(fmt::format("{}: {} needs {}, but single states do not have this",
                                          file.source, effect.description->id, more),
                              {.file = file.source, .key = std::string(effect.description->id)});
 }
@@ -238,7 +239,8 @@ bearing::OperatingPoint single_state(Messages& messages, const files::ModelFile&
                                      const StateArrays& states) {
   const bearing::OperatingPoint otherwise = checked(messages, file, states);
   if (states.size() != 1)
-    throw text::InputError(fmt::format("one state is wanted, not {}", states.size()));
+    throw text::InputError(
+        fmt::format("exactly one state is required, but {} are given", states.size()));
   return Block(states, otherwise, 0, 1).points().front();
 }
 

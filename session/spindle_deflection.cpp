@@ -89,9 +89,9 @@ void check(const DeflectionQuestion& q) {
   const std::string force = named(q.wording, "--force", "force_N");
   const std::string moment = named(q.wording, "--moment", "moment_Nm");
   if (q.force == 0.0 && q.moment == 0.0)
-    refuse(fmt::format("{} = 0 N: a force or a {} is needed", force, moment), force);
+    refuse(fmt::format("{} = 0 N: give a force or a {}", force, moment), force);
   if (!q.axial || (q.axial_force == 0.0 && q.moment == 0.0)) return;
-  refuse(fmt::format("{} needs a radial {}, which may be 0",
+  refuse(fmt::format("{} needs a radial {} (0 is allowed)",
                      q.moment != 0.0 ? moment : named(q.wording, "--axial-force", "axial_force_N"),
                      force),
          named(q.wording, "--direction", "direction"));
@@ -120,8 +120,9 @@ std::vector<std::string> SpindleDeflection::notes() const {
     lines.push_back(std::move(unused));
   if (result.axial && result.at != 0.0)
     lines.emplace_back(
-        "the place of an axial force changes nothing: the shaft is a beam on its axis");
-  lines.emplace_back("the housing is rigid: its deflection is not in these displacements");
+        "the position of an axial force has no effect, because the shaft is a beam on its axis");
+  lines.emplace_back(
+      "the housing is assumed to be rigid: these displacements do not include its deflection");
   return lines;
 }
 

@@ -47,14 +47,14 @@ void require_unbalance(const ModesQuestion& q, const spindle::Beam& beam) {
   if (!q.unbalance) return;
   if (!damped)
     throw text::InputError(
-        "unbalance: a damping ratio is needed with it; without one the nose has no bounds where "
-        "a mode is met",
+        "unbalance: give a damping ratio as well; without damping, the amplitude is infinite at a "
+        "resonance",
         {.key = "damping"});
   if (!(q.unbalance->size > 0.0) || !(q.unbalance->position >= 0.0) ||
       q.unbalance->position > beam.length())
     throw text::InputError(
-        fmt::format("unbalance of {:.6g} g mm at {:.6g} mm: must be above 0, on the shaft from 0 "
-                    "to {:.6g} mm",
+        fmt::format("unbalance of {:.6g} g mm at {:.6g} mm: the unbalance must be above 0, and its "
+                    "position on the shaft, from 0 to {:.6g} mm",
                     q.unbalance->size / (1e-3 * mm), q.unbalance->position / mm,
                     beam.length() / mm),
         {.key = "unbalance"});
@@ -79,7 +79,7 @@ std::vector<results::ModesAtSpeed> find_all(const model::Model& model, BeamOfMod
       r.shaft = bend(in_plane_of_belt(model), b, r.sets, inputs);
       if (!r.shaft->report.converged()) {
         r.sets.status = spindle::Status::no_equilibrium;
-        r.sets.message = "the shaft has no equilibrium under its belt";
+        r.sets.message = "the shaft has no equilibrium under the belt force";
         continue;
       }
       r.sets.bearings = r.shaft->bearings;
@@ -109,9 +109,9 @@ std::vector<results::ModesAtSpeed> find_all(const model::Model& model, BeamOfMod
 SpindleModes spindle_modes(const files::ModelFile& file, const ModesQuestion& question) {
   constexpr std::size_t most = 10000;
   if (question.speeds.size() > most)
-    throw text::InputError(
-        fmt::format("raceway modes: {} speeds: at most {}", question.speeds.size(), most),
-        {.key = "--speed"});
+    throw text::InputError(fmt::format("raceway modes: {} speeds are given; at most {} are allowed",
+                                       question.speeds.size(), most),
+                           {.key = "--speed"});
   for (const double speed : question.speeds) require_possible_speed(file.model, speed, "speed_rpm");
   SpindleModes answer{.file = file,
                       .beam = beam_of(file, 0.0),
@@ -131,10 +131,11 @@ bool SpindleModes::converged() const {
 }
 
 std::vector<std::string> SpindleModes::notes() const {
-  std::vector<std::string> lines{
-      std::isnan(damping_ratio)
-          ? "damping and the deflection of the housing are not modelled: damping_ratio is empty"
-          : "damping_ratio is the stated one; the deflection of the housing is not modelled"};
+  std::vector<std::string> lines{std::isnan(damping_ratio)
+                                     ? "the model does not include damping and the deflection of "
+                                       "the housing, so damping_ratio is empty"
+                                     : "damping_ratio is the given value; the model does not "
+                                       "include the deflection of the housing"};
   if (std::string unused = unused_coolant_off(file.model, coolant_on, warm); !unused.empty())
     lines.push_back(std::move(unused));
   return lines;

@@ -47,9 +47,10 @@ std::vector<spindle::ProfileRow> read_profile(Messages& messages, const RunQuest
   require_possible_temperature(file.model, q.ambient_temperature, "ambient_temperature_C");
   const std::string& name = q.programme.name;
   if (record.runs.size() > 1)
-    throw text::InputError(fmt::format("{}: has {} runs, but a speed programme has only one", name,
-                                       record.runs.size()),
-                           {.file = name, .key = "run_id"});
+    throw text::InputError(
+        fmt::format("{}: the file has {} runs, but a speed programme can have only one", name,
+                    record.runs.size()),
+        {.file = name, .key = "run_id"});
   try {
     std::vector<spindle::ProfileRow> profile = spindle::profile_of(record);
     for (spindle::ProfileRow& row : profile) {
@@ -69,19 +70,20 @@ std::optional<spindle::State> read_start(Messages& messages, const RunQuestion& 
                                          double first_row) {
   if (!q.start) {
     if (first_row < 0.0)
-      throw text::InputError(fmt::format("{}: time_s = {:.6g} s: a programme begins at 0 s",
-                                         q.programme.name, first_row),
-                             {.file = q.programme.name, .key = "time_s"});
+      throw text::InputError(
+          fmt::format("{}: time_s = {:.6g} s: a programme must begin at 0 s or later",
+                      q.programme.name, first_row),
+          {.file = q.programme.name, .key = "time_s"});
     return std::nullopt;
   }
   spindle::State start = q.start->text ? results::parse_spindle_state(*q.start->text, q.start->name)
                                        : results::read_spindle_state(q.start->name);
   if (first_row < start.time) {
-    messages.say(
-        record::note::read_as(fmt::format("{} was saved at {:.6g} s, and the programme begins at "
-                                          "{:.6g} s: its time counts from the saved state",
-                                          q.start->name, start.time, first_row),
-                              {.file = q.start->name}));
+    messages.say(record::note::read_as(
+        fmt::format("{} was saved at {:.6g} s, but the programme begins at {:.6g} s: the time of "
+                    "the programme is measured from the saved state",
+                    q.start->name, start.time, first_row),
+        {.file = q.start->name}));
     start.time = std::min(0.0, first_row);
   }
   return start;
@@ -123,9 +125,9 @@ SpindleRun simulate_spindle(Messages& messages, const files::ModelFile& file,
 std::vector<record::Note> SpindleRun::warnings() const {
   std::vector<record::Note> notes;
   if (!converged())
-    notes.push_back(record::note::not_converged(
-        fmt::format("{}: {} at {:.6g} s; {} of {} rows are there", spindle::name(run.report.status),
-                    run.report.message, run.end.time, rows_reached(), rows_asked())));
+    notes.push_back(record::note::not_converged(fmt::format(
+        "{}: {} at {:.6g} s; the result has {} of {} rows", spindle::name(run.report.status),
+        run.report.message, run.end.time, rows_reached(), rows_asked())));
   append(notes, notes_of(record::note::over_limit, model::warnings_of(findings)));
   return notes;
 }

@@ -112,24 +112,24 @@ void note_rollers(const model::Model& model, const spindle::Simulator& simulator
 void require_carried(const model::Model& model, const SteadyQuestion& q) {
   if (!std::isnan(q.belt_force) && !model.spindle->belt)
     throw text::InputError(
-        "belt_force_N: the model has no belt: give [drive] belt_force_N, 0 if need be, and "
-        "position_mm",
+        "belt_force_N: the model has no belt: give [drive] position_mm and belt_force_N (0 is "
+        "allowed)",
         {.key = "belt_force_N"});
   const bool loaded =
       q.radial_load != 0.0 || q.moment != 0.0 || (!std::isnan(q.axial_load) && q.axial_load != 0.0);
   if (loaded && model.spindle->network)
-    throw text::InputError("a [network] has no shaft that carries a load", {.key = "network"});
+    throw text::InputError("a model with [network] has no shaft, so it cannot carry a load",
+                           {.key = "network"});
 }
 
 }  // namespace
 
 void require_spindle(const files::ModelFile& file) {
   if (file.model.spindle) return;
-  throw text::InputError(
-      file.source +
-          ": is not a spindle: a spindle has [shaft] and [housing] in addition to "
-          "its [arrangement]",
-      {.file = file.source, .key = "shaft"});
+  throw text::InputError(file.source +
+                             ": the model is not a spindle; a spindle needs [shaft] and [housing] "
+                             "in addition to [arrangement]",
+                         {.file = file.source, .key = "shaft"});
 }
 
 spindle::Simulator simulator_of(const files::ModelFile& file) {
@@ -164,8 +164,8 @@ results::MeshEstimate mesh_estimate(const model::Model& model, const spindle::In
 std::string words(const results::MeshEstimate& mesh) {
   if (!mesh.known()) return fmt::format("{} cells", mesh.cells);
   return fmt::format(
-      "{} cells; {} give {:+.2g} um, {:+.2g} K of the hottest inner ring and {:+.2g} N in front "
-      "where all is steady at {:.6g} rpm",
+      "{} cells; mesh check at the steady state: {} cells change the displacement by {:+.2g} um, "
+      "the hottest inner ring by {:+.2g} K and the front force by {:+.2g} N ({:.6g} rpm)",
       mesh.cells, mesh.other_cells, -mesh.displacement / um, -mesh.inner_ring_rise,
       -mesh.front_force, mesh.speed / rpm);
 }

@@ -33,8 +33,8 @@ spindle::Inputs conditions_of(const SpindleSteps& steps) {
 void note_unsettled(const spindle::StepResponse& step, std::vector<record::Note>& notes) {
   if (!step.converged() || step.fit.settled) return;
   notes.push_back(record::note::unknown(
-      fmt::format("{}: a time constant of {:.3g} min is more than half of the recorded time: gain "
-                  "and time constant are a guess",
+      fmt::format("{}: the time constant of {:.3g} min is more than half of the recorded time, so "
+                  "gain and time constant are uncertain; record a longer step",
                   name_of(step), step.fit.one.time_constant / spindle::one_minute)));
 }
 
@@ -52,11 +52,11 @@ std::vector<record::Note> notes_on_steps(const spindle::StepResponses& responses
     notes.push_back(record::note::assumed(fmt::format(
         "{} of {} step responses need two time constants", two, responses.steps.size())));
   if (!std::isnan(laws.gain_line.offset))
-    notes.push_back(record::note::assumed(fmt::format(
-        "the lines are chords: K(0) = {} um of theirs is no physics; {} to {} W is where K and T "
-        "keep their sign",
-        number(laws.gain_line.offset / um, 3), number(laws.valid_from),
-        std::isinf(laws.valid_to) ? std::string("any") : number(laws.valid_to))));
+    notes.push_back(record::note::assumed(
+        fmt::format("the lines K(P) and T(P) approximate the step responses: K(0) = {} um has no "
+                    "physical meaning; valid powers: {} to {} W",
+                    number(laws.gain_line.offset / um, 3), number(laws.valid_from),
+                    std::isinf(laws.valid_to) ? std::string("inf") : number(laws.valid_to))));
   return notes;
 }
 
@@ -94,8 +94,8 @@ correction::Model chosen_model(Messages& messages, const SpindleSteps& steps,
       results::superposition(*model, two, trial, conditions_of(steps), q.cancelled);
   if (!of_one.report.converged()) return two;
   messages.say(record::note::assumed(
-      fmt::format("over {:.0f} h of half hours at several speeds one delay element is off by "
-                  "{:.3g} um rms, two by {:.3g}: {} written; {} says other",
+      fmt::format("test over {:.0f} h with a new speed every half hour: RMS error {:.3g} um with "
+                  "one delay element, {:.3g} um with two. The correction has {}; {} changes this",
                   trial.values(record::time).back() / one_hour, of_one.rms / um, of_two.rms / um,
                   of_one.rms <= of_two.rms ? "one" : "two", named(q.wording, "--lags", "lags"))));
   return of_one.rms <= of_two.rms ? one : two;
@@ -108,7 +108,8 @@ void add_load_steps(Messages& messages, const model::Model& model, const StepQue
   const auto add = [&](spindle::Stepped stepped, std::vector<double> loads,
                        const std::string& key) {
     if (std::erase(loads, 0.0) > 0)
-      messages.say(record::note::left_out(key + ": 0 N is no step: left out", {.key = key}));
+      messages.say(
+          record::note::left_out(key + ": 0 N is not a load step and is not used", {.key = key}));
     if (loads.empty()) return;
     for (spindle::LoadSteps& at :
          spindle::load_step_responses(model, stepped, speeds, loads, options))
@@ -139,14 +140,14 @@ SpindleSteps simulated_steps(Messages& messages, const files::ModelFile& file,
   const std::string key = named(question.wording, "--speed", "speed_rpm");
   std::vector<double> speeds = question.speeds;
   if (!speeds.empty() && speeds.front() == 0.0) {
-    messages.say(record::note::left_out(key + ": 0 rpm is rest, where each step begins: left out",
-                                        {.key = key}));
+    messages.say(record::note::left_out(
+        key + ": 0 rpm is not used, because each step starts from rest", {.key = key}));
     speeds.erase(speeds.begin());
   }
   constexpr std::size_t most = 1000;
   if (speeds.empty() || speeds.size() > most)
     throw text::InputError(
-        fmt::format("raceway step-response: {} speeds above 0 rpm: must be from 1 to {}",
+        fmt::format("raceway step-response: {} speeds above 0 rpm are given; must be from 1 to {}",
                     speeds.size(), most),
         {.key = key});
   const std::string load_key = named(question.wording, "--load-speed", "load_speed_rpm");
@@ -154,8 +155,10 @@ SpindleSteps simulated_steps(Messages& messages, const files::ModelFile& file,
   std::erase(load_speeds, 0.0);
   if (!question.load_speeds.empty() && question.axial_loads.empty() &&
       question.radial_loads.empty())
-    throw text::InputError("raceway step-response: " + load_key + ": no load steps there: name one",
-                           {.key = load_key});
+    throw text::InputError(
+        "raceway step-response: " + load_key +
+            ": no load step is given for these speeds: give an axial or a radial load",
+        {.key = load_key});
   for (const double speed : speeds) require_possible_speed(file.model, speed, key);
   for (const double speed : load_speeds) require_possible_speed(file.model, speed, load_key);
   messages.say(said_of(judge_speeds(file.model, speeds)));
@@ -183,11 +186,10 @@ SpindleSteps imported_steps(const std::vector<files::LoadCase>& cases, const std
     spindle::StepResponse& step = steps.responses.steps[k];
     if (!std::isnan(step.power_end)) continue;
     if (!model)
-      throw text::InputError(
-          fmt::format("{}: load case {}: has a speed and no power, which follows from the friction "
-                      "of a model: name the MODEL, or give power_W",
-                      cases[k].place.text(), cases[k].name),
-          cases[k].place);
+      throw text::InputError(fmt::format("{}: load case {} has a speed but no power: give power_W, "
+                                         "or name a MODEL whose friction gives the power",
+                                         cases[k].place.text(), cases[k].name),
+                             cases[k].place);
     step.power_start = step.power_end = friction_power(*model, step.speed, temperature_C);
   }
   const bool at_once = std::any_of(cases.begin(), cases.end(),
@@ -262,7 +264,7 @@ results::Superposition superposition_of_steps(Messages& messages, const SpindleS
                                               const Source& programme,
                                               const std::atomic<bool>* cancelled) {
   const model::Model& model = *steps.model();
-  if (!model.spindle) throw std::invalid_argument("the model does not describe a spindle");
+  if (!model.spindle) throw std::invalid_argument("the model is not a spindle");
   const record::Record record =
       files::read_spindle_record(programme, *model.spindle, {.columns = steps.file->columns});
   messages.say(record.notes);

@@ -59,17 +59,19 @@ void add_kinematic_law(const std::vector<shaft::DisplacementPoint>& curve, StepP
   try {
     const shaft::KinematicLawFit fit = shaft::fit_kinematic_law(curve);
     if (!fit.converged()) {
-      parts.notes.push_back("no kinematic law was found: nothing moves at once in the correction");
+      parts.notes.push_back(
+          "the fit of the kinematic law did not converge, so the correction has no immediate "
+          "displacement");
       return;
     }
     parts.kinematic = fit.law;
     if (fit.verdict != shaft::KinematicLawVerdict::follows)
-      parts.notes.push_back(
-          fmt::format("the kinematic law does not follow these sets: off by {:.3g} um at most",
-                      fit.max_abs / um));
+      parts.notes.push_back(fmt::format(
+          "the kinematic law does not follow these bearing sets: its largest error is {:.3g} um",
+          fit.max_abs / um));
   } catch (const std::invalid_argument& e) {
-    parts.notes.push_back(
-        fmt::format("no kinematic law: {}; nothing moves at once in the correction", e.what()));
+    parts.notes.push_back(fmt::format(
+        "no kinematic law: {}; the correction has no immediate displacement", e.what()));
   }
 }
 
@@ -87,7 +89,8 @@ double friction_power(const model::Model& model, double speed, double temperatur
   const shaft::ShaftPrediction found = predicted_shaft(model, {speed}, temperature).front();
   if (found.status() != bearing::SolveStatus::converged)
     throw std::invalid_argument(fmt::format(
-        "speed = {:.6g} rpm: the sets of the model have no equilibrium there", speed / rpm));
+        "speed = {:.6g} rpm: the bearing sets of the model have no equilibrium at this speed",
+        speed / rpm));
   return found.power_loss;
 }
 
@@ -110,7 +113,7 @@ StepParts step_parts(const spindle::StepResponses& responses, const model::Model
   if (parts.power.empty() && model) {
     parts.power = powers_of_model(*model, highest, temperature);
     parts.notes.push_back(
-        fmt::format("power over speed by the friction of the model at {:.4g} C",
+        fmt::format("the power at each speed comes from the friction of the model at {:.4g} C",
                     std::isnan(temperature) ? celsius(model->rig.temperature) : temperature));
   }
   std::sort(parts.power.begin(), parts.power.end(),
@@ -125,8 +128,8 @@ StepParts step_parts(const spindle::StepResponses& responses, const model::Model
     add_kinematic_law(at_once, parts);
   else
     parts.notes.push_back(
-        "nothing moves at once in the correction: no MODEL describes the sets, and no load case "
-        "has a displacement at 0 s");
+        "the correction has no immediate displacement: no MODEL describes the bearing sets, and no "
+        "load case has a displacement at 0 s");
   return parts;
 }
 

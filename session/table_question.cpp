@@ -100,10 +100,10 @@ TableFailures failures(const model::Model& model, const friction::StribeckTable&
     const bearing::OperatingPoint p = table.point(table.first() + failure.first);
     const auto& [torque, status] = kind;
     result.lines.push_back(
-        fmt::format("{} of {} points have no {}: {}, the first at {:.6g} rpm, {:.6g} N axial, "
+        fmt::format("{} of {} points have no {}: {}; the first is at {:.6g} rpm, {:.6g} N axial, "
                     "{:.6g} N radial",
                     failure.points, table.points(),
-                    torque ? "equilibrium, but a torque, which needs none" : "value",
+                    torque ? "equilibrium (their torque does not need it)" : "value",
                     why(model, p, status), p.speed / rpm, p.axial_load, p.radial_load));
     if (!torque) result.without_torque = true;
   }

@@ -35,7 +35,7 @@ Amount parsed(const std::string& text) {
   const char* const last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data() + begin, last, t.value);
   if (error != std::errc() || end == last)
-    refuse(text, "write a number and its unit, as 2Nmm or 2um,0.5K");
+    refuse(text, "write a number and its unit, such as 2Nmm or 2um,0.5K");
   if (!std::isfinite(t.value) || t.value <= 0.0) refuse(text, "must be a number above 0");
   t.unit.assign(end, last);
   std::erase(t.unit, ' ');
@@ -59,7 +59,7 @@ void Tolerance::set(const std::vector<fit::Measured>& measured, const std::strin
   for (std::string item; std::getline(items, item, ',');) {
     const Amount given = parsed(item);
     if (std::find(taken.begin(), taken.end(), given.unit) != taken.end())
-      refuse(item, fmt::format("two of them in {}", given.unit));
+      refuse(item, fmt::format("two tolerances in {} are given; keep one", given.unit));
     taken.push_back(given.unit);
     bool known = false;
     for (const fit::Measured& m : measured) {
@@ -67,12 +67,12 @@ void Tolerance::set(const std::vector<fit::Measured>& measured, const std::strin
       if (text::difference_unit(channel) != given.unit) continue;
       known = true;
       if (!std::isnan(m.tolerance))
-        refuse(item, fmt::format("two of them: {} stands under [{}] of {}",
+        refuse(item, fmt::format("{} is already given under [{}] of {}; remove one of the two",
                                  text::tolerance_key(channel), table, source));
       take(channel, given.value * channel.factor);
     }
     if (!known)
-      refuse(item, fmt::format("nothing of {} is measured in {}; allowed: {}", source, given.unit,
+      refuse(item, fmt::format("{} has no measured quantity in {}; allowed: {}", source, given.unit,
                                allowed(measured)));
   }
 }

@@ -63,7 +63,7 @@ std::vector<State> states_of(const std::vector<Axis>& axes) {
       }
     states = std::move(more);
     if (states.size() > most_states)
-      throw text::InputError(fmt::format("more than {} states were asked for", most_states));
+      throw text::InputError(fmt::format("more than {} states are requested", most_states));
   }
   return states;
 }

@@ -127,11 +127,11 @@ void bind_answer(py::module_& module) {
       .def_property_readonly("own_effects", &own_effects_of)
       .def("page",
            [](const EngineAnswer& a) {
-             return made(a.page, "there is no page of this: compare() has one");
+             return made(a.page, "this result has no page; use compare()");
            })
-      .def("csv", [](const EngineAnswer& a) { return made(a.csv, "there are no rows of this"); })
+      .def("csv", [](const EngineAnswer& a) { return made(a.csv, "this result has no rows"); })
       .def("rows", [](const EngineAnswer& a) {
-        return arrays_of(made(a.rows, "there are no rows of this"));
+        return arrays_of(made(a.rows, "this result has no rows"));
       });
 }
 

@@ -42,7 +42,7 @@ inline std::vector<std::size_t> broadcast_shape(
           shapes += (shapes.empty() ? "" : ", ") + other + " " +
                     py::str(of_other.attr("shape")).cast<std::string>();
         throw text::InputError("arrays of different shapes cannot be used together: " + shapes +
-                               "; give each one value, or the same shape");
+                               "; use single values or arrays of the same shape");
       }
       common = length;
     }

@@ -84,7 +84,7 @@ auto interruptible(std::atomic<bool>& cancelled, const Progress& progress, const
     return task.get();
   } catch (...) {
     if (!out_of_time) throw;
-    PyErr_Format(PyExc_TimeoutError, "no answer within %s s; time_limit_s gives it more",
+    PyErr_Format(PyExc_TimeoutError, "no answer within %s s; allow more time with time_limit_s",
                  py::str(py::float_(waiting.time_limit)).cast<std::string>().c_str());
     throw py::error_already_set();
   }

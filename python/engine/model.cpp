@@ -187,7 +187,7 @@ void EngineModel::amend(files::ModelFile& file) const {
     const auto has_id = [&](const effects::Effect& e) { return e.description->id == id; };
     if (effects::find(id, file.model.form()) ||
         std::any_of(file.model.effects.begin(), file.model.effects.end(), has_id))
-      throw text::InputError(id + ": there is an effect of this name; choose another one",
+      throw text::InputError(id + ": an effect already has this name; choose another name",
                              {.key = id});
     file.model.effects.push_back(own.effect());
   }
@@ -195,7 +195,8 @@ void EngineModel::amend(files::ModelFile& file) const {
 
 std::optional<model::Band> EngineModel::band(bool wanted) const {
   if (!wanted) return std::nullopt;
-  return session::band_of(file_, "band", "calibrate(record).model has one, add(...).model too");
+  return session::band_of(file_, "band",
+                          "calibrate(record).model and add(...).model have this table");
 }
 
 std::string EngineModel::kind() const {
@@ -214,10 +215,10 @@ std::string EngineModel::with_values(const py::dict& values) const {
       continue;
     }
     if (found == known.end())
-      throw text::InputError(name + ": no such parameter of " + file_.source +
-                                 "; other numbers are named by table and key, such as "
-                                 "lubricant.viscosity_40C_mm2_s",
-                             {.key = name});
+      throw text::InputError(
+          name + ": no such parameter of " + file_.source +
+              "; give other numbers with table and key, such as lubricant.viscosity_40C_mm2_s",
+          {.key = name});
     for (const std::string& address : found->addresses)
       changes.push_back({.key = address, .value = value.cast<double>(), .comment = {}});
   }

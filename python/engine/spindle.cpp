@@ -292,7 +292,7 @@ std::string superposition(const StepAnswer& answer, const std::string& correctio
                           const Data& programme) {
   if (!answer.steps->simulated)
     throw text::InputError(answer.steps->source +
-                           ": load cases were read, and there is no simulation of them");
+                           ": not possible, because the load cases were read and not simulated");
   Heard heard;
   return asked(heard, no_limit, [&](Heard& h, const std::atomic<bool>& cancelled) {
     const files::CorrectionFile written = files::read_correction(correction);
@@ -319,7 +319,7 @@ auto made(Text SpindleAnswer::*text, const char* missing) {
 
 void bind_spindle(py::module_& module) {
   constexpr const char* of_one_speed =
-      "the end state and its field need one speed that has a steady state";
+      "the end state and its field need a single speed with a steady state";
   py::class_<SpindleAnswer>(module, "SpindleAnswer")
       .def("json", made(&SpindleAnswer::json, ""))
       .def("csv", made(&SpindleAnswer::csv, ""))

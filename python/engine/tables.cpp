@@ -89,8 +89,8 @@ class EngineDisplacement {
       : model_(std::move(model)) {
     if (!model_->file().model.shaft)
       throw text::InputError(model_->file().source +
-                                 ": has no [arrangement]: a shaft position needs one, with layout, "
-                                 "front, rear and preload_N",
+                                 ": the model has no [arrangement]; the shaft position needs this "
+                                 "table with layout, front, rear and preload_N",
                              {.file = model_->file().source, .key = "arrangement"});
     for (std::size_t i = 0; i < speed_rpm.size(); ++i)
       text::require_range(speed_rpm[i], text::speed_range, "speed_rpm[" + std::to_string(i) + "]");
