@@ -62,7 +62,7 @@ int run(const AddFlags& flags) {
     (flags.names[k].ends_with(".csv") ? files : ids).push_back(flags.names[k]);
   if (ids.empty())
     throw text::InputError(
-        "raceway add: EFFECT is missing: it comes behind MODEL; see raceway effects",
+        "raceway add: EFFECT is missing; name it after MODEL (raceway effects lists the effects)",
         {.key = "EFFECT"});
   const session::LoopQuestion asked =
       session::ask(messages(), flags.names.front(), session::files(files), flags.loop);
@@ -77,11 +77,12 @@ int run(const AddFlags& flags) {
   tell(result.messages);
   flags.report.write([&] { return session::page(asked, result); }, flags.if_exists());
   if (!result.calibration.converged()) {
-    complain("raceway add: the fit did not converge; nothing is written");
+    complain("raceway add: the fit did not converge, so no file is written");
     return not_converged;
   }
   if (result.refused && !flags.force) {
-    complain(fmt::format("raceway add: refused: {} (--force adds it all the same)", result.reason));
+    complain(fmt::format("raceway add: not added: {} (use --force to add it nevertheless)",
+                         result.reason));
     return wrong_input;
   }
   output.write(asked, result.calibration);
@@ -94,23 +95,24 @@ Run setup_add(CLI::App& command) {
   auto flags = std::make_shared<AddFlags>();
   command
       .add_option("MODEL EFFECT...", flags->names,
-                  "model file (TOML), then the effects to switch on; see raceway effects.\n"
-                  "law:skf takes another base law, shape the one that diagnose prints")
+                  "model file (TOML), then the effects to add (see raceway effects). law:skf "
+                  "replaces the base law; shape adds the power law that diagnose prints")
       ->required()
       ->expected(2, 100)
       ->type_name("");
   command
       .add_option("--data", flags->data,
-                  "measurements (CSV), one file or more: --data monday.csv friday.csv")
+                  "measurements (CSV), one or more files: --data monday.csv friday.csv")
       ->required()
       ->type_name("FILE");
   flags->declare_output(command,
-                        "model file to write: MODEL with the effects and the new values;\n"
-                        "with --per-record one for each record, FILE-RECORD.toml of FILE.toml");
+                        "model file to write: MODEL with the effects and the fitted values; with "
+                        "--per-record, one file for each record, named FILE-RECORD.toml");
   declare(command, flags->loop);
   declare(command, flags->loop.tolerance);
-  flags->declare_force(command,
-                       "add an effect that does not help, and replace the file if it exists");
+  flags->declare_force(
+      command,
+      "add the effect even if the held-out error does not fall, and replace the file if it exists");
   declare_json(command, flags->json);
   flags->report.declare(command);
   command.footer(

@@ -64,7 +64,7 @@ std::vector<double> axis(const std::string& text, const NumberRange& range,
   }
   if (!std::is_sorted(values.begin(), values.end()) ||
       std::adjacent_find(values.begin(), values.end()) != values.end())
-    throw text::InputError(flag + ": the values must be in ascending order, each of them once",
+    throw text::InputError(flag + ": the values must be in ascending order, without duplicates",
                            {.key = flag});
   return values;
 }
@@ -72,10 +72,13 @@ std::vector<double> axis(const std::string& text, const NumberRange& range,
 void AxisFlags::declare(CLI::App& command, const std::string& speed_help) {
   command.add_option("--speed", speed, speed_help)->required()->type_name("VALUES");
   command
-      .add_option("--axial-load", axial_load,
-                  "[N], on a shaft positive towards the tool; default: of the model")
+      .add_option(
+          "--axial-load", axial_load,
+          "axial load [N]; on a shaft positive towards the tool; default: value of the model")
       ->type_name("VALUES");
-  command.add_option("--radial-load", radial_load, "[N]; default: [rig] of the model, else 0")
+  command
+      .add_option("--radial-load", radial_load,
+                  "radial load [N]; default: [rig] of the model, else 0")
       ->type_name("VALUES");
   command
       .add_option("--temperature", temperature,

@@ -38,8 +38,8 @@ std::vector<files::CatalogueBearing> of_same_size(const std::vector<files::Catal
     if (files::read_designation(row.designation).size() == size) same.push_back(row);
   if (!same.empty())
     tell(
-        {fmt::format("{0} is in no catalogue; these have its size, and raceway new \"{0}\" "
-                     "estimates it",
+        {fmt::format("{0} is not in the catalogue. These bearings have the same size; raceway new "
+                     "\"{0}\" estimates this bearing",
                      designation)});
   return same;
 }
@@ -56,12 +56,12 @@ int list_bearings(const BearingsFlags& flags) {
   if (rows.empty())
     throw text::InputError(
         fmt::format(
-            "raceway bearings: no bearing has \"{}\" in its name{}; {}without a filter all are "
-            "listed",
+            "raceway bearings: no bearing has \"{}\" in its name{}; {}without a filter, the "
+            "command lists all bearings",
             flags.filter,
             std::isnan(flags.bore) && std::isnan(flags.outer_diameter) ? "" : " and this size",
             files::read_designation(flags.filter).boundary()
-                ? fmt::format("raceway new \"{}\" estimates it; ", flags.filter)
+                ? fmt::format("raceway new \"{}\" estimates this bearing; ", flags.filter)
                 : ""),
         {.key = "FILTER"});
   if (json) {
@@ -92,12 +92,12 @@ int list_bearings(const BearingsFlags& flags) {
 
 Run setup_bearings(CLI::App& command) {
   auto flags = std::make_shared<BearingsFlags>();
-  command.add_option("FILTER", flags->filter, "part of a designation; all bearings without it")
+  command.add_option("FILTER", flags->filter, "part of a designation; default: all bearings")
       ->type_name("");
   add_length(command, "--bore", flags->bore, {1, 5000, "mm"},
-             "bearings with this bore, in mm or with its unit");
+             "only bearings with this bore, in mm or with a unit");
   add_length(command, "--outer-diameter", flags->outer_diameter, {2, 10000, "mm"},
-             "bearings with this outer diameter");
+             "only bearings with this outer diameter, in mm or with a unit");
   declare_json(command, flags->json);
   command.footer("Example:\n  raceway bearings \"S 60\"\n  raceway bearings --bore 70");
   return [flags] { return list_bearings(*flags); };

@@ -56,9 +56,11 @@ void print_parameters(const verdict::Calibration& c) {
   }
   fmt::print("{}", table.text(terminal_width()));
   if (!profile) return;
-  fmt::print("95 %: where chi2, all others refitted, is {:.4g} above its least{}\n",
-             fit::profile_rise * c.error_factor * c.error_factor,
-             c.error_factor == 1.0 ? "" : " (3.84 times the reduced chi2)");
+  fmt::print(
+      "95 %: interval in which chi2, with all other parameters refitted, is at most {:.4g} above "
+      "its minimum{}\n",
+      fit::profile_rise * c.error_factor * c.error_factor,
+      c.error_factor == 1.0 ? "" : " (3.84 times the reduced chi2)");
 }
 
 void print(const verdict::Calibration& c) {
@@ -116,28 +118,28 @@ Run setup_calibrate(CLI::App& command) {
   auto flags = std::make_shared<CalibrateFlags>();
   command
       .add_option("MODEL", flags->model,
-                  "model file (TOML); without DATA also a designation of the catalogue")
+                  "model file (TOML); without DATA, also a designation from the catalogue")
       ->required()
       ->type_name("");
   command
-      .add_option("DATA", flags->data,
-                  "measurements (CSV), one or more; without: the catalogue's rigidities")
+      .add_option(
+          "DATA", flags->data,
+          "measurements (CSV), one or more files; default: the axial rigidities in the catalogue")
       ->type_name("")
       ->expected(-1);
   flags->declare_output(command,
-                        "model file to write: MODEL with the new values, all else as it is;\n"
-                        "with --per-record one for each record, FILE-RECORD.toml of FILE.toml");
+                        "model file to write: MODEL with the fitted values; with --per-record, one "
+                        "file for each record, named FILE-RECORD.toml");
   declare(command, flags->loop);
   command.add_flag("--profile", flags->profile,
                    "also the 95 % interval of each parameter by profile likelihood");
   flags->declare_force(command);
   declare_json(command, flags->json);
   command.footer(
-      "What is fitted stands in the model: [calibration] free, by default f0 and z,\n"
-      "of an [arrangement] its preload_N.\n\n"
-      "Without DATA the groove conformity, which no maker prints, is fitted to the axial "
-      "rigidities\n"
-      "that the catalogue prints of the bearing.\n\n"
+      "[calibration] free in the model lists the fitted parameters. Default: the usual parameters "
+      "of the law, such as f0 and z; for displacements of an [arrangement], preload_N.\n\n"
+      "Without DATA, the command fits the groove conformity, which makers do not print, to the "
+      "axial rigidities of the bearing in the catalogue.\n\n"
       "Example:\n  raceway calibrate my.toml rig.csv -o fitted.toml\n"
       "  raceway calibrate my.toml monday.csv friday.csv --per-record f0,z -o fitted.toml\n"
       "  raceway calibrate \"S 6014 C\" -o my.toml");

@@ -52,12 +52,12 @@ void print_curve(const rig::SensorCalibration& c, const std::string& source) {
 }
 
 void print_tests(const rig::SensorCalibration& c) {
-  fmt::print("\nscatter     {} V of a reading, {}; the gain is known to {:.2g} %\n",
+  fmt::print("\nscatter     {} V of one reading, {}; standard error of the gain {:.2g} %\n",
              number(c.sensor.scatter, 3), percent(c, c.sensor.scatter),
              100.0 * c.range_std / c.signal_range);
-  fmt::print("linearity   {} V off the best straight line, {}", number(c.off_line, 3),
-             percent(c, c.off_line));
-  if (c.degree() > 1) fmt::print("; {} V off this curve", number(c.off_curve, 3));
+  fmt::print("linearity   largest distance from the best straight line {} V, {}",
+             number(c.off_line, 3), percent(c, c.off_line));
+  if (c.degree() > 1) fmt::print("; from this curve {} V", number(c.off_curve, 3));
   fmt::print("\n");
   const rig::LackOfFit& lack = c.lack_of_fit;
   if (std::isnan(lack.statistic))
@@ -69,11 +69,12 @@ void print_tests(const rig::SensorCalibration& c) {
   if (h.torques == 0)
     fmt::print("hysteresis  not known\n");
   else
-    fmt::print("hysteresis  {} V falling less rising at {:.4g} N m, {}{}\n", number(h.largest, 3),
-               h.largest_at, percent(c, h.largest),
+    fmt::print("hysteresis  {} V (falling minus rising) at {:.4g} N m, {}{}\n",
+               number(h.largest, 3), h.largest_at, percent(c, h.largest),
                !std::isnan(h.p_value) ? "; " + p_text(h.p_value)
-               : h.torques == 1       ? "; one torque is too few to separate it from scatter"
-                                      : "; two torques are too few to separate it from scatter");
+               : h.torques == 1
+                   ? "; measure at three torques or more to separate it from scatter"
+                   : "; measure at three torques or more to separate it from the scatter");
 }
 
 /// What a record made with this sensor will have for its rows.
@@ -93,7 +94,7 @@ void print_errors(const rig::SensorCalibration& c) {
 int run(const SensorFlags& flags) {
   const std::optional<int> degree = degree_of(flags.degree);
   if (flags.readings == "-" && isatty(STDIN_FILENO) != 0)
-    throw text::InputError("raceway calibrate-sensor: CSV is -, and nothing is piped in",
+    throw text::InputError("raceway calibrate-sensor: CSV is -, but standard input is empty",
                            {.key = "CSV"});
   refuse_two_on_stdout("calibrate-sensor", flags.json, flags.output);
   flags.require_writable();
@@ -127,23 +128,25 @@ Run setup_calibrate_sensor(CLI::App& command) {
   auto flags = std::make_shared<SensorFlags>();
   command
       .add_option("CSV", flags->readings,
-                  "reference_Nm, signal_V: readings with known torques, in the order in which they "
-                  "were taken; - for stdin")
+                  "CSV with reference_Nm and signal_V: readings at known torques, in the order of "
+                  "the measurement; - for stdin")
       ->required()
       ->type_name("");
   command
       .add_option("--degree", flags->degree,
-                  "1 line, 2 parabola, 3 cubic; auto: the lowest that the readings follow")
+                  "degree of the curve: 1 line, 2 parabola, 3 cubic; auto: the lowest degree that "
+                  "fits the readings")
       ->capture_default_str()
       ->type_name("N");
   flags->declare_output(command,
-                        "[torque_sensor] to write, for a model to hold or to name; - for stdout");
+                        "file to write with the table [torque_sensor], to copy into a model or to "
+                        "name in it; - for stdout");
   declare(command, flags->reading);
   flags->declare_force(command);
   declare_json(command, flags->json);
   command.footer(
-      "Records with a column torque_signal_V are then read as friction torque by every command\n"
-      "whose model has the table, or [torque_sensor] with file = \"sensor.toml\".\n\n"
+      "If a model has this table, or [torque_sensor] with file = \"sensor.toml\", all commands "
+      "convert a column torque_signal_V of a record to the friction torque.\n\n"
       "Example:\n  raceway calibrate-sensor weights.csv -o sensor.toml");
   return [flags] { return run(*flags); };
 }

@@ -21,7 +21,7 @@ struct CheckFlags : OutputFlags {
 /// A map of the columns of the file, on stdout or in a file.
 int suggest(const CheckFlags& flags) {
   if (flags.data.empty())
-    throw text::InputError("raceway check: --suggest-columns needs DATA, whose columns it proposes",
+    throw text::InputError("raceway check: --suggest-columns needs DATA",
                            {.key = "--suggest-columns"});
   flags.require_writable();
   session::LoopOptions options = flags.loop;
@@ -69,20 +69,22 @@ int run(const CheckFlags& flags) {
 Run setup_check(CLI::App& command) {
   auto flags = std::make_shared<CheckFlags>();
   declare_model(command, flags->model);
-  command.add_option("DATA", flags->data, "measurements (CSV); without them the model alone")
+  command
+      .add_option("DATA", flags->data,
+                  "measurements (CSV); without them, the command checks only the model")
       ->type_name("");
   declare_channel(command, flags->loop.channel);
   declare(command, flags->loop.reading);
   declare_beside(command, flags->loop.reading);
   declare_json(command, flags->json);
   flags->declare_output(command,
-                        "the rows as they were read, in our columns (CSV), of a coast-down its\n"
-                        "torques; with --suggest-columns the table [columns]");
+                        "file for the rows as raceway reads them (CSV), or the torques of a "
+                        "coast-down; with --suggest-columns, the table [columns]");
   flags->csv.declare(command);
   flags->declare_force(command);
   command
       .add_flag("--suggest-columns", flags->suggest,
-                "only propose which of their columns is which of ours (TOML)")
+                "only propose a map from the columns of the file to the columns of raceway (TOML)")
       ->excludes("--json");
   for (const char* const of_data : {"--columns", "--drop-nan", "--beside", "--output"})
     command.get_option(of_data)->needs("DATA");

@@ -49,12 +49,13 @@ void print_noise(const correction::RecordCheck& c) {
   const std::string unit(c.displacement->unit);
   if (!r.known()) {
     if (std::isfinite(c.noise_at_most))
-      fmt::print("noise of a reading: {} {} at most, by the calmest quarter of the readings\n",
-                 number(c.noise_at_most / um, 2), unit);
+      fmt::print(
+          "noise of a reading: at most {} {}, estimated from the calmest quarter of the readings\n",
+          number(c.noise_at_most / um, 2), unit);
     return;
   }
   fmt::print(
-      "repeated readings in {} stops: a reading scatters by ±{} {} (2 sigma, {} degrees of "
+      "repeated readings at {} stops: scatter of a reading ±{} {} (2 sigma, {} degrees of "
       "freedom)\n",
       r.stops.size(), number(2.0 * r.std / um, 2), unit, r.degrees_of_freedom);
   TextTable table(
@@ -66,7 +67,7 @@ void print_noise(const correction::RecordCheck& c) {
   }
   fmt::print("{}", table.text(terminal_width()));
   if (r.stops.size() > most_lines)
-    fmt::print("... and {} more stops; --json has them all\n", r.stops.size() - most_lines);
+    fmt::print("... and {} more stops; --json lists all stops\n", r.stops.size() - most_lines);
 }
 
 }  // namespace
@@ -81,25 +82,24 @@ void print_check(const loop::Check& c, const record::Record& data) {
   fmt::print("\n{}\n", columns.text(terminal_width()));
   for (const fit::Parameter& p : c.free)
     fmt::print("free parameter {}: {}\n", p.name,
-               p.identifiable ? "can be fitted" : "cannot be told from these data");
+               p.identifiable ? "can be fitted" : "these data do not determine it");
   for (const loop::Check::Testable& t : c.catalogue)
     fmt::print("effect {}: {}\n", t.id,
                !t.ruled_out.empty() ? "not testable: " + t.ruled_out
                : !t.missing.empty() ? "needs " + t.missing
-               : !t.levels.empty()  ? "testable, but hard to tell apart without " + t.levels
+               : !t.levels.empty()  ? "testable, but difficult to separate without " + t.levels
                                     : "testable");
 }
 
 void print_settings_hold(record::SettingsHold hold) {
   const bool until = hold == record::SettingsHold::until_row;
-  fmt::print(
-      "settings (speed, load, feed, coolant) hold from {}, and a reading is taken {} its row "
-      "({})\n",
-      until ? "the row before until their row" : "their row until the next",
-      hold == record::SettingsHold::from_row ? "just before" : "with",
-      hold == record::SettingsHold::sampled
-          ? "no settings_hold"
-          : fmt::format("settings_hold = \"{} row\"", until ? "until" : "from"));
+  fmt::print("settings (speed, load, feed, coolant) apply from {}; a reading was taken {} ({})\n",
+             until ? "the previous row to their row" : "their row to the next row",
+             hold == record::SettingsHold::from_row ? "just before the change"
+                                                    : "under the settings of its row",
+             hold == record::SettingsHold::sampled
+                 ? "no settings_hold"
+                 : fmt::format("settings_hold = \"{} row\"", until ? "until" : "from"));
 }
 
 void print_defaults(const std::string& source, const std::vector<files::UsedDefault>& defaults) {
@@ -109,9 +109,8 @@ void print_defaults(const std::string& source, const std::vector<files::UsedDefa
 
 void print_check(const correction::RecordCheck& c) {
   fmt::print(
-      "rows every {:.4g} s over {:.4g} h, {} readings every {:.4g} s: time constants of {:.3g} s "
-      "to "
-      "{:.3g} s can be told\n",
+      "rows every {:.4g} s over {:.4g} h, {} readings every {:.4g} s: the record can show time "
+      "constants of {:.3g} s to {:.3g} s\n",
       c.sampling, c.duration / 3600.0, c.readings, c.reading_interval, c.shortest, c.longest);
   print_noise(c);
   for (const correction::RecordCheck::Quantum& q : c.quanta)

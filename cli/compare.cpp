@@ -31,7 +31,7 @@ std::size_t first_data(const std::vector<std::string>& files) {
 int run(const CompareFlags& flags) {
   if (flags.files.size() < 2)
     throw text::InputError(
-        "raceway compare: DATA is missing: one model or more come first, the measurements last",
+        "raceway compare: DATA is missing; name one or more models first and the measurements last",
         {.key = "DATA"});
   const auto data_begin =
       flags.files.begin() + static_cast<std::ptrdiff_t>(first_data(flags.files));
@@ -55,11 +55,12 @@ Run setup_compare(CLI::App& command) {
   auto flags = std::make_shared<CompareFlags>();
   command
       .add_option("FILES", flags->files,
-                  "MODEL [MODEL2 ...] DATA [DATA2 ...]: models (TOML), then data (CSV)")
+                  "MODEL [MODEL2 ...] DATA [DATA2 ...]: models (TOML), then measurements (CSV)")
       ->type_name("")
       ->expected(-1);
   command
-      .add_option("--refit", flags->how.refit, "fit these to DATA first, such as f0,z (by comma)")
+      .add_option("--refit", flags->how.refit,
+                  "parameters that are fitted to DATA first, separated by commas, such as f0,z")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAMES");
@@ -75,7 +76,7 @@ Run setup_compare(CLI::App& command) {
   flags->report.declare(command);
   command.add_flag("--force", flags->force, "replace the page if it exists");
   command.footer(
-      "Errors are prediction minus reading.\n\n"
+      "An error is prediction minus reading.\n\n"
       "Example:\n  raceway compare my.toml rig.csv\n"
       "  raceway compare my.toml fitted.toml rig.csv --report page.html\n"
       "  raceway compare my.toml monday.csv friday.csv --per-record f0,z");

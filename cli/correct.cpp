@@ -28,13 +28,13 @@ void print_band(const results::Corrected& c, const record::Record& record) {
       c.band.begin(), c.band.end(), [](double a, double b) { return !(a >= b) && !std::isnan(b); });
   const auto least = std::min_element(c.band.begin(), c.band.end(),
                                       [](double a, double b) { return a < b && !std::isnan(a); });
-  fmt::print("95 % band of {}: +- {} {unit} at its narrowest, +- {} {unit} at {:.4g} s",
+  fmt::print("95 % band of {}: smallest half width {} {unit}, largest {} {unit} at {:.4g} s",
              c.displacement->name, number(*least / um, 3), number(*widest / um, 3),
              record.value(record::time, static_cast<std::size_t>(widest - c.band.begin())),
              fmt::arg("unit", c.displacement->unit));
   if (std::isfinite(c.readings_in_band))
-    fmt::print("; {:.1f} % of the readings lie in it{}", 100.0 * c.readings_in_band,
-               std::isfinite(c.noise) ? fmt::format(", their noise of {} {} allowed for",
+    fmt::print("; {:.1f} % of the readings lie in the band{}", 100.0 * c.readings_in_band,
+               std::isfinite(c.noise) ? fmt::format(" (widened by the noise of {} {})",
                                                     number(c.noise / um, 2), c.displacement->unit)
                                       : "");
   fmt::print("\n");
@@ -58,7 +58,7 @@ void print(const std::vector<results::Corrected>& list, const record::Record& re
   fmt::print("{}: {} rows over {:.4g} h\n\n{}", record.source, record.rows(),
              (record.values(record::time).back() - record.values(record::time).front()) / 3600.0,
              table.text(terminal_width()));
-  fmt::print("RMS and largest error of the readings when one constant is taken off\n");
+  fmt::print("RMS and largest error of the readings after one constant is subtracted\n");
   for (const results::Corrected& c : list) print_more_errors(*c.displacement, c.metrics);
   for (const results::Corrected& c : list) print_band(c, record);
   for (const results::Corrected& c : list) print_trust(*c.displacement, c.trust);
@@ -90,14 +90,14 @@ int run(const CorrectFlags& flags) {
 Run setup_correct(CLI::App& command) {
   auto flags = std::make_shared<CorrectFlags>();
   declare_model(command, flags->model, "[correction]");
-  command.add_option("RECORD", flags->data, "record over time (CSV); displacements may be empty")
+  command.add_option("RECORD", flags->data, "record over time (CSV); displacements can be empty")
       ->required()
       ->type_name("");
-  flags->declare_output(command,
-                        "CSV file to write, - for stdout: time_s, predicted_um, band_low_um and\n"
-                        "band_high_um (95 %, of a model that was fitted), what each channel adds,\n"
-                        "residual_um (urad of an angle); of several displacements "
-                        "predicted_COLUMN,\nCHANNEL_COLUMN, residual_COLUMN");
+  flags->declare_output(
+      command,
+      "CSV file to write, - for stdout. Columns: time_s, predicted_um, band_low_um and "
+      "band_high_um (95 %, for a fitted model), the part of each channel, residual_um (urad for an "
+      "angle); with several displacements predicted_COLUMN, CHANNEL_COLUMN, residual_COLUMN");
   flags->learning.declare(command);
   declare(command, flags->reading);
   declare_beside(command, flags->reading);

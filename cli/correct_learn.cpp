@@ -45,8 +45,8 @@ void print_errors(const std::vector<results::Learnt>& list) {
   }
   fmt::print("{}", table.text(terminal_width()));
   fmt::print(
-      "\nRMS error of the readings from which nothing was learnt, with the zero of the first "
-      "reading,\nwith the zero of the last reading, and with learning. Due: time until the next "
+      "\nRMS error of the readings that were not used for learning: with the zero of the first "
+      "reading, with the zero of the last reading, and with learning. Due: time until the next "
       "reading is needed\n");
 }
 
@@ -68,18 +68,21 @@ void print_gains(const results::Learnt& one, bool several) {
 
 void LearnFlags::declare(CLI::App& command) {
   command.add_flag("--learn", learn,
-                   "learn zero, states and gains from the readings in their order;\na prediction "
-                   "uses earlier readings only");
+                   "learn zero, states and gains from the readings in time order; each prediction "
+                   "uses only earlier readings");
   command
       .add_option("--every", choices.every,
-                  "with --learn: shortest time between two learnt readings, such as 4h;\nthe "
-                  "others test the prediction; default: all are learnt")
+                  "with --learn: shortest time between two readings for learning, such as 4h; the "
+                  "other readings test the prediction; default: all readings are learnt")
       ->type_name("TIME");
   command
       .add_option("--forget", choices.forget,
-                  "with --learn: time in which gains return to the model's; default 7d")
+                  "with --learn: time in which gains return to the values of the model; default 7d")
       ->type_name("TIME");
-  command.add_option("--save", save, "with --learn: file for MODEL with zero and gains at the end")
+  command
+      .add_option("--save", save,
+                  "with --learn: file to write, MODEL with the learnt zero and gains at the end of "
+                  "the record")
       ->type_name("MODEL2");
 }
 

@@ -33,20 +33,21 @@ void CsvStyle::declare(CLI::App& command, const std::vector<std::string>& others
   names.insert(names.end(), others.begin(), others.end());
   command
       .add_option("--format", format,
-                  "csv (with the model in # lines; the default), plain (the header is\nthe first "
-                  "line, comments are in FILE_comments.txt; for pandas and\nMATLAB), " +
+                  "csv (default; with the model in # lines), plain (first line is the header, "
+                  "comments in FILE_comments.txt; for pandas and MATLAB), " +
                       help +
-                      "excel (as plain, and a German Excel opens it:\nsemicolons and decimal "
-                      "commas)")
+                      "excel (like plain, with semicolons and decimal commas for a German Excel)")
       ->check(CLI::IsMember(names))
       ->type_name("NAME");
   command
       .add_option("--separator", separator,
-                  "of --format excel: semicolon, comma or tab; default semicolon, with\ndecimal "
-                  "points comma")
+                  "field separator for --format excel: semicolon, comma or tab; default: "
+                  "semicolon, or comma with --decimal-mark point")
       ->check(CLI::IsMember({"semicolon", "comma", "tab"}))
       ->type_name("MARK");
-  command.add_option("--decimal-mark", decimal_mark, "of --format excel: comma (default) or point")
+  command
+      .add_option("--decimal-mark", decimal_mark,
+                  "decimal mark for --format excel: comma (default) or point")
       ->check(CLI::IsMember({"comma", "point"}))
       ->type_name("MARK");
 }
@@ -56,11 +57,12 @@ void CsvStyle::check() const {
        {std::pair<const char*, const std::string&>{"--separator", separator},
         {"--decimal-mark", decimal_mark}})
     if (!value.empty() && !for_spreadsheet())
-      throw text::InputError(std::string(flag) + ": belongs to --format excel", {.key = flag});
+      throw text::InputError(std::string(flag) + ": only possible with --format excel",
+                             {.key = flag});
   const text::SpreadsheetMarks marks = marks_of(*this);
   if (marks.separator == marks.decimal)
     throw text::InputError(
-        "--separator comma: decimal commas need another one; add --decimal-mark point",
+        "--separator comma: not possible with decimal commas; add --decimal-mark point",
         {.key = "--separator"});
 }
 

@@ -41,10 +41,10 @@ void print(const DeflectionFlags& f, const session::SpindleDeflection& found) {
         a.preload(), number(r.sets.equilibrium.front_force), number(r.sets.equilibrium.rear_force));
   if (!r.converged()) return;
   if (std::isnan(r.stiffness()))
-    fmt::print("displacement where it acts {:.4f} um ({:.4f} um by the stiffness without load)\n",
+    fmt::print("displacement at the load {:.4f} um ({:.4f} um with the stiffness at zero load)\n",
                r.displacement / um, r.tangent / um);
   else
-    fmt::print("displacement where it acts {:.4f} um, {} N/um (first {} N/um)\n",
+    fmt::print("displacement at the load {:.4f} um, stiffness {} N/um (at zero load {} N/um)\n",
                r.displacement / um, number(r.stiffness() / N_per_um),
                number(r.force / r.tangent / N_per_um));
   if (!r.axial) fmt::print("nose {:.4f} um, slope {:.3f} urad\n", r.nose / um, r.slope * 1e6);
@@ -127,21 +127,24 @@ Run setup_deflection(CLI::App& command) {
   auto flags = std::make_shared<DeflectionFlags>();
   declare_model(command, flags->model, "[arrangement] and [shaft]");
   add_number(command, "--force", flags->force_N, signed_load_range,
-             "[N]; axial: positive towards the tool; default 0");
+             "force [N]; axial: positive towards the tool; default 0");
   add_number(command, "--axial-force", flags->axial_force_N, signed_load_range,
-             "[N] with a radial force, positive towards the tool");
+             "axial force [N] in addition to a radial force, positive towards the tool");
   add_number(command, "--moment", flags->moment_Nm, session::moment_load_range,
-             "[N m] at the same place; positive: as the force further in front, at the tool");
+             "moment at the same place [N m]; positive like a force that acts further forward, at "
+             "the tool");
   add_number(command, "--at", flags->at_mm, session::at_range,
-             "[mm] behind the nose face; default 0");
-  command.add_option("--direction", flags->direction, "radial or axial; default radial")
+             "position of the force behind the nose face [mm]; default 0");
+  command
+      .add_option("--direction", flags->direction,
+                  "direction of the force: radial or axial; default radial")
       ->check(CLI::IsMember({"radial", "axial"}))
       ->type_name("WORD");
   add_number(command, "--speed", flags->speed_rpm, speed_range, "[rpm]; default 0");
   command.add_flag("--warm", flags->warm,
-                   "with the preload that the steady, warm spindle has at this speed");
+                   "use the preload of the warm spindle in its steady state at this speed");
   declare_coolant(command, flags->coolant_on, "coolant of the warm spindle, on or off; default on");
-  flags->declare_output(command, "bending line as CSV; - for stdout");
+  flags->declare_output(command, "CSV file for the bending line; - for stdout");
   flags->declare_results(command);
   command.footer(
       "Example:\n  raceway deflection spindle.toml --force 1000 --axial-force -300 --moment 100 "

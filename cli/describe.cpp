@@ -66,12 +66,12 @@ int run(const CLI::App& app, const DescribeFlags& flags) {
 
 Run setup_describe(CLI::App& command) {
   auto flags = std::make_shared<DescribeFlags>();
-  command.add_option("FORMAT", flags->format, "bash or zsh: a completion; man: a page")
+  command.add_option("FORMAT", flags->format, "bash or zsh: shell completion; man: man page")
       ->type_name("");
-  command.add_option("COMMAND", flags->command, "with man: the page of this command")
-      ->type_name("");
+  command.add_option("COMMAND", flags->command, "with man: command of the page")->type_name("");
   command
-      .add_option("--tree", flags->tree, "write all of them below this folder, as share/ has them")
+      .add_option("--tree", flags->tree,
+                  "write all files below this folder, in the structure of share/")
       ->type_name("FOLDER");
   command.footer(
       "Example:\n  raceway describe bash > ~/.local/share/bash-completion/completions/raceway\n"

@@ -36,13 +36,13 @@ struct OutOfTime : std::runtime_error {
 /// Where a column is in another unit, laws are far from where they hold, and solves take long.
 std::string out_of_time(const DiagnoseFlags& flags, const record::Record& data) {
   std::string text = fmt::format(
-      "raceway diagnose: no verdict within {:.4g} s; --time-limit {:.4g} gives it more{}",
+      "raceway diagnose: no verdict within {:.4g} s; allow more time with --time-limit {:.4g}{}",
       flags.time_limit, 10.0 * flags.time_limit, flags.no_pairs ? "" : ", --no-pairs needs less");
   const std::span<const double> speeds = data.values(record::speed);
   if (!speeds.empty()) {
     const auto [low, high] = std::minmax_element(speeds.begin(), speeds.end());
-    text += fmt::format(". The speeds are {:.4g} to {:.4g} rpm: is that their unit?", *low / rpm,
-                        *high / rpm);
+    text += fmt::format(". The speeds are {:.4g} to {:.4g} rpm: is rpm the correct unit?",
+                        *low / rpm, *high / rpm);
   }
   return text;
 }
@@ -94,27 +94,27 @@ int run(const DiagnoseFlags& flags) {
 Run setup_diagnose(CLI::App& command) {
   auto flags = std::make_shared<DiagnoseFlags>();
   declare_model(command, flags->model);
-  command.add_option("DATA", flags->data, "measurements (CSV), one file or more")
+  command.add_option("DATA", flags->data, "measurements (CSV), one or more files")
       ->required()
       ->type_name("")
       ->expected(-1);
-  command.add_flag("--no-pairs", flags->no_pairs, "single effects only, for a quick look");
+  command.add_flag("--no-pairs", flags->no_pairs, "test single effects only, which is faster");
   command
       .add_option("--tried-before", flags->tried_before,
                   "number of explanations that you have already tried on these data")
       ->type_name("N");
   add_number(command, "--time-limit", flags->time_limit, {0.001, 1e6, "s"},
-             "[s] after which diagnose stops; default 120");
+             "time after which diagnose stops [s]; default 120");
   declare(command, flags->loop);
   declare(command, flags->loop.tolerance);
   command.add_flag("--verbose", flags->verbose,
                    "print all details: every effect, intervals, errors of the held-out blocks, "
-                   "points to measure, sizes that would have been found");
+                   "points to measure, detectable sizes of effects");
   declare_json(command, flags->json);
   flags->report.declare(command);
   command.add_flag("--force", flags->force, "replace the page if it exists");
   command.footer(
-      "Several DATA make one record: what may be missing is one for all of them.\n\n"
+      "Several DATA files make one record. A missing effect is common to all of them.\n\n"
       "Example:\n  raceway diagnose my.toml rig.csv --report page.html\n"
       "  raceway diagnose my.toml monday.csv friday.csv --per-record f0,z");
   return [flags] { return run(*flags); };

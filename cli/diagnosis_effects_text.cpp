@@ -106,7 +106,7 @@ std::string effects_text(const verdict::Diagnosis& d, std::size_t most) {
     table.add(std::move(row));
   }
   return table.text(terminal_width()) +
-         fmt::format("{} more effects, limits and intervals: --verbose\n",
+         fmt::format("--verbose shows {} more effects, limits and intervals\n",
                      d.effects.size() - shown);
 }
 
@@ -154,7 +154,7 @@ void print_intervals(const verdict::Diagnosis& d) {
                    p.unit == "1" ? "" : p.unit, range_text(p.plausible_lower, p.plausible_upper));
   if (d.sets.empty()) return;
   for (const fit::Parameter& b : d.base)
-    fmt::print("{}: {} without, {} with what is missing{}\n", b.name, number(b.start),
+    fmt::print("{}: {} without, {} with the missing effect{}\n", b.name, number(b.start),
                number(b.value), std::isnan(b.std) ? "" : " +- " + number(b.std, 2));
 }
 

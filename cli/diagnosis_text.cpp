@@ -19,7 +19,7 @@ void print_hold_out(const verdict::Diagnosis& d) {
   for (const fit::HoldOut& h : d.hold_out)
     for (std::size_t k = 0; k < d.channels.size(); ++k) {
       const record::Channel& of = d.channels[k].channel();
-      fmt::print("held out by {}{}: {} {} before, {} {} after\n", h.variable,
+      fmt::print("held-out error by {}{}: {} {} before, {} {} after\n", h.variable,
                  d.channels.size() > 1 ? fmt::format(", {}", of.words) : "",
                  channel_error(h.rmse_before, k, d), error_unit(of),
                  channel_error(h.rmse_after, k, d), error_unit(of));
@@ -27,7 +27,7 @@ void print_hold_out(const verdict::Diagnosis& d) {
 }
 
 void print_shape(const fit::Shape& shape) {
-  fmt::print("\nShape of what is missing: {}\n  {} = \"{}\"\n", shape.statement, shape.key,
+  fmt::print("\nShape of the missing effect: {}\n  {} = \"{}\"\n", shape.statement, shape.key,
              shape.formula);
   for (const fit::Parameter& c : shape.coefficients)
     fmt::print("  {} = {}\n", c.name, number(c.value, 4));

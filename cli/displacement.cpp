@@ -42,7 +42,8 @@ std::vector<shaft::ShaftPoint> points(const DisplacementFlags& f, const files::M
                           session::Wording::flags);
   if (axes.speed.size() > 1000000)
     throw text::InputError(
-        fmt::format("raceway displacement: {} speeds: at most 1e6", axes.speed.size()),
+        fmt::format("raceway displacement: {} speeds are given; at most 1e6 are allowed",
+                    axes.speed.size()),
         {.key = "--speed"});
   std::vector<shaft::ShaftPoint> result;
   for (const double speed : axes.speed)
@@ -60,8 +61,8 @@ void print(const model::Model& model, const session::ShaftCurve& curve) {
   const bearing::LiftOff free = lift_off(a);
   fmt::print("Shaft position of {} in its arrangement, positive towards the tool\n", model.name);
   fmt::print(
-      "preload {:.4g} N at standstill; the front set comes free at {} N, the rear set {} of "
-      "external load\n\n",
+      "preload {:.4g} N at standstill; the front set loses contact at an external load of {} N, "
+      "the rear set at {}\n\n",
       a.preload(), number(free.front),
       std::isnan(free.rear) ? "at none" : fmt::format("at {} N", number(free.rear)));
   // A number, and behind it how sure it is.
@@ -115,11 +116,13 @@ Run setup_displacement(CLI::App& command) {
   auto flags = std::make_shared<DisplacementFlags>();
   declare_model(command, flags->model, "an [arrangement]");
   command
-      .add_option("--speed", flags->speed, "[rpm], as 100,300,900 or as from:to:step, 0:10000:250")
+      .add_option(
+          "--speed", flags->speed,
+          "speeds [rpm]: a list such as 100,300,900 or a range from:to:step such as 0:10000:250")
       ->required()
       ->type_name("VALUES");
   add_number(command, "--axial-load", flags->axial_load, signed_load_range,
-             "[N], positive towards the tool; default: external_load_N");
+             "axial load [N], positive towards the tool; default: external_load_N of the model");
   add_number(command, "--temperature", flags->temperature, temperature_range,
              "lubricant temperature [C]; default: [rig] of the model, else 40");
   flags->band.declare(command);

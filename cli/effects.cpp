@@ -48,7 +48,7 @@ std::vector<Description> forms_of(std::string_view id) {
   for (const Description& known : effects::catalogue()) ids.emplace_back(known.id);
   for (const correction::EffectCard& card : correction::catalogue()) ids.emplace_back(card.id);
   const std::string near = text::suggestion(id, ids);
-  throw text::InputError(fmt::format("raceway effects: {}: no such effect{}", id,
+  throw text::InputError(fmt::format("raceway effects: {}: unknown effect{}", id,
                                      near.empty() ? "; raceway effects lists them" : near),
                          {.key = "ID"});
 }
@@ -85,7 +85,7 @@ int list(std::span<const Description> found, std::span<const correction::EffectC
   }
   if (!found.empty()) print_effect_list(found);
   if (!cards.empty()) print_effect_list(cards);
-  fmt::print("\nraceway effects ID explains one of them.\n");
+  fmt::print("\nraceway effects ID explains an effect.\n");
   return done;
 }
 
@@ -112,8 +112,7 @@ int show(const std::string& id, bool json) {
 Run setup_effects(CLI::App& command) {
   auto id = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false);
-  command
-      .add_option("ID", *id, "explain this effect, or list those with these words; without it, all")
+  command.add_option("ID", *id, "effect to explain, or words to search for; default: all effects")
       ->type_name("");
   declare_json(command, *json);
   command.footer("Example:\n  raceway effects thermal-preload\n  raceway effects air");

@@ -33,16 +33,18 @@ void paragraph(std::string heading, std::string_view words) {
 }
 
 std::string_view step_explained(const Description& d) {
-  if (d.entry) return "entry: what was entered or read, corrected before anything acts on it";
+  if (d.entry) return "entry: corrects an entered or measured value before the calculation";
   if (d.condition)
-    return d.for_rig ? "condition: what the bearing really sees, before its equilibrium"
-                     : "condition: what the sets on the shaft really see, before their equilibrium";
-  if (d.lubricant) return "lubricant: viscosity and film at the contacts, before the base law";
+    return d.for_rig
+               ? "condition: changes the load or geometry of the bearing, before its equilibrium"
+               : "condition: changes the loads or geometry of the sets, before their equilibrium";
+  if (d.lubricant)
+    return "lubricant: changes viscosity and film at the contacts, before the base law";
   if (d.has_moment()) return "moment: added to the moments of the base law";
-  if (d.spindle) return "spindle: conductances and heat, before its temperatures are solved for";
-  return d.reads(record::friction_torque)
-             ? "reading: what the rig makes of the torque of its bearings"
-             : "reading: what is read of the position of the shaft";
+  if (d.spindle)
+    return "spindle: changes conductances and heat, before the temperatures are calculated";
+  return d.reads(record::friction_torque) ? "reading: changes the torque reading of the rig"
+                                          : "reading: changes the reading of the shaft position";
 }
 
 std::string needs_of(const Description& d) {
@@ -54,10 +56,10 @@ std::string needs_of(const Description& d) {
   for (const effects::Need need : d.needs) add(effects::text(need));
   for (const record::Channel* channel : d.channels) add(effects::text(*channel));
   if (!text.empty() && d.for_rig && d.moves(Form::shaft))
-    return "on a rig: " + text + "; on a shaft: the displacement alone";
+    return "on a rig: " + text + "; on a shaft: only the displacement";
   if (!text.empty()) return text;
-  if (d.spindle) return "temperatures or displacement alone";
-  return d.for_rig ? "the torque alone" : "the displacement alone";
+  if (d.spindle) return "only temperatures or displacement";
+  return d.for_rig ? "only the torque" : "only the displacement";
 }
 
 }  // namespace
@@ -77,13 +79,13 @@ void print_effect_list(std::span<const correction::EffectCard> cards) {
 
 void print_effect_card(const correction::EffectCard& card) {
   fmt::print("{}: {}\n\n", card.id, card.title);
-  paragraph("changes", "displacement of a machine over time, of a model with [correction]");
+  paragraph("changes", "displacement of a machine over time, in a model with [correction]");
   paragraph("formula", card.form);
   paragraph("needs", card.needs);
   paragraph("looks like", card.confused);
   if (card.of_reading)
-    paragraph("belongs", "to the record: it is carried neither to another one nor to a control");
-  if (card.evidence) paragraph("told", "by the record itself; it has no number");
+    paragraph("belongs", "only to this record: it is not used for other records or in a control");
+  if (card.evidence) paragraph("told", "from the record itself; it has no parameter");
   if (card.numbers.empty()) return;
   fmt::print("\n");
   TextTable table({{"parameter", "", true},
@@ -123,11 +125,11 @@ void print_effect_card(const Description& d) {
   paragraph("acts at", step_explained(d));
   paragraph("needs", needs_of(d));
   if (!d.supplies.empty())
-    paragraph("lubricated", fmt::format("by {}; no candidate where [lubricant] supply is another",
+    paragraph("lubricated", fmt::format("by {}; not tested with another [lubricant] supply",
                                         effects::text(d.supplies)));
   if (!d.within_contacts.empty())
     paragraph("not with",
-              fmt::format("law = \"contact\", which has it itself, as {}", d.within_contacts));
+              fmt::format("law = \"contact\", which already includes it as {}", d.within_contacts));
   std::string others;
   for (const std::string_view other : d.confused_with)
     others += (others.empty() ? "" : ", ") + std::string(other);
@@ -146,8 +148,10 @@ void print_effect_card(const Description& d) {
                std::isnan(p.neutral) ? "-" : plain(p.neutral), unit_of(p)});
   fmt::print("{}", table.text(terminal_width()));
   if (d.size_power != 0.0)
-    fmt::print("usual: at a pitch diameter of {:g} mm; it goes with the power {:g} of it\n",
-               effects::size_of_ranges / mm, d.size_power);
+    fmt::print(
+        "usual: at a pitch diameter of {:g} mm; proportional to the power {:g} of the pitch "
+        "diameter\n",
+        effects::size_of_ranges / mm, d.size_power);
   fmt::print("\nin a model file:\n\n  [[effect]]\n  id = \"{}\"\n", d.id);
   for (const effects::Parameter& p : d.parameters)
     fmt::print("  {} = {}\n", p.name, plain(p.initial));

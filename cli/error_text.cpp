@@ -20,7 +20,7 @@ std::string noise_text(const verdict::Comparison& c) {
   return fmt::format(
       "not known ({}){}",
       record::find_channel(of.name) == nullptr  // of a record over time
-          ? "none declared, and readings stand far apart"
+          ? "no noise is given, and the interval between readings is too long to estimate it"
           : fmt::format("{}no repeated rows", column == record::channels.end()
                                                   ? ""
                                                   : fmt::format("no column {}, ", column->name)),

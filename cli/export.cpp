@@ -77,20 +77,20 @@ Run setup_export(CLI::App& command) {
       ->type_name("");
   command
       .add_option("--format", flags->format,
-                  "python (one file, standard library alone), c (one header of C99,\n"
-                  "math.h alone, double or float), csv (a table of numbers with units),\n"
-                  "linuxcnc (a component of HAL in Python, and its HAL files)")
+                  "python (one file, standard library only), c (one C99 header, needs only math.h, "
+                  "double or float), csv (table of numbers with units), linuxcnc (HAL component in "
+                  "Python, and its HAL files)")
       ->required()
       ->check(CLI::IsMember({"python", "c", "csv", "linuxcnc"}))
       ->type_name("NAME");
   command
       .add_option("--record", flags->record,
-                  "record over time (CSV) that is stored in the file, for its own check;\n"
-                  "without it one that is made up within the ranges of the model")
+                  "record over time (CSV) that is stored in the file for the self-check; default: "
+                  "an artificial record within the ranges of the model")
       ->type_name("RECORD");
-  flags->declare_output(command, "file to write; stdout without it");
+  flags->declare_output(command, "file to write; default: stdout");
   command.add_flag("--accept-untrusted", flags->accept_untrusted,
-                   "export a correction even if its trust is: do not use");
+                   "export the correction even if its trust is \"do not use\"");
   flags->declare_force(command);
   command.footer(
       "Example:\n  raceway export z.toml --format python -o correction.py\n"

@@ -46,7 +46,7 @@ void print(const shaft::KinematicLawFit& f, const std::string& source,
 
 int run(const FitLawFlags& flags) {
   if (flags.curve == "-" && isatty(STDIN_FILENO) != 0)
-    throw text::InputError("raceway fit-law: CSV is missing, and nothing is piped in",
+    throw text::InputError("raceway fit-law: CSV is missing, and standard input is empty",
                            {.key = "CSV"});
   refuse_two_on_stdout("fit-law", flags.json, flags.output);
   flags.require_writable();
@@ -66,7 +66,9 @@ int run(const FitLawFlags& flags) {
     flags.put(files::displacement_table_text(table, curve.source),
               fmt::format(", {} speeds", table.speed.size()));
     if (!table.monotone)
-      warn("the table is not monotone: the displacement turns where the rows turn");
+      warn(
+          "the table is not monotone: the displacement changes direction where the rows change "
+          "direction");
   }
   if (f.converged()) return done;
   complain(fmt::format("raceway fit-law: {} after {} steps", fit::name(f.status), f.iterations));
@@ -79,12 +81,13 @@ Run setup_fit_law(CLI::App& command) {
   auto flags = std::make_shared<FitLawFlags>();
   flags->curve = "-";
   command
-      .add_option("CSV", flags->curve,
-                  "speed_rpm, axial_displacement_um, std_um if known; - or none: stdin")
+      .add_option(
+          "CSV", flags->curve,
+          "CSV with speed_rpm, axial_displacement_um and, if known, std_um; - or none: stdin")
       ->type_name("");
   add_number(command, "--at", flags->at, speed_range,
-             "also displacement and slope at this speed [rpm] of the curve");
-  flags->declare_output(command, "monotone table to write in place of the law; - for stdout");
+             "also print displacement and slope at this speed [rpm]");
+  flags->declare_output(command, "file for a monotone table instead of the law; - for stdout");
   declare(command, flags->reading);
   flags->declare_force(command);
   declare_json(command, flags->json);

@@ -89,13 +89,13 @@ std::string file_as_command(std::string_view name) {
   if (!model && !data && !fs::is_regular_file(path, ignored)) return {};
   if (model)
     return fmt::format(
-        "{0} is a file; a command comes first.\n"
+        "{0} is a file; give a command first.\n"
         "To see what is in this model: raceway check {0}\n"
         "To compare it with measurements: raceway compare {0} DATA.csv\n"
         "raceway help lists all commands.",
         name);
   return fmt::format(
-      "{0} is a file; a command comes first. Measurements need a model to compare them with:\n"
+      "{0} is a file; give a command first. Measurements need a model:\n"
       "  raceway new \"7014 C\" -o my.toml     for a bearing on a rig\n"
       "  raceway new --record {0} -o my.toml    for a displacement over time\n"
       "  raceway check my.toml {0}\n"

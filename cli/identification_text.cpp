@@ -49,8 +49,9 @@ void print_ahead(const correction::Identification& found) {
   for (const correction::AheadError& e : found.ahead)
     table.add({number(e.from / 3600.0, 3), number(e.rms / um, 3)});
   fmt::print("{}", table.text(terminal_width()));
-  fmt::print("mean of {} strengths of the ridge, weighted by their error ahead\n\n",
-             found.strengths.size());
+  fmt::print(
+      "mean over {} strengths of the ridge regression, weighted by their prediction error\n\n",
+      found.strengths.size());
 }
 
 void print_sections(const correction::Identification& found) {
@@ -148,8 +149,8 @@ void print_baseline(const record::Channel& displacement, const correction::ArxBa
   }
   fmt::print("{}", table.text(terminal_width()));
   fmt::print(
-      "one step: each point from the readings before it. simulated: from the inputs alone, as a\n"
-      "control runs it. second half: simulated, by what the first half gave.\n");
+      "one step: prediction of each point from the readings before it. simulated: from the inputs "
+      "only, as in a control. second half: simulated with the fit to the first half.\n");
 }
 
 }  // namespace raceway::cli

@@ -98,43 +98,45 @@ int run(const IdentifyFlags& flags) {
 Run setup_identify(CLI::App& command) {
   auto flags = std::make_shared<IdentifyFlags>();
   command
-      .add_option("MODEL", flags->model,
-                  "model file (TOML) with [correction]; its gains and time constants are hints")
+      .add_option(
+          "MODEL", flags->model,
+          "model file (TOML) with [correction]; its gains and time constants are start values")
       ->required()
       ->type_name("");
   command.add_option("RECORD", flags->data, "record over time (CSV)")->required()->type_name("");
   command
       .add_option("--order", flags->choices.order,
-                  "sections of each channel, as 2 or 1:3; chosen by the error on parts of the\n"
-                  "record that no fit saw; default 1:3")
+                  "number of sections of each channel, such as 2, or a range such as 1:3, from "
+                  "which the held-out error decides; default 1:3")
       ->type_name("N");
   command
       .add_option("--inputs", flags->choices.inputs,
-                  "columns that may drive channels of their own (by comma), or all: taken up\n"
-                  "as long as the error on parts held out falls")
+                  "columns that may become channels, separated by commas, or all; a column is "
+                  "added while the held-out error falls")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("COLUMNS");
   command
       .add_option("--lags", flags->choices.lags,
-                  "every input through each of these lags (s, by comma, 0: at once; auto: by the\n"
-                  "length of the record), gains by ridge, its strength by the error ahead: for\n"
-                  "machines with many sensors; --inputs are all without more")
+                  "bank of lags for machines with many sensors: time constants in s, separated by "
+                  "commas; 0 has no lag; auto follows the length of the record. Ridge regression "
+                  "fits the gains. Default of --inputs: all")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("S,...")
       ->excludes("--order");
   command
-      .add_option("--baseline", flags->choices.baseline,
-                  "instead of sections: regression, on the inputs as they are; arx, transfer\n"
-                  "functions by least squares of one step, shown next to their simulation")
+      .add_option(
+          "--baseline", flags->choices.baseline,
+          "method instead of sections: regression (multiple linear regression on the inputs) or "
+          "arx (transfer functions from least squares of one step, printed with their simulation)")
       ->check(CLI::IsMember({"regression", "arx"}))
       ->excludes("--lags")
       ->type_name("WHICH");
-  command.add_option("--validate", flags->validate, "another record, to judge the model by")
+  command.add_option("--validate", flags->validate, "second record (CSV) to test the model")
       ->type_name("RECORD2");
   flags->declare_output(command,
-                        "model file to write: MODEL with the new sections, numbers and range");
+                        "model file to write: MODEL with the new sections, parameters and range");
   declare(command, flags->reading);
   declare_beside(command, flags->reading);
   declare(command, flags->reading.period);

@@ -29,8 +29,8 @@ Run setup_join(CLI::App& command) {
   auto flags = std::make_shared<JoinFlags>();
   command
       .add_option("MODELS", flags->models,
-                  "files with [correction] of one displacement, as step-response and\n"
-                  "identify write them: a spindle, an axis, the room")
+                  "files with [correction] of the same displacement, as written by step-response "
+                  "and identify, for example for spindle, axis and room")
       ->required()
       ->type_name("");
   flags->declare_output(command, "file to write (TOML); - for stdout")->required();

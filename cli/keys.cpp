@@ -56,9 +56,10 @@ int show_keys(const std::string& words, bool json) {
   std::erase_if(keys, [&](const ListedKey& one) { return !tells_of(one, words); });
   if (keys.empty())
     throw text::InputError(
-        fmt::format("raceway keys: no key has \"{}\" in its table, name or meaning; without words "
-                    "all are listed, numbers of effects by raceway effects ID",
-                    words),
+        fmt::format(
+            "raceway keys: no key has \"{}\" in its table, name or meaning. Without words, the "
+            "command lists all keys; raceway effects ID lists the parameters of an effect",
+            words),
         {.key = "WORDS"});
   if (json) {
     put_document(files::model_keys_json(keys));
@@ -79,7 +80,9 @@ Run setup_keys(CLI::App& command) {
   auto words = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false);
   command
-      .add_option("WORDS", *words, "which all stand in table, name or meaning; without, all keys")
+      .add_option("WORDS", *words,
+                  "words to search for in table, name and meaning; a key must contain all of them; "
+                  "default: all keys")
       ->type_name("");
   declare_json(command, *json);
   command.footer(

@@ -86,8 +86,7 @@ int main(int argc, char** argv) {
     cli::complain("raceway: " + cli::stdout_problem(e.code().value()));
   } catch (const std::bad_alloc&) {
     return refused(
-        {"raceway: not enough memory: ask for fewer points, rows or cells, or for one after the "
-         "other"});
+        {"raceway: not enough memory: use fewer points, rows or cells, or several runs"});
   } catch (const std::exception& e) {
     return refused({fmt::format("raceway: {}", e.what())});
   }

@@ -29,7 +29,7 @@ friction::TableSlab slab_of(const std::string& text) {
   constexpr std::size_t most = 1000000;
   if (index == 0 || index > count || count > most)
     throw text::InputError("--slab: " + text::quoted(text) +
-                               ": write i/N with i from 1 to N, N up to a million, as 2/4",
+                               ": write i/N with i from 1 to N and N up to a million, such as 2/4",
                            {.key = "--slab"});
   return {.index = index - 1, .count = count};
 }
@@ -40,7 +40,7 @@ void merge_slabs(const std::vector<std::string>& slabs, const std::string& outpu
     throw text::InputError("raceway table: --merge writes a file: --output is missing",
                            {.key = "--output"});
   if (csv.format != "csv" && csv.format != "excel")
-    throw text::InputError("raceway table: --merge writes --format csv or excel",
+    throw text::InputError("raceway table: --merge can only write --format csv or excel",
                            {.key = "--format"});
   csv.require_writable(output, if_exists);
   require_memory_to_merge(slabs);

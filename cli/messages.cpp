@@ -71,7 +71,7 @@ void count_hidden_messages() {
     for (const auto& [code, count] : state().heard)
       if (count > most_of_a_code && !state().quiet)
         put_line(code->kind == record::NoteKind::note ? "note: " : "warning: ",
-                 fmt::format("{} more of the kind {}; --json lists them all",
+                 fmt::format("{} more messages of the kind {}; --json lists all",
                              count - most_of_a_code, code->name));
   state().heard.clear();
 }

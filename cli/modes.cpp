@@ -47,14 +47,15 @@ void print_crossings(const std::vector<results::ModesAtSpeed>& speeds) {
                fmt::format("{:.0f}", c.speed / rpm),
                fmt::format("{:.1f}", c.frequency / (2.0 * pi))});
   if (!found.empty())
-    fmt::print("\nwhere an excitation meets a mode\n\n{}", table.text(terminal_width()));
+    fmt::print("\nspeeds at which an excitation has the frequency of a mode\n\n{}",
+               table.text(terminal_width()));
 }
 
 void print(const ModesFlags& f, const session::SpindleModes& found) {
   const bearing::Arrangement& a = found.beam.sets.arrangement();
   fmt::print("Modes of {}, {:.4g} kg on its bearings{}: frequency in Hz, b backward, f forward\n",
              found.file.model.name, found.beam.beam.weight(),
-             f.warm ? ", warm as it runs steadily" : ", cold");
+             f.warm ? ", warm in the steady state" : ", cold");
   fmt::print("preload {:.4g} N at standstill\n\n", a.preload());
   std::vector<TextTable::Column> columns{{"speed", "rpm"}, {"front", "N"}, {"rear", "N"}};
   for (std::size_t i = 0; i < a.bearings().size(); ++i)
@@ -89,16 +90,16 @@ void print(const ModesFlags& f, const session::SpindleModes& found) {
     table.add(std::move(row));
   }
   fmt::print("{}", table.text(terminal_width()));
-  fmt::print("\nfront, rear: preload at that speed; K: radial stiffness of each bearing there\n");
+  fmt::print("\nfront, rear: preload at this speed; K: radial stiffness of each bearing\n");
   if (!std::isnan(f.unbalance_gmm))
-    fmt::print("nose: its path under {:.6g} g mm at {:.6g} mm with a damping ratio of {:.6g}\n",
+    fmt::print("nose: amplitude under {:.6g} g mm at {:.6g} mm with a damping ratio of {:.6g}\n",
                f.unbalance_gmm, f.unbalance_at_mm, f.damping);
   print_crossings(found.speeds);
 }
 
 int run(const ModesFlags& f) {
   if (f.json && f.shapes == "-")
-    throw text::InputError("raceway modes: --json and --shapes - both write to stdout; take one",
+    throw text::InputError("raceway modes: --json and --shapes - both write to stdout; choose one",
                            {.key = "--shapes"});
   f.check_results("modes");
   f.csv.require_writable(f.shapes, f.if_exists());
@@ -124,23 +125,27 @@ int run(const ModesFlags& f) {
 Run setup_modes(CLI::App& command) {
   auto flags = std::make_shared<ModesFlags>();
   declare_model(command, flags->model, "[arrangement] and [shaft]");
-  command.add_option("--speed", flags->speed, "[rpm], as 0,6000 or as from:to:step, 0:20000:1000")
+  command
+      .add_option(
+          "--speed", flags->speed,
+          "speeds [rpm]: a list such as 0,6000 or a range from:to:step such as 0:20000:1000")
       ->required()
       ->type_name("VALUES");
   command.add_flag("--warm", flags->warm,
-                   "with the stiffness that the bearings have in the steady, warm spindle");
+                   "use the bearing stiffness of the warm spindle in its steady state");
   declare_coolant(command, flags->coolant_on, "coolant of the warm spindle, on or off; default on");
   command.add_option("--modes", flags->count, "number of modes; default 6")
       ->check(CLI::Range(1, 40))
       ->type_name("N");
   add_number(command, "--damping", flags->damping, {0.0, 1.0, ""},
-             "damping ratio of every mode, as you state it, 0.02; for --unbalance");
+             "damping ratio of all modes, such as 0.02; needed for --unbalance");
   add_number(command, "--unbalance", flags->unbalance_gmm, {0.0, 1e9, "g mm"},
-             "unbalance [g mm] of the shaft; gives the path of the nose at each speed");
+             "unbalance of the shaft [g mm], for the amplitude of the nose at each speed");
   add_number(command, "--unbalance-at", flags->unbalance_at_mm, {0.0, 1e5, "mm"},
-             "[mm] behind the nose face; default 0");
-  flags->declare_output(command, "Campbell diagram as CSV; - for stdout");
-  command.add_option("--shapes", flags->shapes, "shapes of the modes as CSV; - for stdout")
+             "position of the force behind the nose face [mm]; default 0");
+  flags->declare_output(command, "CSV file for the Campbell diagram; - for stdout");
+  command
+      .add_option("--shapes", flags->shapes, "CSV file for the shapes of the modes; - for stdout")
       ->type_name("FILE");
   flags->declare_results(command);
   command.footer(

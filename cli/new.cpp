@@ -29,7 +29,7 @@ std::string text_of(const NewFlags& flags) {
   if (!flags.record.empty()) {
     if (names_a_bearing(flags.wanted))
       throw text::InputError(
-          "raceway new: --record writes a correction, which has no bearing: leave out BEARING, "
+          "raceway new: --record writes a correction, which has no bearing: remove BEARING, "
           "--spindle and their flags",
           {.key = "--record"});
     return session::new_correction_text(messages(), flags.record, {.columns = flags.columns});
@@ -39,8 +39,8 @@ std::string text_of(const NewFlags& flags) {
   session::NewModel wanted = flags.wanted;
   if (wanted.bearing.empty() && !wanted.spindle)
     throw text::InputError(
-        "raceway new: BEARING is missing, such as \"S 6014 C\"; or --spindle, or --record of a "
-        "correction",
+        "raceway new: BEARING is missing: give a designation such as \"S 6014 C\", --spindle for a "
+        "spindle, or --record for a correction",
         {.key = "BEARING"});
   if (wanted.bearing.empty()) wanted.bearing = "S 6014 C";
   return session::new_model_text(messages(), wanted);
@@ -57,48 +57,49 @@ Run setup_new(CLI::App& command) {
   auto flags = std::make_shared<NewFlags>();
   command
       .add_option("BEARING", flags->wanted.bearing,
-                  "designation, of the catalogue (raceway bearings) or not")
+                  "designation, such as \"7014 C\"; raceway bearings lists the catalogue, other "
+                  "bearings are estimated")
       ->type_name("");
-  command.add_flag("--spindle", flags->wanted.spindle,
-                   "a complete spindle on three of these bearings (without BEARING: S 6014 C)");
+  command.add_flag(
+      "--spindle", flags->wanted.spindle,
+      "write a complete spindle with three of these bearings (default bearing: S 6014 C)");
   command
       .add_option("--record", flags->record,
-                  "instead a correction, for the displacements of this record over time\n"
-                  "(CSV), with a channel for each temperature, up to four")
+                  "write a correction instead, for the displacements of this record over time "
+                  "(CSV), with one channel for each temperature, up to four")
       ->type_name("RECORD");
   command
       .add_option("--columns", flags->columns,
-                  "which columns of RECORD are which of ours (TOML, table [columns]),\n"
-                  "where their names do not say it")
+                  "map from columns of RECORD to columns of raceway (TOML, table [columns]), if "
+                  "their names are different")
       ->type_name("FILE");
   add_length(command, "--bore", flags->wanted.outline.bore, {1, 5000, "mm"},
-             "bore of a bearing that the catalogue lacks, in mm or with its unit (2.7559in)");
+             "bore of a bearing that is not in the catalogue, in mm or with a unit (2.7559in)");
   add_length(command, "--outer-diameter", flags->wanted.outline.outer_diameter, {2, 10000, "mm"},
              "its outer diameter");
   command
-      .add_option("--balls", flags->wanted.outline.ball_count,
-                  "number of its balls, if you know it")
+      .add_option("--balls", flags->wanted.outline.ball_count, "number of balls, if you know it")
       ->check(CLI::Range(3, 200))
       ->type_name("NUMBER");
   add_number(command, "--contact-angle", flags->wanted.contact_angle, {0.1, 65, "deg"},
-             "[deg]; default: by the end of the designation (C, E, AC), else 15");
+             "contact angle [deg]; default: from the end of the designation (C, E, AC), else 15");
   command
       .add_option("--ball-material", flags->wanted.outline.ball_material,
-                  "steel or silicon-nitride (a hybrid bearing), balls or rollers")
+                  "material of the balls or rollers: steel or silicon-nitride (hybrid bearing)")
       ->check(CLI::IsMember({"steel", "silicon-nitride"}))
       ->type_name("NAME");
   command
       .add_option("--oil", flags->wanted.oil,
-                  "ISO VG grade, as \"VG 32\"; of a mineral oil of viscosity index 100;\n"
-                  "default: a thin spindle oil, to be replaced")
+                  "ISO VG grade of a mineral oil with viscosity index 100, such as \"VG 32\"; "
+                  "default: a thin spindle oil, which you should replace")
       ->type_name("GRADE");
   command
       .add_option("--law", flags->wanted.law,
-                  "palmgren, skf or contact (default; of a spindle and of rollers\n"
-                  "palmgren, and rollers have no contact)")
+                  "friction law: palmgren, skf or contact; default: contact, but palmgren for "
+                  "spindles and roller bearings. Roller bearings have no law contact")
       ->check(CLI::IsMember({"palmgren", "skf", "contact"}))
       ->type_name("NAME");
-  flags->declare_output(command, "model file to write; stdout without it");
+  flags->declare_output(command, "model file to write; default: stdout");
   flags->declare_force(command);
   command.footer(
       "Example:\n  raceway new \"S 6014 C\" -o my.toml\n"

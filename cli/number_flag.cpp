@@ -20,7 +20,7 @@ double number_of(const std::string& number, const std::string& shown, const Numb
     throw text::InputError(
         fmt::format(
             "{} = {}: {}; {}", flag, text::quoted(shown),
-            parsed.problem.empty() ? "has a decimal comma, a point is expected" : parsed.problem,
+            parsed.problem.empty() ? "has a decimal comma; write a decimal point" : parsed.problem,
             text::range_text(range)),
         {.key = flag});
   return parsed.value;
@@ -62,11 +62,10 @@ CLI::Option* add_length(CLI::App& command, const std::string& flag, double& valu
                                        ? text::find_unit("mm")
                                        : text::find_unit(text.substr(end), text::Dimension::length);
     if (!unit)
-      throw text::InputError(
-          fmt::format("{} = {}: no unit of length behind the number; write 70mm, 2.7559in or "
-                      "millimetres without unit",
-                      flag, text::quoted(text)),
-          {.key = flag});
+      throw text::InputError(fmt::format("{} = {}: not a number with a unit of length; write 70mm, "
+                                         "2.7559in, or millimetres without unit",
+                                         flag, text::quoted(text)),
+                             {.key = flag});
     value = unit->to_SI(number_of(text.substr(0, end), text, range, flag));
     require_range(value / mm, range, flag);
   };

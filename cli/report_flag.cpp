@@ -7,10 +7,11 @@
 namespace raceway::cli {
 void ReportFlag::declare(CLI::App& command) {
   command
-      .add_option("--report", path,
-                  report::report_available()
-                      ? "page to write: the results as pictures, for any browser, offline"
-                      : "not in this program, which was built with -DRACEWAY_REPORT=OFF")
+      .add_option(
+          "--report", path,
+          report::report_available()
+              ? "HTML page to write, with the results as pictures; works offline in any browser"
+              : "not available: this program was built with -DRACEWAY_REPORT=OFF")
       ->type_name("FILE");
 }
 
@@ -28,7 +29,7 @@ void ReportFlag::check(text::IfExists if_exists) const {
 void ReportFlag::write(const std::function<std::string()>& page, text::IfExists if_exists) const {
   if (path.empty()) return;
   text::write_text(path, page(), if_exists);
-  say(path + " written; open it in a browser");
+  say(path + " written; open this page in a browser");
 }
 
 }  // namespace raceway::cli

@@ -56,7 +56,8 @@ void require_no_input(const std::string& output, const std::string& own_model) {
   for (const std::string& input : files.inputs)
     if (same_file(output, input))
       throw text::InputError(
-          output + ": this run reads the file, so it cannot write it; name another file" +
+          output +
+          ": this run reads this file, so it cannot write to the same file; name another file" +
           (input == output || input.starts_with("/dev/") ? ""
                                                          : " (it is the same as " + input + ")"));
 }
@@ -75,7 +76,7 @@ void check_files(const CLI::App& command) {
     for (const std::string& value : option->results()) {
       // It is printed with the results.
       if (const auto code = text::control_character(value))
-        throw text::InputError(value + ": holds the control character " + *code);
+        throw text::InputError(value + ": contains the control character " + *code);
       if (is_one_of(name, written_flags)) {
         if (!value.empty() && value != "-") outputs.emplace_back("--" + name, value);
         continue;
@@ -110,11 +111,12 @@ void check_outputs(const std::vector<std::string>& outputs) {
     require_no_input(outputs[k], files_of_run().own_model);
     for (std::size_t j = 0; j < k; ++j)
       if (same_file(outputs[j], outputs[k]))
-        throw text::InputError(outputs[k] + ": two records would be written into it; rename one");
+        throw text::InputError(outputs[k] +
+                               ": two records would be written to this file; rename one");
     for (const std::string& named : files_of_run().outputs)
       if (same_file(named, outputs[k]))
-        throw text::InputError(named +
-                               ": this run already writes a file of that name; name another one");
+        throw text::InputError(
+            named + ": this run already writes a file with this name; choose another name");
   }
 }
 

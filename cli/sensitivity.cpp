@@ -80,35 +80,38 @@ Run setup_sensitivity(CLI::App& command) {
   auto flags = std::make_shared<SensitivityFlags>();
   declare_model(command, flags->model);
   command
-      .add_option("--of", flags->of,
-                  "predictions, with commas: torque, heat, displacement, contact-angle,\n"
-                  "stiffness, pressure, life, of shafts and spindles preload,\n"
-                  "temperature; or columns of raceway solve; default: torque, of a shaft\n"
-                  "displacement")
+      .add_option(
+          "--of", flags->of,
+          "predictions, separated by commas: torque, heat, displacement, contact-angle, stiffness, "
+          "pressure, life; for shafts and spindles also preload and temperature; or columns of "
+          "raceway solve. Default: torque, for a shaft displacement")
       ->type_name("NAMES");
   flags->axes.declare(command,
-                      "[rpm]; like all axes as 100,300,900 or as from:to:step, 0:12000:2000");
-  command.add_flag("--steady", flags->steady, "steady state of a whole spindle at its speed");
-  command.add_flag("--no-coolant", flags->no_coolant, "with --steady: without coolant flow");
+                      "speeds [rpm]; all axes: a list such as 100,300,900 or a range from:to:step "
+                      "such as 0:12000:2000");
+  command.add_flag("--steady", flags->steady, "use the steady state of a whole spindle");
+  command.add_flag("--no-coolant", flags->no_coolant, "with --steady: switch off the coolant flow");
   command
       .add_option("--spread", flags->spread,
-                  "possible error of the data in both directions, as ball_diameter_mm=0.01\nor "
-                  "viscosity_40C_mm2_s=10%, with commas; or a file (TOML) with keys of\nthe model; "
-                  "default: 1 %, 1 K for temperatures, 1 for counts, and the\nstandard error for "
-                  "fitted numbers")
+                  "possible error of the data in both directions, separated by commas, such as "
+                  "ball_diameter_mm=0.01 or viscosity_40C_mm2_s=10%; or a file (TOML) with keys of "
+                  "the model. Default: 1 %, 1 K for temperatures, 1 for counts, and the standard "
+                  "error for fitted numbers")
       ->type_name("DATA");
   command
       .add_option("--data", flags->data,
-                  "only these data are varied, with commas; of a table all: bearing,shaft")
+                  "data to vary, separated by commas; the name of a table means all its data, such "
+                  "as bearing,shaft")
       ->type_name("NAMES");
   command
       .add_option("--global", flags->samples,
-                  "indices of Sobol' from so many samples, a power of two; each is\n"
-                  "evaluated once for every datum and twice more")
+                  "number of samples for Sobol' indices, a power of two; needs SAMPLES x (number "
+                  "of data + 2) evaluations")
       ->check(CLI::Range(std::size_t{2}, std::size_t{1} << 24U))
       ->type_name("SAMPLES");
-  command.add_option("--seed", flags->seed, "seed of the samples; default 1")->type_name("N");
-  command.add_flag("--all", flags->all, "also data with less than 0.1 %");
+  command.add_option("--seed", flags->seed, "random seed of the samples; default 1")
+      ->type_name("N");
+  command.add_flag("--all", flags->all, "print also data with an influence of less than 0.1 %");
   declare_json(command, flags->json);
   command.footer(
       "Example:\n"

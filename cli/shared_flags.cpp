@@ -23,18 +23,18 @@ void declare_coolant(CLI::App& command, bool& on, const std::string& help) {
 void declare(CLI::App& command, session::Reading& reading) {
   command
       .add_option("--columns", reading.columns,
-                  "map of your columns to ours (TOML, table [columns]); default: [columns] of\n"
-                  "the model; check --suggest-columns proposes one")
+                  "map from your columns to the columns of raceway (TOML, table [columns]); "
+                  "default: [columns] of the model; check --suggest-columns proposes a map")
       ->type_name("FILE");
   command.add_flag("--drop-nan", reading.drop_nan,
-                   "leave out rows with an empty cell, nan or #N/A in a column that is used");
+                   "ignore rows with an empty cell, nan or #N/A in a column that is used");
 }
 
 void declare_beside(CLI::App& command, session::Reading& reading) {
   command
       .add_option("--beside", reading.beside,
-                  "for a record over time: another file of it with its own clock, such "
-                  "as\ntemperatures of another logger; repeat the flag for each file")
+                  "for a record over time: another file of the same record with its own time "
+                  "column, such as temperatures of another logger; repeat the flag for each file")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("FILE");
@@ -43,8 +43,8 @@ void declare_beside(CLI::App& command, session::Reading& reading) {
 void declare(CLI::App& command, session::Period& period) {
   command
       .add_option("--from", period.from,
-                  "for a record over time: use only readings from this time on, such as 22h;\nall "
-                  "rows drive the model")
+                  "for a record over time: use only readings from this time on, such as 22h; the "
+                  "model still uses the inputs of all rows")
       ->type_name("TIME");
   command
       .add_option("--until", period.until,
@@ -55,8 +55,8 @@ void declare(CLI::App& command, session::Period& period) {
 void declare_channel(CLI::App& command, std::string& channel) {
   command
       .add_option("--channel,--displacement", channel,
-                  "for a MODEL of several quantities, such as two [[correction]]:\na column that "
-                  "the wanted one predicts, such as displacement_z_um")
+                  "for a MODEL with several quantities, such as two [[correction]]: the predicted "
+                  "column to use, such as displacement_z_um")
       ->type_name("COLUMN");
 }
 
@@ -64,13 +64,13 @@ void declare(CLI::App& command, session::LoopOptions& loop) {
   declare_channel(command, loop.channel);
   command
       .add_option("--per-record", loop.per_record,
-                  "for several DATA: parameters that are fitted to each record separately,\nsuch "
-                  "as f0,z (by comma); all other parameters are common")
+                  "for several DATA: parameters that are fitted to each record separately, "
+                  "separated by commas, such as f0,z; all other parameters are common")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAMES");
   command.add_flag("--rows", loop.rows,
-                   "keep the rows of a logger; otherwise consecutive rows at equal speed\nand load "
+                   "use all rows of a logger; default: consecutive rows at equal speed and load "
                    "are averaged to dwells");
   declare(command, loop.reading);
   declare_beside(command, loop.reading);
@@ -80,7 +80,7 @@ void declare(CLI::App& command, session::LoopOptions& loop) {
 void declare(CLI::App& command, session::Tolerance& tolerance) {
   command
       .add_option("--tolerance", tolerance.text,
-                  "largest error that you accept, e.g. 2Nmm or 2um,0.5K;\nfor models without a "
+                  "largest error that you accept, such as 2Nmm or 2um,0.5K; for models without a "
                   "tolerance under [loop]")
       ->type_name("VALUES");
 }

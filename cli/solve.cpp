@@ -55,16 +55,17 @@ int run(const SolveFlags& flags) {
     return done;
   }
   const bearing::SolveReport& report = answer.equilibrium.report;
-  complain(fmt::format("raceway solve: {}: {} at {:.6g} rpm, {:.6g} N axial, {:.6g} N radial{}",
-                       flags.model, answer.why, flags.point.speed_rpm, point.axial_load,
-                       point.radial_load,
-                       report.status == bearing::SolveStatus::no_equilibrium
-                           ? session::words_of_absence(report, point)
-                       : report.status == bearing::SolveStatus::singular
-                           ? std::string(": too few balls carry this load to hold the ring's tilt")
-                       : report.status != bearing::SolveStatus::not_finite
-                           ? fmt::format(" after {} Newton steps", report.iterations)
-                           : std::string()));
+  complain(fmt::format(
+      "raceway solve: {}: {} at {:.6g} rpm, {:.6g} N axial, {:.6g} N radial{}", flags.model,
+      answer.why, flags.point.speed_rpm, point.axial_load, point.radial_load,
+      report.status == bearing::SolveStatus::no_equilibrium
+          ? session::words_of_absence(report, point)
+      : report.status == bearing::SolveStatus::singular
+          ? std::string(
+                ": the balls that carry this load are too few to support the ring against tilt")
+      : report.status != bearing::SolveStatus::not_finite
+          ? fmt::format(" after {} Newton steps", report.iterations)
+          : std::string()));
   return not_converged;
 }
 
@@ -73,18 +74,18 @@ int run(const SolveFlags& flags) {
 Run setup_solve(CLI::App& command) {
   auto flags = std::make_shared<SolveFlags>();
   declare_model(command, flags->model);
-  add_number(command, "--speed", flags->point.speed_rpm, speed_range, "speed of the shaft [rpm]")
+  add_number(command, "--speed", flags->point.speed_rpm, speed_range, "shaft speed [rpm]")
       ->required();
   add_number(command, "--axial-load", flags->point.axial_load_N, signed_load_range,
-             "[N], on a shaft positive towards the tool; default: of the model");
+             "axial load [N]; on a shaft positive towards the tool; default: value of the model");
   add_number(command, "--radial-load", flags->point.radial_load_N, load_range,
-             "along +y [N]; default: [rig] of the model, else 0");
+             "radial load along +y [N]; default: [rig] of the model, else 0");
   add_number(command, "--temperature", flags->point.temperature_C, temperature_range,
              "lubricant temperature [C]; default: [rig] of the model, else 40");
   add_number(command, "--moment-y", flags->point.moment_y_Nmm, moment_range,
-             "about y [N mm], carried where tilt is free; default 0");
+             "moment about y [N mm]; needs [solver] tilt = \"free\"; default 0");
   add_number(command, "--moment-z", flags->point.moment_z_Nmm, moment_range,
-             "about z [N mm], carried where tilt is free; default 0");
+             "moment about z [N mm]; needs [solver] tilt = \"free\"; default 0");
   flags->band.declare(command);
   declare_json(command, flags->json);
   command.footer(

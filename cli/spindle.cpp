@@ -37,26 +37,26 @@ void check_flags(const SpindleFlags& f) {
     throw text::InputError("raceway spindle: " + why, {.key = flag});
   };
   if (f.profile.empty() == f.speed.empty())
-    fail("must have one of --speed-profile and --speed with --steady", "--speed");
+    fail("give either --speed-profile, or --speed with --steady", "--speed");
   if (!f.speed.empty() && !f.steady)
-    fail("--speed needs --steady; for a course over time use --speed-profile", "--steady");
+    fail("--speed needs --steady; for a simulation over time, use --speed-profile", "--steady");
   if (f.steady && !f.profile.empty())
     fail(
-        "--steady needs --speed instead of --speed-profile, because a steady state has no course "
+        "--steady needs --speed instead of --speed-profile, because a steady state does not change "
         "over time",
         "--steady");
   const bool loads = !std::isnan(f.axial_load_N) || f.radial_load_N != 0.0 || f.moment_Nm != 0.0 ||
                      !std::isnan(f.belt_force_N) || !std::isnan(f.motor_power_W);
   if (!f.steady && loads)
     fail(
-        "--axial-load, --radial-load, --moment, --belt-force and --motor-power need --steady; a "
-        "--speed-profile has columns for them",
+        "--axial-load, --radial-load, --moment, --belt-force and --motor-power need --steady; with "
+        "--speed-profile, use columns of the file",
         "--radial-load");
   if (f.steady && !f.start.empty())
     fail("--start: a steady state does not depend on its start; remove --start or --steady",
          "--start");
   if (f.steady && (!f.reading.columns.empty() || f.reading.drop_nan))
-    fail("--columns and --drop-nan need a --speed-profile, which --steady does not read",
+    fail("--columns and --drop-nan are only possible with --speed-profile",
          f.reading.drop_nan ? "--drop-nan" : "--columns");
   f.check_results("spindle");
   f.csv.require_writable(f.field, f.if_exists());
@@ -140,43 +140,52 @@ Run setup_spindle(CLI::App& command) {
   auto flags = std::make_shared<SpindleFlags>();
   declare_model(command, flags->model, "[shaft] and [housing]");
   command
-      .add_option(
-          "--speed-profile", flags->profile,
-          "CSV with time_s, speed_rpm and, where they are known, coolant_on,\n"
-          "ambient_temperature_C, machine_temperature_C, coolant_inlet_temperature_C,\n"
-          "axial_load_N, radial_load_N, moment_Nm, belt_force_N, motor_heat_W,\n"
-          "motor_power_W; [columns] settings_hold of MODEL says between which rows they hold")
+      .add_option("--speed-profile", flags->profile,
+                  "CSV with time_s, speed_rpm and, if known, coolant_on, ambient_temperature_C, "
+                  "machine_temperature_C, coolant_inlet_temperature_C, axial_load_N, "
+                  "radial_load_N, moment_Nm, belt_force_N, motor_heat_W, motor_power_W; [columns] "
+                  "settings_hold of MODEL sets the rows between which a setting applies")
       ->type_name("FILE");
-  command.add_option("--speed", flags->speed, "[rpm], as 6000 or as from:to:step; with --steady")
+  command
+      .add_option("--speed", flags->speed,
+                  "speeds [rpm], such as 6000 or a range from:to:step; needs --steady")
       ->type_name("VALUES");
-  command.add_flag("--steady", flags->steady, "the steady state at each --speed");
-  declare_coolant(command, flags->coolant_on, "on or off; off: in every row");
+  command.add_flag("--steady", flags->steady, "calculate the steady state at each --speed");
+  declare_coolant(command, flags->coolant_on, "coolant, on or off; off: in all rows");
   add_number(command, "--ambient", flags->ambient, temperature_range,
-             "[C] in every row; default: its column, else [ambient] of the model");
+             "air temperature in all rows [C]; default: column ambient_temperature_C, else "
+             "[ambient] of the model");
   add_number(command, "--axial-load", flags->axial_load_N, signed_load_range,
-             "[N] at the nose, positive towards the tool; with --steady; default: of the model");
+             "axial load at the nose [N], positive towards the tool; needs --steady; default: "
+             "value of the model");
   add_number(command, "--radial-load", flags->radial_load_N, signed_load_range,
-             "[N] at the nose; with --steady; default 0");
+             "radial load at the nose [N]; needs --steady; default 0");
   add_number(command, "--moment", flags->moment_Nm, session::moment_load_range,
-             "[N m] at the nose, positive: as the radial load further in front; with --steady");
+             "moment at the nose [N m], positive like a radial load that acts further forward; "
+             "needs --steady");
   add_number(command, "--belt-force", flags->belt_force_N, load_range,
-             "[N]; with --steady; default: [drive] of the model");
+             "belt force [N]; needs --steady; default: [drive] of the model");
   add_number(command, "--motor-power", flags->motor_power_W, power_range,
-             "power of the motor [W], for formulas of heat; with --steady");
+             "power of the motor [W], for formulas of heat; needs --steady");
   flags->declare_output(
       command, "CSV file to write, - for stdout: displacement, forces, heat and temperatures");
   command
       .add_option("--start", flags->start,
-                  "state to begin with, as --end-state writes it; default: all as warm as the room")
-      ->type_name("FILE");
-  command.add_option("--end-state", flags->end_state, "write the temperatures at the end (JSON)")
+                  "start state, a file written by --end-state; default: the whole spindle at room "
+                  "temperature")
       ->type_name("FILE");
   command
-      .add_option("--field", flags->field, "write the temperature of each cell at the end (CSV)")
+      .add_option("--end-state", flags->end_state,
+                  "file for the temperatures at the end of the run (JSON)")
+      ->type_name("FILE");
+  command
+      .add_option("--field", flags->field,
+                  "file for the temperature of each cell at the end of the run (CSV)")
       ->type_name("FILE");
   declare(command, flags->reading);
   command.add_flag("--assumptions", flags->assumptions,
-                   "in --json, too: the five assumed numbers that move the nose most");
+                   "also write to --json the five assumed numbers with the largest influence on "
+                   "the nose displacement");
   flags->declare_results(command);
   command.footer(
       "Examples:\n  raceway spindle my.toml --speed 6000 --steady\n"

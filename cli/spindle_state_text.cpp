@@ -116,7 +116,7 @@ void print_stresses(const model::Model& model, const std::vector<spindle::Sectio
 void print_heat(const spindle::HeatBalance& heat) {
   fmt::print(
       "heat: {} W friction and {} W of drives; {} W to the coolant, {} W to the air, {} W to the "
-      "machine; {:.2g} W left over\n",
+      "machine; balance error {:.2g} W\n",
       friction_words(heat.friction, heat.friction_band), number(heat.drive), number(heat.coolant),
       number(heat.air), number(heat.machine), heat.stored);
 }
@@ -176,13 +176,12 @@ void print_steady_state(const model::Model& model, const results::SteadyState& s
     print_coolant(*s.channels.front());
   if (model.spindle->network) return;
   const spindle::Moment& m = s.moment;
-  fmt::print("forces of the sets: {} N in front, {} N at the rear; {:.4g} N as mounted\n",
-             number(m.front_force), number(m.rear_force),
-             shaft::mounted_arrangement(model).preload());
+  fmt::print("set forces: front {} N, rear {} N; {:.4g} N as mounted\n", number(m.front_force),
+             number(m.rear_force), shaft::mounted_arrangement(model).preload());
   fmt::print("axial stiffness of the warm sets: {} N/um\n", number(s.axial_stiffness / N_per_um));
-  fmt::print("nose against flange: {} um, {} um of it from the sets alone\n",
+  fmt::print("nose relative to flange: {} um, of which the sets cause {} um\n",
              number(m.displacement / um), number(m.kinematic_displacement / um));
-  fmt::print("rear end of the shaft against flange: {} um\n",
+  fmt::print("rear end of the shaft relative to flange: {} um\n",
              number(s.shaft.back().displacement / um));
 }
 

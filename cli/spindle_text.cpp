@@ -26,8 +26,8 @@ void print_assumptions(const results::Assumptions& assumptions) {
                moved(a.low), moved(a.high)});
   }
   fmt::print(
-      "\nof {} assumed numbers these move the nose most (steady at {:.6g} rpm): its change where a "
-      "number is less and more by its usual spread\n\n{}",
+      "\nlargest influences of {} assumed numbers on the nose displacement (steady state at {:.6g} "
+      "rpm): change if the number is smaller or larger by its usual spread\n\n{}",
       assumptions.assumed, assumptions.speed / rpm, table.text(terminal_width()));
 }
 
@@ -84,13 +84,13 @@ void print_run(const session::SpindleRun& found) {
     const auto [least, most] =
         std::minmax_element(run.moments.begin(), run.moments.end(), by_displacement);
     fmt::print(
-        "nose against flange: {} um at the end, from {} um at {:.6g} s to {} um at {:.6g} s\n",
+        "nose relative to flange: {} um at the end, from {} um at {:.6g} s to {} um at {:.6g} s\n",
         number(m.displacement / um), number(least->displacement / um), least->time,
         number(most->displacement / um), most->time);
-    fmt::print("front force: {} N at the end, {} N at the highest, at {:.6g} s\n",
+    fmt::print("front force: {} N at the end, largest value {} N at {:.6g} s\n",
                number(m.front_force), number(run.highest_front_force), run.time_of_highest_force);
   }
-  fmt::print("friction {} W at the end; energy kept within {:.1g} of the turnover\n",
+  fmt::print("friction {} W at the end; relative error of the energy balance {:.1g}\n",
              friction_words(m.heat.friction, m.heat.friction_band), run.report.energy_error);
   fmt::print("{}\n", session::words(found.mesh));
   print_assumptions(found.assumptions);

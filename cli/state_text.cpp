@@ -64,10 +64,9 @@ void print_shoulders(const bearing::Bearing& bearing, const bearing::BearingEqui
   fmt::print("to inner shoulder   {:>10} deg     to outer shoulder {:>8} deg\n", angle(left.inner),
              angle(left.outer));
   if (std::isinf(load.least()))
-    fmt::print(
-        "permissible axial load at standstill: no load brings the ellipses to the shoulders\n");
+    fmt::print("permissible axial load at standstill: not limited by the shoulders\n");
   else
-    fmt::print("permissible axial load at standstill {} N, by the {} shoulder\n",
+    fmt::print("permissible axial load at standstill {} N, limited by the {} shoulder\n",
                number(load.least()), load.inner == load.least() ? "inner" : "outer");
 }
 
@@ -116,9 +115,10 @@ void print_state(const model::Model& model, const bearing::OperatingPoint& p,
              e.report.iterations, e.report.recovered_load_error);
   print_balls(e);
   if (e.lost_balls() > 0)
-    fmt::print("{} of {} balls have lost the inner race\n", e.lost_balls(), e.balls.size());
+    fmt::print("{} of {} balls have no contact with the inner race\n", e.lost_balls(),
+               e.balls.size());
   if (model.balanced_balls)
-    fmt::print("traction turns the balls about axes at {} deg to the bearing's\n",
+    fmt::print("rotation axes of the balls by traction: {} deg to the bearing axis\n",
                pitch_angles(bearing_of(model, friction), e, model.solver));
   const auto& u = e.displacement;
   fmt::print("\naxial displacement  {:>10} um      axial stiffness   {:>8} N/um\n",

@@ -17,19 +17,20 @@ namespace raceway::cli {
 void StepCorrectionFlags::declare(CLI::App& command) {
   command
       .add_option("--correction", file,
-                  "model of a correction to write; its tables go into the same folder")
+                  "correction model to write; its tables are written to the same folder")
       ->type_name("FILE");
-  command.add_option("--law", law, "law of K and T in the correction: curve, power or line")
+  command.add_option("--law", law, "law for K and T in the correction: curve, power or line")
       ->check(CLI::IsMember({"curve", "power", "line"}))
       ->type_name("LAW");
   command
-      .add_option("--lags", lags, "delay elements of the correction: one, two or auto (default)")
+      .add_option("--lags", lags,
+                  "number of delay elements in the correction: one, two or auto (default)")
       ->check(CLI::IsMember({"one", "two", "auto"}))
       ->type_name("NUMBER");
   command
-      .add_option(
-          "--programme", programme,
-          "CSV with time_s, speed_rpm and loads: compares the correction with the simulation")
+      .add_option("--programme", programme,
+                  "CSV with time_s, speed_rpm and loads, for a comparison of the correction with "
+                  "the simulation")
       ->type_name("FILE");
   for (const char* const of_correction : {"--law", "--lags"})
     command.get_option(of_correction)->needs("--correction");
@@ -38,12 +39,14 @@ void StepCorrectionFlags::declare(CLI::App& command) {
 void StepCorrectionFlags::check(bool has_model) const {
   if (!programme.empty() && (file.empty() || !has_model))
     throw text::InputError(
-        "raceway step-response: --programme compares a correction with the simulation of MODEL: "
-        "--correction FILE is missing",
+        "raceway step-response: --programme needs --correction FILE, because it compares the "
+        "correction with the simulation of MODEL",
         {.key = "--programme"});
   if (file == "-")
-    throw text::InputError("raceway step-response: --correction -: writes tables too; name a file",
-                           {.key = "--correction"});
+    throw text::InputError(
+        "raceway step-response: --correction -: not possible, because it also writes tables; name "
+        "a file",
+        {.key = "--correction"});
 }
 
 void StepCorrectionFlags::require_writable(text::IfExists if_exists,
@@ -79,7 +82,7 @@ std::optional<results::Superposition> StepCorrectionFlags::superposition(
   results::Superposition s =
       session::superposition_of_steps(messages(), steps, written.models.front(), programme);
   if (s.report.converged())
-    say(fmt::format("over {} the correction differs from the simulation by {}", programme,
+    say(fmt::format("difference between correction and simulation over {}: {}", programme,
                     results::superposition_text(s)));
   else
     warn(fmt::format("{}: the simulation ended early: {}", programme, s.report.message));

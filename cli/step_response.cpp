@@ -37,14 +37,15 @@ void check_step_flags(const StepFlags& f) {
     throw text::InputError("raceway step-response: " + why, {.key = key});
   };
   if (f.imports() && !f.speed.empty())
-    refuse("--speed simulates and --import reads step responses; take one", "--speed");
+    refuse("--speed simulates step responses, but --import reads them; choose one", "--speed");
   if (f.imports() && (f.steps_loads() || !f.load_speed.empty()))
     refuse(
-        "--axial-load and --radial-load are simulated, and --import reads step responses; take one",
+        "--axial-load and --radial-load simulate load steps, but --import reads step responses; "
+        "choose one",
         f.steps_loads() ? f.axial_load.empty() ? "--radial-load" : "--axial-load" : "--load-speed");
-  if (!f.imports() && f.model.empty()) refuse("MODEL is missing, or --import FILE", "MODEL");
+  if (!f.imports() && f.model.empty()) refuse("give MODEL or --import FILE", "MODEL");
   if (!f.imports() && f.speed.empty())
-    refuse("--speed is missing, such as 2000:10000:2000, or --import FILE", "--speed");
+    refuse("give --speed, such as 2000:10000:2000, or --import FILE", "--speed");
   f.correction.check(!f.model.empty());
 }
 
@@ -113,37 +114,40 @@ Run setup_step_response(CLI::App& command) {
       ->type_name("");
   command
       .add_option("--speed", flags->speed,
-                  "speeds of the steps [rpm], as 2000,6000 or as from:to:step, 2000:10000:2000")
+                  "speeds of the steps [rpm]: a list such as 2000,6000 or a range from:to:step "
+                  "such as 2000:10000:2000")
       ->type_name("VALUES");
   command
       .add_option("--axial-load", flags->axial_load,
-                  "axial load of steps at the nose of a spindle in its steady state [N],\npositive "
-                  "towards the tool, as --axial-load=-500,500")
+                  "axial loads of load steps at the nose of the spindle in its steady state [N], "
+                  "positive towards the tool, such as --axial-load=-500,500")
       ->type_name("VALUES");
-  command.add_option("--radial-load", flags->radial_load, "radial load of such steps [N]")
+  command
+      .add_option("--radial-load", flags->radial_load, "radial loads of load steps at the nose [N]")
       ->type_name("VALUES");
   command
       .add_option("--load-speed", flags->load_speed,
                   "speeds of the load steps [rpm]; default: all of --speed")
       ->type_name("VALUES");
   add_number(command, "--hours", flags->hours, session::step_hours_range,
-             "duration of each step; default 4");
-  declare_coolant(command, flags->coolant_on, "on or off; default on");
+             "duration of each step [h]; default 4");
+  declare_coolant(command, flags->coolant_on, "coolant, on or off; default on");
   command
       .add_option("--import", flags->import,
                   "CSV with load_case, time_s, axial_displacement_um, and power_W or\nspeed_rpm")
       ->type_name("FILE");
   command
       .add_option("--load-case", flags->load_cases,
-                  "a time history of two columns with its load, 50W=a.csv; again for each")
+                  "load and file of one time history with two columns, such as 50W=a.csv; repeat "
+                  "the flag for each file")
       ->type_name("LOAD=FILE")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command.add_option("--units", flags->units, "units of time histories; default s,um")
       ->type_name("TIME,LENGTH");
   add_number(command, "--temperature", flags->temperature, temperature_range,
-             "lubricant temperature [C], for the power at imported speeds;\ndefault: [rig] of "
-             "MODEL, else 40");
+             "lubricant temperature [C] for the friction power of imported speeds; default: [rig] "
+             "of MODEL, else 40");
   flags->declare_output(command, "CSV file to write; - for stdout");
   flags->correction.declare(command);
   for (const char* const simulated : {"--hours", "--coolant"})

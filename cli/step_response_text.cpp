@@ -13,7 +13,8 @@ namespace {
 
 void print_load_steps(const std::vector<spindle::LoadSteps>& loads) {
   fmt::print(
-      "\nSteps of a load at the nose of the settled spindle: u = at once + K (1 - exp(-t/T))\n\n");
+      "\nLoad steps at the nose of the spindle in its steady state: u = immediate + K (1 - "
+      "exp(-t/T))\n\n");
   TextTable table({{"step", "", true},
                    {"at once", "um"},
                    {"K", "um"},
@@ -58,7 +59,7 @@ void print_steps(const session::SpindleSteps& steps) {
   fmt::print("{}", table.text(terminal_width()));
   if (!responses.loads.empty()) print_load_steps(responses.loads);
   if (responses.cool_down.known())
-    fmt::print("back to rest from the fastest: T = {} min\n",
+    fmt::print("cooling from the highest speed to rest: T = {} min\n",
                number(responses.cool_down.one / spindle::one_minute));
   if (std::isnan(laws.gain_line.slope)) return;
   fmt::print("\nK = {} um/W P + {} um, T = {} min/W P + {} min\n",

@@ -40,21 +40,20 @@ void check_flags(const TableFlags& f) {
   const auto fail = [](const char* flag, const std::string& why) {
     throw text::InputError("raceway table: " + why, {.key = flag});
   };
-  if (f.csv.format != "csv" && f.output.empty())
-    fail("--format", "--format needs a file: --output is missing");
+  if (f.csv.format != "csv" && f.output.empty()) fail("--format", "--format needs --output FILE");
   if (f.csv.format != "csv" && !f.slab.empty())
-    fail("--slab", "--slab needs --format csv, because --merge reads no other format");
+    fail("--slab", "--slab needs --format csv, because --merge reads only this format");
   if (!f.slab.empty() && (f.output.empty() || f.json))
-    fail("--slab", "--slab writes a file for --merge: --output is missing");
+    fail("--slab", "--slab needs --output FILE, because it writes a file for --merge");
   f.check_results("table");
   if (!f.plot.empty()) {
     text::require_name_of(f.plot, text::Written::picture);
     text::require_writable(f.plot, f.if_exists());
   }
   if (!f.data.empty() && f.report.path.empty())
-    fail("--report", "--data is drawn in a report: --report is missing");
+    fail("--report", "--data needs --report FILE, because the data are drawn in the report");
   if (f.data.empty() && (!f.reading.columns.empty() || f.reading.drop_nan))
-    fail("--data", "--columns and --drop-nan are of measurements: --data is missing");
+    fail("--data", "--columns and --drop-nan need --data");
 }
 
 /// Shows the share of the work that is done, where the table is large and a person looks on.
@@ -156,24 +155,25 @@ Run setup_table(CLI::App& command) {
   auto flags = std::make_shared<TableFlags>();
   declare_model(command, flags->model);
   flags->axes.declare(command,
-                      "[rpm]; like all axes as 100,300,900 or as from:to:step, 0:12000:250");
+                      "speeds [rpm]; all axes: a list such as 100,300,900 or a range from:to:step "
+                      "such as 0:12000:250");
   flags->declare_output(command, "CSV file to write; - for stdout");
   command
-      .add_option("--slab", flags->slab, "only the i-th of N parts of the table, for table --merge")
+      .add_option("--slab", flags->slab,
+                  "calculate only part i of N of the table, for table --merge")
       ->type_name("i/N");
-  command.add_option("--plot", flags->plot, "torque over speed as a picture (SVG)")
+  command.add_option("--plot", flags->plot, "SVG picture to write, torque over speed")
       ->type_name("FILE");
   flags->band.declare(command);
   flags->declare_results(command, {"modelica"}, "modelica (CombiTable, SI), ");
-  command
-      .add_option("--data", flags->data, "measurements (CSV) to draw into the curves of the report")
+  command.add_option("--data", flags->data, "measurements (CSV) to draw in the report")
       ->type_name("FILE");
   declare(command, flags->reading);
   const std::vector<CLI::Option*> declared = command.get_options();
   CLI::Option* const merge =
       command
           .add_option("--merge", flags->merge,
-                      "instead of MODEL: join these files, which --slab wrote, in any order")
+                      "files written by --slab, in any order, which are joined; replaces MODEL")
           ->each([declared](const std::string&) {
             for (CLI::Option* const option : declared) option->required(false);
           })

@@ -49,8 +49,9 @@ double memory() {
 /// "3 slabs, --slab 1/3 to 3/3": so many that each keeps within `most` of `all`.
 std::string slabs(double all, double most) {
   const double count = std::max(2.0, std::ceil(all / most));
-  if (!(count <= most_slabs)) return "no number of slabs up to a million is enough";
-  return fmt::format("make it in {0:.0f} slabs, --slab 1/{0:.0f} to {0:.0f}/{0:.0f}", count);
+  if (!(count <= most_slabs)) return "even a million slabs are not enough";
+  return fmt::format("calculate the table in {0:.0f} slabs, --slab 1/{0:.0f} to {0:.0f}/{0:.0f}",
+                     count);
 }
 
 }  // namespace
@@ -63,17 +64,18 @@ void require_memory(const friction::TableAxes& axes, const friction::TableSlab& 
     all *= static_cast<double>(axis->size());
   const double points = all / static_cast<double>(slab.count);
   if (points > most_points)
-    throw text::InputError(fmt::format("raceway table: {:.10g} points: at most 1e8 in one go; {}",
+    throw text::InputError(fmt::format("raceway table: {:.10g} points: at most 1e8 in one run; {}",
                                        points, slabs(all, most_points)));
   const double bytes = points * bytes_per_point(columns, form);
   // Some is for the program and for others.
   const double most = 0.8 * memory();
   if (bytes > most)
     throw text::InputError(fmt::format(
-        "raceway table: {:.10g} points take {:.3g} GB of memory, and {:.3g} GB can be had; {}",
+        "raceway table: {:.10g} points need {:.3g} GB of memory, but only {:.3g} GB are available; "
+        "{}",
         points, bytes / GB, most / GB, slabs(bytes * static_cast<double>(slab.count), most)));
   if (bytes > GB)
-    tell({fmt::format("{:.10g} points take {:.2g} GB of memory", points, bytes / GB)});
+    tell({fmt::format("{:.10g} points need {:.2g} GB of memory", points, bytes / GB)});
 }
 
 void require_memory_to_merge(const std::vector<std::string>& files) {
@@ -86,8 +88,8 @@ void require_memory_to_merge(const std::vector<std::string>& files) {
   const double most = 0.8 * memory();
   if (bytes > most)
     throw text::InputError(
-        fmt::format("raceway merge: the slabs and their table take {:.3g} GB of memory, and {:.3g} "
-                    "GB can be had",
+        fmt::format("raceway merge: the slabs and their table need {:.3g} GB of memory, but only "
+                    "{:.3g} GB are available",
                     bytes / GB, most / GB));
 }
 

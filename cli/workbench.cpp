@@ -44,7 +44,7 @@ std::string loaded(const WorkbenchFlags& flags) {
     if (all.contains("model"))
       throw text::InputError(
           "raceway workbench: " + all["model"]["name"].get<std::string>() + " and " + file +
-              ": the page opens with one model; name one file that ends with .toml",
+              ": the page can open only one model; name one file that ends with .toml",
           {.file = file});
     all["model"] = named(file);
   }
@@ -59,9 +59,9 @@ int run(const WorkbenchFlags& flags) {
   const std::string source = files::data_file("workbench.html");
   if (source.empty())
     throw text::InputError(
-        "raceway workbench: this installation has no page of the workbench "
-        "(share/raceway/workbench.html); build it with cmake --preset wasm and "
-        "cmake --build --preset wasm");
+        "raceway workbench: this installation has no workbench page "
+        "(share/raceway/workbench.html); build the page with cmake --preset wasm and cmake --build "
+        "--preset wasm");
   std::string page = text::read_text(source);
   constexpr std::string_view place = "<!--@LOADED@-->";
   const std::size_t at = page.rfind(place);
@@ -69,7 +69,7 @@ int run(const WorkbenchFlags& flags) {
     throw text::InputError(source + ": is not a workbench page of this version", {.file = source});
   page.replace(at, place.size(), loaded(flags));
   text::write_text(flags.output, page, flags.if_exists());
-  say(flags.output + " written; open it in a browser");
+  say(flags.output + " written; open this page in a browser");
   return done;
 }
 
@@ -78,21 +78,21 @@ int run(const WorkbenchFlags& flags) {
 Run setup_workbench(CLI::App& command) {
   auto flags = std::make_shared<WorkbenchFlags>();
   command
-      .add_option("FILES", flags->files,
-                  "what the page opens with: a model file (.toml) and measurements (CSV),\n"
-                  "both optional")
+      .add_option(
+          "FILES", flags->files,
+          "files that the page opens: a model file (.toml) and measurements (CSV), both optional")
       ->type_name("")
       ->expected(-1);
   command
-      .add_option("--columns", flags->columns,
-                  "which columns of the measurements are which of ours (TOML, table\n"
-                  "[columns])")
+      .add_option(
+          "--columns", flags->columns,
+          "map from columns of the measurements to columns of raceway (TOML, table [columns])")
       ->type_name("FILE");
   flags->declare_output(command, "page to write; default raceway-workbench.html in this folder");
   flags->declare_force(command, "replace the page if it exists");
   command.footer(
-      "The page holds the program itself. It opens in any browser by a double click,\n"
-      "needs no installation and no network, and sends nothing anywhere.\n\n"
+      "The page contains the program. Open it in any browser with a double click. It needs no "
+      "installation and no network, and sends no data.\n\n"
       "Example:\n  raceway workbench my.toml rig.csv -o page.html");
   return [flags] { return run(*flags); };
 }

@@ -35,9 +35,8 @@ Start start_of(Messages& messages, const std::string& model) {
   files::ModelFile file = open_model(messages, model);
   if (file.catalogue.empty())
     throw text::InputError(
-        fmt::format("raceway calibrate: DATA is missing; without measurements {} needs catalogue = "
-                    "\"NAME\" "
-                    "under [bearing], whose printed rigidities the conformity is fitted to",
+        fmt::format("raceway calibrate: DATA is missing. To fit the conformity to printed "
+                    "rigidities instead, {} needs catalogue = \"NAME\" under [bearing]",
                     model),
         {.file = model, .key = "catalogue"});
   return {files::find_bearing(files::read_catalogues(), file.catalogue), std::move(file.text),
@@ -53,7 +52,7 @@ std::vector<shaft::PairRigidity> classes_of(const files::CatalogueBearing& row) 
           {.preload_class = name, .preload = preload->force, .printed = preload->axial_rigidity});
   if (classes.empty())
     throw text::InputError(row.full_name() +
-                               ": the catalogue prints no axial rigidity at a preload, so the "
+                               ": the catalogue has no axial rigidity for this bearing, so the "
                                "conformity cannot be fitted",
                            {.key = "catalogue"});
   return classes;
@@ -65,11 +64,12 @@ std::string with_conformity(const std::string& text, const shaft::ConformityFit&
     names += (names.empty() ? "" : ", ") + c.preload_class;
   const double shown = std::round(fit.conformity * 1e5) / 1e5;  // far below its standard error
   const std::string origin =
-      fmt::format("fitted to the catalogue's rigidity at preload {}{}", names,
+      fmt::format("fitted to the catalogue rigidity at preload {}{}", names,
                   std::isnan(fit.std) ? "" : fmt::format(", std {}", text::number(fit.std, 1)));
   return files::with_values(
-      text, std::vector<files::KeyValue>{{"bearing.inner_conformity", shown, origin},
-                                         {"bearing.outer_conformity", shown, "the same for both"}});
+      text, std::vector<files::KeyValue>{
+                {"bearing.inner_conformity", shown, origin},
+                {"bearing.outer_conformity", shown, "the same value for both grooves"}});
 }
 
 }  // namespace
@@ -80,15 +80,15 @@ bool CatalogueConformity::found() const {
 
 std::string CatalogueConformity::problem() const {
   return found() ? std::string()
-                 : fmt::format("no conformity from {} to {} has the printed rigidities",
+                 : fmt::format("no conformity from {} to {} gives the printed rigidities",
                                shaft::lowest_conformity, shaft::highest_conformity);
 }
 
 std::vector<std::string> CatalogueConformity::warnings() const {
   if (!found() || !(fit.rms > poor)) return {};
   return {
-      fmt::format("with one conformity, the rigidities differ from the printed ones by {:.2g} % "
-                  "(rms): use it with care",
+      fmt::format("the rigidities with this conformity differ from the printed rigidities by "
+                  "{:.2g} % (rms): use the conformity with care",
                   100.0 * fit.rms)};
 }
 

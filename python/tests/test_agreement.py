@@ -105,7 +105,7 @@ def test_displacement(command):
 def test_speeds_without_a_position_are_doubts():
     text = raceway.Model.read("data/spindles/two_against_one.toml").text
     spring = raceway.Model.from_text(text.replace('mounting = "rigid"', 'mounting = "spring"'))
-    with pytest.warns(raceway.Doubt, match="2 of 2 speeds have no value, the first 0 rpm: no_equilibrium") as told:
+    with pytest.warns(raceway.Doubt, match="2 of 2 speeds have no value; the first is 0 rpm: no_equilibrium") as told:
         spring.displacement([0, 3000], axial_load_N=900)
     assert "no-prediction" in [doubt.message.note.code for doubt in told]
 

@@ -109,7 +109,7 @@ def test_what_a_function_raises_comes_through(model, train):
 def test_names(model):
     with pytest.raises(raceway.InputError, match="must be a name"):
         Effect("a b", fan, NUMBERS)
-    with pytest.raises(raceway.InputError, match="windage: there is an effect of this name"):
+    with pytest.raises(raceway.InputError, match="windage: an effect already has this name"):
         model.with_effect(Effect("windage", fan, NUMBERS))
     with pytest.raises(TypeError, match="raceway.Effect is wanted"):
         model.with_effect("fan")

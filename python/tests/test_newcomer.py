@@ -85,10 +85,10 @@ def test_a_band_of_a_model_that_was_not_fitted(rig):
 
 
 def test_kelvin_in_a_table_and_a_displacement(rig):
-    assert any("looks like kelvin" in note for note in rig.table([0, 1000], [300], temperature_C=313.15).notes)
+    assert any("the value is probably in kelvin" in note for note in rig.table([0, 1000], [300], temperature_C=313.15).notes)
     assert not any("kelvin" in note for note in rig.table([0, 1000], [300], temperature_C=40).notes)
     shaft = raceway.Model.read("data/spindles/small.toml")
-    with pytest.warns(raceway.Doubt, match="temperature_C = 313.15 C: looks like kelvin"):
+    with pytest.warns(raceway.Doubt, match="temperature_C = 313.15 C: the value is probably in kelvin"):
         shaft.displacement([0, 1000], temperature_C=313.15)
     with pytest.raises(TypeError, match="temperature_C: belongs to load_cases"):
         shaft.step_response([2000], temperature_C=40)

@@ -112,12 +112,12 @@ def test_an_effect_in_python_is_part_of_every_variant(model):
     ("given", "error", "words"),
     [
         ({"spread": {"bal_diameter_mm": 1}}, raceway.InputError, "ball_diameter_mm"),
-        ({"spread": {"ball_diameter_mm": -1}}, raceway.InputError, "must be zero or more"),
+        ({"spread": {"ball_diameter_mm": -1}}, raceway.InputError, "must be 0 or more"),
         ({"spread": {"ball_diameter_mm": None}}, TypeError, "spread of ball_diameter_mm: a number is wanted"),
         ({"samples": 1000}, raceway.InputError, "must be a power of two"),
         ({"samples": -1}, ValueError, "samples = -1"),
         ({"samples": 2.0}, TypeError, "samples: a whole number is wanted"),
-        ({"of": "nonsense"}, raceway.InputError, "no such prediction"),
+        ({"of": "nonsense"}, raceway.InputError, "unknown prediction"),
         ({"steady": True}, raceway.InputError, "is not a spindle"),
     ],
 )

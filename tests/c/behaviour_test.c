@@ -52,7 +52,7 @@ static void what_reading_said_can_be_asked_for(void) {
   model = model_of(text);
   CHECK_TEXT(raceway_messages(model), said_by_the_command("my.toml", text, 0));
   CHECK(strstr(raceway_messages(model),
-               "\nwarning: my.toml: in the friction torque palmgren ignores ") != NULL);
+               "\nwarning: my.toml: the friction torque by palmgren does not depend on ") != NULL);
   raceway_free(model);
 }
 
@@ -168,7 +168,7 @@ static void wrong_numbers_are_named_with_their_place(void) {
                       400) == RACEWAY_WRONG_INPUT);
   CHECK(raceway_solve(model, (size_t)-1, speed, NULL, NULL, NULL, (const int[]){0, 0, 0, 0}, NULL,
                       0, out, NULL, message, 400) == RACEWAY_WRONG_INPUT);
-  CHECK(strstr(message, "at most 1e+08 in one call") != NULL);
+  CHECK(strstr(message, "at most 1e+08 are allowed in one call") != NULL);
   CHECK(raceway_table(model, speed, (size_t)1 << 40, speed, (size_t)1 << 40, NULL, 0, NULL, 0, NULL,
                       0, out, NULL, message, 400) == RACEWAY_WRONG_INPUT);
   raceway_free(model);
@@ -187,7 +187,7 @@ static void a_state_without_balance_leaves_the_others(void) {
   CHECK(isfinite(values[0]) && isnan(values[1]) && isfinite(values[2]) && isnan(values[3]));
   CHECK(status[0] == RACEWAY_STATUS_CONVERGED && status[1] == RACEWAY_STATUS_NO_EQUILIBRIUM);
   CHECK_TEXT(message,
-             "warning: 2 of 4 states have not converged: no_equilibrium, the first is [1]");
+             "warning: 2 of 4 states have not converged: no_equilibrium; the first is [1]");
   CHECK(raceway_predict(model, 4, speed, axial, NULL, NULL, NULL, readings, status, message, 400) ==
         RACEWAY_NOT_CONVERGED);
   CHECK(isfinite(readings[0]) && isnan(readings[3]) && status[3] == RACEWAY_STATUS_NO_EQUILIBRIUM);
@@ -229,7 +229,7 @@ static void a_reading_needs_a_rig_and_nothing_beside_the_state(const char* root)
   CHECK(strstr(message, "has an [arrangement]") != NULL);
   CHECK(raceway_solve(shaft, 1, &speed, NULL, &speed, NULL, NULL, NULL, 0, &reading, NULL, message,
                       600) == RACEWAY_WRONG_INPUT);
-  CHECK(strstr(message, "a shaft takes axial_load_N alone") != NULL);
+  CHECK(strstr(message, "for a shaft, only axial_load_N is possible") != NULL);
   raceway_free(shaft);
   snprintf(text, sizeof text, "%s[[effect]]\nid = \"torque-time-drift\"\n", rig_text);
   raceway_model* drifting = model_of(text);
@@ -237,7 +237,7 @@ static void a_reading_needs_a_rig_and_nothing_beside_the_state(const char* root)
                         600) == RACEWAY_WRONG_INPUT);
   CHECK_TEXT(
       message,
-      "my.toml: torque-time-drift needs time_s of every row, which single states do not have");
+      "my.toml: torque-time-drift needs time_s of every row, but single states do not have this");
   raceway_free(drifting);
 }
 

@@ -106,21 +106,22 @@ TEST_F(BadInput, ModelAndDataInTheWrongOrderAreToldApart) {
   const std::string model = scratch_.write("my.toml", model_text);
   const std::string data = scratch_.write("rig.csv", data_text);
   expect_refused(run("calibrate " + data + " " + model),
-                 data + ": stands where a model (TOML) is expected\n");
+                 data + ": this is a file of measurements; a model (TOML) is expected here\n");
   expect_refused(run("compare " + model + " " + model),
-                 model + ": stands where measurements (CSV) are expected\n");
+                 model + ": this is a model file; measurements (CSV) are expected here\n");
 }
 
 TEST_F(BadInput, DataWithoutWhatIsNeededNameIt) {
   expect_data_refused("", ": the file is empty");
   expect_data_refused("\n\n", ": the file is empty");
   expect_data_refused("speed_rpm,axial_load_N,friction_torque_Nmm\n", ": no data rows");
-  expect_data_refused("speed_rpm,axial_load_N\n1000,100\n", ":1: no measured column");
+  expect_data_refused("speed_rpm,axial_load_N\n1000,100\n", ": a measured column is missing:");
   expect_data_refused("axial_load_N,friction_torque_Nmm\n1000,100\n",
                       ":1: column speed_rpm is missing");
   expect_data_refused("speed_rpm,friction_torque_Nmm\n1000,100\n",
-                      ":1: the axial load is neither in a column axial_load_N nor in the model");
-  expect_data_refused("1000,100,92\n2000,100,140\n", ":1: a header with the names");
+                      ":1: the axial load is missing: give a column axial_load_N");
+  expect_data_refused("1000,100,92\n2000,100,140\n",
+                      ": the header line with the column names is missing");
 }
 
 TEST_F(BadInput, MisspeltColumnIsAnsweredWithTheNearest) {
@@ -145,12 +146,13 @@ TEST_F(BadInput, BadCellsAreListedWithTheirLines) {
 }
 
 TEST_F(BadInput, MixedOrDoubleColumnsAreRefused) {
-  expect_data_refused("speed_rpm,axial_load_N,friction_torque_Nmm\n1000;100;92\n",
-                      ":2: the header (line 1) is separated by commas, but this row by semicolons");
+  expect_data_refused(
+      "speed_rpm,axial_load_N,friction_torque_Nmm\n1000;100;92\n",
+      ":2: the header (line 1) has commas as separators, but this row has semicolons");
   expect_data_refused("speed_rpm;axial_load_N,friction_torque_Nmm\n1000;100;92\n",
-                      ":1: the header is separated by");
+                      ":1: the header has");
   expect_data_refused("speed_rpm,speed_rpm,axial_load_N,friction_torque_Nmm\n1,1,1,1\n",
-                      ":1: column speed_rpm stands twice, as columns 1 and 2");
+                      ":1: column speed_rpm occurs twice, as columns 1 and 2");
   expect_data_refused("speed_rpm;axial_load_N;friction_torque_Nmm\n1000;100,5;92.5\n", ":2: ");
 }
 
@@ -181,7 +183,8 @@ TEST_F(BadInput, UnwritableOutputIsToldBeforeTheWork) {
   const std::string model = scratch_.write("my.toml", model_text);
   const std::string table = "table " + model + " --speed 0:9000:0.001 --axial-load 100 -o ";
   expect_refused(run(table + scratch_.path().string()), ": is a directory");
-  expect_refused(run(table + scratch_.file("none/t.csv")), "there is no folder");
+  expect_refused(run(table + scratch_.file("none/t.csv")),
+                 ": cannot be written: this folder does not exist:");
   const std::string old = scratch_.write("old.csv", "old");
   expect_refused(run(table + old), "exists already");
   EXPECT_EQ(file_text(old), "old");

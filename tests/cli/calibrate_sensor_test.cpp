@@ -134,7 +134,10 @@ TEST(TorqueSignalRecord, ASensorFileIsNeverWrittenOver) {
   const std::string of = rig.model() + " " + signals + " -o " + sensor + " --force";
   const Result calibrated = run("calibrate " + of), checked = run("check " + of);
   EXPECT_EQ(calibrated.status, 1);
-  EXPECT_THAT(calibrated.err, HasSubstr("this run reads the file, so it cannot write it"));
+  EXPECT_THAT(
+      calibrated.err,
+      HasSubstr(
+          ": this run reads this file, so it cannot write to the same file; name another file"));
   EXPECT_EQ(checked.status, 1);
   EXPECT_THAT(checked.err, HasSubstr("tables are written as CSV"));
   EXPECT_EQ(file_text(sensor), text);

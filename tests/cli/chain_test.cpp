@@ -132,13 +132,14 @@ TEST_F(Chain, CheckSaysBetweenWhichRowsSettingsHold) {
     const std::string text = file_text(chain + "machine.toml") + columns;
     return run("check " + scratch_.write(name, text) + " " + chain + "calibration.csv").out;
   };
-  const std::string until = "hold from their row until the next, and a reading is taken ";
-  EXPECT_THAT(said("a.toml", ""), HasSubstr(until + "with its row (no settings_hold)"));
+  const std::string until = "apply from their row to the next row; a reading was taken ";
+  EXPECT_THAT(said("a.toml", ""),
+              HasSubstr(until + "under the settings of its row (no settings_hold)"));
   EXPECT_THAT(said("b.toml", "[columns]\nsettings_hold = \"from row\"\n"),
-              HasSubstr(until + "just before its row (settings_hold = \"from row\")"));
+              HasSubstr(until + "just before the change (settings_hold = \"from row\")"));
   EXPECT_THAT(said("c.toml", "[columns]\nsettings_hold = \"until row\"\n"),
-              HasSubstr("hold from the row before until their row, and a reading is taken with its "
-                        "row (settings_hold = \"until row\")"));
+              HasSubstr("apply from the previous row to their row; a reading was taken under the "
+                        "settings of its row (settings_hold = \"until row\")"));
 }
 
 TEST(PriorTable, WhatIsWrongIsSaid) {
@@ -149,7 +150,7 @@ TEST(PriorTable, WhatIsWrongIsSaid) {
   };
   scratch.write("friction_table.csv", file_text(chain + "friction_table.csv"));
   EXPECT_THAT(said("\"spindle.scal\" = { value = 1.0, std = 0.2 }\n"),
-              HasSubstr("spindle.scal: no parameter is called so; nearest: spindle.scale"));
+              HasSubstr("spindle.scal: unknown parameter; nearest: spindle.scale"));
   EXPECT_THAT(said("\"spindle.scale\" = { value = 1.0, std = 0.0 }\n"), HasSubstr("std = 0"));
   EXPECT_THAT(said("\"spindle.scale\" = 0.2\n"), HasSubstr("must be { value, std }"));
   EXPECT_THAT(said("\"spindle.scale\" = { value = 1.0 }\n"), HasSubstr("std"));

@@ -31,7 +31,7 @@ TEST(Columns, AGermanExcelExportGoesInWithoutAScript) {
   const Result check = run_shell(at + "$raceway check my.toml " + flags + " -o rows.csv");
   EXPECT_EQ(check.status, 0) << check.err;
   EXPECT_THAT(check.out, HasSubstr("71 rows of friction torque"));
-  EXPECT_THAT(check.err, HasSubstr("1 of 72 rows have an empty cell or no number"));
+  EXPECT_THAT(check.err, HasSubstr("1 of 72 rows have an empty cell or a cell without a number"));
   EXPECT_THAT(check.err, HasSubstr("1 N m = 1000 N mm"));
   EXPECT_THAT(check.err, Not(HasSubstr("warning:")));
   const Result verdict = run_shell(at + "$raceway diagnose my.toml " + flags + " | tail -n 1");
@@ -55,8 +55,8 @@ struct WrongUnit {
   std::string model = folder.write("m.toml", model_text);
   std::string data = folder.write("d.csv", rows());
   std::string question =
-      "readings of friction torque are about 1000 times too small for the model: N m in a column "
-      "of N mm?";
+      "readings of friction torque are about 1000 times too small for the model: are values in N m "
+      "in a column of N mm?";
 
   std::string map = folder.write(
       "map.toml",
@@ -87,8 +87,8 @@ TEST(Columns, AnotherUnitIsAskedAboutBeforeTheVerdict) {
   const WrongUnit wrong;
   for (const std::string& command : wrong.commands())
     expect_refused(run(command), wrong.question +
-                                     " Say so in [columns]: friction_torque_Nmm = { column = "
-                                     "\"friction_torque_Nmm\", unit = \"Nm\" }");
+                                     " If so, set the unit in [columns]: friction_torque_Nmm = { "
+                                     "column = \"friction_torque_Nmm\", unit = \"Nm\" }");
 }
 
 TEST(Columns, AUnitThatIsSaidIsNotAskedAboutAgain) {
@@ -96,7 +96,7 @@ TEST(Columns, AUnitThatIsSaidIsNotAskedAboutAgain) {
   for (const std::string& command : wrong.answered()) {
     const Result answer = run(command);
     EXPECT_THAT(answer.err, HasSubstr("warning: " + wrong.question)) << command;
-    EXPECT_THAT(answer.err, Not(HasSubstr("Say so in [columns]"))) << command;
+    EXPECT_THAT(answer.err, Not(HasSubstr("If so, set the unit in [columns]:"))) << command;
   }
   // The name of a rule says a unit as well, where the file says none.
   std::string unnamed = file_text(wrong.data);
@@ -163,7 +163,8 @@ TEST(Columns, WorkbooksAndBinaryFilesAreNamed) {
     expect_refused(run("check " + model + " " + data), message);
   };
   refused(std::string("PK\3\4\0\0", 6), "d.csv: is an Excel workbook (.xlsx)");
-  refused("\xd0\xcf\x11\xe0\xa1", "is an Excel workbook of the old kind (.xls)");
+  refused("\xd0\xcf\x11\xe0\xa1",
+          "is an old Excel workbook (.xls); save the sheet as CSV (in Excel: Save as, CSV)");
   refused("\x89HDF\r\n", "is an HDF5 file");
 }
 
@@ -183,8 +184,10 @@ TEST(Columns, ABearingOfNoCatalogueIsProposed) {
       run_shell(at + "grep ball_diameter my.toml").out);
   expect_refused(run("new X99"), "bearing \"X99\" is not in the catalogue");
   expect_refused(run("new X99 --bore 70"), "--bore and --outer-diameter");
-  expect_refused(run("new X99 --bore 70furlong"), "--bore = \"70furlong\": no unit of length");
-  expect_refused(run("new 'S 6014 C' --bore 70"), "is in the catalogue");
+  expect_refused(run("new X99 --bore 70furlong"),
+                 "--bore = \"70furlong\": not a number with a unit of length");
+  expect_refused(run("new 'S 6014 C' --bore 70"),
+                 "raceway new: the catalogue has the inner geometry of");
   const Result list = run("bearings --bore 70");
   EXPECT_THAT(list.out, HasSubstr("S 6014 C"));
   EXPECT_THAT(list.out, Not(HasSubstr("S 6010 C")));

@@ -51,11 +51,12 @@ TEST(CommandLine, HelpStartsWithWhatMostPeopleNeed) {
 
 TEST(CommandLine, AFileAsCommandIsToldHowToStart) {
   const ScratchFolder scratch;
-  expect_refused(run("data.csv"), "raceway: data.csv is a file; a command comes first.");
+  expect_refused(run("data.csv"), "raceway: data.csv is a file; give a command first.");
   expect_refused(run("data.csv"), "  raceway diagnose my.toml data.csv\n");
   expect_refused(run("my.toml --json"), "raceway check my.toml\n");
   const std::string plain = scratch.write("record", "1 2\n");
-  expect_refused(run(plain), "is a file; a command comes first.");
+  expect_refused(run(plain),
+                 "is a file; give a command first.\nTo see what is in this model: raceway check");
 }
 
 TEST(CommandLine, HelpOfEveryCommandHasAnExample) {
@@ -201,7 +202,8 @@ TEST(New, RefusesPlacesThatCannotBeWritten) {
   const ScratchFolder scratch;
   const std::string folder = scratch.path().string();
   expect_refused(run("new \"S 6014 C\" -o " + folder), folder + ": is a directory");
-  expect_refused(run("new \"S 6014 C\" -o " + folder + "/none/my.toml"), "there is no folder");
+  expect_refused(run("new \"S 6014 C\" -o " + folder + "/none/my.toml"),
+                 ": cannot be written: this folder does not exist:");
   expect_refused(run("new \"S 6014 C\" -o /dev/full"), "/dev/full: cannot be written");
   EXPECT_TRUE(std::filesystem::is_empty(scratch.path()));
 }

@@ -101,9 +101,9 @@ TEST_F(Compare, ReadsAGermanSpreadsheetWithANote) {
 
 TEST_F(Compare, OfADisplacementIsRefusedInOneLine) {
   const Result r = with("compare", "speed_rpm,axial_load_N,axial_displacement_um\n1,100,1\n");
-  expect_refused(
-      r, "rig.csv with " + model_ +
-             ": has axial displacement, which needs a model with an [arrangement]; a single bearing needs measured friction torque\n");
+  expect_refused(r, "rig.csv with " + model_ +
+                        ": has axial displacement, which needs a model with an [arrangement]; a "
+                        "single bearing needs measured friction torque\n");
 }
 
 TEST_F(Compare, CheckTellsWhatWasRead) {
@@ -129,7 +129,7 @@ TEST_F(Compare, CheckWarnsWhereEveryRunHasALevelOfItsOwn) {
                 ",r" + std::to_string(run) + "," + std::to_string(80 + speed / 100 + run) + "\n";
     return text;
   };
-  const auto warning = HasSubstr("each run has its own axial load");
+  const auto warning = HasSubstr("each run has a different axial load");
   EXPECT_THAT(with("check", rows(1)).err, warning);
   EXPECT_THAT(parsed(with("check", rows(1), "--json"))["notes"].dump(), warning);
   EXPECT_THAT(with("check", rows(2)).err, testing::Not(warning));
@@ -138,7 +138,7 @@ TEST_F(Compare, CheckWarnsWhereEveryRunHasALevelOfItsOwn) {
 TEST_F(Compare, CheckOfTooFewRowsSaysWhatCannotBeFitted) {
   const Result r = with("check", "speed_rpm,axial_load_N,friction_torque_Nmm\n1000,100,92\n");
   EXPECT_EQ(r.status, 0);
-  EXPECT_THAT(r.out, HasSubstr("free parameter f0: cannot be told from these data\n"));
+  EXPECT_THAT(r.out, HasSubstr("free parameter f0: these data do not determine it\n"));
   EXPECT_THAT(r.err, HasSubstr("2 parameters are free"));
 }
 

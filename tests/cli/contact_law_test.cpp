@@ -218,8 +218,9 @@ TEST_F(ContactLaw, FlagsFactorsOfOtherLawsAndEffectsThatItHasItself) {
     EXPECT_EQ(r.status, 1);
     return r.err;
   };
-  EXPECT_THAT(error_of(model + "f0 = 1.5\n"),
-              HasSubstr("f0 = 1.5: belongs to law = \"palmgren\", but the law is \"contact\""));
+  EXPECT_THAT(
+      error_of(model + "f0 = 1.5\n"),
+      HasSubstr("f0 = 1.5: this key is only for law = \"palmgren\", but the law is \"contact\""));
   EXPECT_THAT(error_of(model + "\n[[effect]]\nid = \"spin-friction\"\n"),
               HasSubstr("id = \"spin-friction\": needs another base law: the contact law already "
                         "includes it, as mu_boundary under [friction]"));
@@ -245,8 +246,10 @@ TEST_F(ContactLaw, JudgesFilmAndFrictionInOneLine) {
   const json in = contact_cases("bearing_10000rpm").front().at("inputs");
   const std::string solve =
       "solve " + scratch_.write("my.toml", model_of(in, "steel")) + " --axial-load 500 --speed ";
-  EXPECT_THAT(run(solve + "10000").out,
-              HasSubstr("full film (lambda 15.7 at the thinnest), rolling of the oil is 98 % of"));
+  EXPECT_THAT(
+      run(solve + "10000").out,
+      HasSubstr(
+          "full film (lambda 15.7 at the thinnest), rolling resistance of the oil is 98 % of"));
   EXPECT_THAT(run(solve + "0").out, HasSubstr("boundary friction (lambda 0 at the thinnest), "
                                               "sliding in the contacts is"));
   EXPECT_THAT(run(solve + "10000").err, HasSubstr("balls may skid"));
@@ -264,9 +267,10 @@ TEST_F(ContactLaw, HybridAndSteelDifferInTheTableAndItSaysWhy) {
   };
   expect_near(torque(hybrid) / torque(steel), c.at("outputs").at("ratio_nitride_steel"), 1e-3,
               "ratio");
-  EXPECT_THAT(hybrid.err, HasSubstr("silicon-nitride balls have 0.92 of the torque of steel balls "
-                                    "at 10000 rpm, 500 N: centrifugal force of a ball"));
-  EXPECT_THAT(steel.err, Not(HasSubstr("of the torque of steel balls")));
+  EXPECT_THAT(hybrid.err,
+              HasSubstr("with silicon-nitride balls the torque is 0.92 times the torque with steel "
+                        "balls at 10000 rpm and 500 N: centrifugal force of a ball"));
+  EXPECT_THAT(steel.err, Not(HasSubstr("times the torque with steel balls at")));
 }
 
 }  // namespace

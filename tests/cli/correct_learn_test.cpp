@@ -96,7 +96,8 @@ TEST_F(CorrectLearn, NamesAWildReading) {
   const Result text = learnt("--every 2h", "wild.csv");
   EXPECT_EQ(text.status, 0);
   EXPECT_THAT(text.err, HasSubstr("line 86 (14 h)"));
-  EXPECT_THAT(text.err, HasSubstr("it is refused and not learnt"));
+  EXPECT_THAT(text.err,
+              HasSubstr("was expected: the reading is rejected and not used for learning"));
   const json d = parsed(learnt("--every 2h --json", "wild.csv"));
   EXPECT_EQ(d["readings_refused"], 1);
   EXPECT_EQ(d["identification_due"], json::array());
@@ -116,7 +117,10 @@ TEST_F(CorrectLearn, SaysWhatIsWrongWithItsFlags) {
   }
   const Result onto = run(files + " --learn --force --save " + path("z.toml"));
   EXPECT_EQ(onto.status, 1);
-  EXPECT_THAT(onto.err, HasSubstr("this run reads the file"));
+  EXPECT_THAT(
+      onto.err,
+      HasSubstr(
+          ": this run reads this file, so it cannot write to the same file; name another file"));
   write("none.csv", "time_s,front_temperature_C,displacement_z_um\n0,20,\n60,21,\n");
   const Result none = learnt("--save " + path("not.toml"), "none.csv");
   EXPECT_EQ(none.status, 1);

@@ -50,10 +50,10 @@ TEST_F(CorrectionBaseline, ARegressionSaysHowMuchItExtrapolates) {
   const Result told = run("compare " + regression + " " + colder);
   EXPECT_EQ(told.status, 0);
   EXPECT_THAT(told.err, HasSubstr("training data of 20.000 to 42.496 C"));
-  EXPECT_THAT(told.err, HasSubstr("a regression extrapolates there in straight lines"));
+  EXPECT_THAT(told.err, HasSubstr("outside the training data a regression extrapolates linearly:"));
   EXPECT_THAT(told.err, HasSubstr("are extrapolation"));
   EXPECT_THAT(run("correct " + regression + " " + colder).err,
-              HasSubstr("a regression extrapolates there in straight lines"));
+              HasSubstr("outside the training data a regression extrapolates linearly:"));
   // Sections do not run away as far, and are not told so.
   EXPECT_THAT(run("compare " + model_ + " " + colder).err,
               testing::Not(HasSubstr("straight lines there")));
@@ -67,7 +67,9 @@ TEST_F(CorrectionBaseline, ArxShowsWhyItIsNotUsed) {
   const Result text = run(command);
   EXPECT_EQ(text.status, 0) << text.err;
   EXPECT_THAT(text.out, HasSubstr("ARX from front on 1440 points every 60 s"));
-  EXPECT_THAT(text.out, HasSubstr("one step: each point from the readings before it"));
+  EXPECT_THAT(text.out, HasSubstr("one step: prediction of each point from the readings before it. "
+                                  "simulated: from the inputs only, as in a control. second half: "
+                                  "simulated with the fit to the first half.\n"));
   const json d = parsed(run(command + " --json"));
   EXPECT_EQ(d["baseline"], "arx");
   EXPECT_EQ(d["sampling_s"], 60.0);
@@ -81,7 +83,8 @@ TEST_F(CorrectionBaseline, ArxShowsWhyItIsNotUsed) {
   const std::string written = scratch_.file("arx.toml");
   const Result wrote = run(command + " -o " + written);
   ASSERT_EQ(wrote.status, 0) << wrote.err;
-  EXPECT_THAT(wrote.err, HasSubstr("A control gets the simulation, at calls every 60 s alone"));
+  EXPECT_THAT(wrote.err,
+              HasSubstr("A control runs the simulation, and only with calls every 60 s"));
   EXPECT_THAT(file_text(written), HasSubstr("sampling_s = 60"));
   EXPECT_THAT(file_text(written), HasSubstr("numerator = ["));
   const Result ran = run("correct " + written + " " + coarse + " --json");

@@ -35,7 +35,8 @@ TEST_F(CorrectionInput, TimeThatIsUnsortedOrRepeatedIsRefused) {
                                   }}.csv());
   for (const char* command : {"check ", "identify ", "correct ", "compare ", "diagnose "}) {
     expect_refused(run(command + model_ + " " + back), "r.csv:11: time_s = 300: goes back within");
-    expect_refused(run(command + model_ + " " + twice), "twice.csv:11: time_s = 480: stands twice");
+    expect_refused(run(command + model_ + " " + twice),
+                   "twice.csv:11: time_s = 480: occurs twice within a run");
   }
 }
 
@@ -94,7 +95,7 @@ TEST_F(CorrectionInput, PowerNeedsAFrictionTable) {
       "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\n"
       "input = \"power_W\"\nsections = [{ gain_um_W = 0.2, time_constant_s = 4000 }]\n");
   expect_refused(run("correct " + power + " " + record([](int, std::string t) { return t; })),
-                 "p.toml:4: input = \"power_W\": needs friction_table");
+                 "p.toml:4: input = \"power_W\": friction_table is missing");
 }
 
 /// K and T of a published spindle end at 214.7 W, where T is 0.
@@ -111,8 +112,8 @@ TEST_F(CorrectionInput, PowerBeyondTheDelayElementIsSaid) {
   const std::string data = record([](int, std::string text) { return text; });
   const Result r = run("correct " + element + " " + data);
   EXPECT_EQ(r.status, 0);
-  EXPECT_THAT(r.err, HasSubstr("no displacement from line 123 on: the power leaves the range of a "
-                               "delay element"));
+  EXPECT_THAT(r.err, HasSubstr("no displacement is predicted from line 123 on, because the power "
+                               "leaves the range of a delay element"));
   const std::string beyond =
       "channel power: 282.7 W in line 122: the power is outside the range of a delay element, "
       "whose time constant is positive below 214.7 W only";
@@ -155,7 +156,8 @@ TEST_F(CorrectionInput, TablesThatAModelNamesAreNeverWrittenOver) {
           "calibrate " + element + " " + data, "export " + element + " --format csv"}) {
       const Result r = run(command + " --force -o " + table);
       EXPECT_EQ(r.status, 1) << command;
-      EXPECT_THAT(r.err, HasSubstr("this run reads the file, so it cannot write it"));
+      EXPECT_THAT(r.err, HasSubstr(": this run reads this file, so it cannot write to the same "
+                                   "file; name another file"));
       EXPECT_EQ(file_text(table), before) << command;
     }
   }
@@ -184,8 +186,7 @@ class BesideABearing : public CorrectionInput {
 TEST_F(BesideABearing, AColumnSaysWhichOfThemIsMeant) {
   const std::string torque = " --channel friction_torque_Nmm", z = " --channel displacement_z_um";
   const std::string asks =
-      "describes a bearing and the correction of displacement_z_um: choose by "
-      "--channel";
+      "the file has a bearing and the correction of displacement_z_um: choose one with --channel";
   for (const std::string& data : {rig_, day_}) {
     expect_refused(run("compare " + both_ + " " + data), asks);
     expect_refused(run("check " + both_ + " " + data), asks);

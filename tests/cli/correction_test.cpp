@@ -195,7 +195,7 @@ TEST_F(Correction, WrongInputIsRefusedWithItsPlace) {
                      "ambient/train.csv --inputs motr_temperature_C"),
                  "motor_temperature_C");
   expect_refused(run("diagnose " + model + " " + corrections + "ambient/train.csv --tolerance 2um"),
-                 "two of them");
+                 "two tolerances in");
   expect_refused(run("add " + model + " nonsense --data " + corrections + "ambient/train.csv"),
                  "unknown effect");
   expect_refused(run("compare " + model + " " + corrections +
@@ -259,7 +259,7 @@ TEST_F(Correction, ReadingsCountFromAndUntil) {
   expect_refused(
       run("compare " + tests::source_dir() + "/tests/hidden_effect/rigs/dev-03/model.toml " +
           tests::source_dir() + "/tests/hidden_effect/rigs/dev-03/train.csv --from 1h"),
-      "belong to records over time");
+      "--from, --until are only for records over time and models with [correction]");
 }
 
 TEST_F(Correction, CheckTellsWhatARecordIsWorth) {
@@ -355,8 +355,7 @@ TEST(CorrectionStops, TellsTheRepeatabilityOfApproaches) {
                           0.4 * k + 0.2 * ((7 * k + 3 * i * i) % 5 - 2));
   const std::string command =
       "check " + scratch.write("m.toml", z_model()) + " " + scratch.write("r.csv", text);
-  EXPECT_THAT(run(command).out,
-              HasSubstr("repeated readings in 40 stops: a reading scatters by ±"));
+  EXPECT_THAT(run(command).out, HasSubstr("repeated readings at 40 stops: scatter of a reading ±"));
   const auto document = parsed(run(command + " --json"));
   EXPECT_EQ(document["repeatability"]["stops"].size(), 40u);
   EXPECT_EQ(document["repeatability"]["stops"][3]["readings"], 5);

@@ -45,7 +45,7 @@ TEST(CsvStyle, PlainHasItsHeaderInTheFirstLineAndAllElseAsItIs) {
   EXPECT_THAT(table, StartsWith("speed_rpm,"));
   EXPECT_EQ(file_text(folder.file("c_comments.txt")) + table, whole);
   expect_refused(run(displacement + " --force --format plain --separator tab"),
-                 "--separator: belongs to --format excel");
+                 "--separator: only possible with --format excel");
 }
 
 TEST(CsvStyle, MarksAreChosenByOption) {
@@ -56,15 +56,18 @@ TEST(CsvStyle, MarksAreChosenByOption) {
   EXPECT_THAT(run(table + " --decimal-mark point").out, HasSubstr("speed_rpm,axial_load_N"));
   expect_refused(run(table + " --separator comma"), "add --decimal-mark point");
   expect_refused(run("table " + model + " --speed 1500 --axial-load 300 -o - --separator tab"),
-                 "--separator: belongs to --format excel");
+                 "--separator: only possible with --format excel");
 }
 
 /// Every command that writes a table takes the same flags.
 TEST(CsvStyle, EveryCommandThatWritesATableHasIt) {
   for (const char* command : {"check", "table", "displacement", "deflection", "modes", "correct",
                               "spindle", "step-response"})
-    EXPECT_THAT(run(std::string(command) + " --help").out,
-                AllOf(HasSubstr("--decimal-mark"), HasSubstr("(the header is")))
+    EXPECT_THAT(
+        run(std::string(command) + " --help").out,
+        AllOf(HasSubstr("--decimal-mark"),
+              HasSubstr("csv (default; with the model in # lines), plain (first line is the "
+                        "header, comments in FILE_comments.txt; for pandas and MATLAB),")))
         << command;
 }
 

@@ -121,8 +121,8 @@ TEST_F(Displacement, WarnsOfTheSpeedWhereAMinimumLoadIsMissed) {
   EXPECT_EQ(r.status, 0);
   // Z F_c tan(25 deg) grows with the speed squared and is 300 N near 6800 rpm.
   EXPECT_THAT(r.err,
-              testing::ContainsRegex("warning: front_1, front_2: below the minimum load from "
-                                     "6[5-9][0-9][0-9] rpm on, there 300 N of 300"));
+              testing::ContainsRegex("warning: front_1, front_2: the load is below the minimum "
+                                     "load from 6[5-9][0-9][0-9] rpm on: 300 N of 300"));
   EXPECT_THAT(r.err, testing::ContainsRegex("warning: rear_1: below the minimum load from 9[0-9]+ "
                                             "rpm on"));
   // The rigid sets load themselves.
@@ -132,9 +132,8 @@ TEST_F(Displacement, WarnsOfTheSpeedWhereAMinimumLoadIsMissed) {
 TEST_F(Displacement, WarnsOfLostContact) {
   const Result r = raceway("displacement", "--speed 0 --axial-load 2000");
   EXPECT_EQ(r.status, 0);
-  EXPECT_THAT(r.err,
-              HasSubstr("warning: front_1, front_2: no contact with the inner ring from 0 rpm "
-                        "on; no load\n"));
+  EXPECT_THAT(r.err, HasSubstr("warning: front_1, front_2: balls have no contact with the inner "
+                               "ring from 0 rpm on; no load\n"));
 }
 
 TEST_F(Displacement, SpeedsWithoutBalanceAreNamedAndEndInStatusTwo) {
@@ -142,9 +141,10 @@ TEST_F(Displacement, SpeedsWithoutBalanceAreNamedAndEndInStatusTwo) {
       replaced(model_text + sets, "preload_N = 600", "mounting = \"spring\"\npreload_N = 600");
   const Result r = raceway("displacement", "--speed 0,3000 --axial-load 900", spring);
   EXPECT_EQ(r.status, 2);
-  EXPECT_THAT(r.err,
-              HasSubstr("2 of 2 speeds have no value, the first 0 rpm: no_equilibrium: no "
-                        "position of the shaft was found at which the sets are in equilibrium"));
+  EXPECT_THAT(
+      r.err,
+      HasSubstr("2 of 2 speeds have no value; the first is 0 rpm: no_equilibrium: the solver "
+                "found no shaft position at which the sets are in equilibrium"));
   const Result s = raceway("solve", "--speed 3000 --axial-load 900 --json", spring);
   EXPECT_EQ(s.status, 2);
   EXPECT_TRUE(parsed(s)["axial_displacement_um"].is_null());
@@ -253,14 +253,15 @@ TEST_F(Displacement, CheckSaysWhatWasRead) {
   ASSERT_EQ(r.status, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("8 rows of axial displacement"));
   EXPECT_THAT(r.out, testing::ContainsRegex("preload_N +320.00 +900.00 +2"));
-  EXPECT_THAT(r.out, HasSubstr("free parameter preload_N: cannot be told from these data"));
+  EXPECT_THAT(r.out, HasSubstr("free parameter preload_N: these data do not determine it"));
   EXPECT_THAT(r.err, HasSubstr("no column axial_load_N: 0 N for all rows, from external_load_N of "
                                "[arrangement]"));
 }
 
 TEST_F(Displacement, WrongUseIsRefused) {
   expect_refused(raceway("displacement", "--speed 0", model_text),
-                 "my.toml: has no [arrangement]: a shaft position needs one");
+                 ": the model has no [arrangement]; the shaft position needs this table with "
+                 "layout, front, rear and preload_N");
   const std::string unmeasured = scratch_.write("d.csv", "speed_rpm,axial_load_N\n1000,100\n");
   for (const char* command : {"compare", "calibrate", "diagnose"}) {
     expect_refused(raceway(command, unmeasured),
@@ -270,13 +271,14 @@ TEST_F(Displacement, WrongUseIsRefused) {
                    "which needs a model with an [arrangement]");
   }
   expect_refused(raceway("solve", "--speed 0 --radial-load 50"),
-                 "a shaft takes --axial-load alone");
+                 "for a shaft, only --axial-load is possible");
   expect_refused(raceway("table", "--speed 0 --radial-load 50"),
-                 "a shaft takes --axial-load alone");
+                 "for a shaft, only --axial-load is possible");
   expect_refused(raceway("solve", "--speed 0 --axial-load -5", model_text),
                  "--axial-load = -5 N: must be from 0 to 100000000 N");
   expect_refused(raceway("displacement", "--speed 5:1:1"), "the end of a range");
-  expect_refused(raceway("displacement", "--speed 0 --json -o -"), "take one");
+  expect_refused(raceway("displacement", "--speed 0 --json -o -"),
+                 "both write to stdout; choose one");
 }
 
 }  // namespace

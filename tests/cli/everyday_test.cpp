@@ -144,9 +144,9 @@ TEST(Everyday, TheShapeOfTheSentenceIsWrittenAndTheLoopGoesOn) {
 }
 
 TEST(Everyday, DegreesFahrenheitAreAskedAboutBeforeTheVerdict) {
-  expect_refused(
-      run("diagnose " + files_of("fahrenheit")),
-      "Say so in [columns]: temperature_C = { column = \"temperature_C\", unit = \"F\" }");
+  expect_refused(run("diagnose " + files_of("fahrenheit")),
+                 "If so, set the unit in [columns]: temperature_C = { column = \"temperature_C\", "
+                 "unit = \"F\" }");
 }
 
 TEST(Everyday, ReadingsInOurUnitUnderAnotherHeaderAreOfferedOurs) {

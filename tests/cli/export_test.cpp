@@ -44,7 +44,7 @@ TEST(Export, RunsAsCorrectDoes) {
   ASSERT_EQ(written.status, 0) << written.err;
   EXPECT_THAT(written.err, HasSubstr("z.py written: 1 displacement of 2 parts from 2 inputs"));
   EXPECT_THAT(written.err,
-              HasSubstr("note: [correction.range] has no speed_rpm: the program cannot say"));
+              HasSubstr(", so the program cannot detect when this input leaves the training data"));
   const auto exported = rows_of(run_shell("python3 " + program + " " + data).out);
   const auto corrected = rows_of(run("correct " + model + " " + data + " -o - --quiet").out);
   ASSERT_EQ(exported.size(), 200u);
@@ -59,7 +59,10 @@ TEST(Export, OfAModelThatPredictsNothingIsRefused) {
       "bare.toml", "[[correction]]\nname = \"z\"\ndisplacement = \"displacement_z_um\"\n");
   const Result refused = run("export " + model + " --format c -o " + scratch.file("z.h"));
   EXPECT_EQ(refused.status, 1);
-  EXPECT_THAT(refused.err, HasSubstr("corrects nothing: export the file that identify wrote"));
+  EXPECT_THAT(
+      refused.err,
+      HasSubstr(": the model has neither a channel nor an effect, so it corrects nothing. Export "
+                "the file that identify wrote, or use --accept-untrusted to export this one"));
   EXPECT_FALSE(std::filesystem::exists(scratch.file("z.h")));
 }
 
@@ -117,7 +120,7 @@ TEST(Export, StoresARecordThatTheProgramReplays) {
                         "front_temperature_C = 60 } spreads them"));
   expect_refused(
       run("export " + model + " --format python --force -o " + data + " --record " + data),
-      "this run reads the file");
+      ": this run reads this file, so it cannot write to the same file; name another file");
 }
 
 TEST(Export, ReadsItsTableBack) {
@@ -127,8 +130,9 @@ TEST(Export, ReadsItsTableBack) {
   EXPECT_EQ(run("export " + table + " --format csv").out, file_text(table));
   EXPECT_EQ(run("export " + table + " --format python").out,
             run("export " + model + " --format python").out);
-  expect_refused(run("export " + table + " --format csv --record " + table),
-                 "is a table that export wrote, which has its record in it");
+  expect_refused(
+      run("export " + table + " --format csv --record " + table),
+      "is a table that export wrote, and it already contains its record; remove --record");
 }
 
 TEST(Export, RefusesInOneMessage) {

@@ -29,20 +29,20 @@ TEST_F(HostileInput, ATableTooLargeToCountIsRefused) {
                " --radial-load 1:10000:" + step + " --temperature 0:100:0.01 " + more);
   };
   // 1e5 x 1e5 x 1e5 x 1e4 = 1e19 and more: beyond 2^64 it wrapped to few, or none.
-  expect_refused(axes("0.1", ""), "points: at most 1e8 in one go; no number of slabs");
-  expect_refused(axes("0.01", "-o " + scratch_.file("t.csv")), "at most 1e8 in one go");
+  expect_refused(axes("0.1", ""), "points: at most 1e8 in one run; even a million slabs");
+  expect_refused(axes("0.01", "-o " + scratch_.file("t.csv")), "points: at most 1e8 in one run;");
   EXPECT_FALSE(std::filesystem::exists(scratch_.file("t.csv")));
   expect_refused(run("table " + model_ + " --speed 0:9999:0.001 --axial-load 1:100:1"),
-                 "999900100 points: at most 1e8 in one go; make it in 10 slabs, --slab 1/10 to "
-                 "10/10");
+                 "999900100 points: at most 1e8 in one run; calculate the table in 10 slabs, "
+                 "--slab 1/10 to 10/10");
 }
 
 TEST_F(HostileInput, MemoryIsAskedForBeforeItIsTaken) {
   const Result r =
       run("table " + model_ + " --json --speed 0:9999:0.001 --axial-load 1,2,3,4,5,6,7,8,9");
-  expect_refused(r, "raceway table: 89991009 points take 5");
-  EXPECT_THAT(r.err, HasSubstr(" GB of memory, and "));
-  EXPECT_THAT(r.err, HasSubstr(" GB can be had; make it in "));
+  expect_refused(r, "raceway table: 89991009 points need 5");
+  EXPECT_THAT(r.err, HasSubstr(" GB of memory, but only "));
+  EXPECT_THAT(r.err, HasSubstr(" GB are available; calculate the table in "));
   EXPECT_THAT(r.err, HasSubstr(" slabs, --slab 1/"));
 }
 
@@ -69,7 +69,8 @@ TEST_F(HostileInput, AKeyOfCountlessDotsIsRefused) {
   for (const std::string& text :
        {dots + " = 1\n", "[" + dots + "]\nb = 1\n", "x = { " + dots + " = 1 }\n",
         "x = { y = \"\"\"\"\"\"\", " + dots + " = 1 }\n", "\"#\"." + dots + " = 1\n"})
-    expect_refused(table_of(text), "m.toml:1: a key has more than 16 dots; it is no model\n");
+    expect_refused(table_of(text),
+                   "m.toml:1: a key has more than 16 dots, so the file is not a model\n");
   // Dots of numbers, texts and comments count for nothing.
   const Result r = table_of("# " + dots + "\n" +
                             replaced(model_text, "\"7014\"", "\"" + dots.substr(0, 99) + "\""));
@@ -88,13 +89,13 @@ TEST_F(HostileInput, ControlCharactersInNamesAreRefused) {
         std::string("m.toml:2: \"70\\x"));
     expect_refused(
         table_of(replaced(model_text, "\"7014\"", "\"70" + std::string(escaped) + "14\"")),
-        std::string("holds the control character ") + code);
+        std::string(": contains the control character") + code);
   }
-  expect_refused(table_of("\"a\\nb\" = 1\n" + model_text), "holds the control character U+000A");
+  expect_refused(table_of("\"a\\nb\" = 1\n" + model_text), "contains the control character U+000A");
   for (const char* name : {"speed_rpm\x1b[2J", "speed_rpm\x07", "speed_rpm\xc2\x9b"})
     expect_refused(
         run("check " + model_ + " " + scratch_.write("d.csv", std::string(name) + data_text)),
-        "d.csv:1: holds the control character U+00");
+        "d.csv:1: contains the control character U+00");
 }
 
 TEST_F(HostileInput, NoMessageObeysTheTerminal) {
@@ -115,10 +116,10 @@ TEST_F(HostileInput, NoMessageObeysTheTerminal) {
 
 TEST_F(HostileInput, AnEffectIsNamedSoThatItCanHeadAColumn) {
   for (const char* id : {"a,b", "=1+1", "-x", "@x", "+x", "a b", "a\\\"b", "a;b", "'x"})
-    expect_refused(
-        table_of(model_text + "[[effect]]\nid = \"" + id +
-                 "\"\ntorque_Nmm = \"c * speed_rpm\"\nc = 0.0\n"),
-        "must be a name without blanks, dots, commas, semicolons and quotes, and not begin");
+    expect_refused(table_of(model_text + "[[effect]]\nid = \"" + id +
+                            "\"\ntorque_Nmm = \"c * speed_rpm\"\nc = 0.0\n"),
+                   ": must be a name without blanks, dots, commas, semicolons and quotes, and must "
+                   "not begin with =, +, - or @");
   const Result r = table_of(
       model_text + "[[effect]]\nid = \"Lüfter_2\"\ntorque_Nmm = \"c * speed_rpm\"\nc = 0.0\n");
   EXPECT_EQ(r.status, 0) << r.err;
@@ -128,7 +129,7 @@ TEST_F(HostileInput, AMillionColumnsAreRefusedAtOnce) {
   std::string header = "speed_rpm";
   for (int k = 0; k < 1'000'000; ++k) header += ",c" + std::to_string(k);
   expect_refused(run("check " + model_ + " " + scratch_.write("d.csv", header + "\n1\n")),
-                 "d.csv:1: 1000001 columns: at most 10000 are read");
+                 "d.csv:1: the file has 1000001 columns; at most 10000 are allowed");
 }
 
 TEST_F(HostileInput, ANameOfMegabytesIsNoSearch) {
@@ -162,9 +163,9 @@ TEST_F(HostileInput, ADiagnosisInTheWrongUnitEndsWithAQuestion) {
                              scratch_.write("krpm.csv", krpm));
   EXPECT_EQ(r.status, 2);
   EXPECT_EQ(r.out, "");
-  EXPECT_THAT(r.err, HasSubstr("raceway diagnose: no verdict within 0.05 s; --time-limit 0.5 gives "
-                               "it more, --no-pairs needs less. The speeds are 0.6 to "));
-  EXPECT_THAT(r.err, HasSubstr(" rpm: is that their unit?\n"));
+  EXPECT_THAT(r.err, HasSubstr("raceway diagnose: no verdict within 0.05 s; allow more time with "
+                               "--time-limit 0.5, --no-pairs needs less. The speeds are 0.6 to "));
+  EXPECT_THAT(r.err, HasSubstr("rpm: is rpm the correct unit?"));
 }
 
 TEST_F(HostileInput, InputWithoutEndIsGivenUp) {
@@ -173,13 +174,14 @@ TEST_F(HostileInput, InputWithoutEndIsGivenUp) {
         "$raceway check " + model_ + " /dev/zero", std::string("$raceway fit-law /dev/zero"),
         std::string("$raceway fit-law < /dev/zero"),
         std::string("$raceway table --merge /dev/zero -o -")})
-    expect_refused(run_shell("timeout 60 " + line), "holds NUL bytes, so it is not a text file\n");
+    expect_refused(run_shell("timeout 60 " + line),
+                   ": the file contains NUL bytes, so it is not a text file");
   const std::string large = scratch_.file("large.csv");
   expect_refused(run_shell("truncate -s 5G " + large + "; timeout 60 $raceway fit-law " + large),
-                 "large.csv: more than 4 GB, which is the most that is read\n");
+                 "large.csv: the file is larger than 4 GB, the largest size that is read\n");
   const std::string model = scratch_.write("big.toml", std::string(11'000'000, '\n'));
   expect_refused(run("solve " + model + " --speed 1"),
-                 "big.toml: 11 MB: a model has at most 10 MB");
+                 "big.toml: the file has 11 MB; a model has at most 10 MB");
 }
 
 }  // namespace

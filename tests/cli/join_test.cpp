@@ -21,7 +21,8 @@ TEST(Join, ASumInAnotherFolderFindsTheTablesOfItsParts) {
                        scratch.write("room.toml", room) + " -o " + sum);
   ASSERT_EQ(r.status, 0) << r.err;
   EXPECT_THAT(r.err, HasSubstr("2 channels"));
-  EXPECT_THAT(r.err, HasSubstr("the trust of the sum is not known"));
+  EXPECT_THAT(r.err, HasSubstr("the trust of the joined correction is unknown: compare it with a "
+                               "record of the whole machine"));
   EXPECT_EQ(run("check " + sum).status, 0);
   EXPECT_EQ(run("correct " + sum + " " + power_folder + "/test.csv -o -").status, 0);
   EXPECT_THAT(run("join " + sum + " " + scratch.file("room.toml") + " -o " + sum).err,
@@ -33,7 +34,8 @@ TEST(Join, WhatIsWrongIsSaidAndNothingWritten) {
   const std::string one = scratch.write("room.toml", room), out = scratch.file("sum.toml");
   const Result alone = run("join " + one + " -o " + out);
   EXPECT_EQ(alone.status, 1);
-  EXPECT_THAT(alone.err, HasSubstr("name two corrections or more"));
+  EXPECT_THAT(alone.err,
+              HasSubstr("raceway join: only one file is given; name at least two corrections"));
   EXPECT_THAT(run("join " + one + " " + one + " -o " + out).err,
               HasSubstr("an earlier file also has a channel \"room\": rename one"));
   EXPECT_FALSE(std::filesystem::exists(out));

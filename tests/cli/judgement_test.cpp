@@ -90,7 +90,7 @@ TEST_F(Judged, PressureWhileItRunsIsJudgedInEveryCommand) {
 TEST_F(Judged, APreloadThatLeavesDentsIsSaidByAll) {
   const std::string text =
       replaced(base_spindle, "preload_N = 300", "preload_N = 300000") + of_coarse_cells;
-  const std::string said = "as mounted, above 4.2 GPa, which leaves dents";
+  const std::string said = "GPa as mounted; above 4.2 GPa the balls leave permanent dents";
   for (const auto& [verb, flags] : {std::pair("displacement", "--speed 0,100"),
                                     {"check", ""},
                                     {"deflection", "--force 100"},
@@ -163,8 +163,10 @@ TEST_F(Judged, PartsThatDoNotFitAreRefused) {
 
 TEST_F(Judged, AShaftBentBeyondABeamIsRefused) {
   const std::string text = base_spindle + of_coarse_cells;
-  EXPECT_THAT(command("deflection", text, "--force 100").err, Not(HasSubstr("slopes by")));
-  expect_refused(command("deflection", text, "--force 50000000"), "the nose would slope by");
+  EXPECT_THAT(command("deflection", text, "--force 100").err,
+              Not(HasSubstr("N: the slope of the nose would be")));
+  expect_refused(command("deflection", text, "--force 50000000"),
+                 "N: the slope of the nose would be");
 }
 
 // The command spindle printed the force of bearings that are not on the shaft, displacement that of
@@ -198,15 +200,15 @@ TEST_F(Judged, AFitThatDoesNotActOnThePreloadIsNamed) {
   const std::string ground =
       replaced(base_spindle, "preload_N = 300", "preload_offset_um = 15") + of_coarse_cells;
   const std::string said =
-      "inner_interference_um = 6 um acts on the heat through the seat, and not";
+      "inner_interference_um = 6 um changes the heat through the seat, but not";
   const std::string err = command("displacement", ground, "--speed 0").err;
   EXPECT_THAT(err, HasSubstr(said));
   const double fitted = parsed(command(
       "displacement", ground + "\n[[effect]]\nid = \"interference-fit\"\ninterference_um = 6\n",
       "--speed 0 --json"))["arrangement"]["preload_N"];
-  EXPECT_THAT(err, HasSubstr(fmt::format("it is {:.4g} N as mounted", fitted)));
+  EXPECT_THAT(err, HasSubstr(fmt::format("the preload as mounted is {:.4g} N", fitted)));
   EXPECT_THAT(command("displacement", base_spindle + of_coarse_cells, "--speed 0").err,
-              Not(HasSubstr("acts on the heat")));
+              Not(HasSubstr("changes the heat")));
   EXPECT_THAT(command("displacement",
                       ground + "\n[[effect]]\nid = \"interference-fit\"\ninterference_um = 8\n",
                       "--speed 0")
@@ -225,18 +227,23 @@ TEST_F(Judged, FlagsThatChangeNothingAreNamed) {
     EXPECT_THAT(command(verb, dry, std::string(flags) + " --coolant off").err,
                 HasSubstr("the model has no [coolant]"))
         << verb;
-    EXPECT_THAT(command(verb, wet, std::string(flags) + " --coolant off").err,
-                Not(HasSubstr("changes nothing")))
+    EXPECT_THAT(
+        command(verb, wet, std::string(flags) + " --coolant off").err,
+        Not(HasSubstr("switching off the coolant has no effect: the model has no [coolant]")))
         << verb;
   }
-  EXPECT_THAT(command("deflection", wet, "--force 100 --coolant off").err,
-              HasSubstr("the spindle is cold, not warm"));
-  EXPECT_THAT(command("deflection", wet, "--force 100 --direction axial --at 30").err,
-              HasSubstr("the place of an axial force changes nothing"));
+  EXPECT_THAT(
+      command("deflection", wet, "--force 100 --coolant off").err,
+      HasSubstr(
+          "switching off the coolant has no effect: the spindle is calculated cold, not warm"));
+  EXPECT_THAT(
+      command("deflection", wet, "--force 100 --direction axial --at 30").err,
+      HasSubstr(
+          "the position of an axial force has no effect, because the shaft is a beam on its axis"));
   expect_refused(command("spindle", wet, "--speed 3000 --steady --drop-nan"),
-                 "--columns and --drop-nan need a --speed-profile");
+                 "--columns and --drop-nan are only possible with --speed-profile");
   expect_refused(command("table", model_text, "--speed 100 --axial-load 100 --drop-nan"),
-                 "--data is missing");
+                 "--columns and --drop-nan need --data");
 }
 
 }  // namespace

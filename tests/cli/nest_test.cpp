@@ -88,8 +88,8 @@ TEST_F(Nest, AnotherProfileIsCorrectedToTheNoise) {
 
 TEST_F(Nest, NumbersOfAnAngleStandWithTheirUnit) {
   const std::string text = run("correct " + model() + " " + nest_folder + "test.csv").out;
-  EXPECT_THAT(text, HasSubstr("95 % band of displacement_b_urad: +- "));
-  EXPECT_THAT(text, HasSubstr(" urad at its narrowest"));
+  EXPECT_THAT(text, HasSubstr("95 % band of displacement_b_urad: smallest half width "));
+  EXPECT_THAT(text, HasSubstr(" urad, largest "));
   // One table has lengths and angles, so each number has its unit.
   const std::string table = text.substr(0, text.find("RMS and largest"));
   EXPECT_THAT(table, testing::ContainsRegex("displacement_z_um .* um .* um "));

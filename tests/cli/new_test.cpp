@@ -60,7 +60,7 @@ TEST(New, EveryAssumedNumberOfASpindleIsMarked) {
 }
 
 TEST(New, ASpindleHasBallBearings) {
-  expect_refused(run("new 'N1012 KTN/SP' --spindle"), "the sets of a spindle have ball bearings");
+  expect_refused(run("new 'N1012 KTN/SP' --spindle"), "a spindle needs ball bearings");
   expect_refused(run("new"), "BEARING is missing");
 }
 

@@ -53,7 +53,7 @@ TEST_F(Report, ThatCannotBeWrittenIsRefusedBeforeTheWork) {
         "modes " + spindle_ + " --speed 2000", "step-response " + spindle_ + " --speed 2000",
         "deflection " + spindle_ + " --force 100"}) {
     expect_refused(run(command + " --report " + scratch_.file("no/such/page.html")),
-                   "there is no folder");
+                   ": cannot be written: this folder does not exist:");
     const char* const flag = command.starts_with("deflection") ? "--replace" : "--force";
     expect_refused(run(command + " --report " + old),
                    std::string("exists already; ") + flag + " replaces it");
@@ -153,7 +153,7 @@ TEST_F(Report, DrawsMeasuredDisplacementOfAShaftAsItWasRead) {
 
 TEST_F(Report, MeasuredPointsNeedAReportToBeDrawnIn) {
   expect_refused(run("table " + model_ + " --speed 0:1000:500 --axial-load 100 --data " + data_),
-                 "--report is missing");
+                 "--data needs --report FILE, because the data are drawn in the report");
 }
 
 }  // namespace

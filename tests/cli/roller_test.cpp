@@ -70,10 +70,15 @@ TEST(RollerCommand, NewWritesAModelThatSolveTakes) {
 }
 
 TEST(RollerCommand, NewRefusesWhatItDoesNotKnow) {
-  EXPECT_THAT(run("new \"NU 210 ECP\"").err, HasSubstr("only series N10 is known"));
-  EXPECT_THAT(run("new N1012 --balls 20").err, HasSubstr("describe ball bearings"));
-  EXPECT_THAT(run("new N1012 --law contact").err, HasSubstr("its laws are palmgren and skf"));
-  EXPECT_THAT(run("new N1099").err, HasSubstr("no boundary dimensions of this size"));
+  EXPECT_THAT(run("new \"NU 210 ECP\"").err,
+              HasSubstr("the program can estimate only cylindrical roller bearings of series N10"));
+  EXPECT_THAT(
+      run("new N1012 --balls 20").err,
+      HasSubstr(
+          "--bore, --outer-diameter, --balls and --contact-angle are only for ball bearings"));
+  EXPECT_THAT(run("new N1012 --law contact").err, HasSubstr("choose the law palmgren or skf"));
+  EXPECT_THAT(run("new N1099").err,
+              HasSubstr("the table of ISO 15 has no boundary dimensions for this size"));
 }
 
 TEST(RollerCommand, ATableHasTheRadialLoadAcross) {
@@ -117,16 +122,17 @@ TEST(RollerCommand, TyposAndNumbersOutOfRangeAreNamed) {
                         "cylindrical-roller; did you mean cylindrical-roller?"));
   EXPECT_THAT(why("roller_count", "rollers_count"), HasSubstr("did you mean roller_count?"));
   EXPECT_THAT(why("roller_count = 20", "ball_count = 20"),
-              HasSubstr("ball_count = 20: belongs to a ball bearing; the type is "
+              HasSubstr("ball_count = 20: this key is only for ball bearings, but the type is "
                         "\"cylindrical-roller\", which has roller_count"));
   EXPECT_THAT(why("roller_count = 20", "roller_count = 31"), HasSubstr("at most 29 rollers"));
   EXPECT_THAT(why("roller_length_mm = 8", "roller_length_mm = 81"), HasSubstr("roller_length_mm"));
   EXPECT_THAT(why("bore_mm = 60", "bore_mm = 70"), HasSubstr("bore_mm"));
   EXPECT_THAT(why("[friction]", "[solver]\nrace_control = \"inner\"\n[friction]"),
-              HasSubstr("race_control = \"inner\": says what turns the balls"));
+              HasSubstr("race_control = \"inner\": this key is only for ball bearings"));
   EXPECT_THAT(why("[friction]", "[shaft]\n[friction]"), HasSubstr("is a single bearing on a rig"));
   EXPECT_THAT(why("f1_load = \"F_r\"", "f1_load = \"P0\""), HasSubstr("must be F_r or rollers"));
-  EXPECT_THAT(why("f1_load = \"F_r\"", "mu_EHL = 0.02"), HasSubstr("belongs to law = \"skf\""));
+  EXPECT_THAT(why("f1_load = \"F_r\"", "mu_EHL = 0.02"),
+              HasSubstr("this key is only for law = \"skf\""));
 }
 
 TEST(RollerCommand, KeysTellOfThem) {

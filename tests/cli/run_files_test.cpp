@@ -12,8 +12,10 @@ using testing::HasSubstr;
 class RunFiles : public testing::Test {
  protected:
   /// Expects that the run, with and without --force, is refused and leaves `file` as it is.
-  void expect_kept(const std::string& file, const std::string& arguments,
-                   const std::string& message = "this run reads the file, so it cannot write it") {
+  void expect_kept(
+      const std::string& file, const std::string& arguments,
+      const std::string& message =
+          ": this run reads this file, so it cannot write to the same file; name another file") {
     const std::string before = file_text(file);
     for (const char* force : {"", " --force"}) {
       const Result r = run(arguments + force);

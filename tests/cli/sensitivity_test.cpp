@@ -157,7 +157,8 @@ TEST(Sensitivity, NamesAndCountsSamplesWithoutAValue) {
                             "--data axial_load_N,ball_diameter_mm --spread axial_load_N=390 "
                             "--global 64 --json");
   EXPECT_EQ(result.status, 0);  // the model itself has a balance
-  EXPECT_THAT(result.err, HasSubstr("evaluations lack a prediction"));
+  EXPECT_THAT(result.err,
+              HasSubstr("evaluations have no prediction, and their samples are not used:"));
   const json found = parsed(result);
   EXPECT_GT(found["global"]["failed"].get<int>(), 0);
   const auto complete = found["predictions"][0]["complete_samples"].get<int>();
@@ -210,21 +211,28 @@ TEST(Sensitivity, RefusesWhatWasAskedWrong) {
   refused(" --axial-load 300", "--speed is required");
   refused(" --speed 8000", "--axial-load is missing");
   refused(at_point + " --spread bal_diameter_mm=1", "ball_diameter_mm");
-  refused(at_point + " --spread ball_diameter_mm=-1", "must be zero or more");
-  refused(at_point + " --spread ball_diameter_mm=wide", "must be a number in the unit of its name");
-  refused(at_point + " --spread ball_diameter_mm=nan", "must be a number in the unit of its name");
-  refused(at_point + " --spread ball_diameter_mm=", "how far it may be off");
+  refused(at_point + " --spread ball_diameter_mm=-1",
+          "must be 0 or more, because it is the possible error in both directions");
+  refused(at_point + " --spread ball_diameter_mm=wide",
+          "must be a number in the unit of the name, or a percentage such as 10%");
+  refused(at_point + " --spread ball_diameter_mm=nan",
+          "must be a number in the unit of the name, or a percentage such as 10%");
+  refused(at_point + " --spread ball_diameter_mm=",
+          ": write a number of the model and its possible error, such as ball_diameter_mm=0.01 or "
+          "viscosity_40C_mm2_s=10%");
   refused(at_point + " --spread ball_count=0.5", "whole number");
-  refused(at_point + " --spread radial_load_N=10%", "a share of zero is none");
+  refused(at_point + " --spread radial_load_N=10%",
+          "a percentage of 0 is 0; give the error in the unit of the name");
   refused(at_point + " --spread nothing.toml", "nothing.toml");
-  refused(at_point + " --of torqe", "torqe: no such prediction");
+  refused(at_point + " --of torqe", ": unknown prediction; must be one of");
   refused(at_point + " --data nonsense", "has no such number");
   refused(at_point + " --global 1000", "must be a power of two");
   refused(at_point + " --global -4", "--global");
   refused(at_point + " --steady", "is not a spindle");
   refused(at_point + " --global 64 --spread inner_conformity=0.2 --of stiffness",
-          "the changed model is not allowed");
-  refused(at_point + " --global 64 --data f0 --spread f0=0", "nothing to sample");
+          "): the varied model is not valid:");
+  refused(at_point + " --global 64 --data f0 --spread f0=0",
+          "no number with a spread influences the prediction, so no indices can be calculated");
 }
 
 TEST(Sensitivity, TellsDataThatAreZeroApartFromThoseThatDoNotEnter) {

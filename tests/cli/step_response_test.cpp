@@ -40,7 +40,7 @@ TEST(StepResponseCommand, GivesThePublishedLawsOfImportedLoadCases) {
   EXPECT_EQ(document["valid_from_W"], 0.0);
   EXPECT_TRUE(document["rows"][0]["speed_rpm"].is_null());
   EXPECT_FALSE(document["two_needed"].get<bool>());
-  EXPECT_THAT(r.err, HasSubstr("is no physics"));
+  EXPECT_THAT(r.err, HasSubstr("um has no physical meaning; valid powers:"));
 
   const std::string steps = scratch.file("steps.csv");
   EXPECT_EQ(run("step-response --import " + fe + " -o " + steps).status, 0);
@@ -158,7 +158,7 @@ TEST(StepResponseCommand, MakesACorrectionOfASpindle) {
   const Result r = run("step-response " + model + " --speed 0:4500:1500 --lags two --correction " +
                        correction + " --programme " + day + " --json");
   ASSERT_EQ(r.status, 0) << r.err;
-  EXPECT_THAT(r.err, HasSubstr("0 rpm is rest"));
+  EXPECT_THAT(r.err, HasSubstr(": 0 rpm is not used, because each step starts from rest"));
   EXPECT_THAT(r.err, HasSubstr("correction_fast.csv, "));
   const json document = parsed(r);
   ASSERT_EQ(document["rows"].size(), 3U);
@@ -237,10 +237,10 @@ TEST(StepResponseCommand, StepsOfLoadsBecomeDelayElements) {
   const Result steps = run("step-response " + model + " --speed 3000 --axial-load 200 -o -");
   EXPECT_THAT(steps.out, HasSubstr("speed_rpm,axial_load_N,radial_load_N,power_start_W"));
   EXPECT_THAT(run("step-response " + model + " --speed 3000 --axial-load 0,200").err,
-              HasSubstr("--axial-load: 0 N is no step: left out"));
+              HasSubstr("--axial-load: 0 N is not a load step and is not used"));
   EXPECT_THAT(run("step-response " + model + " --speed 3000 --load-speed 3000").err,
-              HasSubstr("--load-speed: no load steps there"));
-  EXPECT_THAT(run("step-response --import x.csv --axial-load 100").err, HasSubstr("take one"));
+              HasSubstr("--load-speed: no load step is given for these speeds"));
+  EXPECT_THAT(run("step-response --import x.csv --axial-load 100").err, HasSubstr("choose one"));
 }
 
 TEST(StepResponseCommand, ItsFilesDoNotWriteOverEachOther) {
@@ -250,7 +250,9 @@ TEST(StepResponseCommand, ItsFilesDoNotWriteOverEachOther) {
       run("step-response " + scratch.write("spindle.toml", small_spindle) + " --speed 3000 -o " +
           table + " --correction " + scratch.file("z.toml") + " --force");
   EXPECT_EQ(r.status, 1);
-  EXPECT_THAT(r.err, HasSubstr(table + ": this run already writes a file of that name"));
+  EXPECT_THAT(
+      r.err,
+      HasSubstr(table + ": this run already writes a file with this name; choose another name"));
   EXPECT_FALSE(std::filesystem::exists(table));
 }
 
@@ -260,10 +262,12 @@ TEST(StepResponseCommand, SaysWhatIsMissing) {
       "fe.csv", "time_s,axial_displacement_um,speed_rpm\n60,1,2000\n600,2,2000\n1200,3,2000\n");
   const Result no_model = run("step-response --import " + fe);
   EXPECT_EQ(no_model.status, 1);
-  EXPECT_THAT(no_model.err, HasSubstr("name the MODEL, or give power_W"));
-  EXPECT_THAT(run("step-response").err, HasSubstr("MODEL is missing"));
-  EXPECT_THAT(run("step-response some.toml").err, HasSubstr("--speed is missing"));
-  EXPECT_THAT(run("step-response --import " + fe + " --speed 100").err, HasSubstr("take one"));
+  EXPECT_THAT(no_model.err, HasSubstr("has a speed but no power: give power_W, or name a MODEL "
+                                      "whose friction gives the power"));
+  EXPECT_THAT(run("step-response").err, HasSubstr("give MODEL or --import FILE"));
+  EXPECT_THAT(run("step-response some.toml").err,
+              HasSubstr("give --speed, such as 2000:10000:2000, or --import FILE"));
+  EXPECT_THAT(run("step-response --import " + fe + " --speed 100").err, HasSubstr("choose one"));
   EXPECT_THAT(run("step-response --import nothing.csv").err, HasSubstr("nothing.csv"));
   const std::string power = scratch.write(
       "p.csv", published_rows("load_case,time_s,axial_displacement_um,power_W", false));

@@ -89,7 +89,7 @@ TEST_F(Table, LeavesPointsWithoutBalanceEmptyWhereAnEffectNeedsIt) {
   const Result r = table(axes + "--json", model_text + inner_control + spin_effect);
   EXPECT_EQ(r.status, 2);
   EXPECT_THAT(r.err,
-              HasSubstr("points have no value: no_equilibrium, the first at 20000 rpm, 5 N"));
+              HasSubstr("points have no value: no_equilibrium; the first is at 20000 rpm, 5 N"));
   const json point = parsed(r)["rows"][1];
   EXPECT_EQ(point["status"], "no_equilibrium");
   EXPECT_TRUE(point["friction_torque_Nmm"].is_null());
@@ -103,7 +103,7 @@ TEST_F(Table, OfALawThatNeedsNoBalanceHasATorqueEverywhere) {
   const Result r = table("--speed 0,20000 --axial-load 5 --json", model_text + inner_control);
   EXPECT_EQ(r.status, 0);
   EXPECT_THAT(r.err,
-              HasSubstr("1 of 2 points have no equilibrium, but a torque, which needs none: "));
+              HasSubstr("1 of 2 points have no equilibrium (their torque does not need it): "));
   const json point = parsed(r)["rows"][1];
   EXPECT_TRUE(point["friction_torque_Nmm"].is_number());
   EXPECT_EQ(point["status"], "no_equilibrium");
@@ -205,7 +205,7 @@ TEST_F(Slabs, AreRefusedWhereOneIsMissingTwiceStrangeOrCut) {
   const std::string a = slab("1/3", "a.csv", axes), b = slab("2/3", "b.csv", axes),
                     c = slab("3/3", "c.csv", axes);
   EXPECT_THAT(merge_refusal(a + " " + c), HasSubstr("1 of 3 slabs are missing: the first is 2/3"));
-  EXPECT_THAT(merge_refusal(a + " " + b + " " + c + " " + b), HasSubstr("slab 2/3 comes twice"));
+  EXPECT_THAT(merge_refusal(a + " " + b + " " + c + " " + b), HasSubstr("slab 2/3 is given twice"));
   const std::string other = slab("2/3", "other.csv", "--speed 0:8000:1000 --axial-load 100,900");
   EXPECT_THAT(merge_refusal(a + " " + other + " " + c),
               HasSubstr("slabs of different tables: other speeds, loads or temperatures"));
@@ -216,10 +216,11 @@ TEST_F(Slabs, AreRefusedWhereOneIsMissingTwiceStrangeOrCut) {
   std::string text = file_text(b);
   text.resize(text.size() - 40);
   EXPECT_THAT(merge_refusal(a + " " + scratch_.write("cut.csv", text) + " " + c),
-              HasSubstr("points are there; was it cut off?"));
+              HasSubstr("points; was it truncated?"));
   const std::string whole = scratch_.file("whole.csv");
   ASSERT_EQ(table(axes + " -o " + whole).status, 0);
-  EXPECT_THAT(merge_refusal(whole), HasSubstr("is no slab of a table"));
+  EXPECT_THAT(merge_refusal(whole),
+              HasSubstr(": the file is not a slab of a table; raceway table --slab writes slabs"));
   EXPECT_THAT(merge_refusal(a + " --speed 100"), HasSubstr("--speed excludes --merge"));
   EXPECT_THAT(merge_refusal(a + " --format modelica"), HasSubstr("--format csv or excel"));
   EXPECT_THAT(run("table --merge " + a).err, HasSubstr("--output is missing"));

@@ -96,8 +96,8 @@ TEST(Messages, OfOneKindAtMostThreeArePrinted) {
   for (std::size_t at = 0; (at = r.err.find("warning: ", at)) != std::string::npos; ++at)
     ++warnings;
   EXPECT_EQ(warnings, 4U) << r.err;
-  EXPECT_THAT(r.err,
-              testing::ContainsRegex("warning: [0-9]+ more of the kind .*--json lists them"));
+  EXPECT_THAT(r.err, testing::ContainsRegex(
+                         "warning: [0-9]+ more messages of the kind .*--json lists all"));
   EXPECT_GT(parsed(run(compare + " --json"))["beyond_range"].size(), 6U);
 }
 
@@ -202,8 +202,9 @@ TEST(StandardInput, StandsForEveryFileThatIsRead) {
 
 TEST(StandardInput, IsReadOnce) {
   const Files files;
-  expect_refused(run_shell("$raceway check - - <" + files.model),
-                 "-: standard input is read once; name a file for the other\n");
+  expect_refused(
+      run_shell("$raceway check - - <" + files.model),
+      "-: standard input can be used for one input only; name a file for the other input\n");
 }
 
 TEST(Help, OfACommandIsThatOfItsFlag) {

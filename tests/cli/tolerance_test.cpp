@@ -90,24 +90,25 @@ TEST(Tolerance, ThatCannotBeIsToldInOneMessage) {
     }
   };
   const std::string allowed = "; allowed: Nmm (friction torque)";
-  refused("2um", "\"2um\": nothing of " + model + " is measured in um" + allowed);
-  refused("2Nmm,0.5K", "\"0.5K\": nothing of " + model + " is measured in K" + allowed);
-  const std::string form = ": write a number and its unit, as 2Nmm or 2um,0.5K";
+  refused("2um", "\"2um\": " + model + " has no measured quantity in um" + allowed);
+  refused("2Nmm,0.5K", "\"0.5K\": " + model + " has no measured quantity in K" + allowed);
+  const std::string form = ": write a number and its unit, such as 2Nmm or 2um,0.5K";
   refused("2", "\"2\"" + form);
   refused("Nmm", "\"Nmm\"" + form);
   refused("2,5Nmm", "\"2\"" + form);
   refused("0Nmm", "\"0Nmm\": must be a number above 0");
   refused("-1Nmm", "\"-1Nmm\": must be a number above 0");
   refused("nanNmm", "\"nanNmm\": must be a number above 0");
-  refused("1Nmm,2Nmm", "\"2Nmm\": two of them in Nmm");
+  refused("1Nmm,2Nmm", "\"2Nmm\": two tolerances in Nmm are given");
 }
 
 TEST(Tolerance, GivenTwiceIsRefused) {
   const ScratchFolder scratch;
   const std::string model = with_loop(scratch, "tolerance_Nmm = 2\n");
-  expect_refused(
-      run("diagnose " + model + " " + train + " --tolerance 3Nmm"),
-      "--tolerance: \"3Nmm\": two of them: tolerance_Nmm stands under [loop] of " + model + "\n");
+  expect_refused(run("diagnose " + model + " " + train + " --tolerance 3Nmm"),
+                 "--tolerance: \"3Nmm\": tolerance_Nmm is already given under [loop] of ; remove "
+                 "one of the two" +
+                     model + "\n");
 }
 
 }  // namespace

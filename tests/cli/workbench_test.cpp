@@ -80,7 +80,8 @@ TEST_F(Workbench, SaysWhatItCannotOpen) {
   scratch_.write("b.toml", model_text);
   const Result two = workbench("a.toml b.toml");
   EXPECT_EQ(two.status, 1);
-  EXPECT_THAT(two.err, HasSubstr("a.toml and b.toml: the page opens with one model"));
+  EXPECT_THAT(two.err,
+              HasSubstr(": the page can open only one model; name one file that ends with .toml"));
   const Result none = workbench("none.csv");
   EXPECT_EQ(none.status, 1);
   EXPECT_THAT(none.err, HasSubstr("none.csv: no such file"));
@@ -95,7 +96,9 @@ TEST_F(Workbench, SaysThatThereIsNoPage) {
   fs::remove(scratch_.file("share/raceway/workbench.html"));
   const Result none = workbench("");
   EXPECT_EQ(none.status, 1);
-  EXPECT_THAT(none.err, HasSubstr("this installation has no page of the workbench"));
+  EXPECT_THAT(none.err, HasSubstr("raceway workbench: this installation has no workbench page "
+                                  "(share/raceway/workbench.html); build the page with cmake "
+                                  "--preset wasm and cmake --build --preset wasm"));
 }
 
 }  // namespace

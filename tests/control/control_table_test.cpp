@@ -98,7 +98,7 @@ TEST(ControlTableText, RefusesInOneMessage) {
   EXPECT_THAT(refused("displacement_z_um,spindle,section 2,time_constant,900,s\n", ""),
               HasSubstr("displacement_z_um, section 2: time_constant is missing"));
   EXPECT_THAT(refused("section 1,input,front_temperature_C", "section 1,input,other_temperature_C"),
-              HasSubstr("no row is of an input with this name"));
+              HasSubstr("the table has no input of this name"));
   EXPECT_THAT(refused(",,control,restart,resume,", ",,control,restart,again,"),
               HasSubstr("must be one of: decay resume rest"));
   EXPECT_THAT(refused("displacement,sign,-1,1", "displacement,sign,0.5,1"),
@@ -106,9 +106,9 @@ TEST(ControlTableText, RefusesInOneMessage) {
   EXPECT_THAT(refused("of,channel,part", "off,channel,part"),
               HasSubstr("the columns must be of,channel"));
   EXPECT_THAT(refused("output,offset_z_counts", "output,offset z()"),
-              HasSubstr("output must be of letters"));
+              HasSubstr("output must consist of letters, digits, _ and -"));
   EXPECT_THAT(refused("section 1,course,", "section 1,curse,"),
-              HasSubstr("no such name in this part"));
+              HasSubstr("unknown name in this part of the table"));
 }
 
 TEST(ControlCheckRecord, IsReplayedByEveryProgram) {

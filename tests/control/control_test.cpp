@@ -278,7 +278,7 @@ TEST_P(Control, TurnsPolynomialsIntoSections) {
   const Case c(apart, record);
   EXPECT_EQ(c.plan.axes[0].sections.size(), 3u);
   EXPECT_LT(distance(run(c, c.calls()), c.corrected()), tolerance());
-  EXPECT_THAT(c.plan.notes, testing::Contains(HasSubstr("its polynomials became 2 sections")));
+  EXPECT_THAT(c.plan.notes, testing::Contains(HasSubstr(": the polynomials were converted to")));
   const Case twice(model, record);
   EXPECT_EQ(twice.plan.axes[0].equations.size(), 1u);
   EXPECT_LT(distance(run(twice, twice.calls()), twice.corrected()), tolerance());
@@ -424,7 +424,7 @@ TEST(ControlPlan, RefusesEquationsThatNeverDecayOrHaveTwoSamplings) {
               HasSubstr("channel a: no control can run its polynomials: pole on or outside the "
                         "unit circle"));
   EXPECT_THAT(refused(model("z", 1, "[1, 0.5]") + model("y", 2, "[1, 0.5]")),
-              HasSubstr("for calls every 2 s, and another channel has polynomials for every 1 s"));
+              HasSubstr("the polynomials of this channel are for calls every"));
   EXPECT_EQ(refused(model("z", 2, "[1, 0.5]") + model("y", 2, "[1, 0.5]")), "taken");
 }
 
@@ -510,10 +510,15 @@ TEST(ControlPlan, NamesWhatItLeavesOut) {
   const Case c(everything);
   EXPECT_THAT(
       c.plan.notes,
-      testing::Contains("offset-jump: belongs to the readings of one record, and is left out"));
+      testing::Contains(
+          ": not exported, because this effect only removes a disturbance from one record"));
   EXPECT_THAT(c.plan.notes, testing::Contains(HasSubstr("[correction.range] has no ")));
-  EXPECT_THAT(control_python(c.plan), HasSubstr("# Note: offset-jump: belongs to the readings"));
-  EXPECT_THAT(control_csv(c.plan), HasSubstr("# Note: offset-jump: belongs to the readings"));
+  EXPECT_THAT(
+      control_python(c.plan),
+      HasSubstr(": not exported, because this effect only removes a disturbance from one record"));
+  EXPECT_THAT(
+      control_csv(c.plan),
+      HasSubstr(": not exported, because this effect only removes a disturbance from one record"));
   const Case known(everything.substr(0, everything.find("[[correction]]", 5)) + every_range);
   EXPECT_THAT(known.plan.notes, Not(testing::Contains(HasSubstr("[correction.range]"))));
   EXPECT_EQ(known.plan.inputs[known.plan.speed].highest, 9000);

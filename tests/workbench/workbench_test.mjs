@@ -285,7 +285,7 @@ test('wrong files get the words of the command, and hostile names, cells and tex
   const cases = [
     ['empty.csv', '', /the file is empty/],
     ['words.csv', 'hello\n', /no data rows/],
-    [`${hostile}.csv`, `"${hostile}",speed_rpm,friction_torque_Nmm\n1,2,${hostile}\n2,3,4\n`, /^_img_src_x_onerror_alert_1__\.csv:1: the axial load is neither in a column/],
+    [`${hostile}.csv`, `"${hostile}",speed_rpm,friction_torque_Nmm\n1,2,${hostile}\n2,3,4\n`, /^_img_src_x_onerror_alert_1__\.csv:1: the axial load is missing: give a column/],
     ['a -o $(touch b).csv', 'hello\n', /no data rows/],
     ['-o.csv', 'speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n1000,nan,40,3\n', /axial_load_N/],
   ];
@@ -299,7 +299,7 @@ test('wrong files get the words of the command, and hostile names, cells and tex
   }
   // What no column has can be a number.
   await drop(page, 'no load.csv', 'speed_rpm,temperature_C,friction_torque_Nmm\n1000,40,3\n2000,40,4\n');
-  assert.match((await errors(page)).join(), /the axial load is neither/);
+  assert.match((await errors(page)).join(), /the axial load is missing/);
   await page.fill('#number-axial_load_N', '300');
   await page.keyboard.press('Tab');
   await idle(page);
