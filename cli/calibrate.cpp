@@ -132,7 +132,7 @@ Run setup_calibrate(CLI::App& command) {
                         "file for each record, named FILE-RECORD.toml");
   declare(command, flags->loop);
   command.add_flag("--profile", flags->profile,
-                   "also the 95 % interval of each parameter by profile likelihood");
+                   "also print the 95 % interval of each parameter (profile likelihood)");
   flags->declare_force(command);
   declare_json(command, flags->json);
   command.footer(

@@ -12,8 +12,8 @@ namespace raceway::files {
 namespace {
 
 constexpr Key effect_id_keys[]{{"id", a_text, is_required,
-                                "id of an effect of the catalogue (raceway effects), followed by "
-                                "its numbers, or a new id with a formula"}};
+                                "id of an effect in the catalogue (raceway effects), followed by "
+                                "its parameters, or a new id with a formula"}};
 constexpr Key own_effect_keys[]{
     {"torque_Nmm", a_text, unset,
      "formula of your own effect: torque from columns and its parameters"},

@@ -14,8 +14,8 @@ constexpr Key formula_number[]{
     {"value", between(-infinity, infinity), is_required,
      "value of the parameter; NAME = number is the short form"},
     {"unit", a_text, "1", "unit of the parameter in results"},
-    {"lower", between(-infinity, infinity), unset, "bound of a calibration"},
-    {"upper", between(-infinity, infinity), unset, "bound of a calibration"},
+    {"lower", between(-infinity, infinity), unset, "lower bound of the parameter in a fit"},
+    {"upper", between(-infinity, infinity), unset, "upper bound of the parameter in a fit"},
 };
 
 /// A name that muParser takes for a variable.

@@ -65,10 +65,11 @@ constexpr Key shaft_segment_keys[]{
     {"diameter_mm", between(0.1, 5000, "mm"), is_required, "outer diameter"},
     {"bore_mm", between(0, 5000, "mm"), "as the shaft", "bore of this segment"},
     {"material", a_text, "as the shaft",
-     "\"steel\", \"cast-iron\" or a [material.NAME] with conductivity and heat capacity"},
+     "material: \"steel\", \"cast-iron\" or a table [material.NAME] with conductivity and heat "
+     "capacity"},
 };
 constexpr Key shaft_disk_keys[]{
-    {"position_mm", anywhere, is_required, "behind the nose face"},
+    {"position_mm", anywhere, is_required, "distance behind the nose face"},
     {"mass_kg", between(0, 1e5, "kg"), is_required, "mass of the disk"},
     {"diametral_inertia_kgm2", between(0, 1e5, "kg m2"), is_required,
      "moment of inertia about a diameter"},
@@ -76,7 +77,7 @@ constexpr Key shaft_disk_keys[]{
      "moment of inertia about the axis"},
 };
 constexpr Key shaft_support_keys[]{
-    {"position_mm", on_the_shaft, is_required, "behind the nose face"},
+    {"position_mm", on_the_shaft, is_required, "distance behind the nose face"},
     {"radial_N_um", between(0, 1e6, "N/um"), is_required, "radial stiffness"},
     {"tilt_Nm_rad", between(0, 1e12, "N m/rad"), 0.0, "stiffness against tilt"},
 };
@@ -109,7 +110,8 @@ constexpr Key housing_segment_keys[]{
     {"bore_mm", between(0, 5000, "mm"), "the outer diameter of the bearings",
      "bore of this segment"},
     {"material", a_text, "as the housing",
-     "\"steel\", \"cast-iron\" or a [material.NAME] with conductivity and heat capacity"},
+     "material: \"steel\", \"cast-iron\" or a table [material.NAME] with conductivity and heat "
+     "capacity"},
 };
 
 constexpr model::Seat usual_seat;
@@ -137,8 +139,8 @@ constexpr Key gap_keys[]{
      "inner diameter of an air gap between shaft and housing; without the table [gap], the gap "
      "lies between the sets"},
     {"outer_diameter_mm", between(0.1, 10000, "mm"), unset, "outer diameter of the gap"},
-    {"start_mm", on_the_shaft, unset, "behind the nose face"},
-    {"end_mm", on_the_shaft, unset, "behind the nose face"},
+    {"start_mm", on_the_shaft, unset, "distance behind the nose face"},
+    {"end_mm", on_the_shaft, unset, "distance behind the nose face"},
 };
 
 /// Material of a table; numbers that the table leaves out have defaults.

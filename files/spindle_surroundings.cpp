@@ -60,7 +60,8 @@ constexpr Key channel_keys[]{
 
 const double usual_share = model::HeatSource{}.rotor_share;
 constexpr const char* heat_meaning =
-    "a number, or a formula of speed_rpm, axial_load_N, radial_load_N, moment_Nm, belt_force_N and "
+    "heat of the source: a number, or a formula of speed_rpm, axial_load_N, radial_load_N, "
+    "moment_Nm, belt_force_N and "
     "motor_power_W";
 const Key factor_key{"heat_factor", between(0, 100), model::HeatSource{}.factor,
                      "factor on heat_W if it is a formula; can be fitted"};
