@@ -145,8 +145,8 @@ Run setup_calibrate_sensor(CLI::App& command) {
   flags->declare_force(command);
   declare_json(command, flags->json);
   command.footer(
-      "If a model has this table, or [torque_sensor] with file = \"sensor.toml\", all commands "
-      "convert a column torque_signal_V of a record to the friction torque.\n\n"
+      "If a model has this table, or [torque_sensor] with file = \"sensor.toml\", all\n"
+      "commands convert a column torque_signal_V of a record to the friction torque.\n\n"
       "Example:\n  raceway calibrate-sensor weights.csv -o sensor.toml");
   return [flags] { return run(*flags); };
 }

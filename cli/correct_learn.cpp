@@ -46,7 +46,7 @@ void print_errors(const std::vector<results::Learnt>& list) {
   fmt::print("{}", table.text(terminal_width()));
   fmt::print(
       "\nRMS error of the readings that were not used for learning: with the zero of the first "
-      "reading, with the zero of the last reading, and with learning. Due: time until the next "
+      "reading,\nwith the zero of the last reading, and with learning. Due: time until the next "
       "reading is needed\n");
 }
 

@@ -150,7 +150,7 @@ void print_baseline(const record::Channel& displacement, const correction::ArxBa
   fmt::print("{}", table.text(terminal_width()));
   fmt::print(
       "one step: prediction of each point from the readings before it. simulated: from the inputs "
-      "only, as in a control. second half: simulated with the fit to the first half.\n");
+      "only,\nas in a control. second half: simulated with the fit to the first half.\n");
 }
 
 }  // namespace raceway::cli

@@ -91,8 +91,8 @@ Run setup_workbench(CLI::App& command) {
   flags->declare_output(command, "page to write; default raceway-workbench.html in this folder");
   flags->declare_force(command, "replace the page if it exists");
   command.footer(
-      "The page contains the program. Open it in any browser with a double click. It needs no "
-      "installation and no network, and sends no data.\n\n"
+      "The page contains the program. Open it in any browser with a double click. It needs\n"
+      "no installation and no network, and sends no data.\n\n"
       "Example:\n  raceway workbench my.toml rig.csv -o page.html");
   return [flags] { return run(*flags); };
 }

@@ -168,7 +168,7 @@ class ExportReader {
     for (const auto& [key, known, kind] :
          {std::tuple{of_length, &lengths_, "a length"}, std::tuple{of_angle, &angles_, "an angle"}})
       if (s_.find(key) && known->empty())
-        s_.fail(key, fmt::format("{}: the model has no displacement {}", key, kind));
+        s_.fail(key, fmt::format("{}: the model has no displacement that is {}", key, kind));
     one(of_length, lengths_, value);
     correction::ByColumn<T> angles{usual, {}};
     one(of_angle, angles_, angles);

@@ -249,9 +249,9 @@ TEST_F(ContactLaw, JudgesFilmAndFrictionInOneLine) {
   EXPECT_THAT(
       run(solve + "10000").out,
       HasSubstr(
-          "full film (lambda 15.7 at the thinnest), rolling resistance of the oil is 98 % of"));
-  EXPECT_THAT(run(solve + "0").out, HasSubstr("boundary friction (lambda 0 at the thinnest), "
-                                              "sliding in the contacts is"));
+          "full film (smallest lambda 15.7); largest part: rolling resistance of the oil, 98 %"));
+  EXPECT_THAT(run(solve + "0").out, HasSubstr("boundary friction (smallest lambda 0); largest "
+                                              "part: sliding in the contacts,"));
   EXPECT_THAT(run(solve + "10000").err, HasSubstr("balls may skid"));
 }
 

@@ -195,7 +195,7 @@ TEST_F(Correction, WrongInputIsRefusedWithItsPlace) {
                      "ambient/train.csv --inputs motr_temperature_C"),
                  "motor_temperature_C");
   expect_refused(run("diagnose " + model + " " + corrections + "ambient/train.csv --tolerance 2um"),
-                 "two tolerances in");
+                 "tolerance_um is already given under");
   expect_refused(run("add " + model + " nonsense --data " + corrections + "ambient/train.csv"),
                  "unknown effect");
   expect_refused(run("compare " + model + " " + corrections +

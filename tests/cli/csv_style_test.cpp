@@ -63,11 +63,8 @@ TEST(CsvStyle, MarksAreChosenByOption) {
 TEST(CsvStyle, EveryCommandThatWritesATableHasIt) {
   for (const char* command : {"check", "table", "displacement", "deflection", "modes", "correct",
                               "spindle", "step-response"})
-    EXPECT_THAT(
-        run(std::string(command) + " --help").out,
-        AllOf(HasSubstr("--decimal-mark"),
-              HasSubstr("csv (default; with the model in # lines), plain (first line is the "
-                        "header, comments in FILE_comments.txt; for pandas and MATLAB),")))
+    EXPECT_THAT(run(std::string(command) + " --help").out,
+                AllOf(HasSubstr("--decimal-mark"), HasSubstr("plain (first line")))
         << command;
 }
 

@@ -89,13 +89,13 @@ TEST_F(HostileInput, ControlCharactersInNamesAreRefused) {
         std::string("m.toml:2: \"70\\x"));
     expect_refused(
         table_of(replaced(model_text, "\"7014\"", "\"70" + std::string(escaped) + "14\"")),
-        std::string(": contains the control character") + code);
+        std::string(" contains the control character ") + code);
   }
   expect_refused(table_of("\"a\\nb\" = 1\n" + model_text), "contains the control character U+000A");
   for (const char* name : {"speed_rpm\x1b[2J", "speed_rpm\x07", "speed_rpm\xc2\x9b"})
     expect_refused(
         run("check " + model_ + " " + scratch_.write("d.csv", std::string(name) + data_text)),
-        "d.csv:1: contains the control character U+00");
+        "d.csv:1: the file contains the control character U+00");
 }
 
 TEST_F(HostileInput, NoMessageObeysTheTerminal) {

@@ -68,14 +68,10 @@ TEST_F(SilentAnswers, NoWarningNamesWhatTheUserDidNotWriteOrWhatIsTakenIn) {
 TEST_F(SilentAnswers, AMomentThatALockedTiltCarriesIsNamed) {
   const std::string flags = at_a_point + " --moment-z 500";
   EXPECT_THAT(command("solve", model_text, flags).err, HasSubstr("warning: "));
-  EXPECT_THAT(
-      command("solve", model_text, flags).err,
-      HasSubstr(
-          "\": the friction table has only one value of it, so the column would have no effect"));
-  EXPECT_THAT(
-      command("solve", model_text + "\n[solver]\ntilt = \"free\"\n", flags).err,
-      Not(HasSubstr(
-          "\": the friction table has only one value of it, so the column would have no effect")));
+  EXPECT_THAT(command("solve", model_text, flags).err,
+              HasSubstr("have no effect, because the tilt is locked"));
+  EXPECT_THAT(command("solve", model_text + "\n[solver]\ntilt = \"free\"\n", flags).err,
+              Not(HasSubstr("have no effect, because the tilt is locked")));
 }
 
 // Once `singular` in one and `converged` with empty angles in the other.
@@ -244,8 +240,7 @@ TEST_F(SilentAnswers, AFormulaIsAnsweredWithWhatToWrite) {
           "** is not an operator in formulas; write a power as x^2");
   refused("drag * speed_rpm", "", "give drag = {value = 1.0, unit = \"N mm\"}");
   refused("c * speed_rpm", "c = { value = 1.0, unit = \"Nm\" }\n", "unit = \"Nm\"");
-  refused("c * speed_rpm", "c = { value = 1.0, unit = \"N m\" }\n",
-          "The program does not convert N m");
+  refused("c * speed_rpm", "c = { value = 1.0, unit = \"N m\" }\n", "The program does not convert");
 }
 
 }  // namespace

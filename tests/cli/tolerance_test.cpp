@@ -105,10 +105,9 @@ TEST(Tolerance, ThatCannotBeIsToldInOneMessage) {
 TEST(Tolerance, GivenTwiceIsRefused) {
   const ScratchFolder scratch;
   const std::string model = with_loop(scratch, "tolerance_Nmm = 2\n");
-  expect_refused(run("diagnose " + model + " " + train + " --tolerance 3Nmm"),
-                 "--tolerance: \"3Nmm\": tolerance_Nmm is already given under [loop] of ; remove "
-                 "one of the two" +
-                     model + "\n");
+  expect_refused(
+      run("diagnose " + model + " " + train + " --tolerance 3Nmm"),
+      "--tolerance: \"3Nmm\": tolerance_Nmm is already given under [loop] of " + model + "\n");
 }
 
 }  // namespace

@@ -278,7 +278,8 @@ TEST_P(Control, TurnsPolynomialsIntoSections) {
   const Case c(apart, record);
   EXPECT_EQ(c.plan.axes[0].sections.size(), 3u);
   EXPECT_LT(distance(run(c, c.calls()), c.corrected()), tolerance());
-  EXPECT_THAT(c.plan.notes, testing::Contains(HasSubstr(": the polynomials were converted to")));
+  EXPECT_THAT(c.plan.notes,
+              testing::Contains(HasSubstr(": the polynomials were converted to 2 sections")));
   const Case twice(model, record);
   EXPECT_EQ(twice.plan.axes[0].equations.size(), 1u);
   EXPECT_LT(distance(run(twice, twice.calls()), twice.corrected()), tolerance());
@@ -423,8 +424,9 @@ TEST(ControlPlan, RefusesEquationsThatNeverDecayOrHaveTwoSamplings) {
   EXPECT_THAT(refused(model("z", 1, "[1, 1.01]")),
               HasSubstr("channel a: no control can run its polynomials: pole on or outside the "
                         "unit circle"));
-  EXPECT_THAT(refused(model("z", 1, "[1, 0.5]") + model("y", 2, "[1, 0.5]")),
-              HasSubstr("the polynomials of this channel are for calls every"));
+  EXPECT_THAT(
+      refused(model("z", 1, "[1, 0.5]") + model("y", 2, "[1, 0.5]")),
+      HasSubstr("for calls every 2 s, but those of another channel are for calls every 1 s"));
   EXPECT_EQ(refused(model("z", 2, "[1, 0.5]") + model("y", 2, "[1, 0.5]")), "taken");
 }
 
@@ -508,17 +510,11 @@ TEST(ControlC, KeepsAThousandthOfAMicrometreInFloatOver40Hours) {
 
 TEST(ControlPlan, NamesWhatItLeavesOut) {
   const Case c(everything);
-  EXPECT_THAT(
-      c.plan.notes,
-      testing::Contains(
-          ": not exported, because this effect only removes a disturbance from one record"));
+  EXPECT_THAT(c.plan.notes, testing::Contains("offset-jump: not exported, because this effect only "
+                                              "removes a disturbance from one record"));
   EXPECT_THAT(c.plan.notes, testing::Contains(HasSubstr("[correction.range] has no ")));
-  EXPECT_THAT(
-      control_python(c.plan),
-      HasSubstr(": not exported, because this effect only removes a disturbance from one record"));
-  EXPECT_THAT(
-      control_csv(c.plan),
-      HasSubstr(": not exported, because this effect only removes a disturbance from one record"));
+  EXPECT_THAT(control_python(c.plan), HasSubstr("# Note: offset-jump: not exported"));
+  EXPECT_THAT(control_csv(c.plan), HasSubstr("# Note: offset-jump: not exported"));
   const Case known(everything.substr(0, everything.find("[[correction]]", 5)) + every_range);
   EXPECT_THAT(known.plan.notes, Not(testing::Contains(HasSubstr("[correction.range]"))));
   EXPECT_EQ(known.plan.inputs[known.plan.speed].highest, 9000);

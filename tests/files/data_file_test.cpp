@@ -136,7 +136,7 @@ TEST(DataFile, ForAShaftTheAxialLoadIsTheExternalOne) {
   EXPECT_FALSE(both.has(record::friction_torque) || both.has(record::torque_deviation));
   EXPECT_THAT(texts(both.notes),
               Contains("two measured columns: axial_displacement_um is used, friction_torque_Nmm "
-                       "is not used used used used used used used used used used"));
+                       "is not used"));
   EXPECT_THAT(texts(both.notes), Contains(HasSubstr("radial_load_N is not used")));
 }
 

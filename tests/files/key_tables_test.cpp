@@ -76,8 +76,7 @@ TEST(KeyTables, EveryKeyHasAMeaningAndStandsOnce) {
   for (const ListedKey& one : keys) {
     EXPECT_NE(one.key.meaning, "") << "[" << one.table << "] " << one.key.name;
     EXPECT_TRUE(seen.emplace(one.table, one.only, one.key.name).second)
-        << "[" << one.table << "] " << one.key.name
-        << "s occurs twice; give each load case a different load_case";
+        << "[" << one.table << "] " << one.key.name << " stands twice";
   }
 }
 
@@ -114,7 +113,7 @@ TEST(KeyTables, SayUnitRangeDefaultAndWordsAsTheReaderHasThem) {
   EXPECT_EQ(tilt.fallback(), "\"locked\"");
   EXPECT_THAT(tilt.key.form.choices(), testing::ElementsAre("locked", "free"));
   EXPECT_TRUE(std::isnan(listed_key(keys, "bearing", "name").key.form.lower));
-  EXPECT_EQ(listed_key(keys, "bearing", "width_mm").meaning(), "of a spindle: width of the rings");
+  EXPECT_EQ(listed_key(keys, "bearing", "width_mm").meaning(), "spindle: width of the rings");
 }
 
 // K_rs is off in one law and on in the other.
@@ -122,7 +121,7 @@ TEST(KeyTables, ANumberOfTwoLawsHasTheDefaultOfEach) {
   std::vector<std::string> defaults;
   for (const ListedKey& one : model_keys())
     if (one.key.name == "K_rs") defaults.push_back(one.meaning().substr(0, 6) + one.fallback());
-  EXPECT_THAT(defaults, testing::ElementsAre("law sk6e-08", "law co0", "of cyl6e-08"));
+  EXPECT_THAT(defaults, testing::ElementsAre("law sk6e-08", "law co0", "cylind6e-08"));
 }
 
 // What a reader takes and what the table of keys says is the same default.

@@ -180,8 +180,8 @@ TEST_F(OutputFile, ANameOfAnotherFormatIsRefused) {
     return tests::message_of([&] { require_writable(path(name), IfExists::refuse); });
   };
   EXPECT_THAT(refusal("st.xlsx"),
-              HasSubstr("st.xlsx: is the name of a workbook; tables are written as CSV, which "
-                        "Excel can open: use a name that ends with .csv"));
+              HasSubstr("st.xlsx: this is the name of a workbook, but tables are written as CSV, "
+                        "which Excel can open: use a name that ends with .csv"));
   EXPECT_THAT(refusal("st.PNG"), HasSubstr("pictures are written as SVG and pages as HTML"));
   EXPECT_THAT(refusal("st.mat"), HasSubstr("a binary file"));
   EXPECT_THAT(tests::message_of([&] { write_text(path("a.xls"), "1", IfExists::replace); }),
