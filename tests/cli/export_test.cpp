@@ -149,11 +149,10 @@ TEST(Export, RefusesInOneMessage) {
       "denominator = [1, -1.2, 0.72]\n");
   const Result exported = run("export " + swings + " --format python -o " + scratch.file("s.py"));
   EXPECT_EQ(exported.status, 0) << exported.err;
-  EXPECT_THAT(
-      exported.err,
-      HasSubstr(
-          "note: channel published: runs as a difference equation, because the poles 0.6 +- 0.6i "
-          "are complex, but a sum of lags has only real poles. It needs a call every 1 s"));
+  EXPECT_THAT(exported.err, HasSubstr("note: channel published: exported as a difference equation, "
+                                      "because the poles 0.6 +- 0.6i "
+                                      "are complex, but a sum of lags has only real poles. The "
+                                      "program must be called every 1 s"));
   EXPECT_THAT(exported.err, HasSubstr("warning: channel published: complex poles: the output "
                                       "oscillates, which no thermal body does"));
   EXPECT_THAT(run("export " + scratch.write("b.toml", "[bearing]\n") + " --format c").err,

@@ -322,9 +322,9 @@ TEST_P(Control, RunsPolynomialsOfNoLagAsDifferenceEquations) {
   for (const auto& y : expected) largest = std::max(largest, std::abs(y[0]));
   EXPECT_GT(largest, 10.0);
   for (const Answer& a : got) ASSERT_EQ(a.flags, 0);
-  EXPECT_THAT(c.plan.notes,
-              testing::Contains(HasSubstr("channel x: runs as a difference equation, because the "
-                                          "pole -0.9999125037 is not between 0 and 1")));
+  EXPECT_THAT(c.plan.notes, testing::Contains(HasSubstr(
+                                "channel x: exported as a difference equation, because the "
+                                "pole -0.9999125037 is not between 0 and 1")));
   EXPECT_THAT(c.plan.warnings, testing::ElementsAre(HasSubstr("channel amb: negative real pole"),
                                                     HasSubstr("channel x: negative real pole"),
                                                     HasSubstr("channel y: negative real pole"),
