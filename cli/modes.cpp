@@ -142,7 +142,7 @@ Run setup_modes(CLI::App& command) {
   add_number(command, "--unbalance", flags->unbalance_gmm, {0.0, 1e9, "g mm"},
              "unbalance of the shaft [g mm], for the amplitude of the nose at each speed");
   add_number(command, "--unbalance-at", flags->unbalance_at_mm, {0.0, 1e5, "mm"},
-             "position of the force behind the nose face [mm]; default 0");
+             "position of the unbalance behind the nose face [mm]; default 0");
   flags->declare_output(command, "CSV file for the Campbell diagram; - for stdout");
   command
       .add_option("--shapes", flags->shapes, "CSV file for the shapes of the modes; - for stdout")

@@ -351,7 +351,7 @@ TEST(LoggerExports, DatesOfDigitsAloneAreRead) {
   const std::string check = "check " + record_model + " " + digits.file + " --columns ";
   EXPECT_THAT(run(check + map("")).err, HasSubstr(": time_s is measured from"));
   // A unit says that they are numbers.
-  EXPECT_THAT(run(check + map(", unit = \"s\"")).err, Not(HasSubstr("counts from")));
+  EXPECT_THAT(run(check + map(", unit = \"s\"")).err, Not(HasSubstr("is measured from")));
 }
 
 TEST(LoggerExports, UnitsInCellsAreRead) {

@@ -327,7 +327,8 @@ TEST_F(SpindleCommand, BeltHeatIsAddedAsItIsCalibrated) {
 TEST_F(SpindleCommand, ModelWithoutShaftIsRefused) {
   const Result r = spindle("--speed 1000 --steady", model_text);
   EXPECT_EQ(r.status, 1);
-  EXPECT_THAT(r.err, HasSubstr("is not a spindle: a spindle has [shaft] and [housing]"));
+  EXPECT_THAT(r.err, HasSubstr(": the model is not a spindle; a spindle needs [shaft] and "
+                               "[housing] in addition to [arrangement]"));
 }
 
 TEST_F(SpindleCommand, SpeedAloneIsRefused) {

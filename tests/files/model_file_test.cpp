@@ -635,7 +635,7 @@ TEST(ModelEdit, WrongDataIsPutRight) {
   const model::Model m = parse_model(text, "m.toml").model;
   EXPECT_DOUBLE_EQ(m.lubricant.viscosity_40C(), at_40);
   EXPECT_NEAR(m.lubricant.viscosity_100C(), 0.9 * at_100, 1e-14 * at_100);
-  EXPECT_THAT(text, HasSubstr("was entered"));
+  EXPECT_THAT(text, HasSubstr("entered value"));
   ASSERT_EQ(m.effects.size(), 1u);
   EXPECT_EQ(m.effects[0].description->id, "temperature-gain");
   EXPECT_NEAR(m.rig.room_temperature, kelvin(23.5), 1e-10);
