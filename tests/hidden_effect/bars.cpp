@@ -204,6 +204,18 @@ bool Outcome::right_first() const {
   });
 }
 
+bool Outcome::includes_truth() const {
+  if (trial.setup.hidden.empty() && accepted.empty()) return !alarm();
+  if (outside) return is({"not-in-catalogue", "effect-like"});
+  return in_set();
+}
+
+bool Outcome::only_truth() const {
+  if (trial.setup.hidden.empty() && accepted.empty()) return !alarm();
+  if (outside) return is({"not-in-catalogue"});
+  return exact();
+}
+
 const std::vector<Block>& blocks() {
   static const std::vector<Block> all{
       {"null", "nothing hidden, independent noise, every plan but the sweep"},
@@ -369,6 +381,7 @@ Outcome judge(const Trial& trial) {
   // Of the contacts it would take longer than all else.
   if (rig.hidden.size() == 1 && trial.kind.empty() && trial.block != "contact")
     o.visibility = cached_visibility(rig);
+  if (trial.oracle) o.oracle = ask_oracle(rig, rig.train);
   if ((trial.block == "factorial" || trial.block == "contact") && o.exact() &&
       !o.accepted.empty()) {
     const std::string leading[] = {o.answer.names.front()};
@@ -385,6 +398,7 @@ Outcome judge(const Trial& trial) {
     const auto again = [&](const std::vector<Point>& points, bool& right, bool& wrong) {
       std::vector<Reading> rows = rig.train;
       for (const Reading& r : measure(rig, points, trial.setup.seed + 77)) rows.push_back(r);
+      if (trial.oracle && &points == &proposed) o.oracle_after_proposed = ask_oracle(rig, rows);
       Outcome next = o;
       next.answer = ask(rig, rows);
       right = next.exact();
@@ -439,6 +453,44 @@ Interval wilson(int successes, int trials) {
   const double half = z / (1.0 + z2 / n) * std::sqrt(p * (1.0 - p) / n + z2 / (4.0 * n * n));
   // At both ends the bound is exact, which rounding would miss.
   return {successes == 0 ? 0.0 : middle - half, successes == trials ? 1.0 : middle + half};
+}
+
+std::vector<Carried> carried(const std::vector<Outcome>& judged) {
+  std::vector<Carried> table;
+  const auto add = [&](const std::string& kind, const char* what, bool diagnosis, bool oracle) {
+    auto entry = std::find_if(table.begin(), table.end(),
+                              [&](const Carried& c) { return c.kind == kind && c.what == what; });
+    if (entry == table.end()) entry = table.insert(entry, {.kind = kind, .what = what});
+    entry->diagnosis += diagnosis ? 1 : 0;
+    entry->oracle += oracle ? 1 : 0;
+    entry->both += diagnosis && oracle ? 1 : 0;
+    ++entry->cases;
+  };
+  for (const Outcome& o : judged) {
+    if (o.too_small || !o.oracle) continue;
+    std::string kind(o.trial.kind.empty() ? o.trial.block : o.trial.kind);
+    if (o.trial.block == "two") kind += ", " + std::string(name(o.trial.setup.plan));
+    const OracleAnswer& oracle = *o.oracle;
+    if (!oracle.something) {
+      add(kind, "nothing missing", !o.alarm(), !oracle.detects());
+      continue;
+    }
+    add(kind, "something missing", o.alarm(), oracle.detects());
+    if (oracle.learned_detection)
+      add(kind, "the same, offsets of runs unknown", o.alarm(),
+          *oracle.learned_detection > oracle.learned_from);
+    add(kind, "truth in the verdict", o.includes_truth(), oracle.includes());
+    add(kind, "only the truth", o.only_truth(), oracle.decides());
+    if (oracle.entry_lead)
+      add(kind, "right entry ranks first", o.right_first(), *oracle.entry_lead > 0.0);
+    if (o.trial.setup.hidden.size() == 2)
+      add(kind, "only the truth, each loses 60", o.only_truth(),
+          oracle.decides() && oracle.least_loss >= 60.0);
+    if (o.oracle_after_proposed)
+      add(kind, "only the truth, 12 proposed points", o.right_after_proposed,
+          o.oracle_after_proposed->decides());
+  }
+  return table;
 }
 
 bool Bar::missed() const { return at_least ? measured < must : measured > must; }

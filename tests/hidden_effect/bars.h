@@ -1,12 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "tests/hidden_effect/generator.h"
 #include "tests/hidden_effect/judge.h"
+#include "tests/hidden_effect/oracle.h"
 #include "tests/hidden_effect/separation.h"
 
 namespace hidden_effect {
@@ -16,6 +18,7 @@ struct Trial {
   std::string_view block;
   Setup setup;
   std::string_view kind{};  ///< of real_rigs(), in the block "real"
+  bool oracle = false;      ///< ask an observer who knows noise and laws as well
 };
 
 /// What came of it.
@@ -28,6 +31,7 @@ struct Outcome {
   std::string after_proposed, after_same;  ///< verdict after 12 proposed points, 12 repeated ones
   bool right_after_proposed = false, right_after_same = false;
   bool wrong_after_proposed = false;
+  std::optional<OracleAnswer> oracle{}, oracle_after_proposed{};
   std::string changed_by;  ///< presentation under which the answer was another one
   bool outside = false;
   /// No size that leaves a torque reaches half the wished share: no case for a bar on effects.
@@ -47,6 +51,10 @@ struct Outcome {
   /// A statement that excludes the truth.
   [[nodiscard]] bool wrong() const;
   [[nodiscard]] bool right_first() const;
+  /// The verdict is the one for the truth, alone or beside rivals.
+  [[nodiscard]] bool includes_truth() const;
+  /// The same, without rivals.
+  [[nodiscard]] bool only_truth() const;
 };
 
 /// Ids and what they ask, in the order in which they run.
@@ -85,6 +93,14 @@ struct Bar {
   [[nodiscard]] bool missed() const;
   [[nodiscard]] bool is_good() const;
 };
+
+/// A question to the records of a kind, answered by the diagnosis and by the oracle.
+struct Carried {
+  std::string kind, what;
+  int diagnosis = 0, oracle = 0, both = 0, cases = 0;
+};
+/// What the data can carry. Without records that the oracle was not asked about.
+[[nodiscard]] std::vector<Carried> carried(const std::vector<Outcome>& judged);
 
 [[nodiscard]] std::vector<Bar> bars(const std::vector<Outcome>& judged);
 

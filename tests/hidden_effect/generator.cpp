@@ -282,13 +282,6 @@ void add_noise(const Setup& setup, Random& random, std::vector<Reading>& rows) {
   }
 }
 
-/// VG 68 where VG 32 is entered.
-Machine with_thicker_oil(Machine machine) {
-  machine.viscosity_40 *= 68.0 / 32.0;
-  machine.viscosity_100 *= 8.7 / 5.9;
-  return machine;
-}
-
 std::vector<Reading> readings(const Rig& rig, const Bearing& bearing, std::span<const Point> points,
                               int first_run) {
   std::vector<Reading> rows;
@@ -378,7 +371,7 @@ Rig make_rig(const Setup& setup) {
     rig.second_record = rig.train.size();
     const std::vector<Point> again = plan_points(setup, false, random);
     for (const Reading& r :
-         readings(rig, Bearing(with_thicker_oil(*setup.machine)), again, rig.train.back().run + 1))
+         readings(rig, bearing_of_second_record(setup), again, rig.train.back().run + 1))
       rig.train.push_back(r);
   }
   rig.test = readings(rig, rig.bearing, test, 0);
@@ -389,6 +382,14 @@ Rig make_rig(const Setup& setup) {
   plain.logger = {};
   add_noise(plain, random, rig.test);
   return rig;
+}
+
+/// VG 68 where VG 32 is entered.
+Bearing bearing_of_second_record(const Setup& setup) {
+  Machine machine = *setup.machine;
+  machine.viscosity_40 *= 68.0 / 32.0;
+  machine.viscosity_100 *= 8.7 / 5.9;
+  return Bearing(machine);
 }
 
 std::vector<Reading> measure(const Rig& rig, std::span<const Point> points, std::uint64_t seed) {

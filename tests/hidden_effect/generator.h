@@ -110,6 +110,9 @@ struct Rig {
 /// of an effect. Everything but these follows from the setup.
 [[nodiscard]] Rig make_rig(const Setup& setup);
 
+/// The bearing with the oil that it has in the second record.
+[[nodiscard]] Bearing bearing_of_second_record(const Setup& setup);
+
 /// More readings of the same rig in runs of ten, independent noise.
 [[nodiscard]] std::vector<Reading> measure(const Rig& rig, std::span<const Point> points,
                                            std::uint64_t seed);

@@ -49,6 +49,10 @@ double torque_of_rig(const Bearing& bearing, const BaseLaw& law, const Mistake& 
   return torque(bearing, law, real, hidden) + torque(bearing, law, pressed, hidden);
 }
 
+double share_of_day(double time) {
+  return std::fmod(time / 3600.0, hours_of_a_day) / hours_of_a_day;
+}
+
 void misread_torques(const Mistake& m, std::uint64_t seed, std::vector<Reading>& rows) {
   if (m.support_constant == 0.0 && m.support_viscous == 0.0 && m.creep == 0.0 && m.reset == 0.0 &&
       m.hysteresis == 0.0)
@@ -66,10 +70,9 @@ void misread_torques(const Mistake& m, std::uint64_t seed, std::vector<Reading>&
       side = 1.0;
     else if (r.point.speed < rows[i - 1].point.speed)
       side = -1.0;
-    const double day = std::fmod(r.point.time / 3600.0, hours_of_a_day) / hours_of_a_day;
     r.torque +=
         size * (m.support_constant + m.support_viscous * std::sqrt(r.point.speed / highest) +
-                m.creep * day + zero + 0.5 * m.hysteresis * side);
+                m.creep * share_of_day(r.point.time) + zero + 0.5 * m.hysteresis * side);
   }
 }
 

@@ -53,6 +53,9 @@ struct Reading {
                                    const Mistake& mistake, const Point& point,
                                    std::span<const Hidden> hidden);
 
+/// Share of a day of measuring that has passed at a time [s].
+[[nodiscard]] double share_of_day(double time);
+
 /// Adds what reading and zero of the sensor have beside the torque.
 void misread_torques(const Mistake& mistake, std::uint64_t seed, std::vector<Reading>& rows);
 

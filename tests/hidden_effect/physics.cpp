@@ -92,11 +92,12 @@ Bearing::Moments skf_moments(const Machine& m, double speed, double load, double
 
 /// Houpert's hydrodynamic rolling force goes with U^0.656 W^0.466; sliding with the size of the
 /// ellipse times the load. At 90 mm, 5000 rpm, 1000 N and 30 mm2/s they are 80 and 40 N mm.
-Bearing::Moments houpert_moments(const Machine& m, double speed, double load, double viscosity) {
+Bearing::Moments houpert_moments(const Machine& m, const BaseLaw& law, double speed, double load,
+                                 double viscosity) {
   const double size = std::pow(m.pitch_diameter / 90.0, 2);
-  return {.rolling = 80.0 * size * std::pow(speed * viscosity / 1.5e5, 0.656) *
-                     std::pow(load / 1000.0, 0.466),
-          .other = 40.0 * size * std::pow(load / 1000.0, 4.0 / 3.0)};
+  return {.rolling = 80.0 * size * std::pow(speed * viscosity / 1.5e5, law.powers[0]) *
+                     std::pow(load / 1000.0, law.powers[1]),
+          .other = 40.0 * size * std::pow(load / 1000.0, law.powers[2])};
 }
 
 /// The base moment of a bearing at a film temperature: what the oil resists, and the rest.
@@ -108,10 +109,14 @@ Bearing::Moments base_moments(const Bearing& bearing, const BaseLaw& law, const 
     return moments;
   }
   const double viscosity = bearing.viscosity(temperature);
-  if (law.formula == Formula::skf)
-    return skf_moments(bearing.machine(), point.speed, load, viscosity);
-  if (law.formula == Formula::houpert)
-    return houpert_moments(bearing.machine(), point.speed, load, viscosity);
+  if (law.formula != Formula::palmgren) {
+    const Machine& m = bearing.machine();
+    const Bearing::Moments moments = law.formula == Formula::skf
+                                         ? skf_moments(m, point.speed, load, viscosity)
+                                         : houpert_moments(m, law, point.speed, load, viscosity);
+    return {.rolling = law.rolling_factor * moments.rolling,
+            .other = law.sliding_factor * moments.other};
+  }
   return {.rolling = viscous_moment(bearing, law, point.speed, viscosity),
           .other = load_moment(bearing, law, load, point.radial)};
 }

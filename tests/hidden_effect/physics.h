@@ -108,8 +108,11 @@ struct BaseLaw {
   double f0 = 1.5, z = 1e-3, y = 0.33;
   double viscous_exponent = 2.0 / 3.0;
   bool contacts = false;
-  double rolling_factor = 1.0;  ///< on the rolling resistance in the contacts
+  double rolling_factor = 1.0;  ///< on the rolling resistance; not of Palmgren's law
+  double sliding_factor = 1.0;  ///< on all else, of a formula but Palmgren's
   Formula formula = Formula::palmgren;
+  /// Of Houpert's law: speed and viscosity, load in rolling, load in sliding.
+  std::array<double, 3> powers{0.656, 0.466, 4.0 / 3.0};
 };
 
 /// The values of an effect: its size, and a second number that only gives the shape.

@@ -28,7 +28,7 @@ struct Arguments {
   int seeds = 20;
   std::vector<std::string> blocks;
   std::string only, write;
-  bool json = false, by_effect = false, misses = false;
+  bool json = false, by_effect = false, misses = false, oracle = false;
   int threads = 0;  // all
 };
 
@@ -45,11 +45,14 @@ void declare(CLI::App& app, Arguments& a) {
   app.add_option("--blocks", a.blocks, "by comma; default: all")
       ->delimiter(',')
       ->check(CLI::IsMember(ids));
-  app.add_option("--only", a.only, "of the block real the kinds with this text in their name");
+  app.add_option("--only", a.only,
+                 "the plans, or kinds of the block real, with this text in their name");
   app.add_option("--threads", a.threads, "default: all")->check(count);
   app.add_flag("--json", a.json, "bars as JSON");
   app.add_flag("--by-effect", a.by_effect, "what each hidden effect was taken for");
   app.add_flag("--misses", a.misses, "the sentence of each verdict that is not right");
+  app.add_flag("--oracle", a.oracle,
+               "what an observer finds in the same records who knows noise and laws");
   app.add_option(
       "--write", a.write,
       "diagnose nothing: model.toml, train.csv and truth.json of each rig into a folder of its own "
@@ -117,6 +120,31 @@ void print_table(const std::vector<Bar>& table) {
   std::puts("\nShares in %. !: misses what it must reach. +: reaches what is called good.");
 }
 
+std::string share_text(int count, int cases) {
+  const Interval w = wilson(count, cases);
+  return fmt::format("{:5.1f} ({:.1f} to {:.1f})", 100.0 * count / cases, 100.0 * w.lower,
+                     100.0 * w.upper);
+}
+
+/// The shares of the diagnosis beside those of the oracle, the honest bar.
+void print_carried(const std::vector<Carried>& table) {
+  std::printf("\n%-40s %-34s %6s  %-22s %-22s %s\n", "what the data can carry", "", "cases",
+              "diagnosis", "oracle", "oracle alone");
+  for (const Carried& c : table)
+    std::printf("%-40s %-34s %6d  %-22s %-22s %d\n", c.kind.c_str(), c.what.c_str(), c.cases,
+                share_text(c.diagnosis, c.cases).c_str(), share_text(c.oracle, c.cases).c_str(),
+                c.oracle - c.both);
+}
+
+std::string oracle_text(const OracleAnswer& o) {
+  return fmt::format(
+      "oracle {}: gain {:.1f} (needed {:.1f}), lead {:.1f} over {}, least loss {:.1f}",
+      o.decides()    ? "decides"
+      : o.includes() ? "includes the truth"
+                     : "misses",
+      o.gain, o.needed, o.lead, o.rival, o.least_loss);
+}
+
 std::string joined(const std::vector<std::string>& words) {
   std::string out;
   for (const std::string& w : words) out += (out.empty() ? "" : " | ") + w;
@@ -170,7 +198,10 @@ void print_misses(const std::vector<Outcome>& outcomes) {
                 static_cast<unsigned long long>(o.trial.setup.seed),
                 number(o.visibility.detection).c_str(), number(o.visibility.separation).c_str(),
                 o.answer.verdict.c_str(), o.answer.sentence.c_str());
+    if (o.oracle) std::printf("  %s\n", oracle_text(*o.oracle).c_str());
     if (undecided) std::printf("  with the proposed points: %s\n", o.after_proposed.c_str());
+    if (undecided && o.oracle_after_proposed)
+      std::printf("  %s\n", oracle_text(*o.oracle_after_proposed).c_str());
   }
   std::puts("");
 }
@@ -192,7 +223,8 @@ void write(const std::vector<Trial>& all, const std::string& folder) {
   }
 }
 
-void print_json(const std::vector<Bar>& table, const Arguments& arguments, std::size_t rigs) {
+void print_json(const std::vector<Bar>& table, const std::vector<Carried>& by_oracle,
+                const Arguments& arguments, std::size_t rigs) {
   nlohmann::ordered_json bars = nlohmann::ordered_json::array();
   // An interval or a limit that a bar lacks is not finite, and null in JSON.
   const auto value = [](double v) {
@@ -211,8 +243,15 @@ void print_json(const std::vector<Bar>& table, const Arguments& arguments, std::
                       {"unit", b.unit},
                       {"cases", b.trials},
                       {"missed", b.missed()}});
-  const nlohmann::ordered_json document = {
+  nlohmann::ordered_json document = {
       {"seeds", arguments.seeds}, {"rigs", rigs}, {"bars", std::move(bars)}};
+  for (const Carried& c : by_oracle)
+    document["carried"].push_back({{"kind", c.kind},
+                                   {"what", c.what},
+                                   {"diagnosis", c.diagnosis},
+                                   {"oracle", c.oracle},
+                                   {"both", c.both},
+                                   {"cases", c.cases}});
   std::puts(document.dump(1).c_str());
 }
 
@@ -234,8 +273,11 @@ int main(int argc, char** argv) try {
                                                   static_cast<std::size_t>(arguments.threads));
   std::vector<Trial> all;
   for (const std::string& id : arguments.blocks)
-    for (const Trial& t : trials(id, arguments.seeds))
-      if (arguments.only.empty() || t.kind.find(arguments.only) != t.kind.npos) all.push_back(t);
+    for (const Trial& t : trials(id, arguments.seeds)) {
+      const std::string_view called = t.kind.empty() ? name(t.setup.plan) : t.kind;
+      if (called.find(arguments.only) != called.npos) all.push_back(t);
+    }
+  for (Trial& t : all) t.oracle = arguments.oracle;
   if (!arguments.write.empty()) {
     write(all, arguments.write);
     return 0;
@@ -253,11 +295,12 @@ int main(int argc, char** argv) try {
                  "%td of %zu rigs left out: no size that leaves a torque gives half the effect\n",
                  small, outcomes.size());
   if (arguments.json) {
-    print_json(table, arguments, all.size());
+    print_json(table, carried(outcomes), arguments, all.size());
   } else {
     if (arguments.by_effect) print_by_effect(outcomes);
     if (arguments.misses) print_misses(outcomes);
     print_table(table);
+    if (arguments.oracle) print_carried(carried(outcomes));
   }
   return 0;
 } catch (const std::exception& e) {

@@ -1,0 +1,106 @@
+#include "tests/hidden_effect/oracle.h"
+
+#include <gmock/gmock.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <vector>
+
+#include "tests/hidden_effect/likelihood.h"
+#include "tests/hidden_effect/separation.h"
+
+namespace hidden_effect {
+namespace {
+
+/// Part of y beyond the columns of A, squared and weighed by the inverse covariance.
+double beyond(const Eigen::MatrixXd& A, const Eigen::VectorXd& y, const Eigen::MatrixXd& C) {
+  const Eigen::MatrixXd inverse = C.inverse();
+  const Eigen::VectorXd x = (A.transpose() * inverse * A).inverse() * A.transpose() * inverse * y;
+  const Eigen::VectorXd r = y - A * x;
+  return r.dot(inverse * r);
+}
+
+// Palmgren's torque is linear in f0 and z, so weighed least squares give each likelihood.
+void expect_closed_form(const Rig& rig, const std::vector<double>& shape) {
+  const auto n = static_cast<Eigen::Index>(rig.train.size());
+  Eigen::MatrixXd base(n, 2), both(n, 3);
+  Eigen::VectorXd y(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Reading& r = rig.train[static_cast<std::size_t>(i)];
+    BaseLaw viscous = rig.setup.law, load = rig.setup.law;
+    viscous.z = 0.0;
+    load.f0 = 0.0;
+    base.row(i) << torque(rig.bearing, viscous, r.point, {}),
+        torque(rig.bearing, load, r.point, {});
+    both.row(i) << base.row(i), shape[static_cast<std::size_t>(i)];
+    y[i] = r.measured;
+  }
+  const Eigen::MatrixXd C = covariance_of_noise(rig, rig.train);
+  const auto answer = ask_oracle(rig, rig.train);
+  ASSERT_TRUE(answer);
+  EXPECT_NEAR(answer->detection, beyond(base, y, C) - beyond(both, y, C), 1e-2);
+  EXPECT_NEAR(answer->detected_from, 6.635, 1e-3);  // χ² of one degree, 1 %
+}
+
+TEST(Oracle, AgreesWithLeastSquaresForAConstantTorque) {
+  const Rig rig = make_rig({.machine = machines().data(),
+                            .hidden = {{.id = "torque-offset", .share = 0.02}},
+                            .seed = 4});
+  expect_closed_form(rig, std::vector<double>(rig.train.size(), 1.0));
+}
+
+TEST(Oracle, AgreesWithGeneralLeastSquaresForACreepingZeroInRunsWithOffsets) {
+  const Rig rig = make_rig({.machine = machines().data(),
+                            .plan = Plan::stairs,
+                            .noise = Noise::run_offsets,
+                            .detail = {.level = 0.01, .offset = 0.01},
+                            .mistake = {.creep = 0.06},
+                            .seed = 5});
+  std::vector<double> hours;
+  for (const Reading& r : rig.train) hours.push_back(std::fmod(r.point.time / 3600.0, 6.0));
+  expect_closed_form(rig, hours);
+}
+
+// The gain of the truth has the law of chi squared, shifted by lambda: mean 1 + lambda, variance
+// 2 + 4 lambda.
+TEST(Oracle, GainsOfATrueEffectScatterAroundLambda) {
+  constexpr int rigs = 30;
+  double sum = 0.0, lambda = 0.0;
+  for (int i = 0; i < rigs; ++i) {
+    const Rig rig = make_rig({.machine = machines().data(),
+                              .hidden = {{.id = "cage-friction", .share = 0.05}},
+                              .seed = static_cast<std::uint64_t>(100 + i)});
+    sum += ask_oracle(rig, rig.train)->detection;
+    lambda += visibility(rig).detection;
+  }
+  const double mean = lambda / rigs;
+  EXPECT_NEAR(sum / rigs, 1.0 + mean, 3.0 * std::sqrt((2.0 + 4.0 * mean) / rigs));
+}
+
+TEST(Oracle, KnowsTheCovarianceOfTheNoise) {
+  // The whitened noise of a rig has a variance of one for each reading.
+  for (const Noise noise :
+       {Noise::independent, Noise::run_offsets, Noise::autoregressive, Noise::absolute}) {
+    double square = 0.0, count = 0.0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      const Rig rig = make_rig({.machine = machines().data(), .noise = noise, .seed = seed});
+      const Eigen::MatrixXd C = covariance_of_noise(rig, rig.train);
+      Eigen::VectorXd r(C.rows());
+      for (Eigen::Index i = 0; i < r.size(); ++i) {
+        const Reading& reading = rig.train[static_cast<std::size_t>(i)];
+        r[i] = reading.measured - reading.torque;
+      }
+      square += r.dot(C.llt().solve(r));
+      count += static_cast<double>(r.size());
+    }
+    EXPECT_NEAR(square / count, 1.0, 4.0 * std::sqrt(2.0 / count)) << name(noise);
+  }
+}
+
+TEST(Oracle, HasNoAnswerWhereItKnowsNoFormula) {
+  const Rig rig = make_rig({.machine = machines().data(), .mistake = {.pair_preload = 1500.0}});
+  EXPECT_FALSE(ask_oracle(rig, rig.train));
+}
+
+}  // namespace
+}  // namespace hidden_effect
