@@ -238,13 +238,13 @@ const std::vector<Block>& blocks() {
   return all;
 }
 
-std::vector<Trial> trials(std::string_view block, int seeds) {
+std::vector<Trial> trials(std::string_view block, int seeds, int first, std::string_view only) {
   std::vector<Trial> out;
   std::size_t block_index = 0;
   while (block_index < blocks().size() && blocks()[block_index].id != block) ++block_index;
   std::size_t item = 0;
   const auto add = [&](Plan plan, Noise noise, std::vector<Wish> hidden, BaseLaw law = {}) {
-    for (int i = 0; i < seeds; ++i)
+    for (int i = first; i < first + seeds; ++i)
       out.push_back(
           {.block = blocks()[block_index].id,
            .setup = {
@@ -320,7 +320,8 @@ std::vector<Trial> trials(std::string_view block, int seeds) {
       if (joins_contacts(e.id)) add(Plan::factorial, independent, {{e.id, 0.1}}, law);
   } else if (block == "real") {
     for (const RealRig& rig : real_rigs()) {
-      for (int i = 0; i < seeds * rig.per_seed; ++i) {
+      const bool wanted = rig.id.find(only) != rig.id.npos;
+      for (int i = first * rig.per_seed; wanted && i < (first + seeds) * rig.per_seed; ++i) {
         Trial trial{.block = blocks()[block_index].id, .setup = rig.setup, .kind = rig.id};
         // The card that is wrong is one of the first oil.
         const std::size_t choice = rig.setup.mistake.viscosity_40 > 0.0 ? 2 : machines().size();
@@ -336,7 +337,7 @@ std::vector<Trial> trials(std::string_view block, int seeds) {
     constexpr Plan plans[] = {Plan::factorial, Plan::run_up, Plan::replicated};
     constexpr Noise noises[] = {Noise::independent, Noise::run_offsets, Noise::independent,
                                 Noise::outliers, Noise::absolute};
-    for (int i = 0; i < seeds * 3; ++i) {
+    for (int i = first * 3; i < (first + seeds) * 3; ++i) {
       const auto k = static_cast<std::size_t>(i);
       Setup s{.machine = &machines()[(k / 3) % machines().size()],
               .plan = plans[(k / 3) % 3],

@@ -64,8 +64,10 @@ struct Block {
 };
 [[nodiscard]] const std::vector<Block>& blocks();
 
-/// `seeds` rigs for each case of a block. Machines take turns with the seed.
-[[nodiscard]] std::vector<Trial> trials(std::string_view block, int seeds);
+/// `seeds` rigs for each case of a block, from seed `first` on; of the block "real" only kinds with
+/// the text `only` in their name. Machines take turns with the seed.
+[[nodiscard]] std::vector<Trial> trials(std::string_view block, int seeds, int first = 0,
+                                        std::string_view only = {});
 
 [[nodiscard]] Outcome judge(const Trial& trial);
 

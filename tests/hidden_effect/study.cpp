@@ -25,7 +25,7 @@ namespace {
 using namespace hidden_effect;
 
 struct Arguments {
-  int seeds = 20;
+  int seeds = 20, first = 0;
   std::vector<std::string> blocks;
   std::string only, write;
   bool json = false, by_effect = false, misses = false, oracle = false;
@@ -42,6 +42,9 @@ void declare(CLI::App& app, Arguments& a) {
   app.footer(list);
   const CLI::Range count(1, 100000);
   app.add_option("--seeds", a.seeds, "of each case")->check(count)->capture_default_str();
+  app.add_option("--first", a.first, "seed; others than those of the tables have shaped no rule")
+      ->check(CLI::Range(0, 100000))
+      ->capture_default_str();
   app.add_option("--blocks", a.blocks, "by comma; default: all")
       ->delimiter(',')
       ->check(CLI::IsMember(ids));
@@ -243,8 +246,10 @@ void print_json(const std::vector<Bar>& table, const std::vector<Carried>& by_or
                       {"unit", b.unit},
                       {"cases", b.trials},
                       {"missed", b.missed()}});
-  nlohmann::ordered_json document = {
-      {"seeds", arguments.seeds}, {"rigs", rigs}, {"bars", std::move(bars)}};
+  nlohmann::ordered_json document = {{"seeds", arguments.seeds},
+                                     {"first", arguments.first},
+                                     {"rigs", rigs},
+                                     {"bars", std::move(bars)}};
   for (const Carried& c : by_oracle)
     document["carried"].push_back({{"kind", c.kind},
                                    {"what", c.what},
@@ -273,7 +278,7 @@ int main(int argc, char** argv) try {
                                                   static_cast<std::size_t>(arguments.threads));
   std::vector<Trial> all;
   for (const std::string& id : arguments.blocks)
-    for (const Trial& t : trials(id, arguments.seeds)) {
+    for (const Trial& t : trials(id, arguments.seeds, arguments.first, arguments.only)) {
       const std::string_view called = t.kind.empty() ? name(t.setup.plan) : t.kind;
       if (called.find(arguments.only) != called.npos) all.push_back(t);
     }
