@@ -35,15 +35,30 @@ constexpr Key loop_keys[]{
 };
 
 /// Full names by every name that a parameter may be called: that of an effect is "id.name", and
-/// `name` alone where no other has it.
+/// `name` alone where no other has it. A full name is never the short name of another parameter.
 std::multimap<std::string, std::string> full_names(const model::Model& model) {
-  std::multimap<std::string, std::string> names;
+  std::multimap<std::string, std::string> names, short_names;
   for (const record::Parameter& p : model::parameters(model)) {
     names.emplace(p.name, p.name);
     if (const std::size_t dot = p.name.find('.'); dot != p.name.npos)
-      names.emplace(p.name.substr(dot + 1), p.name);
+      short_names.emplace(p.name.substr(dot + 1), p.name);
   }
+  std::erase_if(short_names, [&](const auto& name) { return names.contains(name.first); });
+  names.merge(short_names);
   return names;
+}
+
+/// Says which key a number of a spindle needs before a fit can change it; empty for another name.
+std::string no_start_of(const model::Model& model, const std::string& name) {
+  if (!model.spindle) return {};
+  if (name == "outer_conductance_W_m2K")
+    return "the model has no such value, because it calculates the conductance from the fit; "
+           "give a start value under [seat]";
+  for (const model::Circuit& circuit : model.spindle->circuits)
+    if (name == circuit.name + ".inlet_temperature_C")
+      return "this circuit uses the inlet temperature of [coolant]; give a start value under its "
+             "[[coolant.circuit]]";
+  return {};
 }
 
 std::string list_of(const Names& names) {
@@ -90,10 +105,7 @@ Names names_in(const Section& s, std::string_view key, const toml::node& node,
     if (first == last) {
       Names all;
       for (const auto& [called, _] : known) all.push_back(called);
-      if (model.spindle && *name == "outer_conductance_W_m2K")
-        wrong(entry,
-              "the model has no such value, because it calculates the conductance from the fit; "
-              "give a start value under [seat]");
+      if (const std::string why = no_start_of(model, *name); !why.empty()) wrong(entry, why);
       const std::string near = text::suggestion(*name, all);
       wrong(entry,
             "no such parameter" + (near.empty() ? "; this model has " + text::listed(all) : near));

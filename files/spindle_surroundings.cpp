@@ -120,8 +120,6 @@ constexpr Key sensor_keys[]{
      "distance from the axis; required, except in the coolant"},
 };
 
-constexpr double litre_per_minute = 1e-3 / 60.0;  ///< [m³/s]
-
 using model::ThermometerPlace;
 
 [[noreturn]] void fail_heat(const Section& s, const std::string& formula,
@@ -247,7 +245,7 @@ void require_liquid(const Section& s, model::Fluid fluid, double inlet) {
 /// Reads flow and channel of a circuit. `address` names its table in notes.
 void read_channel(ModelTables& tables, const Section& s, const std::string& address,
                   model::Coolant& coolant) {
-  coolant.flow = s.required("flow_l_min") * litre_per_minute;
+  coolant.flow = s.required("flow_l_min") * model::l_per_min;
   coolant.diameter = s.required("diameter_mm") * mm;
   coolant.channel_width = s.required("channel_width_mm") * mm;
   coolant.channel_depth = s.required("channel_depth_mm") * mm;

@@ -11,14 +11,28 @@
 namespace raceway::model {
 namespace {
 
-/// A number that may be wrong. Of each thermometer the name of the sensor stands in the place of
+/// A number that may be wrong. If several parts of a spindle have it, the name of the part replaces
 /// {} in its texts.
 struct OwnDatum {
   std::string_view id, parameter, words, datum;
   double usual;  ///< error of it that is met, either way, in the unit of the parameter
   bool of_spindle;
-  std::string_view explained;  ///< where it stands
+  std::string_view explained;                                   ///< where it stands
+  std::vector<std::string> (*parts)(const Spindle&) = nullptr;  ///< names of the parts that have it
 };
+
+template <typename Parts>
+std::vector<std::string> names_of(const Parts& parts) {
+  std::vector<std::string> names;
+  for (const auto& part : parts) names.push_back(part.name);
+  return names;
+}
+
+constexpr double usual_inlet_error_K = 8.0;
+constexpr std::string_view where_inlets_stand =
+    "the inlet temperature of a spindle's coolant, under [coolant], and of each "
+    "[[coolant.circuit]] "
+    "with its own, as coolant-inlet:NAME";
 
 // A bearing of 15 for 18 deg or 25 for 26.5 is another variant of its series; makers let the angle
 // of one bearing differ by some 2 deg. Groove radii are 0.51 to 0.54 of the ball diameter and are
@@ -29,23 +43,26 @@ constexpr std::array all{
     OwnDatum{"conformity", "conformity", "conformity of the grooves", "the bearing card", 0.02,
              false, "the conformity of the grooves of the bearings on a shaft, under [bearing]"},
     OwnDatum{"coolant-inlet", "inlet_temperature_C", "inlet",
-             "the inlet temperature of the coolant", 8.0, true,
-             "the inlet temperature of a spindle's coolant, under [coolant]"},
+             "the inlet temperature of the coolant", usual_inlet_error_K, true, where_inlets_stand},
+    OwnDatum{"coolant-inlet:{}", "{}.inlet_temperature_C", "inlet",
+             "the inlet temperature of circuit {}", usual_inlet_error_K, true, where_inlets_stand,
+             [](const Spindle& s) { return names_of(s.circuits); }},
     OwnDatum{"sensor-place:{}", "sensor.{}.position_mm", "position",
              "the place of the thermometer {}", 25.0, true,
              "the position_mm of a [[sensor]] in a spindle, one candidate for each of them, as "
-             "sensor-place:NAME"}};
+             "sensor-place:NAME",
+             [](const Spindle& s) { return names_of(s.sensors); }}};
 
-constexpr std::string_view any_sensor = "{}";
+constexpr std::string_view any_part = "{}";
 
-/// The datum of an id, and the sensor in its name.
+/// The datum of an id, and the part in its name.
 struct Found {
   const OwnDatum* datum = nullptr;
-  std::string_view sensor{};
+  std::string_view part{};
   [[nodiscard]] std::string text(std::string_view with) const {
     std::string result(with);
-    if (const std::size_t at = result.find(any_sensor); at != result.npos)
-      result.replace(at, any_sensor.size(), sensor);
+    if (const std::size_t at = result.find(any_part); at != result.npos)
+      result.replace(at, any_part.size(), part);
     return result;
   }
 };
@@ -53,7 +70,7 @@ struct Found {
 Found find(std::string_view id) {
   for (const OwnDatum& d : all) {
     if (d.id == id) return {&d};
-    const std::size_t at = d.id.find(any_sensor);
+    const std::size_t at = d.id.find(any_part);
     if (at != d.id.npos && id.size() > at && id.starts_with(d.id.substr(0, at)))
       return {&d, id.substr(at)};
   }
@@ -76,12 +93,12 @@ std::vector<std::string> own_data(const Model& model) {
     if (parameter_of(model, found)) ids.push_back(found.text(found.datum->id));
   };
   for (const OwnDatum& d : all) {
-    if (d.id.find(any_sensor) == d.id.npos) {
+    if (!d.parts) {
       add({&d});
       continue;
     }
     if (!model.spindle) continue;
-    for (const ThermometerPlace& sensor : model.spindle->sensors) add({&d, sensor.name});
+    for (const std::string& part : d.parts(*model.spindle)) add({&d, part});
   }
   return ids;
 }

@@ -9,6 +9,7 @@
 #include <span>
 #include <stdexcept>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -70,7 +71,54 @@ constexpr std::string_view heat_number = "heat_W", heat_factor = "heat_factor";
 double& number_of(HeatSource& source) { return source.formula ? source.factor : source.watts; }
 double number_of(const HeatSource& source) { return source.formula ? source.factor : source.watts; }
 
+/// A number of a coolant circuit that may be fitted.
+struct CoolantNumber {
+  std::string_view name, unit;
+  double (*value)(const Coolant&);         ///< in the unit of the file
+  void (*assign)(Coolant&, double value);  ///< in the unit of the file
+};
+
+constexpr std::array coolant_numbers{
+    CoolantNumber{"inlet_temperature_C", "C",
+                  [](const Coolant& c) { return celsius(c.inlet_temperature); },
+                  [](Coolant& c, double value) { c.inlet_temperature = kelvin(value); }},
+    CoolantNumber{"flow_l_min", "l/min", [](const Coolant& c) { return c.flow / l_per_min; },
+                  [](Coolant& c, double value) { c.flow = value * l_per_min; }}};
+constexpr const CoolantNumber& inlet_number = coolant_numbers[0];
+constexpr double usual_flow_l_min = 5.0, largest_flow_l_min = 1e4;
+
+/// A coolant circuit, the table of the file that has its numbers, and how their names begin.
+template <typename OfCoolant>
+struct PlacedCircuit {
+  OfCoolant* coolant;
+  std::string table, prefix;
+};
+
+/// The circuits of a spindle: [coolant], then [[coolant.circuit]] in its order. Their numbers are
+/// "flow_l_min" and "NAME.flow_l_min".
+template <typename OfSpindle>
+auto coolant_circuits(OfSpindle& spindle) {
+  std::vector<PlacedCircuit<std::remove_reference_t<decltype(*spindle.coolant)>>> list;
+  if (spindle.coolant) list.push_back({&*spindle.coolant, "coolant", ""});
+  for (std::size_t k = 0; k < spindle.circuits.size(); ++k)
+    list.push_back({&spindle.circuits[k].channel, "coolant.circuit." + std::to_string(k),
+                    spindle.circuits[k].name + "."});
+  return list;
+}
+
 constexpr double coldest_oil_C = -50.0, hottest_oil_C = 150.0;  // that a file may say
+
+/// Range of the inlet temperature of a circuit. The inlet of the first circuit is also the inlet of
+/// the circuits without their own.
+std::pair<double, double> inlet_range(const Spindle& spindle, const Coolant& circuit) {
+  const auto follows = [&](const Circuit& c) { return std::isnan(c.channel.inlet_temperature); };
+  bool water = circuit.fluid == Fluid::water;
+  if (&circuit == &*spindle.coolant)
+    for (const Circuit& c : spindle.circuits)
+      water = water || (follows(c) && c.channel.fluid == Fluid::water);
+  return water ? std::pair(celsius(water_freezes), celsius(water_boils))
+               : std::pair(coldest_oil_C, hottest_oil_C);
+}
 
 double value_in(const Spindle& spindle, const SpindleNumber& number) {
   return number.in(const_cast<Spindle&>(spindle));  // looked at only
@@ -174,12 +222,17 @@ void add_spindle(std::vector<Parameter>& list, const Model& model) {
         parameter_at(model, {std::move(address)}, std::string(n.name), n.unit, n.lower, n.upper));
   }
   if (model.spindle->network) return;
-  if (const std::optional<Coolant>& coolant = model.spindle->coolant) {
-    const bool water = coolant->fluid == Fluid::water;
-    add(list, parameter_at(model, {"coolant.inlet_temperature_C"}, "inlet_temperature_C", "C",
-                           water ? celsius(water_freezes) : coldest_oil_C,
-                           water ? celsius(water_boils) : hottest_oil_C));
-  }
+  for (const auto& [coolant, table, prefix] : coolant_circuits(*model.spindle))
+    for (const CoolantNumber& n : coolant_numbers) {
+      if (std::isnan(n.value(*coolant))) continue;  // the inlet is that of the first circuit
+      const bool inlet = &n == &inlet_number;
+      const auto [lower, upper] =
+          inlet ? inlet_range(*model.spindle, *coolant) : std::pair(0.0, largest_flow_l_min);
+      const std::string name(n.name);
+      Parameter p = parameter_at(model, {table + "." + name}, prefix + name, n.unit, lower, upper);
+      if (!inlet) p.initial = usual_flow_l_min;
+      add(list, std::move(p));
+    }
   for (const auto& [source, table] : heat_sources(*model.spindle)) {
     const std::string key(source->formula ? heat_factor : heat_number);
     Parameter p = parameter_at(model, {table + "." + key}, source->name + "." + key,
@@ -275,11 +328,18 @@ void ParameterPlace::resolve(const Model& model, const std::string& address) {
     kind_ = Kind::sensor;
     return;
   }
-  if (model.spindle && model.spindle->coolant && address == "coolant.inlet_temperature_C") {
-    kind_ = Kind::inlet;
-    return;
-  }
   if (model.spindle) {
+    const auto circuits = coolant_circuits(*model.spindle);
+    for (std::size_t k = 0; k < circuits.size() * coolant_numbers.size(); ++k) {
+      const auto& place = circuits[k / coolant_numbers.size()];
+      const CoolantNumber& number = coolant_numbers[k % coolant_numbers.size()];
+      if (address != place.table + "." + std::string(number.name) ||
+          std::isnan(number.value(*place.coolant)))
+        continue;
+      kind_ = Kind::coolant;
+      index_ = k;
+      return;
+    }
     const auto sources = heat_sources(*model.spindle);
     for (std::size_t k = 0; k < sources.size(); ++k) {
       const auto& [source, place] = sources[k];
@@ -333,8 +393,9 @@ double ParameterPlace::get(const Model& model) const {
       return model.bearing.geometry().*members_.front() / factor_;
     case Kind::spindle:
       return value_in(*model.spindle, spindle_numbers[index_]);
-    case Kind::inlet:
-      return celsius(model.spindle->coolant->inlet_temperature);
+    case Kind::coolant:
+      return coolant_numbers[index_ % coolant_numbers.size()].value(
+          *coolant_circuits(*model.spindle)[index_ / coolant_numbers.size()].coolant);
     case Kind::heat:
       return number_of(*heat_sources(*model.spindle)[index_].first);
     case Kind::sensor:
@@ -367,8 +428,9 @@ void ParameterPlace::set(Model& model, double value) const {
     case Kind::spindle:
       spindle_numbers[index_].in(*model.spindle) = value;
       return;
-    case Kind::inlet:
-      model.spindle->coolant->inlet_temperature = kelvin(value);
+    case Kind::coolant:
+      coolant_numbers[index_ % coolant_numbers.size()].assign(
+          *coolant_circuits(*model.spindle)[index_ / coolant_numbers.size()].coolant, value);
       return;
     case Kind::heat:
       number_of(*heat_sources(*model.spindle)[index_].first) = value;

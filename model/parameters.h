@@ -25,7 +25,10 @@ namespace raceway::model {
 ///   outer_conductance_W_m2K    if the model gives it
 ///                                                 seat.outer_conductance_W_m2K
 ///   flange_conductance_W_K                        housing.flange_conductance_W_K
-///   motor.heat_W, drive.heat_W, NAME.heat_W       motor.heat_W, heat.2.heat_W of the third
+///   inlet_temperature_C, flow_l_min               coolant.flow_l_min
+///   NAME.inlet_temperature_C   if the circuit has its own
+///   NAME.flow_l_min                               coolant.circuit.1.flow_l_min of the third
+///   circuit motor.heat_W, drive.heat_W, NAME.heat_W       motor.heat_W, heat.2.heat_W of the third
 ///   [[heat]] motor.heat_factor ...      if heat_W is a formula
 ///                                                 motor.heat_factor
 ///   mixed-lubrication.K_rs     "id.name" of an effect
@@ -69,12 +72,13 @@ class ParameterPlace {
   }
 
  private:
-  enum class Kind { law, effect, preload, bearing, spindle, inlet, heat, sensor };
+  enum class Kind { law, effect, preload, bearing, spindle, coolant, heat, sensor };
   void resolve(const Model& model, const std::string& address);
 
   Kind kind_ = Kind::law;
   int effect_ = -1;
-  std::size_t index_ = 0;  // index among the values of law or effect, or of a heat source or sensor
+  // index among the values of law or effect, numbers of all circuits, heat sources or sensors
+  std::size_t index_ = 0;
   std::vector<double bearing::BearingGeometry::*> members_;
   double factor_ = 1.0;  // factor to the unit of the members
 };

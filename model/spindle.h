@@ -112,6 +112,8 @@ struct Seat {
 
 enum class Fluid { water, oil };
 
+inline constexpr double l_per_min = 1e-3 / 60;  ///< unit of a flow of coolant [m³/s]
+
 /// A cylindrical roller bearing on the shaft in addition to the sets, free to move axially. Its
 /// friction follows Palmgren's formulas.
 struct RollerOnShaft {

@@ -67,10 +67,7 @@ def test_steady_states_are_those_of_the_command(small, driven, document, csv):
     assert off.converged and off.status == ["converged"]
 
 
-def test_circuits_surfaces_and_stress_are_those_of_the_command(root, tmp_path, document):
-    text = (
-        (root / DRIVEN).read_text().replace("end_mm = 300.0", "end_mm = 180.0")
-        + """
+CIRCUIT = """
 [[coolant.circuit]]
 name = "jacket"
 flow_l_min = 4
@@ -82,7 +79,10 @@ pitch_mm = 14
 start_mm = 190
 end_mm = 300
 """
-    )
+
+
+def test_circuits_surfaces_and_stress_are_those_of_the_command(root, tmp_path, document):
+    text = (root / DRIVEN).read_text().replace("end_mm = 300.0", "end_mm = 180.0") + CIRCUIT
     path = tmp_path / "circuits.toml"
     path.write_text(text)
     states = raceway.Model.read(path).steady(6000)
@@ -92,6 +92,16 @@ end_mm = 300
     assert states.to_frame()["heat_to_jacket_W"][0] == pytest.approx(state["circuits"][1]["heat_W"], rel=1e-9)
     assert {"flange", "housing", "jacket"} < {s["name"] for s in state["surfaces"]}
     assert state["stress"]["largest"]["von_mises_MPa"] > 10
+
+
+def test_inlet_and_flow_of_a_circuit_are_parameters(root):
+    text = (root / DRIVEN).read_text().replace("end_mm = 300.0", "end_mm = 180.0") + CIRCUIT
+    model = raceway.Model.from_text(text, "circuits.toml")
+    numbers = model.parameters
+    assert numbers["jacket.inlet_temperature_C"]["value"] == pytest.approx(25)
+    assert numbers["jacket.flow_l_min"]["value"] == pytest.approx(4)
+    warmer = model.with_values({"jacket.inlet_temperature_C": 28})
+    assert warmer.steady(6000).data["steady"][0]["circuits"][1]["inlet_temperature_C"] == pytest.approx(28)
 
 
 def test_a_run_is_that_of_the_command(run_of_jump, driven, jump, document, csv):

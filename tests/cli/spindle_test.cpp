@@ -113,6 +113,33 @@ TEST_F(SpindleCommand, CircuitsHaveARowEachInTextJsonAndRun) {
       HasSubstr("coolant_outlet_temperature_C,jacket_outlet_temperature_C,heat_to_jacket_W"));
 }
 
+// The jacket of the record has 29 °C at its inlet, its model 25 °C.
+TEST_F(SpindleCommand, TheInletOfACircuitIsFittedAndCheckedByName) {
+  const std::string sensors =
+      "[[sensor]]\nname = \"rear\"\npart = \"housing\"\nposition_mm = 290\nradius_mm = 57\n"
+      "[[sensor]]\nname = \"return\"\npart = \"coolant\"\nposition_mm = 299\n";
+  const std::string believed = with_circuit() + sensors + coarse_cells;
+  const std::string record = scratch_.file("run.csv");
+  std::string programme = "time_s,speed_rpm\n0,0\n";
+  for (int k = 1; k <= 60; ++k)
+    programme += fmt::format("{},{}\n", 240 * k, k <= 20 ? 8000 : k <= 40 ? 3000 : 6000);
+  ASSERT_EQ(spindle(profile(programme) + "-o " + record,
+                    replaced(believed, "inlet_temperature_C = 25", "inlet_temperature_C = 29"))
+                .status,
+            0);
+  const std::string model = scratch_.write("believed.toml", believed);
+  const Result said = run("diagnose " + model + " " + record);
+  EXPECT_THAT(said.out, HasSubstr("check the inlet temperature of circuit jacket, inlet 29"));
+  const std::string better = scratch_.file("better.toml");
+  ASSERT_EQ(run("add " + model + " coolant-inlet:jacket --data " + record + " -o " + better).status,
+            0);
+  EXPECT_THAT(file_text(better), testing::ContainsRegex("inlet_temperature_C = (29|28\\.9)"));
+  const std::string free = believed + "[calibration]\nfree = [\"jacket.inlet_temperature_C\"]\n";
+  const json fitted = parsed(run("calibrate " + scratch_.write("free.toml", free) + " " + record +
+                                 " -o " + scratch_.file("fitted.toml") + " --json"))["parameters"];
+  EXPECT_NEAR(fitted["jacket.inlet_temperature_C"]["value"].get<double>(), 29.0, 0.05);
+}
+
 TEST_F(SpindleCommand, ListOfSpeedsHasARowForEach) {
   const json all = parsed(spindle("--speed 0:6000:3000 --steady --json"))["steady"];
   ASSERT_EQ(all.size(), 3u);

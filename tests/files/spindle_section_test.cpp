@@ -429,6 +429,39 @@ TEST(SpindleSection, TableOfASpindleWithoutOneIsRefused) {
   EXPECT_THAT(spindle_error(text), HasSubstr("s.toml:14: [ambient]: belongs to a spindle"));
 }
 
+TEST(SpindleSection, NumbersOfEachCircuitAreFreeByName) {
+  const auto with_free = [](const std::string& name, const std::string& circuit) {
+    return circuit + "[calibration]\nfree = [\"" + name + "\"]\n";
+  };
+  for (const char* name :
+       {"inlet_temperature_C", "flow_l_min", "jacket.inlet_temperature_C", "jacket.flow_l_min"})
+    EXPECT_EQ(spindle_file(with_free(name, with_circuit())).model.free,
+              std::vector<std::string>{name});
+  const std::string following = with_circuit("inlet_temperature_C = 25\n", "");
+  EXPECT_THAT(spindle_error(with_free("jacket.inlet_temperature_C", following)),
+              HasSubstr("this circuit has the inlet of [coolant]; give it a value to begin with "
+                        "under its [[coolant.circuit]]"));
+  EXPECT_THAT(spindle_error(with_free("jacket.flow_l_mn", following)),
+              HasSubstr("did you mean jacket.flow_l_min?"));
+}
+
+TEST(SpindleSection, FittedNumbersOfACircuitAreWrittenIntoItsTable) {
+  const ModelFile file = spindle_file(with_circuit());
+  model::Model fitted = file.model;
+  model::Coolant& jacket = fitted.spindle->circuits[0].channel;
+  jacket.inlet_temperature = kelvin(27.5);
+  jacket.flow = 3.25e-3 / 60;
+  fitted.spindle->coolant->flow = 1.5e-3 / 60;
+  const std::string text = with_model(file, fitted);
+  const model::Spindle read = spindle_of(text);
+  EXPECT_NEAR(read.circuits[0].channel.inlet_temperature, kelvin(27.5), 1e-11);
+  EXPECT_NEAR(read.circuits[0].channel.flow, 3.25e-3 / 60, 1e-18);
+  EXPECT_NEAR(read.coolant->flow, 1.5e-3 / 60, 1e-18);
+  EXPECT_EQ(read.coolant->inlet_temperature, kelvin(20));
+  EXPECT_THAT(text, HasSubstr("[[coolant.circuit]]\nname = \"jacket\"\nflow_l_min = 3.25\n"
+                              "inlet_temperature_C = 27.5\n"));
+}
+
 TEST(SpindleSection, BearingsAreFreeToFitInTheUnitOfTheFile) {
   ModelFile file =
       spindle_file(base_spindle +

@@ -63,4 +63,15 @@ inline model::Model base_spindle(double preload = 300.0, double f0 = 0.6) {
   return m;
 }
 
+/// The base spindle with two circuits, each around half of its housing.
+inline model::Model two_circuits() {
+  model::Model m = base_spindle();
+  model::Coolant& first = *m.spindle->coolant;
+  model::Coolant second = first;
+  first.end = second.start = 0.5 * (first.start + first.end);
+  second.inlet_temperature = unset;
+  m.spindle->circuits = {{.name = "rear_jacket", .channel = second}};
+  return m;
+}
+
 }  // namespace raceway::spindle

@@ -307,17 +307,6 @@ TEST(Simulator, CoolantWarmsEvenlyFromItsInletToItsOutlet) {
   EXPECT_TRUE(std::isnan(Simulator(m).steady(inputs, report).coolant_outlet));
 }
 
-/// The base spindle with two circuits, each around half of its housing.
-model::Model two_circuits() {
-  model::Model m = base_spindle();
-  model::Coolant& first = *m.spindle->coolant;
-  model::Coolant second = first;
-  first.end = second.start = 0.5 * (first.start + first.end);
-  second.inlet_temperature = unset;
-  m.spindle->circuits = {{.name = "rear_jacket", .channel = second}};
-  return m;
-}
-
 TEST(Simulator, EachCircuitCarriesItsOwnHeatFromItsOwnInlet) {
   model::Model m = two_circuits();
   m.spindle->circuits[0].channel.inlet_temperature = kelvin(26);
