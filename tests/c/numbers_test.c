@@ -167,6 +167,76 @@ static void readings_are_those_that_compare_predicts(void) {
   raceway_free(model);
 }
 
+/* The bearing of the rig alone, without its rig and its effects, and more keys behind it. */
+static const char* bearing_with(const char* more) {
+  static char text[3000];
+  snprintf(text, sizeof text, "%.*s%s", (int)(strstr(rig_text, "[rig]") - rig_text), rig_text,
+           more);
+  return text;
+}
+
+#define PAIR "[arrangement]\nlayout = \"O\"\nfront = 1\nrear = 1\nmounting = "
+
+/* A spring keeps both bearings of a pair under its preload at every speed. */
+static void a_pair_on_a_spring_has_the_torque_of_two_bearings(void) {
+  enum { rows = 3 };
+  const double speed[rows] = {500, 6000, 12000}, preload = 800, none = 0;
+  const int strides[] = {1, 0, -1, -1}, column = 0;
+  double one[rows], both[rows];
+  char message[2000];
+  raceway_model* single = model_of(bearing_with(""));
+  raceway_model* pair = model_of(bearing_with(PAIR "\"spring\"\npreload_N = 800\n"));
+  CHECK(raceway_solve(single, rows, speed, &preload, NULL, NULL, strides, &column, 1, one, NULL,
+                      message, sizeof message) == RACEWAY_DONE);
+  CHECK(raceway_solve(pair, rows, speed, &none, NULL, NULL, strides, &column, 1, both, NULL,
+                      message, sizeof message) == RACEWAY_DONE);
+  for (size_t i = 0; i < rows; ++i) CHECK(fabs(both[i] - 2 * one[i]) < 1e-7 * one[i]);
+  raceway_free(single);
+  raceway_free(pair);
+}
+
+/* The torque of a rigid pair is a record that the loop takes: the command predicts it without error
+   and finds the preload of a model that has another one. */
+static void torques_of_a_pair_are_a_record_that_tells_its_preload(void) {
+  enum { rows = 12 };
+  const double preload = 600;
+  const int strides[] = {1, 1, -1, -1}, column = 0;
+  double speed[rows], axial[rows], torque[rows], again[rows];
+  char message[2000], csv[2000] = "speed_rpm,axial_load_N,friction_torque_Nmm\n";
+  for (size_t i = 0; i < rows; ++i) {
+    speed[i] = 500 + 2500 * (double)(i % 4);
+    axial[i] = 400 * (double)(i / 4);
+  }
+  write_file("pair.toml", bearing_with(PAIR "\"rigid\"\npreload_N = 600\n"));
+  write_file("loose.toml", bearing_with(PAIR "\"rigid\"\npreload_N = 400\n"
+                                             "[calibration]\nfree = [\"preload_N\"]\n"));
+  raceway_model* model = raceway_create_from_file("pair.toml", message, sizeof message);
+  REQUIRE(model != NULL);
+  CHECK(raceway_solve(model, rows, speed, axial, NULL, NULL, strides, &column, 1, torque, NULL,
+                      message, sizeof message) == RACEWAY_DONE);
+  raceway_free(model);
+  for (size_t i = 0; i < rows; ++i)
+    snprintf(csv + strlen(csv), sizeof csv - strlen(csv), "%.17g,%.17g,%.17g\n", speed[i], axial[i],
+             torque[i]);
+  write_file("torque.csv", csv);
+  char* json = printed("compare pair.toml torque.csv --json");
+  CHECK(strstr(json, "\"quantity\": \"friction_torque\"") != NULL);
+  CHECK(number_of(json, "rows") == rows);
+  CHECK(number_of(json, "max_abs") < 1e-6); /* of some 1000 N mm, by two solvers */
+  free(json);
+  json = printed("calibrate loose.toml torque.csv -o fitted.toml --json --force");
+  const char* found = strstr(json, "\"preload_N\": {");
+  REQUIRE(found != NULL);
+  CHECK(fabs(number_of(found, "value") - preload) < 1e-3);
+  free(json);
+  model = raceway_create_from_file("fitted.toml", message, sizeof message);
+  REQUIRE(model != NULL);
+  CHECK(raceway_solve(model, rows, speed, axial, NULL, NULL, strides, &column, 1, again, NULL,
+                      message, sizeof message) == RACEWAY_DONE);
+  for (size_t i = 0; i < rows; ++i) CHECK(fabs(again[i] - torque[i]) < 1e-5 * torque[i]);
+  raceway_free(model);
+}
+
 int main(int argc, char** argv) {
   if (argc != 3) return 1;
   program = argv[1];
@@ -187,5 +257,7 @@ int main(int argc, char** argv) {
                                   "friction_torque_Nmm", "power_loss_W"};
   states_are_those_of_solve(shaft, "--axial-load 200", 200, of_shaft, 5);
   readings_are_those_that_compare_predicts();
+  a_pair_on_a_spring_has_the_torque_of_two_bearings();
+  torques_of_a_pair_are_a_record_that_tells_its_preload();
   return failures == 0 ? 0 : 1;
 }
