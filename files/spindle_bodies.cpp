@@ -126,10 +126,16 @@ constexpr Key seat_keys[]{
     {"hardness_GPa", between(0.05, 100, "GPa"), usual_seat.hardness / GPa,
      "hardness of the softer surface"},
     {"shoulder_conductance_W_m2K", between(0, 1e6, "W/(m2 K)"), usual_seat.shoulder_conductance,
-     "contact conductance of the shoulders at the rings"},
+     "contact conductance of the shoulders at the rings, if no clamping force is given"},
     {"collar_conductance_W_m2K", between(0, 1e6, "W/(m2 K)"), usual_seat.collar_conductance,
      "conductance of the gap between the outer ring and a rotating collar of the shaft; about 270 "
      "for an open gap of 0.1 mm"},
+    {"inner_clamping_force_N", between(1, 1e7, "N"), unset,
+     "force of the shaft nut on inner rings and spacers; the contact conductance of their side "
+     "faces then follows from the pressure"},
+    {"outer_clamping_force_N", between(1, 1e7, "N"), unset,
+     "force of the cover on the outer rings; the contact conductance of their side faces then "
+     "follows from the pressure"},
     {"outer_conductance_W_m2K", between(0.1, 1e6, "W/(m2 K)"),
      "calculated from the fit of the seat", "contact conductance of the outer seats"},
 };
@@ -342,6 +348,8 @@ model::Seat read_seat(ModelTables& tables) {
   seat.hardness = tables.number(s, "hardness_GPa") * GPa;
   seat.shoulder_conductance = tables.number(s, "shoulder_conductance_W_m2K");
   seat.collar_conductance = tables.number(s, "collar_conductance_W_m2K");
+  s.take("inner_clamping_force_N", seat.inner_clamping_force);
+  s.take("outer_clamping_force_N", seat.outer_clamping_force);
   s.take("outer_conductance_W_m2K", seat.outer_conductance);
   return seat;
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "model/judgement.h"
 #include "model/rings.h"
@@ -30,6 +31,10 @@ struct Stack {
   }
   [[nodiscard]] bool holds(double from, double to) const {
     return from >= start - rounding && to <= end() + rounding;
+  }
+  /// The segment on the rear or front side of a plane; null outside.
+  [[nodiscard]] const Segment* beyond(double plane, bool rear) const {
+    return at(plane + (rear ? 2.0 : -2.0) * rounding);
   }
   /// The segment at a position, the one before it where two meet; null outside.
   [[nodiscard]] const Segment* at(double position) const {
@@ -65,6 +70,7 @@ class SpindleCheck {
     }
     check_flange();
     check_flange_joint();
+    check_clamping();
     check_coolant();
     check_what_the_shaft_carries();
     check_gap();
@@ -211,14 +217,86 @@ class SpindleCheck {
   void check_flange_joint() const {
     if (!spindle_.housing.flange_joint) return;
     const model::ScrewedJoint& joint = *spindle_.housing.flange_joint;
+    require_contact_pressure(tables_.section("housing"), "flange_screw_force_N", joint.screw_force,
+                             joint.pressure(), fmt::format("{} screws", joint.screws));
+  }
+
+  void require_contact_pressure(const Section& s, std::string_view key, double force,
+                                double pressure, const std::string& of_what) const {
     const double highest = highest_contact_pressure * spindle_.seat.hardness;
-    if (joint.pressure() > highest)
-      tables_.section("housing").fail(
-          "flange_screw_force_N",
-          fmt::format("flange_screw_force_N = {:.10g} N: the contact pressure of {} screws is "
-                      "{:.4g} MPa; with hardness_GPa = {:.4g} it must be at most {:.4g} MPa",
-                      joint.screw_force, joint.screws, joint.pressure() / MPa,
-                      spindle_.seat.hardness / GPa, highest / MPa));
+    if (pressure > highest)
+      s.fail(key, fmt::format("{} = {:.10g} N: the contact pressure of {} is {:.4g} MPa; with "
+                              "hardness_GPa = {:.4g} it must be at most {:.4g} MPa",
+                              key, force, of_what, pressure / MPa, spindle_.seat.hardness / GPa,
+                              highest / MPa));
+  }
+
+  /// Contact area of the side face of an inner ring [m²]; 0 if nothing stands against it.
+  [[nodiscard]] double inner_face(std::size_t k, bool rear) const {
+    const model::Rings& r = rings_[k];
+    const Segment* const beyond = shaft_.beyond(rear ? r.rear() : r.front(), rear);
+    double reach = beyond ? beyond->diameter : 0.0;
+    for (std::size_t other = 0; other < rings_.size(); ++other)
+      if (stand_together(k, other, rear) || share_spacer(k, other, rear))
+        reach = std::max(reach, rings_[other].inner_shoulder);
+    return ring_area(r.bore, std::min(reach, r.inner_shoulder));
+  }
+
+  /// Contact area of the side face of an outer ring [m²]; 0 if nothing stands against it.
+  [[nodiscard]] double outer_face(std::size_t k, bool rear) const {
+    const model::Rings& r = rings_[k];
+    const Segment* const beyond = housing_.beyond(rear ? r.rear() : r.front(), rear);
+    double bore = r.outer_diameter;
+    if (beyond) bore = std::isnan(beyond->bore) ? rings_.front().outer_diameter : beyond->bore;
+    for (std::size_t other = 0; other < rings_.size(); ++other)
+      if (stand_together(k, other, rear)) bore = std::min(bore, rings_[other].outer_shoulder);
+    return ring_area(std::max(bore, r.outer_shoulder), r.outer_diameter);
+  }
+
+  static double ring_area(double inner, double outer) {
+    return outer > inner + rounding ? 0.25 * pi * (outer * outer - inner * inner) : 0.0;
+  }
+  [[nodiscard]] bool stand_together(std::size_t k, std::size_t other, bool rear) const {
+    const double face = rear ? rings_[k].rear() : rings_[k].front();
+    return std::abs((rear ? rings_[other].front() : rings_[other].rear()) - face) < rounding;
+  }
+  /// Sleeves keep the inner rings of one set apart, where the shaft leaves room for them.
+  [[nodiscard]] bool share_spacer(std::size_t k, std::size_t other, bool rear) const {
+    const std::size_t front = spindle_.front_positions.size(), sets = sets_.bearings().size();
+    if (k >= sets || other >= sets || (k < front) != (other < front)) return false;
+    if (rear ? other != k + 1 : other + 1 != k) return false;
+    const Segment* const between = shaft_.at(0.5 * (position(k) + position(other)));
+    return between && between->diameter <= rings_[k].bore + rounding;
+  }
+
+  /// Faces of rings under their clamping force: at least one, and none beyond the formula.
+  void check_clamping() const {
+    const auto look = [&](std::string_view key, double force, auto area_of, const char* rings) {
+      if (std::isnan(force)) return;
+      const Section s = tables_.section("seat");
+      double smallest = std::numeric_limits<double>::infinity();
+      std::size_t where = 0;
+      for (std::size_t k = 0; k < rings_.size(); ++k)
+        for (const bool rear : {false, true})
+          if (const double area = area_of(k, rear); area > 0.0 && area < smallest) {
+            smallest = area;
+            where = k;
+          }
+      if (std::isinf(smallest))
+        s.fail(key,
+               fmt::format("{} = {:.10g} N: there is no contact, because no shoulder and no other "
+                           "ring touches the {}",
+                           key, force, rings));
+      require_contact_pressure(s, key, force, force / smallest,
+                               fmt::format("the face of {:.4g} mm2 at the bearing at {}",
+                                           smallest / (mm * mm), in_mm(position(where))));
+    };
+    look(
+        "inner_clamping_force_N", spindle_.seat.inner_clamping_force,
+        [&](std::size_t k, bool rear) { return inner_face(k, rear); }, "inner rings");
+    look(
+        "outer_clamping_force_N", spindle_.seat.outer_clamping_force,
+        [&](std::size_t k, bool rear) { return outer_face(k, rear); }, "outer rings");
   }
 
   /// Bore of the housing at a position; where it is open, that of the bearings.

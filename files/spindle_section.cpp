@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "files/detail/number_lists.h"
+#include "model/rings.h"
 #include "record/units.h"
 #include "spindle/bearing_conduction.h"
 
@@ -139,17 +140,6 @@ void read_positions(const ModelTables& tables, const model::Shaft& shaft, Spindl
   spindle.rear_positions = read("rear_position_mm", rear);
 }
 
-/// Names of the bearings in the order of model::rings_of().
-Names names_of_bearings(const model::Spindle& spindle) {
-  Names names;
-  for (std::size_t k = 0; k < spindle.front_positions.size(); ++k)
-    names.push_back(fmt::format("front_{}", k + 1));
-  for (std::size_t k = 0; k < spindle.rear_positions.size(); ++k)
-    names.push_back(fmt::format("rear_{}", k + 1));
-  for (const model::RollerOnShaft& roller : spindle.rollers) names.push_back(roller.name);
-  return names;
-}
-
 }  // namespace
 
 const Names& tables_of_spindle() {
@@ -231,7 +221,9 @@ model::Spindle read_spindle(ModelTables& tables, const NamedBearing& bearing,
   if (spindle.coolant) spindle.circuits = read_circuits(tables, *spindle.coolant);
   spindle.motor = read_heat_source(tables, "motor");
   spindle.drive = read_heat_source(tables, "drive");
-  spindle.heat = read_heat_sources(tables, names_of_bearings(spindle));
+  spindle.heat = read_heat_sources(
+      tables, model::bearing_names(spindle.front_positions.size(), spindle.rear_positions.size(),
+                                   spindle.rollers));
   spindle.belt = read_belt(tables);
   spindle.gap = read_gap(tables);
   check_spindle(tables, spindle, *shaft, notes);

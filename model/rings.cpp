@@ -41,4 +41,13 @@ std::vector<Rings> rings_of(const Spindle& s, const bearing::Arrangement& sets) 
   return all;
 }
 
+std::vector<std::string> bearing_names(std::size_t front, std::size_t rear,
+                                       std::span<const RollerOnShaft> rollers) {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < front; ++k) names.push_back(fmt::format("front_{}", k + 1));
+  for (std::size_t k = 0; k < rear; ++k) names.push_back(fmt::format("rear_{}", k + 1));
+  for (const RollerOnShaft& roller : rollers) names.push_back(roller.name);
+  return names;
+}
+
 }  // namespace raceway::model

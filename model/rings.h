@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "bearing/arrangement.h"
@@ -25,5 +28,10 @@ struct Rings {
 /// Throws std::invalid_argument if the number of positions differs from the number of bearings in
 /// the sets.
 [[nodiscard]] std::vector<Rings> rings_of(const Spindle& spindle, const bearing::Arrangement& sets);
+
+/// Returns the names of as many bearings in the order of rings_of(): front_1, rear_1, and a roller
+/// bearing by its own name.
+[[nodiscard]] std::vector<std::string> bearing_names(std::size_t front, std::size_t rear,
+                                                     std::span<const RollerOnShaft> rollers);
 
 }  // namespace raceway::model

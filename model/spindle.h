@@ -102,6 +102,10 @@ struct Seat {
   double hardness = 3e9;               ///< hardness of the softer surface [Pa]
   /// Conductance of the contact of a ring with a shoulder or another ring [W/(m² K)].
   double shoulder_conductance = 8000.0;
+  /// Clamping forces of the inner rings with their spacers and of the outer rings [N]. The side
+  /// faces then conduct by their pressure; NaN: shoulder_conductance, and spacers without
+  /// resistance.
+  double inner_clamping_force = unset, outer_clamping_force = unset;
   /// Conductance from a side face of an outer ring to a collar of the shaft that runs against it
   /// [W/(m² K)]. The default assumes a contact as at a shoulder. An open gap of 0.1 mm with air
   /// would conduct 270.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "model/rings.h"
 #include "record/units.h"
 #include "results/detail/model_objects.h"
 #include "text/detail/csv_text.h"
@@ -246,9 +247,7 @@ std::string circuit_name(const model::Model& model, std::size_t circuit) {
 std::string bearing_label(const model::Model& model, std::size_t bearing) {
   const std::size_t front = model.shaft->arrangement.front_count();
   const std::size_t sets = model.shaft->arrangement.bearings().size();
-  if (bearing >= sets) return model.spindle->rollers[bearing - sets].name;
-  return bearing < front ? fmt::format("front_{}", bearing + 1)
-                         : fmt::format("rear_{}", bearing - front + 1);
+  return model::bearing_names(front, sets - front, model.spindle->rollers).at(bearing);
 }
 
 std::string spindle_run_text(const model::Model& model,

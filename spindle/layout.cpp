@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numeric>
 #include <span>
 #include <stdexcept>
@@ -160,7 +161,11 @@ class Joiner {
     if (between(Body::shaft, Body::housing))
       throw std::invalid_argument(fmt::format(
           "shaft: touches the housing at {:.6g} mm behind the nose face", 1e3 * a.start));
-    if (between(Body::spacer, Body::inner_ring)) {
+    if (ClampedFace* const face = t.axial ? clamped_face(a, b) : nullptr) {
+      const bool swapped = face->bearing != a.bearing;
+      face->joints.push_back(
+          {swapped ? t.second : t.first, swapped ? t.first : t.second, joint.area, joint.half});
+    } else if (between(Body::spacer, Body::inner_ring)) {
       layout_.clamped.push_back(joint);
     } else if (between(Body::shaft, Body::inner_ring) && !t.axial) {
       bearing(b.bearing).inner_seat.push_back(joint);
@@ -171,6 +176,32 @@ class Joiner {
     } else {
       layout_.shoulders.push_back(joint);
     }
+  }
+
+  /// The face between two cells of which one is a ring; null without a clamping force. The face
+  /// between two rings belongs to the front one.
+  ClampedFace* clamped_face(const Cell& a, const Cell& b) {
+    const bool a_in_front = a.start < b.start;
+    const auto face_of = [&](Body ring, std::initializer_list<Body> others,
+                             double force) -> ClampedFace* {
+      const auto is_other = [&](const Cell& c) {
+        return std::find(others.begin(), others.end(), c.body) != others.end();
+      };
+      if (std::isnan(force)) return nullptr;
+      const Cell &first = a_in_front ? a : b, &second = a_in_front ? b : a;
+      const bool rear = first.body == ring && (second.body == ring || is_other(second));
+      if (!rear && !(second.body == ring && is_other(first))) return nullptr;
+      const int of = rear ? first.bearing : second.bearing;
+      const bool inner = ring == Body::inner_ring;
+      for (ClampedFace& face : layout_.faces)
+        if (face.bearing == of && face.inner == inner && face.rear == rear) return &face;
+      layout_.faces.push_back(
+          {.bearing = of, .inner = inner, .rear = rear, .force = force, .joints = {}});
+      return &layout_.faces.back();
+    };
+    ClampedFace* const inner =
+        face_of(Body::inner_ring, {Body::shaft, Body::spacer}, s_.seat.inner_clamping_force);
+    return inner ? inner : face_of(Body::outer_ring, {Body::housing}, s_.seat.outer_clamping_force);
   }
 
   /// The coolant wets both faces of its channel over the width of the turns.

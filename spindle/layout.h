@@ -41,12 +41,23 @@ struct BearingPlace {
   Shares shaft_below, housing_above;    ///< weights of shaft and housing at the seats
 };
 
+/// Side face of a ring that a clamping force presses against its neighbour: a shoulder, a spacer or
+/// another ring, whose front face it then is too.
+struct ClampedFace {
+  int bearing = -1;      ///< index of the ring in Layout::bearings
+  bool inner = true;     ///< true: inner ring
+  bool rear = false;     ///< true: rear face
+  double force = unset;  ///< [N]
+  Joints joints;         ///< from the cells of the ring
+};
+
 /// All cells and joints of a spindle, with all data that do not depend on the operating point.
 struct Layout {
   Mesh mesh;
   std::vector<BearingPlace> bearings;  ///< order as in model::rings_of()
   Joints shoulders, collars;
-  Joints clamped;  ///< spacers between rings, ground and clamped: no contact resistance
+  Joints clamped;  ///< spacers between rings without a clamping force: no contact resistance
+  std::vector<ClampedFace> faces;  ///< faces with a clamping force, not in the groups above
   Joints housing_cylinder, housing_ends, nose, rear, flange;
   Joints gap;
   std::vector<Joints> coolant_walls;  ///< for each of model::Spindle::channels()

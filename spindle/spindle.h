@@ -151,8 +151,8 @@ struct SurfaceState {
   double area = unset;         ///< [m²]
   double conductance = unset;  ///< heat transfer coefficient, mean over the area [W/(m² K)]
   double pressure = unset;     ///< [Pa]; NaN for a surface, and for a joint with given conductance
-  /// Heat that leaves the spindle, or crosses the gap to the housing [W]; NaN for shoulders and
-  /// collars.
+  /// Heat that leaves the spindle, crosses the gap to the housing, or flows from a clamped ring to
+  /// its neighbour [W]; NaN for shoulders and collars.
   double heat = unset;
 };
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "model/rings.h"
 #include "spindle/contact.h"
 #include "spindle/film.h"
 #include "spindle/press_fit.h"
@@ -199,6 +200,33 @@ void ThermalSystem::add_fixed() {
   set_links(shoulders_, spindle_.seat.shoulder_conductance);
   collars_ = add_links(layout_.collars);
   set_links(collars_, spindle_.seat.collar_conductance);
+  add_clamped_faces();
+}
+
+/// Faces conduct by the mean pressure of their clamping force.
+void ThermalSystem::add_clamped_faces() {
+  for (const ClampedFace& face : layout_.faces) {
+    Group& group = faces_.emplace_back(add_links(face.joints));
+    const auto conductivity = [&](int cell) {
+      return layout_.mesh.cells[static_cast<std::size_t>(cell)].material.conductivity;
+    };
+    const Joint& one = face.joints.front();
+    set_links(group, contact_conductance(face.force / group.area, 0.0, conductivity(one.first),
+                                         conductivity(one.second)));
+  }
+}
+
+/// Conductance of two faces with the surfaces of the seats under a pressure, or across a gap
+/// [W/(m² K)].
+double ThermalSystem::contact_conductance(double pressure, double gap, double first_conductivity,
+                                          double second_conductivity) const {
+  const model::Seat& seat = spindle_.seat;
+  return seat_conductance({.roughness = seat.roughness,
+                           .slope = seat.slope,
+                           .hardness = seat.hardness,
+                           .first_conductivity = first_conductivity,
+                           .second_conductivity = second_conductivity},
+                          pressure, gap);
 }
 
 /// A sleeve that nobody told of: around the housing between the sets and as far over their bearings
@@ -255,16 +283,11 @@ double ThermalSystem::flange_conductance() const {
 /// Conductance of the screwed joint of the flange under its mean pressure [W/(m² K)]. The machine
 /// has the conductivity of the housing.
 double ThermalSystem::joint_conductance() const {
-  const model::Seat& seat = spindle_.seat;
   const double conductivity =
       layout_.mesh.cells[static_cast<std::size_t>(layout_.flange.front().first)]
           .material.conductivity;
-  return seat_conductance({.roughness = seat.roughness,
-                           .slope = seat.slope,
-                           .hardness = seat.hardness,
-                           .first_conductivity = conductivity,
-                           .second_conductivity = conductivity},
-                          spindle_.housing.flange_joint->pressure(), 0.0);
+  return contact_conductance(spindle_.housing.flange_joint->pressure(), 0.0, conductivity,
+                             conductivity);
 }
 
 void ThermalSystem::update_seats(const Vector& temperatures, double speed) {
@@ -280,12 +303,7 @@ void ThermalSystem::update_seats(const Vector& temperatures, double speed) {
     const auto state = [&](const PressFit& fit, double first, double second) {
       return SeatState{.pressure = fit.pressure,
                        .gap = fit.gap,
-                       .conductance = seat_conductance({.roughness = seat.roughness,
-                                                        .slope = seat.slope,
-                                                        .hardness = seat.hardness,
-                                                        .first_conductivity = first,
-                                                        .second_conductivity = second},
-                                                       fit.pressure, fit.gap)};
+                       .conductance = contact_conductance(fit.pressure, fit.gap, first, second)};
     };
     SeatsOfBearing& now = seats_[k];
     const PressFit on_shaft = press_fit(
@@ -394,6 +412,15 @@ std::vector<SurfaceState> ThermalSystem::surfaces(const Vector& temperatures) co
   };
   add("shoulders", shoulders_, unset);
   add("collars", collars_, unset);
+  const std::vector<std::string> bearings = model::bearing_names(
+      spindle_.front_positions.size(), spindle_.rear_positions.size(), spindle_.rollers);
+  for (std::size_t k = 0; k < faces_.size(); ++k) {
+    const ClampedFace& face = layout_.faces[k];
+    add(fmt::format("{}_{}_{}", bearings[static_cast<std::size_t>(face.bearing)],
+                    face.inner ? "inner" : "outer", face.rear ? "rear" : "front"),
+        faces_[k], heat_through(faces_[k], temperatures, false));
+    list.back().pressure = face.force / faces_[k].area;
+  }
   add("flange", flange_, heat_through(flange_, temperatures, true));
   if (flange_.area > 0.0 && spindle_.housing.flange_joint) {
     const model::ScrewedJoint& joint = *spindle_.housing.flange_joint;

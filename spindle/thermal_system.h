@@ -72,6 +72,7 @@ class ThermalSystem {
   [[nodiscard]] double heat_through(const Group& group, const Vector& temperatures,
                                     bool outlets) const;
   void add_fixed();
+  void add_clamped_faces();
   void add_sleeve(const effects::SpindleCondition& condition);
   void update_seats(const Vector& temperatures, double speed);
   void update_room(const Vector& temperatures, double speed);
@@ -84,6 +85,8 @@ class ThermalSystem {
   [[nodiscard]] HeatedCells cells_of(const model::HeatSource& source) const;
   void place_heat();
   [[nodiscard]] double flange_conductance() const;
+  [[nodiscard]] double contact_conductance(double pressure, double gap, double first_conductivity,
+                                           double second_conductivity) const;
   [[nodiscard]] double joint_conductance() const;
   void add_source(const HeatedCells& cells, double heat);
 
@@ -94,6 +97,7 @@ class ThermalSystem {
   std::vector<Group> inner_seats_, outer_seats_;
   std::vector<SeatsOfBearing> seats_;
   Group shoulders_, collars_, flange_;
+  std::vector<Group> faces_;  ///< in the order of Layout::faces
   Group housing_, ends_, nose_, rear_, gap_;
   std::vector<Circuit> circuits_;
   double nose_diameter_ = unset, rear_diameter_ = unset;

@@ -94,6 +94,18 @@ def test_circuits_surfaces_and_stress_are_those_of_the_command(root, tmp_path, d
     assert state["stress"]["largest"]["von_mises_MPa"] > 10
 
 
+def test_a_clamping_force_is_that_of_the_command(root, tmp_path, document):
+    text = (root / DRIVEN).read_text()
+    path = tmp_path / "clamped.toml"
+    path.write_text(text.replace("[seat]", "[seat]\ninner_clamping_force_N = 8000"))
+    states = raceway.Model.read(path).steady(6000)
+    assert states.data == document("spindle", str(path), "--steady", "--speed", "6000")
+    faces = {s["name"]: s for s in states.data["steady"][0]["surfaces"]}
+    assert faces["front_1_inner_front"]["pressure_MPa"] == pytest.approx(8000 / (np.pi / 4 * (82**2 - 70**2)), rel=1e-9)
+    with pytest.raises(raceway.InputError, match="presses nothing"):
+        raceway.Model.from_text(text.replace("[seat]", "[seat]\nouter_clamping_force_N = 5000"), "m.toml")
+
+
 def test_inlet_and_flow_of_a_circuit_are_parameters(root):
     text = (root / DRIVEN).read_text().replace("end_mm = 300.0", "end_mm = 180.0") + CIRCUIT
     model = raceway.Model.from_text(text, "circuits.toml")

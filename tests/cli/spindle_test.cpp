@@ -140,6 +140,22 @@ TEST_F(SpindleCommand, TheInletOfACircuitIsFittedAndCheckedByName) {
   EXPECT_NEAR(fitted["jacket.inlet_temperature_C"]["value"].get<double>(), 29.0, 0.05);
 }
 
+TEST_F(SpindleCommand, ClampedFacesHaveTheirPressureInTextAndJson) {
+  const std::string model = replaced(base_spindle, "outer_clearance_um = 4.0",
+                                     "outer_clearance_um = 4.0\ninner_clamping_force_N = 8000") +
+                            coarse_cells;
+  const json surfaces =
+      parsed(spindle("--speed 6000 --steady --json", model))["steady"][0]["surfaces"];
+  const auto face = std::find_if(surfaces.begin(), surfaces.end(),
+                                 [](const json& s) { return s["name"] == "front_1_inner_front"; });
+  ASSERT_NE(face, surfaces.end());
+  // 8000 N on the ring from 70 to 82 mm, by hand.
+  EXPECT_NEAR((*face)["pressure_MPa"].get<double>(), 5.584, 0.001);
+  EXPECT_NEAR((*face)["conductance_W_m2K"].get<double>(), 37116, 5);
+  EXPECT_THAT(spindle("--speed 6000 --steady", model).out,
+              testing::ContainsRegex("front_1_inner_front +1433 +37116 +5\\.58 "));
+}
+
 TEST_F(SpindleCommand, ListOfSpeedsHasARowForEach) {
   const json all = parsed(spindle("--speed 0:6000:3000 --steady --json"))["steady"];
   ASSERT_EQ(all.size(), 3u);

@@ -418,6 +418,35 @@ TEST(SpindleSection, ScrewsOfTheFlangeAreReadWithTheirUnits) {
                         "be at most 60 MPa"));
 }
 
+TEST(SpindleSection, ClampingForcesAreReadAndMustPressAFace) {
+  const auto with_force = [](const std::string& text, const std::string& of = base_spindle) {
+    return with(of, "outer_clearance_um = 4.0\n", "outer_clearance_um = 4.0\n" + text);
+  };
+  const model::Seat seat = spindle_of(with_force("inner_clamping_force_N = 8000\n")).seat;
+  EXPECT_EQ(seat.inner_clamping_force, 8000.0);
+  EXPECT_TRUE(std::isnan(seat.outer_clamping_force));
+  EXPECT_TRUE(std::isnan(spindle_of(base_spindle).seat.inner_clamping_force));
+  // From 70 to 82 mm, 90 kN press with 62.8 MPa.
+  const std::string much = spindle_error(with_force("inner_clamping_force_N = 90000\n"));
+  EXPECT_THAT(much, HasSubstr("inner_clamping_force_N = 90000 N: the face of 1433 mm2 at the "
+                              "bearing at 60 mm is pressed with 62.82 MPa; with hardness_GPa = 3 "
+                              "it must be at most 60 MPa"));
+  EXPECT_THAT(much, HasSubstr("s.toml:"));
+  // The housing is bored to the bearings, whose outer rings stand apart.
+  EXPECT_THAT(spindle_error(with_force("outer_clamping_force_N = 5000\n")),
+              HasSubstr("presses nothing, because no shoulder and no other ring stands against the "
+                        "outer rings"));
+  const std::string stepped =
+      with(base_spindle, "length_mm = 275.0\nouter_diameter_mm = 180.0\n",
+           "segment = [{length_mm = 10, outer_diameter_mm = 180, bore_mm = 105},\n"
+           "           {length_mm = 265, outer_diameter_mm = 180}]\n");
+  EXPECT_EQ(
+      spindle_of(with_force("outer_clamping_force_N = 5000\n", stepped)).seat.outer_clamping_force,
+      5000.0);
+  EXPECT_THAT(spindle_error(with_force("inner_clamping_force_N = 0\n")),
+              HasSubstr("must be from 1 to 10000000 N"));
+}
+
 TEST(SpindleSection, ShaftAloneIsNoSpindle) {
   const std::string text = shortest_spindle.substr(0, shortest_spindle.find("[housing]"));
   EXPECT_THAT(spindle_error(text), HasSubstr("a spindle has both [shaft] and [housing]"));
