@@ -428,13 +428,13 @@ TEST(SpindleSection, ClampingForcesAreReadAndMustPressAFace) {
   EXPECT_TRUE(std::isnan(spindle_of(base_spindle).seat.inner_clamping_force));
   // From 70 to 82 mm, 90 kN press with 62.8 MPa.
   const std::string much = spindle_error(with_force("inner_clamping_force_N = 90000\n"));
-  EXPECT_THAT(much, HasSubstr("inner_clamping_force_N = 90000 N: the face of 1433 mm2 at the "
-                              "bearing at 60 mm is pressed with 62.82 MPa; with hardness_GPa = 3 "
-                              "it must be at most 60 MPa"));
+  EXPECT_THAT(much, HasSubstr("inner_clamping_force_N = 90000 N: the contact pressure of the face "
+                              "of 1433 mm2 at the bearing at 60 mm is 62.82 MPa; with "
+                              "hardness_GPa = 3 it must be at most 60 MPa"));
   EXPECT_THAT(much, HasSubstr("s.toml:"));
   // The housing is bored to the bearings, whose outer rings stand apart.
   EXPECT_THAT(spindle_error(with_force("outer_clamping_force_N = 5000\n")),
-              HasSubstr("presses nothing, because no shoulder and no other ring stands against the "
+              HasSubstr("there is no contact, because no shoulder and no other ring touches the "
                         "outer rings"));
   const std::string stepped =
       with(base_spindle, "length_mm = 275.0\nouter_diameter_mm = 180.0\n",
@@ -468,7 +468,7 @@ TEST(SpindleSection, NumbersOfEachCircuitAreFreeByName) {
               std::vector<std::string>{name});
   const std::string following = with_circuit("inlet_temperature_C = 25\n", "");
   EXPECT_THAT(spindle_error(with_free("jacket.inlet_temperature_C", following)),
-              HasSubstr("this circuit has the inlet of [coolant]; give it a value to begin with "
+              HasSubstr("this circuit uses the inlet temperature of [coolant]; give a start value "
                         "under its [[coolant.circuit]]"));
   EXPECT_THAT(spindle_error(with_free("jacket.flow_l_mn", following)),
               HasSubstr("did you mean jacket.flow_l_min?"));
