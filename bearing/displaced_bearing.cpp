@@ -124,10 +124,13 @@ bool DisplacedBearing::find(Plane centre, InnerContact contact, const GivenRotat
 template <BallModel model>
 bool DisplacedBearing::hold_as(const Vector5& scaled) {
   ring_ = scaled;
+  // Moved within the plane of x and y, balls k and Z - k are alike.
+  const bool in_plane = scaled[2] == 0.0 && scaled[3] == 0.0 && circle_.rotations.empty();
+  circle_.symmetry = in_plane ? Symmetry::mirror : Symmetry::none;
   RingSums<AllCoordinates, double> sums;
   BallShare<double> share{};
   Plane last_centre{unset, unset};
-  for (int k = 0; k < circle_.count; ++k) {
+  for (int k = 0; k < circle_.used(); ++k) {
     const auto i = static_cast<std::size_t>(k);
     const Plane centre = groove_centre<AllCoordinates>(point_, circle_, ring_.data(), k);
     if (centre == last_centre && circle_.rotations.size() <= 1) {
@@ -151,6 +154,9 @@ bool DisplacedBearing::hold_as(const Vector5& scaled) {
     }
     sums.add(circle_, k, share);
   }
+  complete(circle_, sums);
+  for (auto k = static_cast<std::size_t>(circle_.used()); k < balls_.size(); ++k)
+    balls_[k] = balls_[balls_.size() - k];
   placed_ = true;
   for (int r = 0; r < 5; ++r) {
     const double row = r < 3 ? 1.0 : point_.lever;
@@ -172,9 +178,9 @@ bool DisplacedBearing::hold(const Vector5& displacement) {
 template <BallModel model>
 void DisplacedBearing::report_into(BearingEquilibrium& result) const {
   const double diameter = bearing_->geometry().ball_diameter;
-  const auto kept = result.balls.reset(circle_.count, Symmetry::none);
+  const auto kept = result.balls.reset(circle_.count, circle_.symmetry);
   double worst = 0.0;
-  for (int k = 0; k < circle_.count; ++k) {
+  for (int k = 0; k < circle_.used(); ++k) {
     const auto i = static_cast<std::size_t>(k);
     const Plane centre = groove_centre<AllCoordinates>(point_, circle_, ring_.data(), k);
     const InnerContact contact = contact_at(centre);

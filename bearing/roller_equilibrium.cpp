@@ -105,11 +105,19 @@ class RollerBalance {
   void ring_into(Vector4& load, Matrix4& stiffness) const {
     load.setZero();
     stiffness.setZero();
+    const std::vector<Matrix2> series = all_in_series();
     for (std::size_t k = 0; k < rollers_.size(); ++k) {
       if (!(inner_[k].force[0] > 0.0)) continue;
       const Matrix24 B = lever_matrix(k);
       load += B.transpose() * inner_[k].force;
-      stiffness += B.transpose() * in_series(k) * B;
+      stiffness += B.transpose() * series[k] * B;
+    }
+    if (in_plane_) {
+      // Terms that cancel between the two halves.
+      for (const int odd : {1, 2}) {
+        load[odd] = 0.0;
+        for (const int even : {0, 3}) stiffness(odd, even) = stiffness(even, odd) = 0.0;
+      }
     }
     load.tail<2>() *= lever_;
     stiffness.bottomRows<2>() *= lever_;
@@ -139,6 +147,12 @@ class RollerBalance {
     Vector2 force = Vector2::Zero();
     Matrix2 stiffness = Matrix2::Zero();
   };
+
+  /// Roller that carries what roller k does: where the ring is moved within the plane of x and y,
+  /// the one on the other side of it.
+  [[nodiscard]] std::size_t twin(std::size_t k) const {
+    return in_plane_ && 2 * k > rollers_.size() ? rollers_.size() - k : k;
+  }
 
   /// Approach and its slope at a roller, B times the ring, less the clearance.
   [[nodiscard]] Vector2 approach(std::size_t k, const Vector4& ring) const {
@@ -187,9 +201,16 @@ class RollerBalance {
     roller_gradient_.resize(rollers_.size());
     scale_ = std::max(load.cwiseAbs().maxCoeff(), centrifugal_);
     residual_ = 0.0;
+    in_plane_ = free == 0 && ring_[1] == 0.0 && ring_[2] == 0.0;
     for (std::size_t k = 0; k < rollers_.size(); ++k) {
-      inner_[k] = race(approach(k, ring_) - rollers_[k]);
-      outer_[k] = race(rollers_[k]);
+      if (const std::size_t other = twin(k); other != k) {
+        rollers_[k] = rollers_[other];
+        inner_[k] = inner_[other];
+        outer_[k] = outer_[other];
+      } else {
+        inner_[k] = race(approach(k, ring_) - rollers_[k]);
+        outer_[k] = race(rollers_[k]);
+      }
       ring_gradient_ += lever_matrix(k).transpose() * inner_[k].force;
       roller_gradient_[k] = outer_[k].force - inner_[k].force - Vector2(centrifugal_, 0.0);
       residual_ = std::max(residual_, roller_gradient_[k].cwiseAbs().maxCoeff());
@@ -287,21 +308,29 @@ class RollerBalance {
     return Ki - Ki * pseudo_inverse(Ki + outer_[k].stiffness) * Ki;
   }
 
+  [[nodiscard]] std::vector<Matrix2> all_in_series() const {
+    std::vector<Matrix2> list(rollers_.size(), Matrix2::Zero());
+    for (std::size_t k = 0; k < rollers_.size(); ++k)
+      if (inner_[k].force[0] > 0.0) list[k] = twin(k) == k ? in_series(k) : list[twin(k)];
+    return list;
+  }
+
   /// A clearance that grows by ds takes ds/2 from every approach; the ring moves until its forces
   /// are what they were.
   [[nodiscard]] double sum_by_clearance(const Matrix2& radial_stiffness) const {
+    const std::vector<Matrix2> series = all_in_series();
     Vector2 missing = Vector2::Zero();
     for (std::size_t k = 0; k < rollers_.size(); ++k) {
       if (!(inner_[k].force[0] > 0.0)) continue;
       const auto& a = bearing_.azimuths()[k];
-      missing += 0.5 * in_series(k)(0, 0) * Vector2(a.cosine, a.sine);
+      missing += 0.5 * series[k](0, 0) * Vector2(a.cosine, a.sine);
     }
     const Vector2 moved = pseudo_inverse(radial_stiffness) * missing;
     double sum = 0.0;
     for (std::size_t k = 0; k < rollers_.size(); ++k) {
       if (!(inner_[k].force[0] > 0.0)) continue;
       const auto& a = bearing_.azimuths()[k];
-      sum += in_series(k)(0, 0) * (a.cosine * moved[0] + a.sine * moved[1] - 0.5);
+      sum += series[k](0, 0) * (a.cosine * moved[0] + a.sine * moved[1] - 0.5);
     }
     return sum;
   }
@@ -330,6 +359,7 @@ class RollerBalance {
   std::vector<Vector2> roller_gradient_, roller_step_;
   std::vector<Matrix2> inverses_;
   double residual_ = unset, scale_ = unset;
+  bool in_plane_ = false;  // the ring is moved within the plane of x and y
 };
 
 namespace {
