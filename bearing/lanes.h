@@ -41,7 +41,7 @@ inline constexpr bool is_scalar = Lanes<T>::count == 1;
   return {std::sin(x), std::cos(x)};
 }
 
-/// True if neither infinite nor NaN. Does not classify each lane.
+/// Returns the mask of lanes that are neither infinite nor NaN, by one subtraction.
 template <typename T>
 [[gnu::always_inline]] inline Mask<T> finite(const T& x) {
   return x - x == T(0.0);

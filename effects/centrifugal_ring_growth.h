@@ -8,8 +8,8 @@
 
 namespace raceway::effects {
 
-/// Law of both forms: the inner ring widens with the square of speed, at once and without lag,
-/// unlike thermal-preload.
+/// Growth of the inner ring with the square of speed, for rigs and shafts. Unlike thermal-preload,
+/// it follows the speed without lag.
 ///
 ///   x = c (n/10 000 rpm)²
 ///

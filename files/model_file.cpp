@@ -148,8 +148,8 @@ ReadModel read_ball_model(ModelTables& tables) {
   const bool of_spindle = is_spindle(tables);
   BearingReader bearings(tables);
   NamedBearing bearing = bearings.read(
-      tables.required_section("bearing", "its geometry, or catalogue = \"NAME\""), nullptr,
-      joined(spindle_keys("bearing", of_spindle), Keys{contact_keys("bearing")}));
+      tables.required_section("bearing", "the geometry of the bearing, or catalogue = \"NAME\""),
+      nullptr, joined(spindle_keys("bearing", of_spindle), Keys{contact_keys("bearing")}));
   const LubricantOfFile lubricant = read_lubricant(tables);
   LawOfFile law =
       read_friction(tables, !bearing.catalogue.empty(), spindle_keys("friction", of_spindle));

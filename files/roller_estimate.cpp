@@ -121,7 +121,8 @@ std::string estimated_model_text(const EstimatedRollers& bearing, friction::Fric
       "# The rollers are estimated from {}: replace them by your own values.\n\n"
       "[bearing]\n",
       bearing.designation,
-      bearing.printed() ? "printed data of a maker (IBC, 2010)" : "the boundary dimensions");
+      bearing.printed() ? "catalogue data of a manufacturer (IBC, 2010)"
+                        : "the boundary dimensions");
   const auto add = [&](std::string_view key, const std::string& value,
                        std::string_view remark = {}) { text += marked_line(key, value, remark); };
   add("type", "\"cylindrical-roller\"");

@@ -83,7 +83,7 @@ void require_data(FrictionLaw law, const bearing::Bearing& bearing) {
   if (law == FrictionLaw::palmgren) {
     if (std::isnan(g.static_load_rating))
       throw std::invalid_argument(
-          "static_load_rating is missing: the palmgren law needs it, above 0 N");
+          "static_load_rating is missing: the law palmgren needs a rating above 0 N");
   } else if (law == FrictionLaw::skf && g.contact_angle <= 0.0) {
     throw std::invalid_argument(
         "contact_angle = 0 deg: must be above 0 deg for the skf law, whose constants are for "

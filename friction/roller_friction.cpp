@@ -78,9 +78,10 @@ void require_data(FrictionLaw law, const bearing::RollerBearing& bearing) {
   const bearing::RollerGeometry& g = bearing.geometry();
   if (law != FrictionLaw::roller_skf) return;
   if (std::isnan(g.bore))
-    throw std::invalid_argument("bore is missing: the skf law needs it, above 0 mm");
+    throw std::invalid_argument("bore is missing: the law skf needs a bore above 0 mm");
   if (std::isnan(g.outer_diameter))
-    throw std::invalid_argument("outer_diameter is missing: the skf law needs it, above 0 mm");
+    throw std::invalid_argument(
+        "outer_diameter is missing: the law skf needs an outer diameter above 0 mm");
 }
 
 BaseMoments<double> roller_moments(FrictionLaw law, const RollerState& s,

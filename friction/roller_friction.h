@@ -57,7 +57,8 @@ struct RollerPalmgrenLoad {
 [[nodiscard]] double usual_roller_f0(std::optional<Supply> supply);
 
 /// Constants of the SKF model of cylindrical roller bearings with a cage, dimension series 10
-/// [mm, N, rpm, mm²/s -> N mm]. All from memory: the table of the catalogue was not seen.
+/// [mm, N, rpm, mm²/s -> N mm]. The constants are quoted from memory and
+/// were not checked against the catalogue table.
 struct SkfRollerConstants {
   double R1 = 1.12e-6;
   double S1 = 0.16;  ///< weighs an axial load, which there is none of

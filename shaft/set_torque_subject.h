@@ -17,7 +17,8 @@ class SetTorqueSubject final : public ShaftSubject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// Returns the saturated regression of a torque. Its load is external load over preload.
+  /// Returns the saturated regression of a torque. Its load input is
+  /// the ratio of external load to preload.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
   [[nodiscard]] std::vector<const record::Channel*> scattering(
       const fit::Record& record) const override;

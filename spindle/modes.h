@@ -13,7 +13,7 @@ namespace raceway::spindle {
 /// `standing` means neither, as at standstill.
 enum class Whirl { backward, standing, forward };
 
-/// Name in files: Returns the name in files: "backward".
+/// Returns the name in files: "backward".
 [[nodiscard]] std::string_view name(Whirl whirl);
 
 struct Mode {

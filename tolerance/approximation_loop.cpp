@@ -759,8 +759,8 @@ class Inquiry {
             error(*found_.front()));
       case verdict::Verdict::effect_like:
         return fmt::format(
-            "An important effect is missing: {}; {} explains most of the misfit, but the error "
-            "remains {}: several effects are missing, or another law.{}",
+            "Several effects are missing, or the model needs another law: {}; {} explains most of "
+            "the misfit, but the held-out error is still {}.{}",
             base, found_text(), error(*found_.front()), course_text());
       case verdict::Verdict::not_in_catalogue:
         break;

@@ -28,7 +28,7 @@ class EngineCorrection final : public EngineFile {
   [[nodiscard]] std::vector<record::Parameter> parameters() const override;
   /// Columns that a record needs.
   [[nodiscard]] py::list inputs() const;
-  /// Text on the trust of each displacement.
+  /// Returns the trust line of each displacement, such as "good", by column name.
   [[nodiscard]] py::dict trust() const;
 
  private:

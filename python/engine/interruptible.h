@@ -40,7 +40,7 @@ class Progress {
 
 struct Waiting {
   double time_limit = std::numeric_limits<double>::infinity();  ///< [s]
-  py::object progress = py::none();  ///< called with share and step, some ten times a second
+  py::object progress = py::none();  ///< called with share and step, at most 20 times per second
 };
 
 /// Runs long work on a separate thread without the interpreter lock, so that other Python threads
