@@ -1,15 +1,15 @@
-"""Friction, kinematics and heat of spindle bearings, and the effect that a model lacks.
+"""Calculate friction, kinematics and heat of spindle bearings, and find the missing effect of a model.
 
-A model is a TOML file of the command ``raceway``. Names of arguments and results include the unit.
-Numbers and messages equal the output of the command.
+A model is a TOML file, which the command ``raceway`` also uses. Names of arguments and results include the unit.
+Numbers and messages are the same as in the output of the command.
 
 >>> import raceway
 >>> model = raceway.Model.new("S 6014 C")
 >>> model.solve(speed_rpm=[0, 6000, 12000], axial_load_N=300).friction_torque_Nmm.round(1)
 array([ 11.7, 293.7, 384.7])
 
-Threads: models, records and results never change and may be used by several threads at once; long
-work releases the lock of the interpreter.
+Models, records and results never change. Several threads can use them at the same time. Long calculations release
+the lock of the interpreter.
 """
 
 from typing import Any as _Any

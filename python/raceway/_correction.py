@@ -1,4 +1,4 @@
-"""Corrections of machines: the displacement over hours, from what a control knows."""
+"""Corrections of machines. A correction calculates the displacement over hours from signals that a control knows."""
 
 from __future__ import annotations
 
@@ -20,10 +20,11 @@ FORMATS = ("python", "c", "csv", "linuxcnc")
 
 
 class Correction(LoopModel):
-    """Model of the displacement of a machine: lags of temperatures, power, speed and feeds.
+    """Model that calculates the displacement of a machine from temperatures, power, speed and feeds.
 
-    One file may have several displacements, each with its model. A correction never changes: a
-    fit returns another one. `read` and `from_text` make one.
+    The inputs act through thermal lags (first-order delays). One file can contain several displacements, each with its
+    own model. A correction object never changes. A fit returns a new correction. Create a correction with `read`,
+    `from_text` or `new`.
 
     Examples
     --------
@@ -53,20 +54,21 @@ class Correction(LoopModel):
 
     @classmethod
     def new(cls, record: Record) -> Correction:
-        """Make a correction for the displacements of a record over time, for `identify` to begin with.
+        """Create a correction for the displacements in a record over time. It is the starting point for `identify`.
 
-        It has a channel for each temperature, and its `text` marks each assumption. Columns whose names
-        raceway does not know are proposed as ``[columns]``. A `Record` with a map of columns keeps this map.
+        The correction has a channel for each temperature, and its `text` marks each assumption. If raceway does not know
+        the name of a column, the correction contains a proposal in ``[columns]``. If the `Record` has a map of columns,
+        the correction uses this map.
 
         Warns
         -----
         Doubt
-            Units look wrong.
+            The values of a column suggest that its unit is wrong.
 
         Raises
         ------
         InputError
-            The record has no displacement.
+            The record has no column with a displacement.
         """
         data, options = asked(one_record(record))
         text, notes, doubts = _engine.new_correction(data[0], **options)
@@ -77,25 +79,25 @@ class Correction(LoopModel):
 
     @property
     def notes(self) -> list[Note]:
-        """Notes on the correction, and on the record that `new` made it for."""
+        """Notes on the correction, and on the record from which `new` created the correction."""
         return [*self._said, *self._engine.notes]
 
     @property
     def displacements(self) -> list[str]:
-        """Columns that the correction predicts, such as ``"displacement_z_um"``, or ``"displacement_b_urad"`` for an angle."""
+        """Names of the columns that the correction predicts: ``"displacement_z_um"``, or ``"displacement_b_urad"`` for an angle."""
         return self._engine.displacements
 
     @property
     def inputs(self) -> list[str]:
-        """Columns that a record needs as inputs."""
+        """Names of the input columns that a record must contain."""
         return self._engine.inputs
 
     @property
     def trust(self) -> dict[str, str]:
-        """Trust in each displacement, judged by readings that no fit used.
+        """Reliability of the prediction of each displacement, tested on readings that the fit did not use.
 
-        ``"good"``, ``"only inside its range: ..."``, ``"do not use, because ..."``, or
-        ``"not known: ..."`` if the file does not say it.
+        The value is ``"good"``, ``"only inside its range: ..."``, ``"do not use, because ..."``, or ``"not known: ..."``
+        if the file contains no information about it.
         """
         return self._engine.trust()
 
@@ -113,38 +115,42 @@ class Correction(LoopModel):
         time_limit_s: float | None = None,
         progress: Callable[[float, str], None] | None = None,
     ) -> Identification:
-        """Find the number of lags of each channel, with their gains and time constants, from a record over time.
+        """Find the number of lags of each channel and their gains and time constants from a record over time.
 
         Parameters
         ----------
         record : Record
-            With ``time_s``, the inputs and the displacement, whose cells may be empty.
+            Record with ``time_s``, the inputs and the displacement. Cells of the displacement can be empty.
         inputs : str or iterable of str, optional
-            Columns that may become channels, or ``"all"``. A column is added as long as the
-            held-out error falls.
+            Columns that can become channels, or ``"all"``. The program adds a column if this reduces the held-out
+            error.
         order : int or (int, int)
-            Number of lags of each channel, from 1 to 6, or the smallest and the largest number.
+            Number of lags of each channel, from 1 to 6. A pair gives the smallest and the largest number.
         lags_s : "auto" or iterable of float, optional
-            Fit a bank of lags for machines with many sensors: every input passes through each of these
-            lags [s], and ridge regression finds the gains. 0 acts at once, ``"auto"`` follows the length of the record.
+            Time constants of a bank of lags [s], for machines with many sensors. Every input passes through all of
+            these lags, and ridge regression finds the gains. A lag of 0 has no delay. ``"auto"`` chooses the lags from
+            the length of the record.
         baseline : {"regression", "arx"}, optional
-            Method in place of lags. ``"regression"`` uses the inputs as they are. ``"arx"`` fits transfer functions
-            by least squares of one step and shows them next to their simulation.
+            Simpler method to compare with the lags. ``"regression"`` fits the displacement to the inputs without a
+            delay. ``"arx"`` fits transfer functions with the least error one step ahead. The result contains this
+            error and the error of the simulation.
         validate : Record, optional
-            Another record, which judges the result.
+            Another record, on which the program tests the result.
         from_s, until_s : float, optional
-            Readings that count, by the time since the first row [s]. All rows drive the model.
+            Start and end of the time range of the evaluated readings, measured from the first row [s]. The inputs of
+            all rows are used.
         time_limit_s : float, optional
-            Time after which the call raises TimeoutError.
+            Time limit [s]. After this time, the call stops and raises TimeoutError.
         progress : callable, optional
-            Function that is called with the finished share and the step, some ten times a second.
+            Function that receives the completed share (0 to 1) and the name of the current step. It is called at
+            most 20 times per second.
 
         Raises
         ------
         InputError
-            An input is missing, the order or lags are wrong, or the record does not determine the numbers.
+            An input is missing, the order or the lags are invalid, or the record does not determine the parameters.
         KeyboardInterrupt
-            Stops it; nothing is left half done.
+            The user pressed Ctrl+C. The call stops and returns no result.
         """
         if baseline not in (None, "regression", "arx"):
             raise ValueError(f"baseline = {baseline!r}: must be regression or arx")
@@ -176,21 +182,21 @@ class Correction(LoopModel):
         from_s: float | None = None,
         until_s: float | None = None,
     ) -> CorrectionRun:
-        """Run the correction over a record and return predictions with their band, and the residuals.
+        """Apply the correction to a record and return the predictions with their band, and the residuals.
 
         Parameters
         ----------
         record : Record
-            Record with ``time_s`` and the inputs. Readings of the displacement may be missing.
+            Record with ``time_s`` and the inputs. Readings of the displacement are optional.
         learn : bool
-            Learn zero, states and gains from the readings in their order. A row is predicted only from
-            earlier readings.
+            True updates the zero, the states and the gains with each reading, in the order of time. The prediction of
+            a row uses only earlier readings.
         every_s : float, optional
-            Shortest time between two readings of `learn` [s]. The other readings judge the result.
+            Shortest time between two readings that `learn` uses [s]. The other readings test the result.
         forget_s : float, optional
-            Time in which learned gains return to the gains of the model [s], by default 7 days.
+            Time in which learned gains return to the gains of the model [s]. Default: 7 days.
         from_s, until_s : float, optional
-            Readings that count, by the time since the first row [s].
+            Start and end of the time range of the evaluated readings, measured from the first row [s].
         """
         data, options = asked(one_record(record), from_s=from_s, until_s=until_s)
         if not learn:
@@ -205,15 +211,16 @@ class Correction(LoopModel):
         return CorrectionRun(answer, self._fitted(answer, ", learnt").get(""))
 
     def join(self, *others: Correction) -> Correction:
-        """Return the sum of this correction and `others`, which describe the same displacement.
+        """Return the sum of this correction and `others`. All of them must describe the same displacement.
 
-        The sum keeps channels, laws and effects as written, and adds the offsets. Free parameters stay free, except for delay elements and laws of step responses.
+        The sum contains the channels, laws and effects of all corrections without changes. The offsets are added. Free
+        parameters stay free, except the parameters of delay elements and laws of step responses.
 
         Raises
         ------
         InputError
-            The displacements differ, two channels have one name, two laws of instant displacement exist,
-            or the ranges have no common part.
+            The displacements differ, two channels have the same name, two corrections contain a law of instant
+            displacement, or the ranges do not overlap.
         """
         text, files, _ = _engine.joined([self._engine, *(other._engine for other in others)])
         return Correction(" and ".join([self.source, *(other.source for other in others)]), text, files)
@@ -227,24 +234,27 @@ class Correction(LoopModel):
         accept_untrusted: bool = False,
         overwrite: bool = False,
     ) -> Program:
-        """Return a program that runs on a control without this package, and write it to `path`.
+        """Return a program that runs on a control without this package. If `path` is given, also write the program to a file.
 
         Parameters
         ----------
         format : {"python", "c", "csv", "linuxcnc"}
-            ``"python"`` is one file that needs only the standard library, ``"c"`` one header of C99, ``"csv"`` a table of
-            numbers with units, and ``"linuxcnc"`` a HAL component in Python with its HAL files.
+            ``"python"`` is one file that needs only the standard library. ``"c"`` is one C99 header. ``"csv"`` is a table
+            of numbers with units. ``"linuxcnc"`` is a HAL component in Python with its HAL files.
         path : path, optional
-            File to write. Its name is the prefix of C functions and the name of a component.
+            File to write. The file name is also the prefix of the C functions, or the name of the HAL component.
         record : Record, optional
-            Record whose first run is stored in the file as a check. Without it the check record is synthetic.
+            The first run of this record is stored in the file as a check. Without `record`, the file contains a
+            synthetic check record.
         accept_untrusted : bool
-            Export a correction even if `trust` says not to use it.
+            True exports a correction even if its `trust` is "do not use, because ...".
+        overwrite : bool
+            True replaces an existing file.
 
         Raises
         ------
         InputError
-            The `trust` of a displacement is "do not use, because ...", and it is not accepted.
+            The `trust` of a displacement is "do not use, because ...", and `accept_untrusted` is False.
         """
         if format not in FORMATS:
             raise ValueError(f"format = {format!r}: must be python, c, csv or linuxcnc")
@@ -272,14 +282,14 @@ class Correction(LoopModel):
 
 
 def _restored(source: str, text: str, files: Sequence[tuple[str, str, str]]) -> Correction:
-    """A correction in another process, which does not say again what makes it doubtful."""
+    """Restore a correction in another process without repeating its warnings."""
     correction = Correction.__new__(Correction)
     correction._engine = _engine.Correction(source, text, files)
     return correction
 
 
 def read(path: str | os.PathLike[str]) -> Model | Correction:
-    """Read a model file of either kind, as a `Correction` if it has [correction] and no [bearing].
+    """Read a model file. The result is a `Correction` if the file has a table [correction] and no [bearing], otherwise a `Model`.
 
     Examples
     --------

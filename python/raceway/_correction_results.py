@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class Identification(_Answer):
-    """A correction whose structure and numbers come from a record."""
+    """Correction whose structure and parameters were identified from a record."""
 
     def __init__(self, answer: _engine.Answer, found: Correction | None) -> None:
         super().__init__(answer)
@@ -25,7 +25,7 @@ class Identification(_Answer):
 
     @property
     def correction(self) -> Correction:
-        """The identified correction.
+        """Identified correction.
 
         Raises
         ------
@@ -38,7 +38,7 @@ class Identification(_Answer):
 
     @property
     def parameters(self) -> dict[str, dict[str, Any]]:
-        """Value, standard error (or None) and unit of each parameter, by the names of `Correction.parameters`."""
+        """Value, standard error (or None) and unit of each parameter, with the same names as in `Correction.parameters`."""
         axes = self.data.get("axes", [self.data])
         found = {}
         for axis in axes:
@@ -64,7 +64,7 @@ class Identification(_Answer):
 
 
 class CorrectionRun(_Answer):
-    """A correction over a record: predictions and residuals."""
+    """Predictions and residuals of a correction for a record."""
 
     def __init__(self, answer: _engine.Answer, learnt: Correction | None) -> None:
         super().__init__(answer)
@@ -72,25 +72,26 @@ class CorrectionRun(_Answer):
 
     @property
     def correction(self) -> Correction:
-        """Correction with the learned zero and gains at the end of the record.
+        """Correction with the zero and the gains that were learned until the end of the record.
 
         Raises
         ------
         ValueError
-            The run did not learn.
+            The run did not learn, because `learn` was False.
         """
         if self._learnt is None:
             raise ValueError("nothing was learnt: correct(record, learn=True) does")
         return self._learnt
 
     def to_frame(self) -> pandas.DataFrame:
-        """Return one row per row of the record, as ``raceway correct -o`` writes it. See also `course`."""
+        """Return one row per row of the record, with the columns that ``raceway correct -o`` writes. See also `course`."""
         return _frame(self._answer.csv())
 
     def course(self) -> pandas.DataFrame:
-        """Return the record as the program reads it, with the prediction and the residual.
+        """Return the record as the program reads it, with the predictions and the residuals.
 
-        The columns are ``predicted_...`` and, for each reading, ``residual_...`` (reading minus prediction).
+        The additional columns are ``predicted_...`` and, for each measured displacement, ``residual_...`` (reading minus
+        prediction).
         """
         import pandas
 
@@ -98,7 +99,7 @@ class CorrectionRun(_Answer):
         return pandas.DataFrame({"time_s": rows.pop("time_s")} | rows)
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Write `to_frame` as CSV."""
+        """Write the rows of `to_frame` as a CSV file. True for `overwrite` replaces an existing file."""
         _write(path, self._answer.csv(), overwrite)
 
     def _repr_html_(self) -> str:
@@ -111,16 +112,18 @@ class CorrectionRun(_Answer):
 
 
 class Program:
-    """A correction that runs without this package.
+    """Program that calculates a correction without this package.
 
     Attributes
     ----------
     format : str
+        Format of the program: ``"python"``, ``"c"``, ``"csv"`` or ``"linuxcnc"``.
     text : str
+        Text of the program.
     notes : list of Note
-        Facts that the user of the control needs.
+        Information for the user of the control.
     hal, hal_shutdown : str
-        HAL files of LinuxCNC that load the component and end it. Other formats have an empty text.
+        HAL files of LinuxCNC that start and stop the component. The texts are empty for other formats.
     """
 
     def __init__(self, format: str, text: str, notes: list[Note], hal: str = "", hal_shutdown: str = "") -> None:
@@ -131,7 +134,7 @@ class Program:
         self.hal_shutdown = hal_shutdown
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Write the program, and for LinuxCNC also the HAL files."""
+        """Write the program to a file. For LinuxCNC, also write the HAL files. True for `overwrite` replaces existing files."""
         stem = os.path.splitext(os.fspath(path))[0]
         files = [(os.fspath(path), self.text)]
         if self.hal:
@@ -146,7 +149,7 @@ class Program:
 
 
 def _numbers(axis: dict[str, Any]) -> list[tuple[str, dict[str, Any]]]:
-    """Numbers of the document of one displacement, by the names of the model's parameters."""
+    """Return the parameters in the document of one displacement, with the names of the parameters of the model."""
     offset = axis.get(in_unit_of(axis["displacement"], "offset_um"))
     found = [("offset", offset)] if offset else []
     for channel in axis.get("channels", []):

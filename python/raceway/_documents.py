@@ -1,7 +1,7 @@
-"""What documents say of themselves: kinds of results, words and units of columns, ladders.
+"""Functions that read the documents of results: kinds of results, names and units of columns, RMS errors.
 
-Shared by the pictures, the notebook representations and the reports. Reads the documents that the
-command prints with ``--json``, and nothing else.
+The plots, the notebook representations and the reports use these functions. The functions read only the documents
+that the command prints with ``--json``.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ UNITS = {
 
 
 def kind_of(result: object) -> str:
-    """Name of the result's class, or of the class that it was derived from; "" of anything else."""
+    """Name of the first class in the class hierarchy of the result that is in KINDS; "" if none is."""
     for one in type(result).__mro__:
         if one.__name__ in KINDS:
             return one.__name__
@@ -65,12 +65,12 @@ def kind_of(result: object) -> str:
 
 
 def document_of(result: object, kinds: tuple[str, ...], caller: str) -> dict[str, Any]:
-    """The document of a result of one of these kinds.
+    """Return the document of a result of one of these kinds.
 
     Raises
     ------
     TypeError
-        Anything else, with what to give instead.
+        The result is of another kind. The message names the accepted kinds.
     """
     kind = kind_of(result)
     if kind in kinds and isinstance(getattr(result, "data", None), dict):
@@ -82,7 +82,7 @@ def document_of(result: object, kinds: tuple[str, ...], caller: str) -> dict[str
 
 
 def split_column(column: str) -> tuple[str, str]:
-    """Quantity and unit key of a column: ("axial_load", "N") of "axial_load_N".
+    """Split the name of a column into quantity and unit key: "axial_load_N" gives ("axial_load", "N").
 
     >>> split_column("front_axial_N_um"), split_column("lost_balls")
     (('front_axial', 'N_um'), ('lost_balls', ''))
@@ -94,7 +94,7 @@ def split_column(column: str) -> tuple[str, str]:
 
 
 def unit_text(unit: str | None) -> str:
-    """Unit for people, of the key in a document; "" of a number without unit.
+    """Return the printed form of a unit key from a document; "" for a number without unit.
 
     >>> unit_text("Nmm"), unit_text("1"), unit_text("um/W")
     ('N mm', '', 'µm/W')
@@ -106,7 +106,7 @@ def unit_text(unit: str | None) -> str:
 
 
 def in_unit_of(displacement: str, name: str) -> str:
-    """Name of a number of a displacement, by its name for a length: of an angle it ends in urad.
+    """Return the name of a number of a displacement. For an angle, "um" in the name is replaced by "urad".
 
     >>> in_unit_of("displacement_z_um", "rmse_um"), in_unit_of("displacement_b_urad", "rmse_um")
     ('rmse_um', 'rmse_urad')
@@ -115,7 +115,7 @@ def in_unit_of(displacement: str, name: str) -> str:
 
 
 def error_unit(unit: str | None) -> str:
-    """Unit of an error of readings: a difference of temperatures is in K.
+    """Return the printed unit of an error of readings. The unit of a temperature difference is K.
 
     >>> error_unit("C"), error_unit("Nmm")
     ('K', 'N mm')
@@ -124,7 +124,7 @@ def error_unit(unit: str | None) -> str:
 
 
 def effect_name(effect: dict[str, Any]) -> str:
-    """Id of an effect of a diagnosis, with the channel or axis on which it acts.
+    """Return the id of an effect of a diagnosis, with the channel or the axis on which the effect acts.
 
     >>> effect_name({"id": "sensor-offset", "channel": "flange_temperature"})
     'sensor-offset (flange_temperature)'
@@ -134,7 +134,7 @@ def effect_name(effect: dict[str, Any]) -> str:
 
 
 def quantity_text(quantity: str) -> str:
-    """Words of a quantity, as an axis begins with them.
+    """Return the name of a quantity as text for the label of an axis.
 
     >>> quantity_text("inner_contact_angle_max")
     'Inner contact angle max'
@@ -144,7 +144,7 @@ def quantity_text(quantity: str) -> str:
 
 
 def label_of(column: str) -> str:
-    """Quantity and unit of a column, for an axis.
+    """Return quantity and unit of a column as the label of an axis.
 
     >>> label_of("friction_torque_Nmm")
     'Friction torque in N mm'
@@ -155,7 +155,7 @@ def label_of(column: str) -> str:
 
 
 def number(value: float | None, digits: int = 3) -> str:
-    """A number as the command prints it; "-" of one that does not exist.
+    """Return a number as the command prints it; "-" for None, NaN and infinity.
 
     >>> number(44.8967), number(None), number(1914.1), number(2.7e-59)
     ('44.9', '-', '1914', '2.7e-59')
@@ -171,12 +171,12 @@ def number(value: float | None, digits: int = 3) -> str:
 
 
 def name_of_file(path: str) -> str:
-    """Last part of a path, short enough for the label of a bar."""
+    """Return the last part of a path, for the label of a bar."""
     return os.path.basename(path.replace("\\", "/")) or path
 
 
 def files_text(data: object) -> str:
-    """Names of one data file or of several."""
+    """Return the names of one or several data files, separated by commas."""
     if isinstance(data, (list, tuple)):
         return ", ".join(str(one) for one in data)
     return str(data) if data else ""
@@ -193,7 +193,7 @@ class Step:
 
 @dataclass
 class Ladder:
-    """RMS errors from the first model to the last, in one unit, and the noise beneath them."""
+    """RMS errors from the first to the last model, and the RMS of the noise, in one unit."""
 
     unit: str
     quantity: str = ""
@@ -204,7 +204,7 @@ class Ladder:
 
 
 def noise_of(noise: dict[str, Any] | None) -> tuple[float | None, str]:
-    """Root mean square of the noise, and what to call it."""
+    """Return the RMS of the noise and its label."""
     noise = noise or {}
     if noise.get("rms") is not None:
         return float(noise["rms"]), "noise"
@@ -237,7 +237,7 @@ def _of_fit(part: dict[str, Any], noise: dict[str, Any] | None, after: str) -> L
 
 
 def ladders_of(result: object, caller: str = "ladder()") -> list[Ladder]:
-    """Errors of every model and measured channel of a Comparison, Calibration, Diagnosis or Addition."""
+    """Return the RMS errors of each model and measured channel of a Comparison, Calibration, Diagnosis or Addition."""
     data = document_of(result, ("Comparison", "Calibration", "Diagnosis", "Addition"), caller)
     kind = kind_of(result)
     if kind == "Calibration" and "rmse" not in data:

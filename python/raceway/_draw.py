@@ -1,4 +1,4 @@
-"""Shared parts of the pictures of plot.py: axes, styles that differ without colour, legends, frames."""
+"""Functions that the plots of plot.py share: axes, line styles and markers, legends, and reading of data frames."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ MOST_MARKERS = 10  # per curve; more markers hide the line style
 
 
 def style(i: int) -> dict[str, Any]:
-    """Return colour, line and marker of the i-th curve. Their cycles of 6, 7 and 9 make the first 126 curves different."""
+    """Return colour, line style and marker of the i-th curve. The cycles of 6, 7 and 9 values give 126 different combinations."""
     return {"color": COLOURS[i % len(COLOURS)], "linestyle": LINES[i % len(LINES)], "marker": MARKERS[i % len(MARKERS)]}
 
 
 def markevery(points: int, curve: int) -> tuple[int, int] | None:
-    """Return the markers of a curve, for `markevery`: few of them, at different points on each curve."""
+    """Return the argument `markevery` of a curve. A curve has few markers, and different curves have them at different points."""
     if points <= MOST_MARKERS + 2:
         return None
     step = -(-points // MOST_MARKERS)
@@ -33,14 +33,14 @@ def markevery(points: int, curve: int) -> tuple[int, int] | None:
 
 
 def new_figure() -> Figure:
-    """Return a figure of pyplot, which a notebook shows."""
+    """Return a new figure of pyplot. A notebook shows this figure."""
     from matplotlib import pyplot  # only where it is needed: it chooses a backend
 
     return pyplot.figure(layout="constrained")
 
 
 def axes_for(ax: Axes | None, caller: str) -> tuple[Axes, bool]:
-    """Return the axes for the picture, and True if they are in a new figure."""
+    """Return the axes for the plot, and True if the axes are in a new figure."""
     if ax is None:
         return new_figure().add_subplot(), True
     if not isinstance(ax, Axes):
@@ -50,13 +50,13 @@ def axes_for(ax: Axes | None, caller: str) -> tuple[Axes, bool]:
 
 
 def has_room(ax: Axes, own: bool) -> bool:
-    """Return True if a layout makes room next to the axes: in a new figure, or in a figure with a layout engine."""
+    """Return True if there is room next to the axes. This is the case in a new figure and in a figure with a layout engine."""
     engine = getattr(ax.figure, "get_layout_engine", lambda: None)()
     return own or engine is not None
 
 
 def place_legend(ax: Axes, own: bool, title: str | None = None, handles: Any = None, spacing: float = 0.5) -> None:
-    """Place the legend next to the axes if the layout makes room for it, else at the best place inside."""
+    """Place the legend next to the axes if there is room for it. Otherwise, place it at the best position inside the axes."""
     entries = handles if handles is not None else ax.get_legend_handles_labels()[0]
     beside = has_room(ax, own)
     where: dict[str, Any] = {"loc": "upper left", "bbox_to_anchor": (1.01, 1.0), "borderaxespad": 0.0} if beside else {"loc": "best"}
@@ -74,7 +74,7 @@ def place_legend(ax: Axes, own: bool, title: str | None = None, handles: Any = N
 
 
 def speed_axis(ax: Axes, own: bool) -> None:
-    """Label the abscissa. A new figure gets few ticks, because numbers have five digits next to a legend."""
+    """Label the speed axis. A new figure has few ticks, because the legend leaves little room for numbers of five digits."""
     ax.set_xlabel(label_of("speed_rpm"))
     if own:
         ax.locator_params(axis="x", nbins=6)
@@ -86,9 +86,9 @@ def frame_of(source: object, caller: str, wanted: str) -> pd.DataFrame:
     Raises
     ------
     TypeError
-        The source is no DataFrame and has no ``to_frame()``.
+        The source is not a DataFrame and has no method ``to_frame()``.
     ValueError
-        There are no rows.
+        The frame has no rows.
     """
     if isinstance(source, pd.DataFrame):
         frame = source
@@ -112,7 +112,7 @@ def require_columns(frame: pd.DataFrame, columns: Iterable[str], caller: str) ->
 
 
 def numbers(frame: pd.DataFrame, column: str, caller: str) -> np.ndarray:
-    """Return a column as floats, NaN for an empty cell.
+    """Return a column as an array of floats. Empty cells are NaN.
 
     Raises
     ------
@@ -126,7 +126,7 @@ def numbers(frame: pd.DataFrame, column: str, caller: str) -> np.ndarray:
 
 
 def require_one_value(frame: pd.DataFrame, by: list[str], caller: str) -> None:
-    """Raise ValueError if a setting other than the speed and `by` varies along a curve."""
+    """Raise ValueError if a setting that is neither the speed nor in `by` varies along a curve."""
     settings = ("axial_load_N", "radial_load_N", "moment_Nmm", "temperature_C", "preload_N", "external_load_N")
     for column in settings:
         if column in by or column not in frame.columns:
@@ -143,7 +143,7 @@ def require_one_value(frame: pd.DataFrame, by: list[str], caller: str) -> None:
 
 
 def groups_by(frame: pd.DataFrame, by: list[str]) -> list[tuple[tuple[Any, ...], pd.DataFrame]]:
-    """Return the rows of each value of these columns, by rising value; all rows without columns."""
+    """Return a group of rows for each combination of values of these columns, in rising order. Without columns, return one group."""
     if not by:
         return [((), frame)]
     if len(by) == 1:
@@ -152,10 +152,10 @@ def groups_by(frame: pd.DataFrame, by: list[str]) -> list[tuple[tuple[Any, ...],
 
 
 def value_text(columns: list[str], values: tuple[Any, ...]) -> str:
-    """Return the label of a curve in the legend: "300", or "300, 40" for two columns."""
+    """Return the label of a curve in the legend, such as "300", or "300, 40" for two columns."""
     return ", ".join(f"{v:g}" if isinstance(v, (int, float, np.number)) else str(v) for _, v in zip(columns, values))
 
 
 def unit_of(column: str) -> str:
-    """Return the unit at the end of a column's name."""
+    """Return the unit at the end of the name of a column."""
     return split_column(column)[1]

@@ -1,4 +1,4 @@
-"""Effects that you write as Python functions."""
+"""Effects that users write as Python functions."""
 
 from __future__ import annotations
 
@@ -14,15 +14,16 @@ from ._errors import InputError
 
 @dataclass(frozen=True)
 class Number:
-    """A number of an effect that a fit may find.
+    """Number of an effect that a fit can determine.
 
     Attributes
     ----------
     value : float
         Start value. An effect whose first number is 0 is a candidate of `diagnose`.
     unit : str
+        Unit of the value. ``"1"`` means no unit.
     lower, upper : float
-        Bounds, or NaN for no bound.
+        Bounds of the value. NaN means no bound.
     """
 
     value: float = 0.0
@@ -32,11 +33,11 @@ class Number:
 
 
 class State:
-    """Inputs of a torque: one array per column of the record, row by row.
+    """Inputs of the function `torque`. Each column of the record is an array with one value per row.
 
-    ``speed_rpm``, ``axial_load_N``, ``radial_load_N``, ``temperature_C``, ``time_s`` and all
-    other recorded columns with their unit. The bearing has single numbers: ``pitch_diameter_mm``,
-    ``ball_diameter_mm``, ``ball_count``, ``contact_angle_deg``. Measured columns are not among them.
+    The arrays are ``speed_rpm``, ``axial_load_N``, ``radial_load_N``, ``temperature_C``, ``time_s`` and all other
+    recorded columns. Their names include the unit. Measured columns are not included. The data of the bearing are
+    single numbers: ``pitch_diameter_mm``, ``ball_diameter_mm``, ``ball_count``, ``contact_angle_deg``.
     """
 
     def __init__(self, columns: Mapping[str, Any]) -> None:
@@ -53,20 +54,20 @@ class State:
 
 
 class Effect:
-    """A friction torque of your own, which you try and add like an effect of the catalogue.
+    """Friction torque that you define as a Python function. You can use it like an effect of the catalogue.
 
     Parameters
     ----------
     id : str
         Name without blanks, dots or commas.
     torque : callable
-        ``torque(state, **numbers)`` gives the torque that it adds for every row [N mm], as an array or
-        one number. `State` has the columns. Its value for a row must depend on that row alone,
-        and be 0 where the first number is 0. It may be called from several threads.
+        Function ``torque(state, **numbers)`` that returns the additional torque of every row [N mm], as an array or
+        one number. `State` describes the argument ``state``. The torque of a row must depend only on that row. The
+        torque must be 0 if the first number is 0. Several threads can call the function.
     numbers : mapping of str to Number, dict or float
-        Numbers that a fit may find. The first is the size of the effect.
+        Numbers that a fit can determine. The first number is the size of the effect.
     title : str
-        Title in reports.
+        Title of the effect in reports. Default: the first line of the docstring of `torque`.
 
     Examples
     --------
@@ -94,7 +95,7 @@ class Effect:
         self.title = title or (torque.__doc__ or f"function {getattr(torque, '__name__', id)}").strip().splitlines()[0]
 
     def with_values(self, values: Sequence[float]) -> Effect:
-        """Return the effect with other numbers, in their order."""
+        """Return a copy of the effect with new values, in the order of `numbers`."""
         numbers = {name: Number(float(value), n.unit, n.lower, n.upper) for (name, n), value in zip(self.numbers.items(), values, strict=True)}
         return Effect(self.id, self.torque, numbers, title=self.title)
 

@@ -8,16 +8,16 @@ from ._note import Note
 
 
 class InputError(ValueError):
-    """Error for a wrong input, with the complete message of the command.
+    """Error for an invalid input. The message is the complete message of the command.
 
     Attributes
     ----------
     file : str or None
-        File with the wrong input.
+        File with the invalid input.
     line : int or None
-        Line of the file, from 1.
+        Line of the file. The first line is 1.
     key : str or None
-        Key of a model, column of a record, or argument.
+        Key of a model, column of a record, or argument with the invalid input.
     """
 
     file: str | None = None
@@ -26,16 +26,16 @@ class InputError(ValueError):
 
 
 class NotConverged(RuntimeError):
-    """Error for a fit that found no values, or for a needed state without equilibrium."""
+    """Error for a fit that did not converge, or for a required state without equilibrium."""
 
 
 class Doubt(UserWarning):
-    """Reason to doubt a result; the command prints it behind ``warning:``.
+    """Warning about a reason to doubt a result. The command prints the same text after ``warning:``.
 
     Attributes
     ----------
     note : Note
-        Text with kind, code and place.
+        Text of the warning, with its kind and code, and the file, line and key that it is about.
     """
 
     @property
@@ -57,7 +57,7 @@ _ARGUMENTS = {
 
 
 def in_python(words: str) -> str:
-    """A message of the command with the names that its flags have here."""
+    """Return a message of the command with the names of Python arguments in place of flags."""
     for flag, argument in _ARGUMENTS.items():
         words = re.sub(rf"{flag}(?![\w-])", argument, words)
     words = words.replace("raceway new:", "Model.new():").replace("For --columns FILE", "For the argument columns of Record")

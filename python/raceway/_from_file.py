@@ -1,4 +1,4 @@
-"""Common part of models and corrections: the file that they come from."""
+"""Base class of models and corrections. It reads and writes their files."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ._results import _write
 
 
 class FromFile:
-    """A model with the contents of its file, and of the files that it names, as they were when it was read."""
+    """Model with the contents of its file and of all files that this file names. The contents are from the time of reading."""
 
     _engine: Any
     _called = "model"  # a text without a name
@@ -23,40 +23,40 @@ class FromFile:
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Self:
-        """Read a file (TOML; keys with their units: ``raceway keys``).
+        """Read a TOML file. The command ``raceway keys`` lists the keys and their units.
 
         Raises
         ------
         InputError
-            The file is wrong. The error has file, line, key, value and allowed range.
+            The file is invalid. The error gives file, line, key, value and allowed range.
         """
         return cls(os.fspath(path), _engine.read_text(os.fspath(path)))
 
     @classmethod
     def from_text(cls, text: str, name: str | None = None) -> Self:
-        """Read a model from the text of a file. Messages use `name`, and files that the text names are in the same folder."""
+        """Read a model from the text of a file. Messages contain `name`. The folder in `name` is used to find the files that the text names."""
         return cls(cls._called if name is None else name, text)
 
     @property
     def source(self) -> str:
-        """File of the model, and the fits since then."""
+        """Name of the file, followed by the fits that changed the model, such as ``", calibrated"``."""
         return self._engine.source
 
     @property
     def text(self) -> str:
-        """Text of the file, as `save` writes it. Names of further files are valid from any folder."""
+        """Text of the file. Paths of other files in this text are valid from any folder."""
         return self._engine.text_for("")
 
     @property
     def defaults(self) -> list[str]:
-        """Assumptions of the model: defaults that it uses, and values marked as assumed in its file."""
+        """Assumptions of the model: default values in use, and values that the file marks as assumed."""
         return self._engine.defaults
 
     @property
     def parameters(self) -> dict[str, dict[str, Any]]:
-        """Numbers that a fit may change: value, unit, lower and upper bound.
+        """Parameters that a fit can change, each with value, unit, lower bound and upper bound.
 
-        For a correction of several displacements, each name begins with its displacement:
+        For a correction of several displacements, each name begins with the name of a displacement, such as
         ``"displacement_ch1_um.offset"``.
         """
         return self._engine.parameters
@@ -67,5 +67,5 @@ class FromFile:
         return self._engine.notes
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Write the file, whose names of further files lead to them from there; an existing one only with `overwrite`."""
+        """Write the file. Paths of other files in it are adapted to the new folder. True for `overwrite` replaces an existing file."""
         _write(path, self._engine.text_for(os.fspath(path)), overwrite)

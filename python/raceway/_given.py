@@ -1,4 +1,4 @@
-"""Arguments as the engine takes them, and what it says beside its answers."""
+"""Functions that check arguments, convert them for the engine, and issue the warnings of the engine."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def warn(lines: Iterable[str]) -> None:
 
 
 def arrays(**given: ArrayLike | None) -> dict[str, numpy.ndarray]:
-    """Arrays of float64, those that are such already as they are."""
+    """Return the arguments as arrays of float64. Arrays that already have this type are not copied."""
     found = {}
     for name, value in given.items():
         if value is None:
@@ -60,7 +60,7 @@ def number_text(argument: str, value: Any) -> str:
 
 
 def seconds(argument: str, value: float | None) -> str:
-    """A duration as the command takes it, "3600s"; nothing without."""
+    """Return a duration in the form of the command, such as "3600s"; "" for None."""
     return "" if value is None else number_text(argument, value) + "s"
 
 
@@ -81,7 +81,7 @@ def value_of(name: str, value: float) -> float:
 
 
 def number_or_nan(name: str, value: float | None) -> float:
-    """Return NaN for None, which means: not given."""
+    """Return the number. Return NaN if the argument is None (not given)."""
     if value is None:
         return float("nan")
     if math.isnan(value_of(name, value)):

@@ -1,4 +1,4 @@
-"""The law of kinematic displacement."""
+"""Law of kinematic displacement."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from ._results import _Answer
 
 
 class KinematicLaw(_Answer):
-    """Law of kinematic displacement of a curve: u = A n^(1 - B exp(-C n)), u in um, n in rpm."""
+    """Law of kinematic displacement, fitted to a curve: u = A n^(1 - B exp(-C n)), with u in um and n in rpm."""
 
     @property
     def parameters(self) -> dict[str, dict[str, Any]]:
-        """A, B and C, each with value, standard error and unit."""
+        """Parameters A, B and C, each with value, standard error and unit."""
         return self.data["parameters"]
 
     @property
     def table(self) -> str:
-        """Monotone table as CSV. It replaces a law that does not follow the curve."""
+        """Monotone table of the curve as CSV. Use it in place of the law if the law does not fit the curve."""
         return self._answer.csv()
 
     def _repr_html_(self) -> str:
@@ -41,16 +41,17 @@ def fit_law(curve: Record, *, at_rpm: float | None = None) -> KinematicLaw:
     Parameters
     ----------
     curve : Record
-        Record with the two columns, and ``std_um`` if the scatter is known. `Displacement.to_frame` gives one.
+        Record with these two columns, and ``std_um`` if the scatter is known. `Displacement.to_frame` returns a frame
+        with these two columns.
     at_rpm : float, optional
-        Speed at which the result also has displacement and slope.
+        Speed at which the result also contains the displacement and the slope of the law.
 
     Raises
     ------
     InputError
         The curve has too few speeds, or the law is not valid at `at_rpm`.
     NotConverged
-        The fit found no values.
+        The fit did not converge.
 
     Examples
     --------

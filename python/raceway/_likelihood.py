@@ -1,4 +1,4 @@
-"""Explanations of a diagnosis with their likelihoods, best first."""
+"""Explanations of a diagnosis with their likelihoods. The best explanation is first."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ RANKED = 6  # effects beside those of the verdict
 
 @dataclass
 class Explanation:
-    """One effect, or a set of them that is switched on at once."""
+    """One effect, or a set of effects that are added to the model together."""
 
     name: str
     fit: dict[str, Any]  # with gain, chi_square, degrees_of_freedom, aic, bic, rmse
@@ -20,7 +20,7 @@ class Explanation:
 
 
 def ranked(data: dict[str, Any]) -> list[Explanation]:
-    """The explanations of a verdict, then the single effects that come next."""
+    """Return the explanations in the verdict, followed by the next best single effects."""
     effects = [e for e in data.get("effects", []) if e.get("gain") is not None]
     rows: list[Explanation] = []
     if data["verdict"] == "several-effects":

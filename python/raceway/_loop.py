@@ -1,4 +1,4 @@
-"""Questions that every model can answer with measurements."""
+"""Calculations with a model and measurements: compare, calibrate, diagnose, add and check."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def asked(
     from_s: float | None = None,
     until_s: float | None = None,
 ) -> tuple[list[_engine.Data], dict[str, Any]]:
-    """Return records and options in the form of the engine."""
+    """Return the records and the options in the form that the engine accepts."""
     records = list(record) if isinstance(record, (list, tuple)) else [record]
     for one in records:
         if not isinstance(one, Record):
@@ -49,20 +49,20 @@ def asked(
 
 
 class LoopModel(FromFile):
-    """The loop: compare a model with records, find the missing effect, add it and see the error fall."""
+    """Methods that compare a model with records, find the missing effect, add it to the model and calculate the new error."""
 
     def _fitted(self, answer: _engine.Answer, fitted: str) -> dict[str, Any]:
-        """Return the fitted models by record; a single model without a name if it holds for all records."""
+        """Return the fitted models by the names of their records. A single model for all records has the name ""."""
         raise NotImplementedError
 
     def suggest_columns(self, record: Record) -> str:
-        """Propose a map of the columns of a record, from their words and units.
+        """Propose a map of the columns of a record. The proposal uses the words and units in the names of the columns.
 
         Returns
         -------
         str
-            A table ``[columns]`` (TOML) for the argument `columns` of `Record`. Columns that were not
-            found are comments in it.
+            A table ``[columns]`` (TOML) for the argument `columns` of `Record`. Comments in the table list the
+            columns that were not found.
         """
         if not isinstance(record, Record):
             raise TypeError(f"a raceway.Record is wanted, not {type(record).__name__}")
@@ -81,28 +81,32 @@ class LoopModel(FromFile):
         from_s: float | None = None,
         until_s: float | None = None,
     ) -> Comparison:
-        """Calculate the error of the model on a record and where it is largest. With other models, compare all.
+        """Calculate the error of the model on a record and the conditions with the largest error. With `others`, compare all models.
 
         Parameters
         ----------
         record : Record or sequence of Record
-        *others : models of the same kind
+            Measurements.
+        *others : Model or Correction
+            Other models of the same class as this model.
         refit : iterable of str
-            Parameters to fit to the record first. For a correction, groups such as ``"gains"`` are allowed.
+            Parameters to fit to the record before the comparison. For a correction, groups such as ``"gains"`` are
+            allowed.
         zero : {"mean", "first", "none"}
-            Constant that is subtracted first, for a correction: the mean difference, the first reading of
-            a run, or nothing.
+            Constant that is subtracted before the comparison, only for a correction: the mean difference, the
+            first reading of a run, or nothing.
         channel : str, optional
-            Column of one displacement, if a file has several: ``"displacement_z_um"``.
+            Column of the displacement to use if a file has several, such as ``"displacement_z_um"``.
         per_record : iterable of str
-            Parameters with a separate value for each of several records; not for a correction.
+            Parameters that get a separate value for each record. Not available for a correction.
         rows : bool
-            True keeps the rows of a logger separate. Otherwise, consecutive rows at equal speed and load
-            are averaged to one dwell, and a note says so.
+            True keeps the rows of a logger separate. False averages consecutive rows at equal speed and load to one
+            dwell, and a note reports this.
         tolerance : str, optional
-            Smallest error that matters, such as ``"2Nmm"``.
+            Smallest error that is important for your application, such as ``"2Nmm"``.
         from_s, until_s : float, optional
-            Time range of the readings that count, for a correction, since the first row [s].
+            Start and end of the time range of the evaluated readings, measured from the first row [s]. Only for a
+            correction.
         """
         if zero not in ("mean", "first", "none"):
             raise ValueError(f"zero = {zero!r}: must be mean, first or none")
@@ -126,24 +130,26 @@ class LoopModel(FromFile):
         from_s: float | None = None,
         until_s: float | None = None,
     ) -> Calibration:
-        """Fit the free parameters of the model again.
+        """Fit the free parameters of the model to a record.
 
-        ``[calibration] free`` names them. The default is f0 and z of a bearing, or gains, time constants and
-        offset of a correction.
+        The key ``free`` in the table ``[calibration]`` of the model lists these parameters. The default for a bearing
+        depends on its friction law, such as f0 and z for the law ``palmgren``. The default for a correction is gains, time
+        constants and offset.
 
         Parameters
         ----------
         record : Record or sequence of Record
+            Measurements.
         profile : bool
-            True adds 95 % intervals by profile likelihood for `Calibration.conf_interval`. This takes some
-            dozens of fits.
+            True adds 95 % intervals by profile likelihood for `Calibration.conf_interval`. This needs dozens of
+            additional fits.
         channel, per_record, rows, from_s, until_s
-            As in `compare`.
+            These arguments have the same meaning as in `compare`.
 
         Raises
         ------
         NotConverged
-            The fit found no values.
+            The fit did not converge.
         """
         data, options = asked(record, channel=channel, per_record=per_record, rows=rows, from_s=from_s, until_s=until_s)
         answer = _engine.calibrate(self._engine, data, bool(profile), **options)
@@ -167,30 +173,32 @@ class LoopModel(FromFile):
         time_limit_s: float | None = None,
         progress: Callable[[float, str], None] | None = None,
     ) -> Diagnosis:
-        """Find the physical effect that the model lacks, or the measurements that would show it.
+        """Find the missing physical effect of the model, or the measurements that can identify it.
 
-        A correction is judged by its held-out error relative to the tolerance.
+        The diagnosis of a correction compares the held-out error with the tolerance.
 
         Parameters
         ----------
         record : Record or sequence of Record
+            Measurements.
         pairs : bool
-            False tries single effects only, which is faster.
+            True also tries combinations of effects. False tries only single effects and is faster.
         tried_before : int
             Number of explanations that you have already tried on these data.
         channel, per_record, rows, tolerance, from_s, until_s
-            As in `compare`.
+            These arguments have the same meaning as in `compare`.
         time_limit_s : float, optional
-            Time after which TimeoutError is raised.
+            Time limit [s]. After this time, the call stops and raises TimeoutError.
         progress : callable, optional
-            Function that is called with the completed share and the step, some ten times a second.
+            Function that receives the completed share (0 to 1) and the name of the current step. It is called at
+            most 20 times per second.
 
         Raises
         ------
         InputError
-            The data do not support a verdict (the message has the reason), or a correction has no tolerance.
+            The data do not support a verdict (the message gives the reason), or a correction has no tolerance.
         KeyboardInterrupt
-            An interrupt stops the search. Nothing is left half done.
+            The user pressed Ctrl+C. The call stops and returns no result.
         """
         data, options = asked(record, channel=channel, per_record=per_record, rows=rows, tolerance=tolerance, from_s=from_s, until_s=until_s)
         answer = _engine.diagnose(self._engine, data, bool(pairs), int(tried_before), time_limit(time_limit_s), progress, **options)
@@ -209,15 +217,15 @@ class LoopModel(FromFile):
         from_s: float | None = None,
         until_s: float | None = None,
     ) -> Addition:
-        """Add effects, calibrate the model, and judge it on rows that the fit did not use.
+        """Add effects to the model, calibrate the model, and test it on rows that the fit did not use.
 
-        The other parameters are as in `compare`.
+        The argument `effects` gives the ids of the effects. The other arguments have the same meaning as in `compare`.
 
         Returns
         -------
         Addition
-            `Addition.refused` gives the reason if an effect does not help. `Addition.model` has the effect
-            anyway.
+            `Addition.refused` gives the reason if an effect does not improve the model. `Addition.model` contains
+            the effect in both cases.
         """
         data, options = asked(record, channel=channel, per_record=per_record, rows=rows, tolerance=tolerance, from_s=from_s, until_s=until_s)
         ids = name_list("effects", effects)
@@ -228,7 +236,7 @@ class LoopModel(FromFile):
         return Addition(answer, self._fitted(answer, "".join(f" + {name}" for name in ids)))
 
     def check(self, record: Record, *, channel: str | None = None) -> Check:
-        """Check what a record can show: levels, noise, parameters for a fit, and effects that can be tested."""
+        """Report the levels and the noise of a record, the parameters that a fit can determine, and the effects that the record can test."""
         data, options = asked(record, channel=channel)
         if len(data) > 1:
             raise TypeError("check: one record is looked at at a time")

@@ -29,7 +29,7 @@ from ._spindle_questions import SpindleQuestions
 class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
     """Model of a bearing on a rig, of the bearing sets on a shaft, or of a spindle.
 
-    A model never changes; a fit returns a new model. Create a model with `read`, `from_text` or `new`.
+    A model object never changes. A fit returns a new model. Create a model with `read`, `from_text` or `new`.
 
     Examples
     --------
@@ -62,33 +62,33 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         spindle: bool = False,
         oil: str | None = None,
     ) -> Model:
-        """Create a model of a bearing from its designation, with the defaults of its law.
+        """Create a model of a bearing from its designation, with the default values of the friction law.
 
         Parameters
         ----------
         bearing : str
-            Designation in the catalogue, such as ``"S 6014 C"``. A designation that gives only the size,
-            such as ``"7014 C"``, or the four dimensions below also suffice. The inner geometry is then
-            estimated, and `notes` says so. ``"N1012 KTN/SP"`` is a cylindrical roller bearing with
-            estimated rollers.
+            Designation in the catalogue, such as ``"S 6014 C"``. A designation that gives only the size, such as
+            ``"7014 C"``, is also possible. A bearing with another name needs dimensions (see below). Without a
+            catalogue entry, the program estimates the inner geometry, and `notes` contains a note about the
+            estimate. ``"N1012 KTN/SP"`` is a cylindrical roller bearing with estimated rollers.
         law : {"contact", "palmgren", "skf"}, optional
-            Friction law. Default: ``"contact"``; for spindles and cylindrical roller bearings
-            ``"palmgren"``. Cylindrical roller bearings also have ``"skf"``.
+            Friction law. The default is ``"palmgren"`` for spindles and cylindrical roller bearings, and
+            ``"contact"`` for all other models. ``"contact"`` is not available for cylindrical roller bearings.
         ball_material : {"steel", "silicon-nitride"}
             Material of the balls or rollers.
         bore_mm, outer_diameter_mm, contact_angle_deg, ball_count
             Dimensions of a bearing that is not in the catalogue.
         spindle : bool
-            True creates a template of a spindle with three of these bearings. The template runs without
-            changes, and its `text` marks each assumed number.
+            True creates a template of a spindle with three of these bearings. You can use the template without
+            changes. Its `text` marks each assumed number.
         oil : str, optional
             ISO VG grade of a mineral oil with viscosity index 100, such as ``"VG 32"``. The default is a thin
-            spindle oil, which you should replace.
+            spindle oil. Replace it with the oil of your bearing.
 
         Raises
         ------
         InputError
-            The bearing is unknown and has no dimensions. The message has the nearest names.
+            The bearing is unknown and has no dimensions. The message lists the most similar names.
 
         Examples
         --------
@@ -115,26 +115,26 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
 
     @property
     def kind(self) -> str:
-        """``"rig"``, ``"shaft"`` or ``"spindle"``."""
+        """Kind of the model: ``"rig"``, ``"shaft"`` or ``"spindle"``."""
         return self._engine.kind
 
     @property
     def notes(self) -> list[Note]:
-        """Notes on the model."""
+        """Notes on the model and on its creation."""
         return [*self._said, *self._engine.notes]
 
     @property
     def columns(self) -> list[str]:
-        """Names of the results of `solve` for arrays, with their units."""
+        """Names of the result arrays of `solve`. Each name includes the unit."""
         return self._engine.columns
 
     def with_values(self, values: Mapping[str, float]) -> Model:
-        """Return the model with other numbers. Comments and everything else stay the same.
+        """Return a copy of the model with new values. The rest of its text, including the comments, does not change.
 
         Parameters
         ----------
         values : mapping of str to float
-            New values by the names of `parameters` or by table and key of the file, in the unit of the name.
+            New values. A name is a name from `parameters`, or table and key of the file. The name gives the unit.
 
         Examples
         --------
@@ -151,9 +151,10 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         return Model(self.source, self._engine.with_values(in_file), effects, self._engine.files)
 
     def with_effect(self, effect: Effect) -> Model:
-        """Return the model with an effect of your own, which `diagnose` tries and `add` calibrates.
+        """Return the model with an effect that you have written. `diagnose` tries the effect, and `add` calibrates it.
 
-        A file cannot contain such an effect, so `text` does not have it. `effects` has it with its numbers.
+        A model file cannot contain such an effect. Therefore, `text` does not contain it. `effects` contains the effect
+        with its numbers.
         """
         if not isinstance(effect, Effect):
             raise TypeError(f"a raceway.Effect is wanted, not {type(effect).__name__}")
@@ -161,7 +162,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
 
     @property
     def effects(self) -> tuple[Effect, ...]:
-        """Your own effects that are Python functions."""
+        """Effects that you have added as Python functions."""
         return self._effects
 
     def solve(
@@ -176,37 +177,37 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         columns: Sequence[str] = (),
         band: bool = False,
     ) -> Solution:
-        """Solve for contact angles, loads, displacement, stiffness, friction and heat.
+        """Calculate contact angles, loads, displacement, stiffness, friction and heat.
 
         Parameters
         ----------
         speed_rpm, axial_load_N, radial_load_N, temperature_C, moment_y_Nmm, moment_z_Nmm
-            Numbers or arrays, combined by the broadcasting rules of numpy. Arrays of float64 are read
-            without a copy, with any strides. The model gives the arguments that you leave out. On a shaft,
-            `axial_load_N` is the external load, positive towards the tool.
+            Numbers or arrays. They are combined by the broadcasting rules of numpy. Arrays of float64 are read
+            without a copy, with any strides. The model supplies the values of omitted arguments. For a shaft,
+            `axial_load_N` is the external load. It is positive towards the tool.
         columns : sequence of str
-            Names of results from `Model.columns`. An empty sequence means all results.
+            Names of the results to return, from `Model.columns`. An empty sequence returns all results.
         band : bool
             True adds half the width of the 95 % band of friction torque, power loss and (on a shaft)
-            displacement: ``friction_torque_band_Nmm`` and so on. The band follows from the fitted
-            parameters alone, so the model must come from `calibrate` or `add`.
+            displacement. An example is ``friction_torque_band_Nmm``. The band includes only the uncertainty of the
+            fitted parameters. Therefore, the model must come from `calibrate` or `add`.
 
         Returns
         -------
         Solution
-            Arrays of the common shape. For single numbers, `Solution.data` is the document of
-            ``raceway solve --json`` with all balls. A state without equilibrium has NaN, and
-            `Solution.status` gives the reason.
+            Arrays with the common shape of the arguments. If all arguments are single numbers, `Solution.data` is
+            the document of ``raceway solve --json`` with all balls. The values of a state without equilibrium are
+            NaN, and `Solution.status` gives the reason.
 
         Raises
         ------
         InputError
-            A number is out of its range (the message has its place), or the shapes do not match.
+            A number is out of its range (the message gives its position in the array), or the shapes do not match.
 
         Notes
         -----
         The solver uses the Newton-Raphson method for ring and balls, with Hertz contact, centrifugal
-        force and gyroscopic moment (docs/solver.md). Arrays are shared between all cores.
+        force and gyroscopic moment (docs/solver.md). The states of an array are distributed over all cores.
 
         Examples
         --------
@@ -242,9 +243,10 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         *,
         band: bool = False,
     ) -> Table:
-        """Calculate a Stribeck table: friction torque and its parts over rising axes.
+        """Calculate a Stribeck table: friction torque and its components for all combinations of the values.
 
-        `band` adds half the width of the 95 % band of torque and loss, as in `solve`.
+        The values of each argument must be in rising order. True for `band` adds half the width of the 95 % band of
+        friction torque and power loss, as in `solve`.
 
         Examples
         --------
@@ -265,14 +267,15 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
     def displacement(
         self, speed_rpm: ArrayLike, axial_load_N: float | None = None, temperature_C: float | None = None, *, band: bool = False
     ) -> Displacement:
-        """Calculate the position of a shaft over speed, relative to standstill [um].
+        """Calculate the displacement of a shaft at each speed, relative to its position at standstill [um].
 
-        `band` adds half the width of the 95 % band of displacement, torque and loss, as in `solve`.
+        True for `band` adds half the width of the 95 % band of displacement, friction torque and power loss, as in
+        `solve`.
 
         Raises
         ------
         InputError
-            The model has no [arrangement].
+            The model has no table [arrangement].
         """
         nan = float("nan")
         curve = _engine.Displacement(
@@ -288,9 +291,10 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
     def predict(self, record: Records, *, band: bool = False) -> Any:
         """Return the predictions for all rows of a record as a pandas.DataFrame.
 
-        The frame has the columns of the record as they were understood, in the units of their names, and
-        then the columns ``predicted_...``. A row without a prediction has NaN. `band` adds half the width
-        of the 95 % band from the fitted parameters alone: ``predicted_friction_torque_band_Nmm``.
+        The frame contains the columns that the program recognized in the record, with the names and units of
+        raceway. The columns ``predicted_...`` follow. A row without a prediction contains NaN. True for `band` adds half
+        the width of the 95 % band, such as ``predicted_friction_torque_band_Nmm``. The band includes only the uncertainty
+        of the fitted parameters.
         """
         import pandas
 
@@ -313,7 +317,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
 
 
 def _tables(text: str) -> set[str]:
-    """Return the tables of a model file; empty for an unreadable file, because the library reports the error."""
+    """Return the names of the tables in a model file. The set is empty for an invalid file, because the library reports the error."""
     try:
         return set(tomllib.loads(text))
     except tomllib.TOMLDecodeError:
@@ -321,7 +325,7 @@ def _tables(text: str) -> set[str]:
 
 
 def _restored(source: str, text: str, effects: Sequence[Effect], said: Sequence[Note], files: Sequence[tuple[str, str, str]]) -> Model:
-    """Create a model in another process without repeating its doubts."""
+    """Restore a model in another process without repeating its warnings."""
     model = Model.__new__(Model)
     model._effects = tuple(effects)
     model._engine = _engine.Model(source, text, [e._for_engine() for e in effects], files)

@@ -1,18 +1,18 @@
-"""Notes that come with an answer."""
+"""Notes on a model or a result."""
 
 from __future__ import annotations
 
 
 class Note(str):
-    """A line of `notes` or the text of a `Doubt`: a str with attributes that say what it is about.
+    """One line of `notes`, or the text of a `Doubt`. It is a str whose attributes describe its subject.
 
     Attributes
     ----------
     kind : str
-        ``"note"`` (good to know), ``"doubt"`` (an input that may be wrong) or ``"warning"`` (makes a result doubtful).
+        ``"note"`` (information), ``"doubt"`` (an input is possibly wrong) or ``"warning"`` (the result is doubtful).
     code : str
-        Subject from the documentation: ``"left-out"``, ``"unit"``, ``"at-bound"`` ... The text may change; the
-        code does not.
+        Code of the subject, such as ``"left-out"``, ``"unit"`` or ``"at-bound"``. The documentation lists all codes.
+        The text can change in later versions. The code does not change.
     file : str or None
         File that the note is about.
     line : int or None

@@ -19,24 +19,24 @@ if TYPE_CHECKING:
 
 
 class Record:
-    """Measurements in rows, with settings and readings, from a CSV file or a DataFrame.
+    """Measurements from a CSV file, a DataFrame or arrays. Each row contains settings and readings.
 
-    The name of a column gives its meaning and unit (``speed_rpm``, ``friction_torque_Nm``). For other names,
-    such as ``Drehzahl [1/min]``, ``columns`` gives them; `Model.suggest_columns` proposes this map. A record
-    is read when a model is compared with it, because the model determines what is measured and which
-    columns may be missing.
+    The name of a column gives its meaning and unit (``speed_rpm``, ``friction_torque_Nm``). If the columns have other
+    names, such as ``Drehzahl [1/min]``, the argument `columns` maps them to the names of raceway. `Model.suggest_columns`
+    proposes this map. The program checks the contents of a record when a model uses it, because the model determines
+    the measured columns and the optional columns.
 
     Parameters
     ----------
     name : str
-        In messages.
+        Name of the record in messages.
     text : str
-        CSV text with a header, in any form that the command reads.
+        CSV text with a header, in any format that the command accepts.
     columns : mapping of str to str, or str, optional
         Map from names of raceway to names of the file: ``{"friction_torque_Nm": "Moment"}``, or a table
         ``[columns]`` as text, as `Model.suggest_columns` proposes.
     drop_nan : bool
-        True leaves out rows without a number in a column that the model uses.
+        True omits rows without a number in a column that the model uses.
 
     Examples
     --------
@@ -77,10 +77,10 @@ class Record:
             self._data = self._data.with_beside([other._data for other in self._others])
 
     def beside(self, *others: Record) -> Record:
-        """Return the record over time joined with other files of the same machine and time, which have their own clocks.
+        """Return this record over time, combined with other records of the same machine and time. Each record has its own `time_s`.
 
-        Settings of a control hold their last value. Temperatures are interpolated linearly. The `notes` of an
-        answer say so. All files use the map of columns of this record.
+        At times between two rows, settings of a control keep their last value, and temperatures are interpolated
+        linearly. The `notes` of a result report this. All records use the map of columns of this record.
 
         Examples
         --------
@@ -102,7 +102,7 @@ class Record:
         Raises
         ------
         InputError
-            The file cannot be read. The contents are checked later, with a model.
+            The file cannot be read. The contents are checked later, when a model uses the record.
         """
         return cls(os.fspath(path), _engine.read_text(os.fspath(path)), columns=columns, drop_nan=drop_nan)
 
@@ -110,16 +110,18 @@ class Record:
     def from_pandas(
         cls, frame: pandas.DataFrame, *, columns: Mapping[str, str] | str | None = None, name: str = "DataFrame", drop_nan: bool = False
     ) -> Record:
-        """Create a record from the columns of a DataFrame. The index is not read.
+        """Create a record from the columns of a DataFrame. The index is not used.
 
         Parameters
         ----------
         frame : pandas.DataFrame
             One row per reading, with NaN for a missing reading.
         columns : mapping of str to str, optional
-            Map from names of raceway, with the unit of the numbers, to names of the frame.
+            Map from names of raceway, which give the unit of the numbers, to names of the frame.
         name : str
-            In messages.
+            Name of the record in messages.
+        drop_nan : bool
+            True omits rows without a number in a column that the model uses.
 
         Raises
         ------
@@ -149,14 +151,14 @@ class Record:
         name: str = "arrays",
         drop_nan: bool = False,
     ) -> Record:
-        """Create a record from arrays of one length, by the names of their columns.
+        """Create a record from arrays of equal length. The keys of the mapping are the names of the columns.
 
         Parameters
         ----------
         arrays : mapping of str to array
-            Numbers, with NaN or a mask for missing readings; text for `run_id` and dates.
+            Arrays of numbers. NaN or a mask marks missing readings. `run_id` and dates are arrays of text.
         columns, name, drop_nan
-            As in `from_pandas`.
+            These arguments have the same meaning as in `from_pandas`.
 
         Raises
         ------
@@ -175,12 +177,12 @@ class Record:
 
     @property
     def name(self) -> str:
-        """File or name of the record."""
+        """Path of the file, or name of the record."""
         return self._name
 
     @property
     def text(self) -> str:
-        """The record as CSV."""
+        """Text of the record as CSV."""
         if isinstance(self._own, str):
             return self._own
         import pandas
@@ -190,8 +192,8 @@ class Record:
     def to_frame(self) -> pandas.DataFrame:
         """Return the columns with the names and units of the file.
 
-        `Model.predict` returns the understood columns with the names of raceway. Titles and a row of units are
-        left out. A cell without a number, such as ``#NV``, is NaN.
+        The frame does not contain title lines and a row of units. A cell without a number, such as ``#NV``, is NaN.
+        `Model.predict` returns the recognized columns with the names of raceway.
         """
         import io
 
@@ -204,7 +206,7 @@ class Record:
 
 
 def _numbers(values: numpy.ndarray) -> numpy.ndarray:
-    """Return a copy. A single-precision number keeps its decimal digits: 0.1 is one tenth."""
+    """Return a copy as float64. The conversion of a single-precision number keeps its decimal digits, such as 0.1."""
     if values.dtype in (numpy.float32, numpy.float16):
         return numpy.array([float(str(value)) for value in values])
     return numpy.array(values)
@@ -236,7 +238,7 @@ def _texts(values: Sequence[Any]) -> list[str]:
 
 
 def _refuse_decimal_commas(frame: pandas.DataFrame, name: str) -> None:
-    """Refuse numbers that pandas has read as text because of a decimal comma."""
+    """Raise InputError for numbers that pandas has read as text because of a decimal comma."""
     from pandas.api.types import is_string_dtype
 
     for column in frame.columns:
@@ -252,7 +254,7 @@ def _refuse_decimal_commas(frame: pandas.DataFrame, name: str) -> None:
 
 
 def _column_map(columns: Mapping[str, str] | str | None) -> str | None:
-    """Return the table [columns], which the library reads with its units and messages."""
+    """Return the map as the text of a table [columns]. The library reads this text and checks it."""
     if columns is None or isinstance(columns, str):
         return columns
     if not isinstance(columns, Mapping):

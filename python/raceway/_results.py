@@ -1,4 +1,4 @@
-"""Results of questions to a model."""
+"""Results of the calculations with a model."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ STATUS = ("not_run", "converged", "no_equilibrium", "iteration_limit", "singular
 
 
 class Solution(Mapping[str, numpy.ndarray]):
-    """States of a bearing or a shaft: arrays by name, with units in the names. Each array is also an attribute.
+    """States of a bearing or a shaft as a mapping from names to arrays. The names include the units. Each array is also an attribute.
 
     Attributes
     ----------
@@ -52,7 +52,7 @@ class Solution(Mapping[str, numpy.ndarray]):
 
     @property
     def data(self) -> dict[str, Any] | None:
-        """Document of ``raceway solve --json`` for a single state; None for several states."""
+        """Document of ``raceway solve --json`` for a single state. None for several states."""
         if self._data is None and self._document is not None:
             self._data = json.loads(self._document())
         return self._data
@@ -83,12 +83,12 @@ class Solution(Mapping[str, numpy.ndarray]):
 
     @property
     def converged(self) -> numpy.ndarray:
-        """True if all values of a state are numbers."""
+        """True for each state that converged. All values of such a state are numbers."""
         return self._status == STATUS.index("converged")
 
     @property
     def status(self) -> numpy.ndarray:
-        """Status of each state in words."""
+        """Status of each state as text: ``"converged"``, or the reason for a missing result, such as ``"no_equilibrium"``."""
         return numpy.array(STATUS)[self._status]
 
     def to_frame(self) -> pandas.DataFrame:
@@ -106,7 +106,7 @@ class Solution(Mapping[str, numpy.ndarray]):
         return html_of(self)
 
     def __str__(self) -> str:
-        """Return inputs and results with their values; for many states, the first and the last."""
+        """Return the inputs and results as text. For more than 6 states, the text contains the first and the last states."""
 
         def shown(values: numpy.ndarray) -> str:
             if values.size == 1:
@@ -128,7 +128,7 @@ class Solution(Mapping[str, numpy.ndarray]):
 
 
 class _Document:
-    """Result with the document that the command prints with ``--json``."""
+    """Base class of results that contain the document of the command with ``--json``."""
 
     _data: dict[str, Any] | None = None
 
@@ -137,7 +137,7 @@ class _Document:
 
     @property
     def data(self) -> dict[str, Any]:
-        """Document of the command. The keys contain the units (docs/files.md)."""
+        """Document that the command prints with ``--json``. The keys include the units (docs/files.md)."""
         if self._data is None:
             self._data = json.loads(self._text())
         return self._data
@@ -149,7 +149,7 @@ class _Document:
 
 
 class Table(_Document):
-    """Stribeck table."""
+    """Stribeck table: friction torque for combinations of speed, load and temperature."""
 
     def __init__(self, engine: _engine.Table) -> None:
         self._engine = engine
@@ -164,18 +164,18 @@ class Table(_Document):
 
     @property
     def warnings(self) -> list[str]:
-        """Limits of running bearings that the table exceeds; ``data["judgement"]`` has the numbers."""
+        """Operating limits of the bearing that points of the table exceed. ``data["judgement"]`` contains the numbers."""
         return self._engine.warnings
 
     def to_frame(self) -> pandas.DataFrame:
-        """Return one row per point, with the columns of ``raceway table --format plain`` and the status."""
+        """Return one row per operating point, with the columns of ``raceway table --format plain`` and the status."""
         import pandas
 
         names, values, status = self._engine.columns()
         return pandas.DataFrame(dict(zip(names, values)) | {"status": status})
 
     def save(self, path: str | os.PathLike[str], *, format: str = "csv", overwrite: bool = False) -> None:
-        """Write the table as ``"csv"`` with its model, ``"plain"`` or ``"modelica"``."""
+        """Write the table to a file. The format is ``"csv"`` (includes the model), ``"plain"`` or ``"modelica"``."""
         if format not in ("csv", "plain", "modelica"):
             raise ValueError(f"format = {format!r}: must be csv, plain or modelica")
         _write(path, self._engine.text(format), overwrite)
@@ -185,7 +185,7 @@ class Table(_Document):
 
 
 class Displacement(_Document):
-    """Position of a shaft over speed."""
+    """Displacement of a shaft at each speed."""
 
     def __init__(self, engine: _engine.Displacement) -> None:
         self._engine = engine
@@ -198,7 +198,7 @@ class Displacement(_Document):
         return _frame(self._engine.csv(), comment="#")
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Write the curve as CSV."""
+        """Write the displacement at each speed as a CSV file. True for `overwrite` replaces an existing file."""
         _write(path, self._engine.csv(), overwrite)
 
     def __repr__(self) -> str:
@@ -206,7 +206,7 @@ class Displacement(_Document):
 
 
 class _Answered(_Document):
-    """Result of the engine, with its notes and its page."""
+    """Base class of results with notes, warnings and an HTML report."""
 
     def __init__(self, answer: Any) -> None:
         self._answer = answer
@@ -218,7 +218,7 @@ class _Answered(_Document):
 
     @property
     def warnings(self) -> list[Note]:
-        """Reasons to doubt the result, and missing results."""
+        """Reasons to doubt the result, and messages about missing results."""
         return self._answer.warnings
 
     def report(self, path: str | os.PathLike[str] | None = None, *, overwrite: bool = False) -> Page:
@@ -227,7 +227,9 @@ class _Answered(_Document):
         Parameters
         ----------
         path : path, optional
-            File that also receives the page.
+            File to which the page is also written.
+        overwrite : bool
+            True replaces an existing file.
         """
         page = Page(self._answer.page())
         if path is not None:
@@ -236,7 +238,7 @@ class _Answered(_Document):
 
 
 class _Answer(_Answered):
-    """Result of the loop."""
+    """Base class of results that compare a model with a record, or analyse a model."""
 
     _answer: _engine.Answer
 
@@ -245,7 +247,7 @@ class _Answer(_Answered):
 
 
 class Page:
-    """HTML page that needs no network."""
+    """HTML page that works without a network connection."""
 
     def __init__(self, html: str) -> None:
         self.html = html
@@ -261,16 +263,16 @@ class Page:
 
 
 class Comparison(_Answer):
-    """Errors of models on a record."""
+    """Errors of one or several models on a record."""
 
     @property
     def rmse(self) -> float:
-        """RMS error of the first model, in the unit of the reading."""
+        """RMS error of the first model, in the unit `unit`."""
         return _first(self.data)["rmse"]
 
     @property
     def unit(self) -> str:
-        """Table of errors."""
+        """Unit of the errors, such as ``"Nmm"``."""
         return _first(self.data)["unit"]
 
     def to_frame(self, measured: str | None = None) -> pandas.DataFrame:
@@ -279,7 +281,7 @@ class Comparison(_Answer):
         Parameters
         ----------
         measured : str, optional
-            Measured column, such as ``"axial_displacement_um"``. Default: the first one.
+            Name of the measured column, such as ``"axial_displacement_um"``. Default: the first measured column.
         """
         import pandas
 
@@ -298,7 +300,7 @@ class Comparison(_Answer):
 
 
 class Check(_Answer):
-    """Check of a record for a model."""
+    """Report about the levels and the noise of a record, and about the effects that the record can test."""
 
     def _repr_html_(self) -> str:
         from ._html_correction import check_html
@@ -307,17 +309,17 @@ class Check(_Answer):
 
 
 class _Report(_Answer):
-    """Result of a fit."""
+    """Base class of results that a fit produced."""
 
     def fit_report(self) -> str:
-        """Return the fit as text, with parameters, errors, correlations, chi-square, AIC and BIC."""
+        """Return the results of the fit as text: parameters, standard errors, correlations, chi-square, AIC and BIC."""
         from .fit_report import fit_report
 
         return fit_report(self)
 
 
 class _Fitted(_Report):
-    """Models that a fit returned."""
+    """Base class of results with fitted models."""
 
     def __init__(self, answer: _engine.Answer, models: Mapping[str, Model | Correction]) -> None:
         super().__init__(answer)
@@ -337,13 +339,13 @@ class Calibration(_Fitted):
     Attributes
     ----------
     models : dict of str to Model
-        One model for each record, by the name of the record, if records have their own values. Otherwise one
-        model under ``""``.
+        If each record has its own values (`per_record`), one model for each record, by the name of the record.
+        Otherwise, one model with the name ``""``.
     """
 
     @property
     def parameters(self) -> dict[str, dict[str, Any]]:
-        """Parameters, each with value, standard error, start and unit."""
+        """Fitted parameters by name, each with value, standard error, start value and unit."""
         return self.data["parameters"]
 
     def conf_interval(self) -> pandas.DataFrame:
@@ -353,7 +355,8 @@ class Calibration(_Fitted):
         -------
         pandas.DataFrame
             ``value``, ``lower`` and ``upper`` in the ``unit`` of the parameter. ``open_lower`` and ``open_upper``
-            are true if the interval ends at a bound of the parameter. A parameter that the fit held has NaN.
+            are True if the interval ends at a bound of the parameter. The limits of a parameter that the fit kept
+            constant are NaN.
 
         Raises
         ------
@@ -362,8 +365,8 @@ class Calibration(_Fitted):
 
         Notes
         -----
-        At the ends of an interval, chi-square is 3.84 above its minimum, with all other parameters fitted
-        again. The rise is multiplied by the reduced chi-square if the noise is estimated from the misfit
+        At the ends of an interval, chi-square is 3.84 above its minimum. At each end, all other parameters are fitted
+        again. If the noise is estimated from the misfit, the value 3.84 is multiplied by the reduced chi-square
         (docs/files.md).
 
         Examples
@@ -385,11 +388,11 @@ class Calibration(_Fitted):
 
 
 class Diagnosis(_Report):
-    """Verdict on missing effects, or measurements that would show them."""
+    """Verdict on the missing effects, or the measurements that can identify them."""
 
     @property
     def verdict(self) -> str:
-        """Verdict in the words of the command."""
+        """Verdict as one word, as in the document of the command, such as ``"several-effects"``."""
         return self.data["verdict"]
 
     @property
@@ -399,7 +402,7 @@ class Diagnosis(_Report):
 
     @property
     def effects(self) -> list[str]:
-        """Ids of the effects in the verdict; empty if the data cannot tell."""
+        """Ids of the effects in the verdict. The list is empty if the verdict names no effect."""
         return [e["id"] for e in self.data["effects"] if e["in_verdict"]]
 
     def __repr__(self) -> str:
@@ -407,17 +410,17 @@ class Diagnosis(_Report):
 
 
 class Addition(_Fitted):
-    """Model with added effects and the change of its error.
+    """Model with added effects, and the errors before and after the addition.
 
     Attributes
     ----------
     models : dict of str to Model
-        Models as in `Calibration`.
+        Models with the added effects, by the same names as in `Calibration`.
     """
 
     @property
     def refused(self) -> str:
-        """Reason why the effects do not help; empty if they help."""
+        """Reason why the effects do not improve the model. The text is empty if they improve it."""
         return self._answer.refused
 
     def __repr__(self) -> str:
@@ -434,7 +437,7 @@ def _first(document: dict[str, Any]) -> dict[str, Any]:
 
 
 def _frame(csv: str, **how: Any) -> pandas.DataFrame:
-    """Read CSV from the library. The apostrophe that keeps a text from being a formula is removed."""
+    """Return CSV text of the library as a DataFrame, without the apostrophe that prevents a spreadsheet from reading a text as a formula."""
     import pandas
 
     def plain(cell: Any) -> Any:
@@ -451,7 +454,7 @@ def _write(path: str | os.PathLike[str], text: str, overwrite: bool) -> None:
 
 
 def write_files(files: Iterable[tuple[str | os.PathLike[str], str]], overwrite: bool) -> None:
-    """Write all files completely, or none. A number is refused as a path, because it would be an open file of the process."""
+    """Write either all files or no file. A number is not a valid path, because it would mean an open file of the process."""
     named = [(os.fsdecode(path), text) for path, text in files]
     for name, _ in named:
         if not overwrite and os.path.lexists(name):

@@ -1,4 +1,4 @@
-"""Influence of each datum of a model on its predictions."""
+"""Influence of each input value (datum) of a model on its predictions."""
 
 from __future__ import annotations
 
@@ -20,14 +20,15 @@ _FIRST = 15  # data of a report
 class Sensitivity(_Answer):
     """Derivatives of predictions with respect to every datum of a model, and their Sobol' indices if requested.
 
-    The spread of a datum is its possible error in both directions. ``change`` is the resulting change of the
-    prediction, and ``share`` is its share of the sum of squares of all changes.
+    A datum is a number of the model, such as a dimension or a temperature. The spread of a datum is its possible
+    error in both directions. ``change`` is the resulting change of the prediction. ``share`` is the square of this
+    change divided by the sum of the squares of all changes.
     """
 
     def to_frame(self) -> pandas.DataFrame:
         """Return one row per prediction, state and datum, the largest change first.
 
-        Indices add the columns ``first``, ``total`` and half the widths of their 95 % intervals.
+        Sobol' indices add the columns ``first`` and ``total``, and half the width of the 95 % interval of each index.
         """
         import pandas
 
@@ -46,7 +47,7 @@ class Sensitivity(_Answer):
 
     @property
     def does_not_enter(self) -> list[str]:
-        """Names of the data that change no digit of any prediction."""
+        """Names of the data that have no influence on any prediction."""
         return list(self.data["does_not_enter"])
 
     def text(self) -> str:
@@ -128,7 +129,7 @@ def _block(p: dict[str, Any]) -> str:
 
 
 class SensitivityQuestion:
-    """The question which datum matters, of a Model."""
+    """Sensitivity analysis of a `Model`."""
 
     _engine: _engine.Model
 
@@ -154,35 +155,40 @@ class SensitivityQuestion:
         Parameters
         ----------
         speed_rpm, axial_load_N, radial_load_N, temperature_C : float or sequence of float
-            States: all combinations. Arguments that are left out come from the model.
+            Operating points. The method calculates all combinations of these values. The model supplies the values
+            of omitted arguments. With `steady`, only `speed_rpm` is allowed.
         of : str or iterable of str
-            ``"torque"``, ``"heat"``, ``"displacement"``, ``"contact-angle"``, ``"stiffness"``,
-            ``"pressure"``, ``"life"``, of shafts and spindles ``"preload"``, ``"temperature"``, or names
-            of columns. Default torque, of a shaft or a spindle displacement.
+            Predictions to analyse: ``"torque"``, ``"heat"``, ``"displacement"``, ``"contact-angle"``,
+            ``"stiffness"``, ``"pressure"``, ``"life"``, ``"preload"``, ``"temperature"``, or names of result columns.
+            Each kind of model supports some of these words. The message of the InputError lists them. Default:
+            ``"torque"`` for a bearing, and ``"displacement"`` for a shaft or a spindle.
         spread : mapping
-            How far data may be off either way, in their units or as ``"10%"``. Default 1 %, 1 K of
-            temperatures, 1 of counts, and of what was fitted its standard error.
+            Possible error of a datum in both directions, by the name of the datum: a number in the unit of the
+            datum, or a percentage such as ``"10%"``. Default: 1 % of the value, 1 K for a temperature, 1 for a count,
+            and sqrt(3) standard errors for a fitted number.
         data : str or iterable of str
-            Only these are varied; of a table all: ``"bearing"``. Default all.
+            Names of the data to vary. The name of a table, such as ``"bearing"``, means all data of this table.
+            Default: all data.
         samples : int
-            Of global indices, a power of two; 0: derivatives alone.
+            Number of samples for the Sobol' indices. It must be a power of two. 0 calculates only the derivatives.
         seed : int
-            Of the samples.
+            Random seed of the samples.
         steady : bool
-            Of a whole spindle, where its speed leads.
+            True analyses the steady state of the whole spindle at each speed.
         coolant : bool
-            With `steady`: whether it flows.
+            True if the coolant flows. It has an effect only with `steady`.
         time_limit_s : float, optional
-            After which it gives up with TimeoutError.
+            Time limit [s]. After this time, the call stops and raises TimeoutError.
         progress : callable, optional
-            Called with the share that is done and the step, some ten times a second.
+            Function that receives the completed share (0 to 1) and the name of the current step. It is called at
+            most 20 times per second.
 
         Raises
         ------
         InputError
-            A datum or prediction that the model does not have, a spread that is negative.
+            The model does not have a requested datum or prediction, or a spread is negative.
         KeyboardInterrupt
-            Stops it; nothing is left half done.
+            The user pressed Ctrl+C. The call stops and returns no result.
 
         Examples
         --------

@@ -1,4 +1,4 @@
-"""Questions on records over time, as the engine takes them."""
+"""Functions that check arguments for records over time and convert them for the engine."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def one_record(record: Any) -> Record:
 
 
 def order_text(order: int | Sequence[int]) -> str:
-    """Sections of a channel as the command takes them: "2", "1:3"."""
+    """Return the number of lags of a channel in the form of the command, such as "2" or "1:3"."""
     numbers = list(order) if isinstance(order, (list, tuple)) else [order]
     whole = all(isinstance(n, Integral) and not isinstance(n, bool) for n in numbers)
     if len(numbers) not in (1, 2) or not whole:
@@ -29,7 +29,7 @@ def order_text(order: int | Sequence[int]) -> str:
 
 
 def lag_texts(lags_s: str | Iterable[float] | None) -> list[str]:
-    """Time constants [s], "auto", or none of them for sections."""
+    """Return the time constants [s] or "auto" as a list of texts. The list is empty for None."""
     if lags_s is None or isinstance(lags_s, str):
         return [] if lags_s is None else [lags_s]
     if not isinstance(lags_s, Iterable):

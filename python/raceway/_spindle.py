@@ -1,4 +1,4 @@
-"""Results of questions to a spindle: steady states, runs, modes, deflections and step responses."""
+"""Results of calculations for a spindle: steady states, runs, modes, deflections and step responses."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class _OfSpindle(_Answered):
-    """Result of the engine for a spindle."""
+    """Base class of the results for a spindle."""
 
     _answer: _engine.SpindleAnswer
 
@@ -25,49 +25,49 @@ class _OfSpindle(_Answered):
 
     @property
     def converged(self) -> bool:
-        """True if all results were found."""
+        """True if the calculation converged for every row of the result."""
         return self._answer.converged
 
     def to_frame(self) -> pandas.DataFrame:
-        """Return the rows of the CSV that the command writes with ``-o``; columns have their units."""
+        """Return the rows of the CSV file that the command writes with ``-o``. The column names include the units."""
         return _rows(self._answer.csv())
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Write this CSV with the model in its head. `overwrite` replaces an existing file."""
+        """Write the CSV of `to_frame` with the model in its header. True for `overwrite` replaces an existing file."""
         _write(path, self._answer.csv(), overwrite)
 
 
 class _WithField(_OfSpindle):
-    """Result with the temperature of every cell at the end."""
+    """Result that contains the temperature of every cell in the last state."""
 
     @property
     def end_state(self) -> str:
-        """All temperatures at the end as JSON. `Model.simulate` accepts it as `start`.
+        """All temperatures of the last state as JSON. `Model.simulate` accepts this text as `start`.
 
         Raises
         ------
         ValueError
-            The result has steady states at several speeds, or none.
+            The result has several speeds, or its single speed has no steady state.
         """
         return self._answer.end_state()
 
     def field(self) -> pandas.DataFrame:
-        """Return the cells at the end: ``position_mm, radius_mm, part, temperature_C``.
+        """Return the cells in the last state, with the columns ``position_mm, radius_mm, part, temperature_C``.
 
         Raises
         ------
         ValueError
-            Same as for `end_state`.
+            The result has several speeds, or its single speed has no steady state.
         """
         return _rows(self._answer.field())
 
 
 class SteadyStates(_WithField):
-    """Steady states of a spindle at one or several speeds. A speed without a steady state has NaN."""
+    """Steady states of a spindle at one or several speeds. The values are NaN at a speed without a steady state."""
 
     @property
     def status(self) -> list[str]:
-        """Status of the search at each speed: ``"converged"``, ``"thermal_runaway"``, ..."""
+        """Status of the calculation at each speed: ``"converged"``, ``"thermal_runaway"``, ..."""
         return [row["report"]["status"] for row in self.data["steady"]]
 
     def __repr__(self) -> str:
@@ -75,16 +75,17 @@ class SteadyStates(_WithField):
 
 
 class SpindleRun(_WithField):
-    """Run of a spindle through a speed programme, row by row. A run that ends early has the rows before its end.
+    """Simulation of a spindle through a speed programme, row by row.
 
-    `raceway.plot.spindle_run` draws it.
+    If the simulation stops early, the result contains the rows before the stop. `raceway.plot.spindle_run` draws
+    the result.
     """
 
     @property
     def status(self) -> str:
-        """``"converged"``, or the reason for an early end.
+        """``"converged"``, or the reason for an early stop.
 
-        ``"thermal_runaway"``, ``"no_equilibrium"`` or ``"step_limit"``.
+        The reason is ``"thermal_runaway"``, ``"no_equilibrium"`` or ``"step_limit"``.
         """
         return self.data["report"]["status"]
 
@@ -94,17 +95,17 @@ class SpindleRun(_WithField):
 
 
 class Modes(_OfSpindle):
-    """Natural frequencies of a shaft on its bearings over its speed; `raceway.plot.campbell` draws them."""
+    """Natural frequencies of a shaft on its bearings as a function of speed. `raceway.plot.campbell` draws them."""
 
     @property
     def status(self) -> list[str]:
-        """Status of the search at each speed."""
+        """Status of the calculation at each speed: ``"converged"``, or the reason for a missing result."""
         return [row["report"]["status"] for row in self.data["rows"]]
 
     def shapes(self) -> pandas.DataFrame:
-        """Return the shapes: ``speed_rpm, mode, frequency_Hz, whirl, position_mm, y_amplitude, z_amplitude``.
+        """Return the mode shapes: ``speed_rpm, mode, frequency_Hz, whirl, position_mm, y_amplitude, z_amplitude``.
 
-        The largest amplitude of a mode is 1.
+        Each mode shape is scaled to a largest amplitude of 1.
         """
         return _rows(self._answer.shapes())
 
@@ -113,21 +114,21 @@ class Modes(_OfSpindle):
 
 
 class Deflection(_OfSpindle):
-    """Shaft under a force. For a radial force, `to_frame()` is the bending line."""
+    """Deflection of a shaft under a force. For a radial force, `to_frame()` returns the bending line."""
 
     @property
     def status(self) -> str:
-        """``"converged"``, or the reason why there is no equilibrium."""
+        """``"converged"``, or the reason why the calculation found no equilibrium."""
         return self.data["report"]["status"]
 
     @property
     def displacement_um(self) -> float | None:
-        """Displacement at the place and in the direction of the force."""
+        """Displacement of the point at which the force acts, in the direction of the force. None without an equilibrium."""
         return self.data["displacement_um"]
 
     @property
     def stiffness_N_um(self) -> float | None:
-        """Force divided by this displacement; None for several loads together."""
+        """Force divided by `displacement_um`. None if several loads act together."""
         return self.data["stiffness_N_um"]
 
     def __repr__(self) -> str:
@@ -137,27 +138,29 @@ class Deflection(_OfSpindle):
 
 
 class StepResponses(_OfSpindle):
-    """Step responses of a spindle from rest: gain K and time constant T over the power P."""
+    """Step responses of a spindle from rest: gain K and time constant T as functions of the friction power P."""
 
     _answer: _engine.StepAnswer
 
     @property
     def status(self) -> list[str]:
-        """Status of each step; load steps come last."""
+        """Status of each step. The load steps are at the end of the list."""
         return [row["status"] for row in self.data["rows"] + self.data.get("load_rows", [])]
 
     def save_correction(self, path: str | os.PathLike[str], *, law: str = "curve", lags: str = "auto", overwrite: bool = False) -> list[Note]:
-        """Write the correction of these steps with its tables into one folder.
+        """Write the correction that follows from these step responses. The file and its tables are in one folder.
 
         Parameters
         ----------
         path : path
-            File of the correction (TOML). The names of its tables begin with this name.
+            File of the correction (TOML). The names of the table files begin with the name of this file.
         law : {"curve", "power", "line"}
-            Law of K and T over P: a table through all steps, a power of P, or a chord.
+            Law of K and T over P: a table through all steps (``"curve"``), a power of P (``"power"``), or a chord
+            (``"line"``).
         lags : {"auto", "one", "two"}
-            Number of delay elements. ``"auto"`` tries both on a day of changing speeds.
+            Number of delay elements. ``"auto"`` tries one and two elements on a day with changing speeds.
         overwrite : bool
+            True replaces existing files.
 
         Returns
         -------
@@ -167,9 +170,9 @@ class StepResponses(_OfSpindle):
         Raises
         ------
         InputError
-            The steps give no such correction.
+            The step responses do not allow this correction. The message gives the reason.
         FileExistsError
-            A file exists and `overwrite` is false. No file is written.
+            A file exists and `overwrite` is False. The method writes no file.
         """
         _one_of("law", law, ("curve", "power", "line"))
         _one_of("lags", lags, ("auto", "one", "two"))
@@ -181,25 +184,27 @@ class StepResponses(_OfSpindle):
         return notes
 
     def superposition(self, correction: str | os.PathLike[str], programme: Record) -> dict[str, Any]:
-        """Compare a correction with the complete simulation over a speed programme.
+        """Compare the predictions of a correction with the complete simulation of a speed programme.
 
         Parameters
         ----------
         correction : path
-            File that `save_correction` wrote.
+            File that `save_correction` has written.
         programme : Record
-            Columns ``time_s`` and ``speed_rpm``, and ``axial_load_N`` and ``radial_load_N`` for loads.
+            Record with the columns ``time_s`` and ``speed_rpm``. For loads, also ``axial_load_N`` and
+            ``radial_load_N``.
 
         Returns
         -------
         dict
-            ``rms_um``, ``largest_um`` at ``time_of_largest_s``, and the range of the simulation from
-            ``lowest_um`` to ``highest_um``.
+            ``rms_um`` is the RMS error of the correction. ``largest_um`` is its largest error, at the time
+            ``time_of_largest_s``. ``lowest_um`` and ``highest_um`` give the range of the simulated displacement.
 
         Raises
         ------
         InputError
-            A file is no correction or no programme, or the step responses were not simulated.
+            The file is not a correction, the record is not a speed programme, or the step responses come from another
+            program.
         """
         if not isinstance(programme, Record):
             wrong = type(programme).__name__
@@ -216,7 +221,7 @@ def _rows(csv: str) -> pandas.DataFrame:
 
 
 def _ended(status: list[str], what: str) -> str:
-    """Return "3 speeds", or "3 speeds, 1 of them without result"."""
+    """Return the number of speeds or steps as text: "3 speeds", or "3 speeds, 1 of them without result"."""
     failed = sum(s != "converged" for s in status)
     words = f"{len(status)} {what}" + ("" if len(status) == 1 else "s")
     return words if failed == 0 else f"{words}, {failed} of them without result"
@@ -228,7 +233,7 @@ def _one_of(name: str, value: object, allowed: tuple[str, ...]) -> None:
 
 
 def start_of(start: Any) -> tuple[str, str] | None:
-    """Return name and text of the initial state of a simulation."""
+    """Return the name and the text of the initial state of a simulation. None if no initial state is given."""
     if start is None:
         return None
     if isinstance(start, _WithField):

@@ -1,4 +1,4 @@
-"""Questions to a model of a spindle."""
+"""Calculations for a model of a spindle."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ._spindle import Deflection, Modes, SpindleRun, SteadyStates, StepResponses
 
 
 class SpindleQuestions:
-    """Questions to a model with [shaft] and [housing] in addition to [arrangement] (docs/spindle.md)."""
+    """Calculations for a model with the tables [shaft], [housing] and [arrangement] (docs/spindle.md)."""
 
     _engine: _engine.Model
 
@@ -44,29 +44,30 @@ class SpindleQuestions:
         axial_load_N : float, optional
             Axial load at the nose, positive towards the tool. Default: value of the model.
         radial_load_N, moment_Nm : float
-            Loads at the nose. A positive moment acts like the radial load further in front.
+            Loads at the nose. A positive moment acts in the same direction as the moment of a positive radial load in front of
+            the nose.
         belt_force_N : float, optional
-            Pull of the belt. Default: value of the model.
+            Belt force. Default: value of the model.
         motor_power_W : float, optional
-            Power of the motor, for heat formulas that use it.
+            Power of the motor. Only heat formulas with the motor power use it.
         assumptions : bool
-            True adds ``data["assumptions"]``: the five assumed numbers that move the nose most at the last speed.
-            This needs some fifty more states.
+            True adds ``data["assumptions"]``: the five assumed numbers with the largest influence on the displacement
+            of the nose at the last speed. This needs about fifty additional steady states.
         time_limit_s : float, optional
-            Time after which TimeoutError is raised.
+            Time limit [s]. After this time, the call stops and raises TimeoutError.
 
         Returns
         -------
         SteadyStates
-            A speed without a steady state gives a warning of the kind `Doubt`. `SteadyStates.status` has the
-            reason.
+            Steady states. The method warns with `Doubt` about a speed without a steady state.
+            `SteadyStates.status` gives the reason.
 
         Raises
         ------
         InputError
-            The model is not a spindle, or a speed is out of range.
+            The model is not a model of a spindle, or a speed is out of range.
         KeyboardInterrupt
-            An interrupt stops the calculation. Nothing is left half done.
+            The user pressed Ctrl+C. The call stops and returns no result.
 
         Examples
         --------
@@ -105,42 +106,42 @@ class SpindleQuestions:
     ) -> SpindleRun:
         """Simulate a spindle through a speed programme.
 
-        The result has temperatures, preload, displacement and heat over time.
+        The result contains temperatures, preload, displacement and heat over time.
 
         Parameters
         ----------
         profile : Record
-            Columns ``time_s`` and ``speed_rpm``, and if known ``coolant_on``,
+            Record with the columns ``time_s`` and ``speed_rpm``. Optional columns: ``coolant_on``,
             ``ambient_temperature_C``, ``machine_temperature_C``, ``coolant_inlet_temperature_C``,
             ``axial_load_N``, ``radial_load_N``, ``moment_Nm``, ``belt_force_N``, ``motor_heat_W``,
-            ``motor_power_W``. The inputs of a row hold from the previous row to
-            its time.
+            ``motor_power_W``. The inputs of a row apply from the time of the previous row to the
+            time of this row.
         start : SteadyStates, SpindleRun, str or path, optional
-            Initial state: another result, its `end_state`, or a file with one. Default: everything has room
-            temperature.
+            Initial state: another result, the `end_state` of another result, or a file with this text. Default: all
+            parts have room temperature.
         coolant : bool
-            False turns the coolant off in all rows.
+            False switches the coolant off in all rows.
         ambient_temperature_C : float, optional
-            Room temperature of all rows. Default: the column, or else the model.
+            Room temperature for all rows. Default: the column of `profile`. Without this column, the value of the model.
         assumptions : bool
-            True adds ``data["assumptions"]``: the five assumed numbers that move the nose most in the steady state
-            at the highest speed.
+            True adds ``data["assumptions"]``: the five assumed numbers with the largest influence on the displacement
+            of the nose in the steady state at the highest speed.
         time_limit_s : float, optional
-            Time after which TimeoutError is raised.
+            Time limit [s]. After this time, the call stops and raises TimeoutError.
 
         Returns
         -------
         SpindleRun
-            A run that ends early has the rows before its end and a warning of the kind `Doubt`.
-            `SpindleRun.status` has the reason.
+            Result of the simulation. If the simulation stops early, the result contains the rows before the stop, and
+            the method warns with `Doubt`. `SpindleRun.status` gives the reason.
 
         Raises
         ------
         InputError
-            The model is not a spindle, the profile has no time, no speed or several runs, or the state belongs
-            to another spindle.
+            The model is not a model of a spindle, the profile has no time, no speed or several runs, or the initial
+            state belongs to another spindle.
         KeyboardInterrupt
-            An interrupt stops the calculation. Nothing is left half done.
+            The user pressed Ctrl+C. The call stops and returns no result.
 
         Examples
         --------
@@ -185,28 +186,29 @@ class SpindleQuestions:
         speed_rpm : float or sequence of float
             Speeds in rising order.
         warm : bool
-            True uses the bearing stiffness of the warm spindle in its steady state. False uses the mounting
-            temperature.
+            True uses the bearing stiffness of the warm spindle in its steady state. False uses the bearing stiffness at
+            the mounting temperature.
         coolant : bool
-            True if the coolant of the warm spindle flows.
+            True if the coolant flows. It has an effect only with `warm`.
         count : int
             Number of modes, 1 to 40.
         damping_ratio : float, optional
             Damping ratio of all modes, up to 1.
         unbalance_gmm, unbalance_at_mm : float
-            Unbalance that turns with the shaft; it needs a damping ratio. Each speed then has
-            ``nose_amplitude_um`` and ``nose_lag_deg``.
+            Unbalance of the shaft, and its position as a distance behind the nose face. A damping ratio is required. The result then
+            contains ``nose_amplitude_um`` and ``nose_lag_deg`` for each speed.
 
         Returns
         -------
         Modes
-            `raceway.plot.campbell` draws them. ``data["crossings"]`` has the speeds at which the speed, twice the
-            speed, and the cage and race frequencies of each bearing meet a mode.
+            Natural frequencies. `raceway.plot.campbell` draws them. ``data["crossings"]`` lists the speeds at which an
+            excitation frequency equals a natural frequency. The excitation frequencies are the speed, twice the speed,
+            and the cage and race frequencies of each bearing.
 
         Raises
         ------
         InputError
-            The [shaft] of the model has no segments.
+            The table [shaft] of the model has no segments.
 
         Examples
         --------
@@ -244,28 +246,30 @@ class SpindleQuestions:
         warm: bool = False,
         coolant: bool = True,
     ) -> Deflection:
-        """Calculate the deflection of the shaft on its bearings, with the balls in equilibrium under the load.
+        """Calculate the deflection of the shaft on its bearings. The balls are in equilibrium under the load.
 
         Parameters
         ----------
         force_N : float
-            Force. An axial force is positive towards the tool.
+            Force in the given direction. An axial force is positive towards the tool.
         direction : {"radial", "axial"}
+            Direction of the force.
         at_mm : float
-            Place of the force behind the nose face.
+            Position of the force, as a distance behind the nose face.
         axial_force_N, moment_Nm : float
-            Loads at the same place, in addition to a radial force. The axial force is positive towards the
-            tool. A positive moment acts like the force further in front.
+            Loads at the same position, in addition to a radial force. The axial force is positive towards the tool. A
+            positive moment acts in the same direction as the moment of a positive radial force in front of this position.
         speed_rpm : float
+            Speed of the shaft.
         warm : bool
             True uses the preload of the warm spindle in its steady state at this speed.
         coolant : bool
-            True if the coolant of the warm spindle flows.
+            True if the coolant flows. It has an effect only with `warm`.
 
         Raises
         ------
         InputError
-            There is no load, the loads do not fit together, or the [shaft] has no segments.
+            No load is given, the loads cannot be combined, or the table [shaft] has no segments.
 
         Examples
         --------
@@ -303,36 +307,37 @@ class SpindleQuestions:
         temperature_C: float | None = None,
         time_limit_s: float | None = None,
     ) -> StepResponses:
-        """Calculate gain K and time constant T of the thermal displacement over the friction power.
+        """Calculate gain K and time constant T of the thermal displacement as functions of the friction power.
 
         Parameters
         ----------
         speed_rpm : float or sequence of float
             Speeds of the steps from rest, in rising order.
         axial_load_N, radial_load_N : float or sequence of float, optional
-            Load steps at the nose of the spindle in its steady state at each speed, in rising order. An axial
-            load is positive towards the tool.
+            Sizes of load steps at the nose, in rising order. Before a load step, the spindle is in its steady state at
+            the speed. An axial load is positive towards the tool.
         load_speed_rpm : float or sequence of float, optional
-            Speeds of the load steps. Default: all of `speed_rpm`.
+            Speeds of the load steps. Default: all values of `speed_rpm`.
         duration_h : float
             Duration of each step.
         coolant : bool
+            True if the coolant flows.
         load_cases : Record, optional
-            Step responses of another program instead of a simulation, with ``time_s``,
-            ``axial_displacement_um``, ``power_W`` or ``speed_rpm``, and ``load_case`` if several have the same
-            size. The model can then be any shaft.
+            Step responses from another program, in place of a simulation. The columns are ``time_s``,
+            ``axial_displacement_um``, ``power_W`` or ``speed_rpm``, and ``load_case`` if several steps have the same
+            size. With `load_cases`, the model can be any model of a shaft.
         temperature_C : float, optional
-            Lubricant temperature for the power of load cases that only have a speed. Default: value of the
-            model.
+            Lubricant temperature. It is used to calculate the power of load cases that give only a speed. Default:
+            value of the model.
         time_limit_s : float, optional
-            Time after which TimeoutError is raised.
+            Time limit [s]. After this time, the call stops and raises TimeoutError.
 
         Raises
         ------
         InputError
-            The model is not a spindle, or the load cases cannot be read or fitted.
+            The model is not a model of a spindle, or the program cannot read or fit the load cases.
         KeyboardInterrupt
-            An interrupt stops the calculation. Nothing is left half done.
+            The user pressed Ctrl+C. The call stops and returns no result.
 
         Examples
         --------

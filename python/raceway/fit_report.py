@@ -1,4 +1,4 @@
-"""Report of a fit as plain text, in the order in which lmfit and statsmodels print theirs."""
+"""Report of a fit as plain text, in the same order as the reports of lmfit and statsmodels."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ LEAST_CORRELATION = 0.1
 
 
 def plain(value: object) -> str:
-    """Text of one line: control characters of a name cannot move a terminal's cursor."""
+    """Return the value as text on one line. Control characters are replaced by "?", so that they do not affect the terminal."""
     return "".join(c if c.isprintable() else "?" for c in str(value))
 
 
@@ -26,12 +26,12 @@ def _unit(unit: str | None) -> str:
 
 
 def _error(value: float | None, unit: str | None) -> str:
-    """An error of readings; errors of temperatures are in K."""
+    """Return an error of readings with its unit. The unit of an error of temperatures is K."""
     return f"{number(value, 4)} {'K' if unit == 'C' else _unit(unit)}".rstrip()
 
 
 def wrapped(words: str, indent: str = "    ", hanging: str | None = None) -> list[str]:
-    """Lines of 80 columns at most."""
+    """Return the text as lines with at most 80 columns."""
     return textwrap.wrap(
         plain(words), WIDTH, initial_indent=indent, subsequent_indent=indent if hanging is None else hanging, break_on_hyphens=False
     ) or [indent.rstrip()]
@@ -58,12 +58,12 @@ def _pair(one: dict[str, Any]) -> str:
 
 
 def _moved(one: dict[str, Any], readings: int) -> int:
-    """k, the parameters that a fit moved, those at a bound among them."""
+    """Number k of parameters that a fit varied, including parameters at a bound."""
     return readings - one["degrees_of_freedom"]
 
 
 def _criteria(data: dict[str, Any]) -> list[str]:
-    """AIC and BIC of a calibration, and from what they are."""
+    """Return the lines with AIC and BIC of a calibration and the formulas."""
     n, chi = data["readings"], data["chi_square"]
     if data["aic"] is None:
         why = (
@@ -115,7 +115,7 @@ def _bound(p: dict[str, Any]) -> str:
 
 
 def _interval(p: dict[str, Any]) -> str:
-    """The 95 % interval of a document, open where a bound stands for its end."""
+    """Return the 95 % interval of a parameter. An end is marked as open if it is a bound of the parameter."""
     profile = p.get("profile") or {"from": p.get("from"), "to": p.get("to")}
     if profile["from"] is None and profile["to"] is None and not profile.get("open_from"):
         return ""
@@ -240,7 +240,7 @@ def _ranking(data: dict[str, Any]) -> list[str]:
 
 
 def _held_out(data: dict[str, Any]) -> list[str]:
-    """Errors of models of records over time, which have no likelihood."""
+    """Return the lines with the errors of the explanations of a record over time. Such records have no likelihood."""
     lines = [
         "[[Explanations by their errors]]",
         f"    {'':<50}{'RMS':>12}{'held out':>12}",
@@ -300,7 +300,7 @@ def conf_interval(result: Any) -> pandas.DataFrame:
     Raises
     ------
     ValueError
-        The document has no intervals, because they were not asked for.
+        The document has no intervals, because `calibrate` was called without ``profile=True``.
     """
     import pandas
 
@@ -323,25 +323,25 @@ def conf_interval(result: Any) -> pandas.DataFrame:
 
 
 def fit_report(result: Any) -> str:
-    """Report of a fit, in the form of lmfit and statsmodels.
+    """Return the report of a fit as text, in the form of lmfit and statsmodels.
 
     Parameters
     ----------
     result : Calibration, Addition or Diagnosis
-        Result whose document ``data`` is reported.
+        Result to report. The function reads its document ``data``.
 
     Returns
     -------
     str
-        Plain text of 80 columns: header, chi-square, AIC and BIC of the document with their
-        formulas, parameters with standard errors and intervals, correlations above 0.1.
+        Plain text with at most 80 columns: header, chi-square, AIC and BIC with their formulas, parameters with
+        standard errors and intervals, and correlations of at least 0.1.
 
     Raises
     ------
     TypeError
-        Something else.
+        `result` has another type.
     ValueError
-        The Calibration fits catalogue rigidities and has no readings.
+        The Calibration was fitted to catalogue rigidities and has no readings.
 
     Examples
     --------

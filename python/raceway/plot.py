@@ -1,7 +1,7 @@
-"""Pictures of results for papers, as matplotlib axes with quantities and units.
+"""Plots of results for papers, as matplotlib axes with quantities and units.
 
-Every function has an argument ``ax`` and returns the Axes of the picture. Without ``ax`` it makes a new figure
-of pyplot, which a notebook shows. ``ax.figure.savefig("name.pdf")`` writes the figure. Curves differ in
+Every function has an argument ``ax`` and returns the Axes of the plot. Without ``ax``, the function creates a new
+figure of pyplot. A notebook shows this figure. ``ax.figure.savefig("name.pdf")`` writes the figure. Curves differ in
 line style and marker, not only in colour. Figures have no titles.
 """
 
@@ -36,33 +36,33 @@ def _legend_title(by: list[str]) -> str:
 
 
 def stribeck(table: Any, *, by: str | Sequence[str] | None = "axial_load_N", measured: Any = None, ax: Axes | None = None) -> Axes:
-    """Draw friction torque over speed, with a curve for each load.
+    """Draw friction torque over speed, with one curve for each load.
 
     Parameters
     ----------
     table : Table or DataFrame
-        One row per operating point: ``speed_rpm`` [rpm], ``friction_torque_Nmm`` [N mm], settings.
-        A column ``friction_torque_band_Nmm`` [N mm], half the width of a 95 % band, is drawn around the
-        curve. Points without a result leave a gap.
+        One row per operating point, with ``speed_rpm`` [rpm], ``friction_torque_Nmm`` [N mm] and the settings.
+        If the column ``friction_torque_band_Nmm`` [N mm] exists (half the width of the 95 % band), the band is
+        drawn around the curve. The curve has a gap at points without a result.
     by : str or sequence of str, optional
-        One or several settings with a curve for each value. None: one curve of all rows.
+        One or several settings. Each value of these settings has its own curve. None draws one curve of all rows.
     measured : record or DataFrame, optional
-        Readings, drawn as marks without a line. A reading within 10 % of the setting of a curve has the mark
-        of this curve. Other readings have a cross.
+        Readings, drawn as markers without a line. A reading within 10 % of the setting of a curve has the marker
+        of this curve. The marker of all other readings is a cross.
     ax : matplotlib.axes.Axes, optional
-        Axes for the picture. The default is a new figure.
+        Axes for the plot. The default is a new figure.
 
     Returns
     -------
     matplotlib.axes.Axes
-        ``lines`` are the curves by rising value, then the readings of each curve.
+        ``lines`` contains the curves in the order of rising values, followed by the readings of each curve.
 
     Raises
     ------
     TypeError
-        `table` is no table, such as a list of tables.
+        `table` is not a table. For example, it is a list of tables.
     ValueError
-        There are no rows, a column is missing, no point has a torque, or another setting varies.
+        The table has no rows, a column is missing, no point has a torque, or a setting that is not in `by` varies.
 
     Examples
     --------
@@ -151,26 +151,27 @@ def contact_angles(table: Any, *, by: str | Sequence[str] | None = None, ax: Axe
     Parameters
     ----------
     table : Table, Displacement or DataFrame
-        In a Table the angles of all balls lie in a band from ``inner_contact_angle_min_deg`` to
-        ``..._max_deg`` [deg]. On a shaft every bearing has one angle,
-        ``front_1_inner_contact_angle_deg``. Bearings with equal angles share a curve.
+        For a Table, the plot shows a band that contains the angles of all balls, from
+        ``inner_contact_angle_min_deg`` to ``inner_contact_angle_max_deg`` [deg]. For a shaft, every bearing has one
+        angle, such as ``front_1_inner_contact_angle_deg``. Bearings with equal angles share one curve.
     by : str or sequence of str, optional
-        Setting of a Table with a pair of curves for each value. The default is the axial load if it
-        varies. Not for a shaft.
+        Setting of a Table. Each value of this setting has its own pair of curves. The default is the axial load if
+        it varies. Not available for a shaft.
     ax : matplotlib.axes.Axes, optional
-        Axes for the picture. The default is a new figure.
+        Axes for the plot. The default is a new figure.
 
     Returns
     -------
     matplotlib.axes.Axes
-        Inner races have solid lines, outer races dashed lines. The smallest angle comes before the largest.
+        The lines of inner races are solid, and the lines of outer races are dashed. The line of the smallest angle
+        comes before the line of the largest angle.
 
     Raises
     ------
     TypeError
-        `table` is no table and no displacement.
+        `table` is neither a table nor a displacement.
     ValueError
-        There are no rows, a column is missing, or another setting varies.
+        The table has no rows, a column is missing, or a setting that is not in `by` varies.
 
     Examples
     --------
@@ -225,7 +226,7 @@ def _race_lines(ax: Axes, speed: np.ndarray, inner: np.ndarray, outer: np.ndarra
 
 
 def _bearing_curves(ax: Axes, frame: pd.DataFrame, places: list[str]) -> list[str]:
-    """Draw a pair of curves for every group of bearings with equal angles, and return the names of the groups."""
+    """Draw a pair of curves for each group of bearings with equal angles. Return the names of the groups."""
     caller = "contact_angles()"
     speed = draw.numbers(frame, "speed_rpm", caller)
     alike: list[tuple[list[str], np.ndarray]] = []
@@ -244,7 +245,7 @@ def _bearing_curves(ax: Axes, frame: pd.DataFrame, places: list[str]) -> list[st
 
 
 def _table_curves(ax: Axes, frame: pd.DataFrame, by: list[str]) -> list[str]:
-    """Draw a band from the smallest to the largest angle for each value of the settings, a line if they are equal."""
+    """Draw a band from the smallest to the largest angle for each value of the settings. If both are equal, draw a line."""
     caller = "contact_angles()"
     names = []
     for i, (values, rows) in enumerate(draw.groups_by(frame, by)):
@@ -261,7 +262,7 @@ def _table_curves(ax: Axes, frame: pd.DataFrame, by: list[str]) -> list[str]:
 
 
 def _race_legend(ax: Axes, own: bool, names: list[str], title: str | None) -> None:
-    """Place a legend with races by line style and all else by marker. It has half the entries of a legend of all curves."""
+    """Place a legend with the line style of each race and the marker of each group. It has fewer entries than a legend of all curves."""
     ink = mpl.rcParams["text.color"]
     races = [Line2D([], [], color=ink, linestyle="-", label="inner race"), Line2D([], [], color=ink, linestyle="--", label="outer race")]
     marks = [
@@ -275,22 +276,22 @@ def _race_legend(ax: Axes, own: bool, names: list[str], title: str | None) -> No
 
 
 def campbell(modes: Any, *, ax: Axes | None = None) -> Axes:
-    """Draw the natural frequencies of the shaft over speed, with the line of one excitation per turn.
+    """Draw the natural frequencies of the shaft over speed, with the line of one excitation per revolution.
 
     Parameters
     ----------
     modes : Modes
-        The document has ``rows`` with ``speed_rpm`` [rpm] and ``modes`` with ``frequency_Hz`` [Hz]
-        and ``whirl``: backward, forward, or standing (as at standstill).
+        Result of `Model.modes`. Its document contains ``rows`` with ``speed_rpm`` [rpm] and ``modes``. Each mode has
+        ``frequency_Hz`` [Hz] and ``whirl``: backward, forward, or standing (as at standstill).
     ax : matplotlib.axes.Axes, optional
-        Axes for the picture. The default is a new figure.
+        Axes for the plot. The default is a new figure.
 
     Returns
     -------
     matplotlib.axes.Axes
-        Forward whirl has solid lines, backward whirl dashed and standing modes dotted lines. A line joins
-        the first modes of one whirl at all speeds, the next line the second modes. ``lines[-1]`` is the
-        line 1×.
+        The lines of forward whirl are solid, the lines of backward whirl are dashed, and the lines of standing modes
+        are dotted. One line connects the first mode of a whirl direction at all speeds. The next line connects the
+        second mode. ``lines[-1]`` is the line of one excitation per revolution (1×).
 
     Raises
     ------
@@ -346,7 +347,7 @@ def campbell(modes: Any, *, ax: Axes | None = None) -> Axes:
 
 
 def _branches(rows: list[dict[str, Any]], whirl: str) -> list[np.ndarray]:
-    """Return the frequencies of the first, second, ... mode of this whirl at every speed; NaN for a missing mode.
+    """Return the frequencies of the first, second and further modes of this whirl direction at each speed. A missing mode is NaN.
 
     At standstill, modes come in pairs. The lower mode of a pair starts the backward branch.
     """
