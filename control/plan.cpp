@@ -404,7 +404,7 @@ class Planner {
     hand_out(axis, *m.displacement);
     if (const correction::Trust trust = correction::trust_of(m);
         trust.level == correction::TrustLevel::unknown) {
-      note(fmt::format("{}: the trust in this correction is: {}", axis.column,
+      note(fmt::format("{}: the trust in this correction is {}", axis.column,
                        correction::line_of(trust)));
     } else {
       axis.trust = correction::name(trust.level);

@@ -115,13 +115,13 @@ TEST_F(BadInput, DataWithoutWhatIsNeededNameIt) {
   expect_data_refused("", ": the file is empty");
   expect_data_refused("\n\n", ": the file is empty");
   expect_data_refused("speed_rpm,axial_load_N,friction_torque_Nmm\n", ": no data rows");
-  expect_data_refused("speed_rpm,axial_load_N\n1000,100\n", ": a measured column is missing:");
+  expect_data_refused("speed_rpm,axial_load_N\n1000,100\n", ":1: a measured column is missing:");
   expect_data_refused("axial_load_N,friction_torque_Nmm\n1000,100\n",
                       ":1: column speed_rpm is missing");
   expect_data_refused("speed_rpm,friction_torque_Nmm\n1000,100\n",
                       ":1: the axial load is missing: give a column axial_load_N");
   expect_data_refused("1000,100,92\n2000,100,140\n",
-                      ": the header line with the column names is missing");
+                      ":1: the header line with the column names is missing");
 }
 
 TEST_F(BadInput, MisspeltColumnIsAnsweredWithTheNearest) {

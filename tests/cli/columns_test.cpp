@@ -245,7 +245,7 @@ TEST(Columns, ATableGoesOutForOtherPrograms) {
               HasSubstr("double friction_torque(6,3)\n0 100 300\n"));
   EXPECT_EQ(run_shell(at + "--plot t.svg").status, 0);
   EXPECT_THAT(file_text(folder.path() / "t.svg"), testing::StartsWith("<svg "));
-  expect_refused(run_shell(at + "--format plain"), "--output is missing");
+  expect_refused(run_shell(at + "--format plain"), "--format needs --output FILE");
 }
 
 /// From a machine's own export to a correction, and no file by hand.

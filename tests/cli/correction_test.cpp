@@ -137,7 +137,7 @@ TEST_F(Correction, ARoomColderThanEverBeforeIsNeverSilent) {
   EXPECT_EQ(r.status, 0);
   EXPECT_THAT(r.err, HasSubstr("warning: ambient_temperature_C: from line "));
   EXPECT_THAT(r.err, HasSubstr("outside the training data of 19.137 to 24.900 C"));
-  EXPECT_THAT(r.out, HasSubstr("95 % band of displacement_z_um: +- "));
+  EXPECT_THAT(r.out, HasSubstr("95 % band of displacement_z_um: smallest half width "));
   for (const std::string command : {"correct ", "compare "}) {
     const json d = parsed(run(command + model + " " + cold + " --json"));
     EXPECT_GT(d["rows_beyond_range"], 500) << command;

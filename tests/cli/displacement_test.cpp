@@ -66,8 +66,9 @@ TEST_F(Displacement, PublishedCurveIsReproducedByAPlausibleBearing) {
 TEST_F(Displacement, ShowsACurve) {
   const Result r = raceway("displacement", "--speed 0:10000:5000");
   EXPECT_EQ(r.status, 0);
-  EXPECT_THAT(r.out, StartsWith("Shaft position of 7014 in its arrangement, positive towards the "
-                                "tool\npreload 600 N at standstill; the front set comes free at "));
+  EXPECT_THAT(r.out,
+              StartsWith("Shaft position of 7014 in its arrangement, positive towards the "
+                         "tool\npreload 600 N at standstill; the front set loses contact at "));
   EXPECT_THAT(r.out, HasSubstr("speed  position  front   rear  stiffness  torque   loss\n"));
   EXPECT_THAT(r.out, HasSubstr("\n    0    0.0000  600.0  600.0 "));
   EXPECT_THAT(r.out, HasSubstr("\n10000    5.4"));
@@ -123,8 +124,9 @@ TEST_F(Displacement, WarnsOfTheSpeedWhereAMinimumLoadIsMissed) {
   EXPECT_THAT(r.err,
               testing::ContainsRegex("warning: front_1, front_2: the load is below the minimum "
                                      "load from 6[5-9][0-9][0-9] rpm on: 300 N of 300"));
-  EXPECT_THAT(r.err, testing::ContainsRegex("warning: rear_1: below the minimum load from 9[0-9]+ "
-                                            "rpm on"));
+  EXPECT_THAT(r.err,
+              testing::ContainsRegex(
+                  "warning: rear_1: the load is below the minimum load from 9[0-9]+ rpm on"));
   // The rigid sets load themselves.
   EXPECT_THAT(raceway("displacement", "--speed 0:12000:4000").err, Not(HasSubstr("minimum load")));
 }
@@ -265,7 +267,7 @@ TEST_F(Displacement, WrongUseIsRefused) {
   const std::string unmeasured = scratch_.write("d.csv", "speed_rpm,axial_load_N\n1000,100\n");
   for (const char* command : {"compare", "calibrate", "diagnose"}) {
     expect_refused(raceway(command, unmeasured),
-                   "friction_torque_Nmm or axial_displacement_um is expected");
+                   "a measured column is missing: friction_torque_Nmm or axial_displacement_um");
     expect_refused(raceway(command, scratch_.write("u.csv", curve_text),
                            model_text + "\n[rig]\naxial_load_N = 0\n"),
                    "which needs a model with an [arrangement]");

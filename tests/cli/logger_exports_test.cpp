@@ -114,7 +114,8 @@ TEST(LoggerExports, DisplacementsInMillimetresAreAskedAboutBeforeAnyResult) {
   const Exported in_mm = scaled(at_displacement, 1e-3);
   for (const std::string& command : in_mm.commands())
     expect_refused(run(command),
-                   "is it in mm, 3.67 um/K? Say so in [columns]: displacement_z_um = { column = "
+                   "are the values in mm (3.67 um/K)? If so, set the unit in [columns]: "
+                   "displacement_z_um = { column = "
                    "\"displacement_z_um\", unit = \"mm\" }");
   const std::string map = in_mm.folder.write(
       "map.toml",
@@ -128,8 +129,8 @@ TEST(LoggerExports, TimesInOtherUnitsAreAskedAboutBeforeAnyResult) {
     const Exported other = scaled(at_time, factor);
     for (const std::string& command : other.commands())
       expect_refused(run(command),
-                     fmt::format("is time_s in {}, so that they come every 60 s over 14 h? "
-                                 "Say so in [columns]: time_s = {{ column = \"time_s\", unit "
+                     fmt::format("is time_s in {} (interval 60 s over 14 h)? If so, set the unit "
+                                 "in [columns]: time_s = {{ column = \"time_s\", unit "
                                  "= \"{}\" }}",
                                  unit, unit));
     const std::string map = other.folder.write(
@@ -330,7 +331,7 @@ TEST(LoggerExports, AYearOfTwoDigitsInFrontIsReadWhereItIsDecided) {
   });
   expect_refused(run("check " + record_model + " " + undecided.file + " --columns " +
                      undecided.folder.write("map.toml", "[columns]\ntime_s = \"Time\"\n")),
-                 "Say date_order = \"day first\", \"month first\" or \"year first\" in [columns]");
+                 "Set date_order = \"day first\", \"month first\" or \"year first\" in [columns]");
   const std::string said = undecided.folder.write(
       "said.toml", "[columns]\ndate_order = \"month first\"\ntime_s = \"Time\"\n");
   expect_truth(undecided.file, "--columns " + said);

@@ -124,7 +124,7 @@ TEST_F(Nest, AMissingProbeIsNamed) {
       "time_s,front_bearing_temperature_C,ambient_temperature_C,x1_um,y1_um,y2_um,z_um\n"
       "0,20,20,0,0,0,0\n60,20,20,0,0,0,0\n");
   expect_refused(run("correct " + model() + " " + record),
-                 "column x2_um is missing, of which " + model());
+                 "column x2_um is missing, from which " + model());
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ TEST(RollerCommand, AnAxialLoadIsAnError) {
   const Result solved = run("solve " + model + " --speed 1000 --axial-load 100 --radial-load 500");
   EXPECT_EQ(solved.status, 1);
   EXPECT_THAT(solved.err, HasSubstr("--axial-load: must be 0"));
-  EXPECT_THAT(solved.err, HasSubstr("carries none"));
+  EXPECT_THAT(solved.err, HasSubstr("cannot carry an axial load"));
   const std::string data = scratch.write(
       "rig.csv", "speed_rpm,axial_load_N,radial_load_N,friction_torque_Nmm\n1000,50,500,40\n");
   const Result compared = run("compare " + model + " " + data);
@@ -137,7 +137,7 @@ TEST(RollerCommand, TyposAndNumbersOutOfRangeAreNamed) {
 
 TEST(RollerCommand, KeysTellOfThem) {
   EXPECT_THAT(run("keys roller_count").out,
-              HasSubstr("[bearing]\n  roller_count  4 to 200; required\n      of cylindrical "
+              HasSubstr("[bearing]\n  roller_count  4 to 200; required\n      cylindrical "
                         "rollers: "));
   EXPECT_THAT(run("keys \"f1_load rollers\"").out, HasSubstr("F_r or rollers"));
 }

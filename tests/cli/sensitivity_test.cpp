@@ -225,7 +225,7 @@ TEST(Sensitivity, RefusesWhatWasAskedWrong) {
           "a percentage of 0 is 0; give the error in the unit of the name");
   refused(at_point + " --spread nothing.toml", "nothing.toml");
   refused(at_point + " --of torqe", ": unknown prediction; must be one of");
-  refused(at_point + " --data nonsense", "has no such number");
+  refused(at_point + " --data nonsense", "has no number of this name");
   refused(at_point + " --global 1000", "must be a power of two");
   refused(at_point + " --global -4", "--global");
   refused(at_point + " --steady", "is not a spindle");

@@ -62,7 +62,7 @@ TEST_F(SilentAnswers, NoWarningNamesWhatTheUserDidNotWriteOrWhatIsTakenIn) {
                                "ball_material = \"silicon-nitride\"\n[lubricant]"),
                       at_a_point)
                   .err,
-              HasSubstr("palmgren ignores ball_material and running"));
+              HasSubstr("palmgren does not depend on ball_material and running"));
 }
 
 TEST_F(SilentAnswers, AMomentThatALockedTiltCarriesIsNamed) {

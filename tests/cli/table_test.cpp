@@ -232,7 +232,7 @@ TEST_F(Slabs, NeedAPlaceAmongThemAndAFile) {
     EXPECT_EQ(r.status, 1);
     EXPECT_THAT(r.err, HasSubstr("write i/N with i from 1 to N")) << part;
   }
-  EXPECT_THAT(table(axes + " --slab 1/3").err, HasSubstr("--output is missing"));
+  EXPECT_THAT(table(axes + " --slab 1/3").err, HasSubstr("--slab needs --output FILE"));
 }
 
 }  // namespace

@@ -244,7 +244,7 @@ TEST(Effects, AreSearchedByTheirTexts) {
   const json all = parsed(run("effects lubricant --json"));
   EXPECT_GT(all["effects"].size(), 3u);
   EXPECT_LT(all["effects"].size(), parsed(run("effects --json"))["effects"].size());
-  expect_refused(run("effects frobnicate"), "no such effect; raceway effects lists them");
+  expect_refused(run("effects frobnicate"), "unknown effect; raceway effects lists them");
 }
 
 TEST(Progress, SaysHowLongItWillTake) {

@@ -99,15 +99,14 @@ TEST(Tolerance, ThatCannotBeIsToldInOneMessage) {
   refused("0Nmm", "\"0Nmm\": must be a number above 0");
   refused("-1Nmm", "\"-1Nmm\": must be a number above 0");
   refused("nanNmm", "\"nanNmm\": must be a number above 0");
-  refused("1Nmm,2Nmm", "\"2Nmm\": two tolerances in Nmm are given");
+  refused("1Nmm,2Nmm", "\"2Nmm\": two tolerances in Nmm are given; keep one");
 }
 
 TEST(Tolerance, GivenTwiceIsRefused) {
   const ScratchFolder scratch;
   const std::string model = with_loop(scratch, "tolerance_Nmm = 2\n");
-  expect_refused(
-      run("diagnose " + model + " " + train + " --tolerance 3Nmm"),
-      "--tolerance: \"3Nmm\": tolerance_Nmm is already given under [loop] of " + model + "\n");
+  expect_refused(run("diagnose " + model + " " + train + " --tolerance 3Nmm"),
+                 "--tolerance: \"3Nmm\": tolerance_Nmm is already given under [loop] of " + model);
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ TEST(Trust, IsNotKnownOfAFileThatDoesNotSayIt) {
   scratch.write("found.toml", replaced(file_text(found), "offset_um = -", "offset_um = "));
   const Result changed = run("export " + found + " --format c");
   EXPECT_EQ(changed.status, 0) << changed.err;
-  EXPECT_THAT(changed.err, HasSubstr("the trust in this correction is: not known"));
+  EXPECT_THAT(changed.err, HasSubstr("the trust in this correction is not known"));
 }
 
 TEST(Trust, OfATableIsRefusedWhereItSaysSomethingElse) {

@@ -421,9 +421,10 @@ TEST(ControlPlan, RefusesEquationsThatNeverDecayOrHaveTwoSamplings) {
         "denominator = {}\n",
         axis, sampling, denominator);
   };
-  EXPECT_THAT(refused(model("z", 1, "[1, 1.01]")),
-              HasSubstr("channel a: no control can run its polynomials: pole on or outside the "
-                        "unit circle"));
+  EXPECT_THAT(
+      refused(model("z", 1, "[1, 1.01]")),
+      HasSubstr("channel a: the polynomials cannot run in a control: pole on or outside the "
+                "unit circle"));
   EXPECT_THAT(
       refused(model("z", 1, "[1, 0.5]") + model("y", 2, "[1, 0.5]")),
       HasSubstr("for calls every 2 s, but those of another channel are for calls every 1 s"));

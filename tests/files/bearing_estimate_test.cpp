@@ -83,7 +83,8 @@ TEST(BearingEstimate, TheModelSaysWhichBearingsItIsMadeOf) {
   const auto text = [&](const char* designation) {
     return estimated_model_text(estimated_bearing(outline_of(designation), rows));
   };
-  EXPECT_THAT(text("7214 C"), HasSubstr("catalogue bearings of like section, none of series 02"));
+  EXPECT_THAT(text("7214 C"),
+              HasSubstr("catalogue bearings of similar section, none of series 02"));
   EXPECT_THAT(text("71814 C"), HasSubstr("of another section, none of series 18"));
   EXPECT_THAT(text("7030 C"), testing::Not(HasSubstr("none of series")));
   const ModelFile file = parse_model(text("7214 AC"), "m.toml");

@@ -163,9 +163,8 @@ TEST(ColumnMap, DatesOfExcelAreDays) {
   const Record r = read("Zeit,speed_rpm,friction_torque_Nmm\n45363.34375,1,1\n45363.34381,2,1\n",
                         "[columns]\ntime_s = {column = \"Zeit\", unit = \"excel\"}\n");
   EXPECT_NEAR(r.value(record::time, 1), 5.184, 1e-3);
-  EXPECT_THAT(
-      texts(r.notes),
-      Contains("column Zeit has dates of Excel: time_s is measured from 2024-03-12T08:15:00"));
+  EXPECT_THAT(texts(r.notes),
+              Contains("column Zeit has Excel dates: time_s is measured from 2024-03-12T08:15:00"));
 }
 
 TEST(ColumnMap, AFileWithOurNamesNeedsNoRule) {
@@ -186,7 +185,8 @@ TEST(ColumnMap, WhatIsWrongInItIsNamedWithItsLine) {
   EXPECT_THAT(map_error(data, "[columns]\nspeed_rpm = {column = \"n\", unit = \"Nm\"}\n"),
               HasSubstr("unit = \"Nm\": must be rpm, 1_s, rad_s, deg_s or krpm"));
   EXPECT_THAT(map_error(data, "[columns]\naxial_load_N = 1e12\n"), HasSubstr("must be from 0 to"));
-  EXPECT_THAT(map_error(data, "[columns]\nfriction_torque_Nmm = 3\n"), HasSubstr("no number"));
+  EXPECT_THAT(map_error(data, "[columns]\nfriction_torque_Nmm = 3\n"),
+              HasSubstr("one number for all rows is not possible"));
   EXPECT_THAT(map_error(data, "[columns]\nspeed_rpm = \"n\"\nspeed_rad_s = \"m\"\n"),
               HasSubstr("map.toml:3: [columns] speed_rpm and speed_rad_s are the same quantity"));
   EXPECT_THAT(

@@ -424,9 +424,9 @@ TEST(SeriesFile, InputsAreFilledBetweenTheirReadings) {
   const auto front = r.values(*record::series_channel("front_temperature_C"));
   for (const auto& [row, expected] : {std::pair{1, 21.5}, {3, 24.0}, {4, 24.0}})
     EXPECT_NEAR(front[static_cast<std::size_t>(row)], kelvin(expected), 1e-9) << row;
-  EXPECT_THAT(
-      texts(r.notes),
-      testing::Contains(testing::HasSubstr("3 of 5 rows have no speed_rpm: the last value holds")));
+  EXPECT_THAT(texts(r.notes),
+              testing::Contains(testing::HasSubstr(
+                  "3 of 5 rows have no speed_rpm: the last value is used until the next one")));
   EXPECT_THAT(texts(r.notes), testing::Contains(testing::HasSubstr("over gaps of up to 1200 s")));
 }
 

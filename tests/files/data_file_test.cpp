@@ -245,7 +245,7 @@ TEST(DataFile, AnAxialLoadMustStandSomewhere) {
   for (const char* text : {"speed_rpm,friction_torque_Nmm\n1,1\n", "time_s,speed_rpm\n1,100\n"}) {
     model::Rig rig;
     rig.inertia = 1;
-    EXPECT_THAT(data_error(text, rig), HasSubstr("write axial_load_N under [rig]"));
+    EXPECT_THAT(data_error(text, rig), HasSubstr("or axial_load_N in the model under [rig]"));
   }
 }
 

@@ -153,9 +153,10 @@ TEST(Designation, AModelMayNameABearingThatNoCatalogueHas) {
                                 "has no contact angle)"));
   EXPECT_THAT(
       tests::message_of([&] { (void)read("N1012"); }),
-      HasSubstr("a cylindrical roller bearing: the catalogue has single-row angular-contact "
-                "ball bearings, as 7014 C; a model of rollers has type = "
-                "\"cylindrical-roller\""));
+      HasSubstr(
+          "is a cylindrical roller bearing: the catalogue has only single-row angular-contact ball "
+          "bearings, such as 7014 C; a model of a cylindrical roller bearing has type = "
+          "\"cylindrical-roller\""));
   EXPECT_THAT(tests::message_of([&] { (void)read("51214"); }),
               testing::EndsWith("a thrust ball bearing: the catalogue has only single-row "
                                 "angular-contact ball bearings, such as 7014 C"));

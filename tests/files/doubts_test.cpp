@@ -68,7 +68,7 @@ TEST(Doubts, ThereAreNoneAboutWhatAModelMayMiss) {
 TEST(Doubts, AFactorOfReadingsIsNamed) {
   EXPECT_THAT(after([](Row& r) { r.torque *= 1e-3; }),
               ElementsAre("readings of friction torque are about 1000 times too small for the "
-                          "model: N m in a column of N mm?"));
+                          "model: are values in N m in a column of N mm?"));
   EXPECT_THAT(after([](Row& r) { r.torque *= 1e3; }),
               ElementsAre(HasSubstr("1000 times too large")));
   EXPECT_THAT(after([](Row& r) { r.torque /= 9.81; }),

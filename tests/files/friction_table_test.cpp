@@ -112,7 +112,7 @@ TEST(ModelWithTable, HasTheTorqueOfTheTable) {
 
 TEST(ModelWithTable, NeedsAWholeFileOfOneBearing) {
   EXPECT_THAT(refusal([] { (void)tabled("\n[friction]\nlaw = \"table\"\n"); }),
-              HasSubstr("[friction] file is missing, a CSV with speed_rpm"));
+              HasSubstr("[friction] file is missing: the law table needs a CSV with speed_rpm"));
   EXPECT_THAT(
       refusal([] { (void)tabled(table_law + "f0 = 2\n"); }),
       HasSubstr("f0 = 2: this key is only for law = \"palmgren\", but the law is \"table\""));

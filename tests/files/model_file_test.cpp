@@ -308,7 +308,7 @@ TEST(ModelFile, AnEffectThatTheSupplyRulesOutIsNotedAndStaysOn) {
 
 TEST(ModelFile, EffectsAreCheckedLikeTheRest) {
   EXPECT_THAT(model_error(complete + "[[effect]]\nid = \"spin-friction\"\n"),
-              HasSubstr("listed twice"));
+              HasSubstr("two tables have this effect"));
   EXPECT_THAT(model_error(complete + "[[effect]]\n"), HasSubstr("[[effect]] has no id"));
   EXPECT_THAT(model_error(complete + "[[effect]]\nid = \"lubricant-drag\"\ntorque_Nmm = \"1\"\n"),
               HasSubstr("is the id of an effect in the catalogue; give your effect another id"));

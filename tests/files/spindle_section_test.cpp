@@ -455,7 +455,7 @@ TEST(SpindleSection, ShaftAloneIsNoSpindle) {
 TEST(SpindleSection, TableOfASpindleWithoutOneIsRefused) {
   const std::string text = shortest_spindle.substr(0, shortest_spindle.find("[shaft]")) +
                            "[ambient]\nemissivity = 0.5\n";
-  EXPECT_THAT(spindle_error(text), HasSubstr("s.toml:14: [ambient]: belongs to a spindle"));
+  EXPECT_THAT(spindle_error(text), HasSubstr("s.toml:14: [ambient]: only possible for a spindle"));
 }
 
 TEST(SpindleSection, NumbersOfEachCircuitAreFreeByName) {

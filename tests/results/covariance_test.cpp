@@ -160,7 +160,7 @@ TEST(Covariance, IsRefusedWithLineAndKey) {
   EXPECT_THAT(message("[0.05, 4]", "[0.05, -4]"), HasSubstr("m.toml:31: std"));
   EXPECT_THAT(message("[0.05, 4]", "[0.05, nan]"), HasSubstr("must be a number"));
   EXPECT_THAT(message("-0.5, 1]", "-1.5, 1]"), HasSubstr("m.toml:32: correlation = -1.5"));
-  EXPECT_THAT(message("-0.5, 1]", "-0.5, 2]"), HasSubstr("each row ends with 1"));
+  EXPECT_THAT(message("-0.5, 1]", "-0.5, 2]"), HasSubstr("each row must end with 1"));
   EXPECT_THAT(message("std = [0.05, 4]\n", ""), HasSubstr("std is missing"));
   EXPECT_THAT(message("std =", "sdt ="), HasSubstr("unknown key"));
 }

@@ -66,8 +66,9 @@ TEST(RollerModel, SaysWhatIsWrongInAFile) {
                         "cylindrical rollers is f1 F d_m"));
   EXPECT_THAT(why("", "[friction]\nlaw = \"contact\"\n"),
               HasSubstr("law = \"contact\" is only for ball bearings"));
-  EXPECT_THAT(why("", "[rig]\naxial_load_N = 100\n"),
-              HasSubstr("axial_load_N = 100: must be 0, a cylindrical roller bearing of type N"));
+  EXPECT_THAT(
+      why("", "[rig]\naxial_load_N = 100\n"),
+      HasSubstr("axial_load_N = 100: must be 0, because a cylindrical roller bearing of type N"));
   EXPECT_THAT(why("", "[arrangement]\nlayout = \"O\"\n"),
               HasSubstr("is a single bearing on a rig"));
   EXPECT_THAT(why("radial_clearance_um = -101\n"),
