@@ -93,11 +93,11 @@ Ratio ratio_of(const model::ModelSubject& subject, const Record& data) {
 }
 
 /// At most so many rows, over all of the record.
-Record some_of(const Record& data, std::size_t most) {
-  if (data.rows() <= most) return data;
+Record some_of(const Record& data, std::size_t rows_wanted) {
+  if (data.rows() <= rows_wanted) return data;
   std::vector<std::size_t> rows(data.rows());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
-  return data.picked(fit::thinned(std::move(rows), most));
+  return data.picked(fit::thinned(std::move(rows), rows_wanted));
 }
 
 std::pair<double, double> range_of_values(std::span<const double> values) {
