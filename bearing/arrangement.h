@@ -12,8 +12,8 @@ namespace raceway::bearing {
 
 /// Orientation of the bearing sets at the two ends of a shaft. `front` is the tool side.
 ///
-///   back_to_back   O: bearings at the front push the shaft towards the tool, those behind away
-///   face_to_face   X: the other way round
+///   back_to_back   O: front bearings push the shaft towards the tool, rear bearings away from it
+///   face_to_face   X: opposite directions
 ///   tandem         all bearings in one set, which pushes towards the tool, against a spring
 enum class Layout { back_to_back, face_to_face, tandem };
 
@@ -36,7 +36,8 @@ struct PreloadForce {
   [[nodiscard]] bool operator==(const PreloadForce&) const = default;
 };
 
-/// Clamping travel from first contact of the two sides [m]: the gap ground into the faces.
+/// Clamping travel from first contact of the two sides [m]. It equals the gap ground into the
+/// faces.
 struct PreloadOffset {
   double offset = unset;
   [[nodiscard]] bool operator==(const PreloadOffset&) const = default;
@@ -52,8 +53,8 @@ struct ArrangementDesign {
   Mounting mounting = Mounting::rigid;
   Preload preload = {};
   double spring_rate = 0.0;  ///< rate of a spring mounting [N/m]; 0: constant force
-  /// Share of the way from this mounting to the other one, rigid or a spring that keeps its force;
-  /// see Arrangement::Seat [1].
+  /// Interpolation from this mounting (0) to the other one (1) [1]: from a spring to a rigid
+  /// mounting, or from a rigid mounting to a spring of constant force. See Arrangement::Seat.
   double other_mounting = 0.0;
   /// Axial stiffness between the sets, in series with them [N/m].
   double shaft_stiffness = std::numeric_limits<double>::infinity();
@@ -65,8 +66,8 @@ struct ArrangementDesign {
   [[nodiscard]] bool operator==(const ArrangementDesign&) const = default;
 };
 
-/// Sets of bearings on a shaft, preloaded at standstill. Immutable; construction costs a solve at
-/// rest without ball unknowns; copies share the bearings.
+/// Sets of bearings on a shaft, preloaded at standstill. Immutable. The constructor solves the
+/// equilibrium at rest, without ball unknowns. Copies share the bearings.
 ///
 /// x is the shaft's axial position at the front set, positive towards the tool, zero as mounted: at
 /// standstill, at the mounting temperature, without external load. With d = 1 (X: -1) the inner
@@ -76,9 +77,9 @@ struct ArrangementDesign {
 ///   rear    δ_r = δ_r0 + d (x - e) - c (F_r - F_0)     rigid, c = 1/shaft + 1/housing stiffness
 ///           F_r = F_0 + k (d (x - e) - (δ_r - δ_r0))   spring, 1/k = 1/rate + c
 ///
-/// counted from where the balls of a bearing just touch at their nominal contact angle; e is the
-/// elongation of the shaft beyond the housing between the sets. In tandem the spring replaces the
-/// rear set.
+/// δ is zero where the balls of a bearing just touch at their nominal contact angle. e is the
+/// elongation of the shaft minus the elongation of the housing between the sets. In tandem the
+/// spring replaces the rear set.
 class Arrangement {
  public:
   /// Throws std::invalid_argument: name, value with unit, allowed range.
@@ -91,7 +92,7 @@ class Arrangement {
   [[nodiscard]] Side side(std::size_t bearing) const {
     return bearing < front_count() ? Side::front : Side::rear;
   }
-  /// d: 1 where the front set pushes the shaft towards the tool, else -1.
+  /// d: 1 if the front set pushes the shaft towards the tool, else -1.
   [[nodiscard]] double direction() const {
     return design_.layout == Layout::face_to_face ? -1.0 : 1.0;
   }
@@ -101,13 +102,14 @@ class Arrangement {
   [[nodiscard]] double displacement(Side side) const {
     return side == Side::front ? front_displacement_ : rear_displacement_;
   }
-  /// The seat of the rear set, `softness` (F_r - F_0) = `hardness` (d (x - e) - (δ_r - δ_r0)):
-  /// (c [m/N], 1) where it is rigid, (1, k [N/m]) on a spring. A share m of the other mounting is
+  /// The seat of the rear set, `softness` (F_r - F_0) = `hardness` (d (x - e) - (δ_r - δ_r0)): (c
+  /// [m/N], 1) for a rigid mounting, (1, k [N/m]) for a spring. A share m of the other mounting
+  /// gives
   ///
   ///   (1 - m) entered + m other   of   (c K_r, K_r) rigid, (1, k) entered spring, (1, 0) other one
   ///
-  /// with K_r the stiffness of the rear set as mounted. Rear set and seat in series are then as
-  /// stiff as (1 - m) K_r for a rigid set with c = 0, and as m K_r for a spring with k = 0: the
+  /// K_r is the stiffness of the rear set as mounted. Rear set and seat in series then have the
+  /// stiffness (1 - m) K_r for a rigid set with c = 0, and m K_r for a spring with k = 0. So the
   /// remaining variation of the preload is linear in m.
   struct Seat {
     double softness, hardness;
@@ -121,12 +123,13 @@ class Arrangement {
   double preload_ = 0.0, front_displacement_ = 0.0, rear_displacement_ = 0.0;
 };
 
-/// External axial loads at which a side of the mounted arrangement comes free at standstill [N].
+/// External axial loads at which one side of the mounted arrangement loses its load at standstill
+/// [N].
 /// Source: geometry of the mounted state; F ~ δ^1.5 gives 2.83 preloads for a pair [SNFA, p. 33].
 struct LiftOff {
-  double front = unset;  ///< the front set comes free; positive towards the tool
-  /// The rear set comes free. NaN if a spring keeps it loaded, or if the front set would be dented
-  /// long before.
+  double front = unset;  ///< the front set loses its load; positive towards the tool
+  /// The rear set loses its load. NaN if a spring keeps it loaded, or if the front set would be
+  /// dented at a much smaller load.
   double rear = unset;
 };
 
@@ -136,13 +139,13 @@ struct LiftOff {
 /// the no-load position [N]. The ball acts as two springs in series.
 [[nodiscard]] double axial_force_at_rest(const Bearing& bearing, double displacement);
 
-/// Inverse of axial force [m], for force >= 0.
+/// Displacement under an axial force >= 0 [m]; the inverse of axial_force_at_rest().
 [[nodiscard]] double displacement_at_rest(const Bearing& bearing, double force);
 
-/// Gap ground into bearings with flush faces under a preload class: the displacement of one front
-/// bearing and one rear bearing under the force printed for a pair. Sets of universally matched
-/// bearings have a different preload than the pair: 1.35 times for two against one, 2 times for two
-/// against two [SNFA, p. 31].
+/// Gap ground into bearings whose faces are flush under a preload class: the displacement of one
+/// front bearing and one rear bearing under the force printed for a pair. Sets of universally
+/// matched bearings have a higher preload than the pair: 1.35 times for two against one, 2 times
+/// for two against two [SNFA, p. 31].
 [[nodiscard]] PreloadOffset matched_preload(const Bearing& front, double front_force,
                                             const Bearing& rear, double rear_force);
 

@@ -11,8 +11,8 @@ namespace raceway::bearing {
 
 /// Shifts of the grooves of one bearing of an arrangement from the mounted state [m].
 struct RingShift {
-  double axial = 0.0;   ///< inner ring pressed further into the bearing
-  double radial = 0.0;  ///< growth of the circle of inner groove centres beyond the outer circle
+  double axial = 0.0;         ///< additional displacement of the inner ring into the bearing
+  double radial = 0.0;        ///< growth of inner minus growth of outer groove centre radius
   double inner_length = 0.0;  ///< inner groove centre to ball centre, without load
   double outer_length = 0.0;  ///< outer groove centre to ball centre
   [[nodiscard]] bool operator==(const RingShift&) const = default;
@@ -22,8 +22,8 @@ struct RingShift {
 struct ArrangementCondition {
   double speed = 0.0;          ///< [rad/s], >= 0
   double external_load = 0.0;  ///< axial, on the shaft, positive towards the tool [N]
-  double elongation = 0.0;     ///< e: of the shaft beyond the housing, between the sets [m]
-  /// One per bearing, front set first. Empty: no shift.
+  double elongation = 0.0;     ///< e: shaft minus housing, between the sets [m]
+  /// One shift for each bearing, front set first. Empty: no shift.
   std::vector<RingShift> shifts = {};
   [[nodiscard]] bool operator==(const ArrangementCondition&) const = default;
 };
@@ -35,14 +35,14 @@ struct SetTemperatures {
   double shaft = unset, housing = unset;
 };
 
-/// Free thermal expansion from the mounting temperature T0 of rings and balls,
+/// Free thermal expansion of rings and balls from the mounting temperature T0,
 ///
 ///   radial  λ_r ((T_i - T0) R_i - (T_o - T0) R_o),  R the radii of the groove centres' circles
 ///   lengths λ_r (T - T0) f D - λ_b (T_b - T0) D/2
 ///   axial   λ_r ((T_i + T_o)/2 - T0) B D sin α0
 ///
-/// so a uniform temperature only scales a bearing of one material.
-/// Source: derived. Fits and the stiffness of shaft and housing are left out.
+/// A uniform temperature therefore only scales a bearing of one material.
+/// Source: derived. Ignores fits and the stiffness of shaft and housing.
 [[nodiscard]] RingShift thermal_shift(const Bearing& bearing, const SetTemperatures& temperatures,
                                       double mounting_temperature);
 
@@ -54,13 +54,13 @@ void add_expansion(const Arrangement& arrangement, const SetTemperatures& temper
 
 /// One bearing in equilibrium within its set. All its balls are equal.
 struct BearingInSet {
-  double axial_load = unset;              ///< F_i, its share [N], >= 0
+  double axial_load = unset;              ///< F_i, its share of the load [N], >= 0
   double displacement = unset;            ///< δ_i, compression, with offset and shift [m]
   double axial_stiffness = unset;         ///< [N/m]
   BallEquilibrium ball;                   ///< at azimuth 0
-  std::optional<GivenRotation> rotation;  ///< rotation of the balls, if it was given
-  double inner_pressure = 0.0, outer_pressure = 0.0;  ///< largest in the contacts [Pa]
-  /// Least axial load, see minimum_load() [N].
+  std::optional<GivenRotation> rotation;  ///< rotation of the balls, if the caller gave it
+  double inner_pressure = 0.0, outer_pressure = 0.0;  ///< largest of all contacts [Pa]
+  /// Minimum axial load, see minimum_load() [N].
   double minimum_load = unset;
 
   [[nodiscard]] bool lost() const { return !(ball.inner_load > 0.0); }
@@ -76,8 +76,8 @@ struct ArrangementEquilibrium {
   std::vector<BearingInSet> bearings;
   SolveReport report;
 
-  /// Bearing i in the form of the friction laws: all balls, displacement and stiffness in x only
-  /// (the other stiffness components are NaN).
+  /// Bearing i in the form that the friction laws need: all balls, and displacement and stiffness
+  /// in x only (the other stiffness components are NaN).
   [[nodiscard]] BearingEquilibrium bearing(std::size_t i, const Arrangement& arrangement) const;
   /// Given ball rotations of each bearing, for `EquilibriumOptions::rotations`; empty under race
   /// control.
@@ -88,29 +88,30 @@ struct ArrangementEquilibrium {
 [[nodiscard]] EquilibriumOptions options_of_bearing(const EquilibriumOptions& options,
                                                     std::size_t i);
 
-/// Least axial load for rolling without skidding: the radial force of the inner contacts equals the
-/// centrifugal forces at the nominal contact angle [N],
+/// Minimum axial load for rolling without skidding [N]. At this load the radial force of the inner
+/// contacts equals the centrifugal forces at the nominal contact angle:
 ///
 ///   F_min = Z F_c tan α0
 ///
-/// Source:   derived; GMN's least spring preload at the speed limit is 0.9 to 1.3 times as much for
-///           its S series, 0.5 to 0.8 times for those with smaller balls (tests).
+/// Source:   derived. GMN's minimum spring preload at the speed limit is 0.9 to 1.3 times this load
+///           for the S series, and 0.5 to 0.8 times for series with smaller balls (tests).
 [[nodiscard]] double minimum_load(const Bearing& bearing, double centrifugal_force);
 
 /// Finds the shaft position at equilibrium of front set, rear set and external load.
 ///
-/// Newton-Raphson on the shaft's position, the rear set's, and two coordinates of a ball of every
-/// bearing (thrust loads all balls alike), the balls eliminated (Schur complement), all derivatives
-/// analytic. If the start from standstill or the neighbour fails, the solver continues the solution
-/// in speed squared, loads and shifts. Nothing is bracketed: without an equilibrium position the
-/// status is `no_equilibrium`; a free shaft, with both sets unloaded, is `singular`.
+/// Newton-Raphson method. The unknowns are the position of the shaft, the position of the rear set,
+/// and two coordinates of one ball of every bearing (thrust loads all balls equally). The balls are
+/// eliminated (Schur complement), and all derivatives are analytic. If the start from standstill or
+/// from the neighbour fails, the solver continues the solution in speed squared, loads and shifts.
+/// The search has no bracket: without an equilibrium position the status is `no_equilibrium`. A
+/// free shaft, with both sets unloaded, is `singular`.
 ///
 /// A bearing without inner contacts carries no load, which is a valid state.
 /// Domain:   speed >= 0; a set in tension is not an equilibrium.
 /// Accuracy: `options.tolerance` on forces relative to the largest; tilt is locked at zero. The
-///           physics is as in solve_bearing_equilibrium().
-/// Throws std::invalid_argument for a condition that is not finite, or for another number of shifts
-/// or rotations than of bearings.
+///           physics is the same as in solve_bearing_equilibrium().
+/// Throws std::invalid_argument for a condition that is not finite, or if the number of shifts or
+/// rotations differs from the number of bearings.
 [[nodiscard]] ArrangementEquilibrium solve_arrangement(
     const Arrangement& arrangement, const ArrangementCondition& condition,
     const EquilibriumOptions& options = {}, const ArrangementEquilibrium* neighbour = nullptr);

@@ -7,8 +7,8 @@
 #include "bearing/kinematics.h"
 #include "bearing/lanes.h"
 
-// Templates here take their number type from lanes.h: one ball, or the same ball at several
-// operating points at once. Names without suffix are for one ball in doubles.
+// The number types of the templates are described in lanes.h: one ball, or the same ball at several
+// operating points in parallel. Names without a suffix are for one ball in double precision.
 namespace raceway::bearing {
 
 /// Plane vector (axial, radial) in the plane of one ball.
@@ -55,8 +55,9 @@ struct BallForcesOf {
 
 /// Imbalance of one ball and its forces on the inner ring, with all first derivatives.
 ///
-/// In the (axial, radial) plane, outer groove centre at the origin, X the ball centre, A the inner
-/// groove centre, V = A - X; n and t are normal and tangent of a contact:
+/// The coordinates are (axial, radial) with the outer groove centre at the origin. X is the ball
+/// centre, A the inner groove centre, V = A - X. n and t are the normal and the tangent of a
+/// contact:
 ///
 ///   n = (sin α, cos α),  t = (cos α, -sin α),   sin αo = X1/|X|,  sin αi = V1/|V|
 ///   Q = K δ^1.5,  δo = |X| - (f_o - 0.5) D,  δi = |V| - (f_i - 0.5) D
@@ -65,16 +66,18 @@ struct BallForcesOf {
 ///   moment arm force    f_m = f_axial - (f_i D / R_i) Ti   (Ti acts at the groove surface)
 ///
 /// Fc = C m² with m = ω_m/ω, C = m_ball d_m ω²/2. The gyroscopic couple M_g = J ω_m ω_R sin β is
-/// carried by friction T = λ M_g/D: at the outer race alone (λo = 2) under outer control,
+/// balanced by friction T = λ M_g/D. Under outer control the friction acts only at the outer race
+/// (λo = 2),
 ///
 ///   To = 0.4 Fc sin αo,  Ti = 0,
 ///
-/// at both alike (λi = λo = 1) under inner control, Ti = To = 0.2 C m (1 - m) sin αi. (M_g with the
-/// ω_R and β of kinematics.h; the products of ω_R and sin β are rational in sines and cosines.)
+/// Under inner control the friction is equal at both races (λi = λo = 1), Ti = To = 0.2 C m (1 - m)
+/// sin αi. (M_g uses ω_R and β of kinematics.h. The products of ω_R and sin β are rational in sines
+/// and cosines.)
 /// Sign: M_g > 0 lowers αo. [CaseStudy] eqs. (14) and (18) together give the wrong sign. A ball
 /// without inner contact (δi <= 0) is under outer control and exerts no force on the inner ring.
 /// Race control `inner` is discontinuous there, so some loads have no equilibrium. A GivenRotation
-/// has its own m, Ti and To.
+/// contains m, Ti and To.
 template <typename T>
 struct BallBalanceOf : BallForcesOf<T> {
   PlaneOf<T> imbalance;  ///< r [N]
@@ -88,9 +91,9 @@ struct BallBalanceOf : BallForcesOf<T> {
 };
 using BallBalance = BallBalanceOf<double>;
 
-/// Contact of a ball with the inner race. `automatic` is the physical law; the other two fix one
-/// side of the switch while a solver searches there. A `kept` contact may pull: Q = K δ |δ|^0.5,
-/// smooth through zero; such a solution counts only if no contact pulls.
+/// Contact of a ball with the inner race. `automatic` is the physical law. `kept` and `lost` fix
+/// the state of the contact while a solver searches. A `kept` contact may pull: Q = K δ |δ|^0.5,
+/// smooth through zero. A solution with `kept` contacts is valid only if none of them pulls.
 enum class InnerContact : signed char { automatic, kept, lost };
 
 /// Sines and cosines of both contact angles, and 1/(1 + cos(αi - αo)).
@@ -191,7 +194,7 @@ struct FrictionGain {
   return {r.inner_friction * slope, r.outer_friction * slope};
 }
 
-/// Law of a ball that is under outer control in the lanes without inner contact.
+/// Rotation law of a ball. In lanes without inner contact the ball is under outer control.
 template <Rotation rotation, typename T>
 [[nodiscard, gnu::always_inline]] inline RaceLaw<T> race_law(const BallConstantsOf<T>& c,
                                                              const ContactAngles<T>& a,
@@ -228,7 +231,7 @@ template <Rotation rotation, typename T>
   const T delta_i = inner_length - c.inner_radius;
   const T product = outer_length * inner_length, straight = x1 * v1 + x2 * v2;
   // For a ball without inner contact the inner groove centre may lie behind the ball. No contact is
-  // possible there, and cos(αi - αo) stays at -1/2, far from the pole at -1.
+  // possible there. cos(αi - αo) is then set to -1/2, far from the pole at -1.
   const Mask<T> behind = straight < -0.5 * product;
   const Mask<T> touches = contact == InnerContact::automatic
                               ? delta_i > T(0.0) && !behind
@@ -314,7 +317,7 @@ template <Rotation rotation, typename T>
     r_n_1 = f1 - go * co;
     r_n_2 = f2 + go * so;
   }
-  // The ball's position acts on the ring only through V, and through Ti, which follows αo.
+  // The position of the ball acts on the ring only through V and through Ti, which depends on αo.
   for (int j = 0; j < 6; ++j) b.f_x[j] = -b.f_a[j];
   if constexpr (inner_couple) {
     b.f_x[0] += ti_o * ci * tox1;
@@ -389,7 +392,8 @@ template <typename T>
   const T co = select(apart, a.radial * inv, T(1.0));
   const T free_length = c.inner_radius + c.outer_radius;
   const T delta = length - free_length;
-  // Without contact the position of the ball is arbitrary; this keeps it between the grooves.
+  // Without contact the position of the ball is arbitrary. This line keeps the ball between the
+  // grooves.
   const T outer_length = select(delta > T(0.0), c.outer_radius + delta * pair.outer_share,
                                 length * c.outer_radius / free_length);
   const T root = sqrt(max(delta, T(0.0)));

@@ -17,7 +17,8 @@ struct BallReport {
   T centrifugal_force, gyroscopic_moment;
 };
 
-/// Makes the report of a ball in equilibrium at X in a groove centred at A; X is not used at rest.
+/// Returns the report of a ball in equilibrium with centre X and inner groove centre A. At rest, X
+/// is not used.
 template <bool at_rest, typename T>
 [[nodiscard, gnu::always_inline]] inline BallReport<T> ball_report(const BallForcesOf<T>& f,
                                                                    const PlaneOf<T>& a,

@@ -10,14 +10,14 @@
 
 namespace raceway::bearing {
 
-/// Symmetry of the balls under a load; it fixes the ring coordinates needed.
+/// Symmetry of the balls under a load. It determines the ring coordinates that the solver needs.
 enum class Symmetry {
-  thrust,  ///< all balls alike: one ball, x
-  mirror,  ///< load in the x-y plane, ball k like ball Z - k: half the balls, x, y (and θz)
+  thrust,  ///< all balls are equal: one ball, x
+  mirror,  ///< load in the x-y plane, ball k equals ball Z - k: half of the balls, x, y (and θz)
   none     ///< all balls, x, y, z (and θy, θz)
 };
 
-/// Number of distinct balls out of `count`: the first ones of the circle.
+/// Number of distinct balls out of `count`. They are the first balls of the circle.
 [[nodiscard, gnu::always_inline]] constexpr int distinct_balls(Symmetry symmetry, int count) {
   return symmetry == Symmetry::thrust ? 1 : symmetry == Symmetry::mirror ? count / 2 + 1 : count;
 }
@@ -52,7 +52,7 @@ class Balls {
  public:
   Balls() = default;
 
-  /// Allocates the distinct balls of `count`, for the solver to fill.
+  /// Allocates the distinct balls of `count`. The solver fills them.
   std::span<BallEquilibrium> reset(int count, Symmetry symmetry) {
     count_ = count;
     symmetry_ = symmetry;

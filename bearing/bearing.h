@@ -26,7 +26,7 @@ class Bearing {
   [[nodiscard]] double ball_mass() const { return ball_mass_; }  ///< m [kg]
   /// Moment of inertia of a ball about its centre, J = m D²/10 [kg m²].
   [[nodiscard]] double ball_inertia() const;
-  /// Azimuth of ball k, 2πk/Z from +y towards +z [rad], cosines and sines.
+  /// Azimuth of ball k, 2πk/Z from +y towards +z [rad], and its cosine and sine.
   [[nodiscard]] const std::vector<double>& azimuth() const { return azimuth_; }
   [[nodiscard]] const std::vector<double>& cos_azimuth() const { return cos_azimuth_; }
   [[nodiscard]] const std::vector<double>& sin_azimuth() const { return sin_azimuth_; }

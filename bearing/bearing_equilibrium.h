@@ -15,7 +15,8 @@ namespace raceway::bearing {
 using Vector5 = Eigen::Matrix<double, 5, 1>;
 using Matrix5 = Eigen::Matrix<double, 5, 5>;
 
-/// Tilt of the inner ring: locked at zero, as by a shaft, or free to balance the given moments.
+/// Tilt of the inner ring: locked at zero, as on a rigid shaft, or free to balance the given
+/// moments.
 enum class Tilt { locked, free };
 
 struct EquilibriumOptions {
@@ -24,9 +25,9 @@ struct EquilibriumOptions {
   bool gyroscopic_moment = true;  ///< false omits M_g, for comparison
   double tolerance = 1e-11;       ///< on the scaled residual [1]
   int max_iterations = 2000;      ///< Newton steps over all stages
-  /// Rotation of the balls without race control: one per ball by azimuth (equal for balls equal by
-  /// symmetry), or one for all; for an arrangement one per bearing. Ignored at rest. The span must
-  /// outlive the solve.
+  /// Rotation of the balls without race control: one for each ball by azimuth, or one for all
+  /// balls. Balls that are equal by symmetry need equal rotations. An arrangement needs one for
+  /// each bearing. Ignored at rest. The span must outlive the solve.
   std::span<const GivenRotation> rotations = {};
 };
 
@@ -40,38 +41,41 @@ struct BearingEquilibrium {
   Balls balls;
   /// Given rotation of each of balls.distinct(); empty under race control.
   std::vector<GivenRotation> rotations;
-  /// Tangent stiffness ∂(F_x, F_y, F_z, M_y, M_z)/∂displacement [N/m, N/rad, N m/m, N m/rad]. Not
-  /// quite symmetric at speed, since centrifugal and gyroscopic forces follow the motion.
+  /// Tangent stiffness ∂(F_x, F_y, F_z, M_y, M_z)/∂displacement [N/m, N/rad, N m/m, N m/rad].
+  /// Slightly asymmetric at speed, because centrifugal and gyroscopic forces depend on the
+  /// displacement.
   Matrix5 stiffness = Matrix5::Constant(unset);
   SolveReport report;
 
-  /// Balls without inner contact load [1].
+  /// Number of balls without inner contact load [1].
   [[nodiscard]] int lost_balls() const;
-  /// Returns the speeds of ball k: from its given rotation, else by race control. Outer control
-  /// applies without inner contact.
+  /// Returns the speeds of ball k, from its given rotation or else by race control. A ball without
+  /// inner contact is under outer control.
   [[nodiscard]] BallSpeeds speeds(std::size_t k, const Bearing& bearing, double speed,
                                   RaceControl race_control) const;
 };
 
 /// Finds the displacement of the inner ring at which the balls carry the applied load.
 ///
-/// Newton-Raphson on ring and balls together, the two unknowns of each ball eliminated (Schur
-/// complement), all derivatives analytic; loads with symmetry use one ball (thrust) or half of the
-/// balls (x-y plane). If a cold start fails, the solver continues from pure thrust in load and from
-/// standstill in speed; under inner control it searches over the balls that may have lost the race
-/// (equilibrium_search.h says what that covers). It returns `no_equilibrium` if none of these finds
-/// a solution, or if no load presses the rings together.
+/// Newton-Raphson method for ring and balls together. The two unknowns of each ball are eliminated
+/// (Schur complement), and all derivatives are analytic. Loads with symmetry use one ball (thrust)
+/// or half of the balls (x-y plane). If a cold start fails, the solver continues from pure thrust
+/// in load and from standstill in speed. Under inner control it searches over the balls that may
+/// have lost the race; equilibrium_search.h describes the coverage. It returns `no_equilibrium` if
+/// no method finds a solution, or if no load presses the rings together.
 ///
 /// Domain:   speed >= 0; a bearing with contact angle carries axial load only in +x.
 /// Accuracy: `tolerance` on the residual scaled by the applied load, near rounding in practice.
-///           Physically: rigid rings, quasi-static, race control as assumed; cage, film and
-///           roll-over of the contact ellipse at the groove's edge are left out.
+///           Physical assumptions: rigid rings, quasi-static motion, race control as chosen. The
+///           cage, the film and the truncation of the contact ellipse at the edge of the groove are
+///           ignored.
 /// Throws std::invalid_argument for an operating point that is not finite.
 [[nodiscard]] BearingEquilibrium solve_bearing_equilibrium(const Bearing& bearing,
                                                            const OperatingPoint& point,
                                                            const EquilibriumOptions& options = {});
 
-/// Solves from a neighbour's solution, for sweeps; falls back to the cold start.
+/// Solves from the solution of a neighbouring point, for sweeps. If this fails, the solver makes a
+/// cold start.
 [[nodiscard]] BearingEquilibrium solve_bearing_equilibrium(const Bearing& bearing,
                                                            const OperatingPoint& point,
                                                            const EquilibriumOptions& options,

@@ -10,23 +10,26 @@ namespace raceway::bearing {
 struct ScannedSet {
   std::vector<InnerContact> contacts;  ///< contacts of the balls that are unknowns
   RingState state;
-  double imbalance;  ///< largest component of the unbalanced load, by the load [1]
+  double imbalance;  ///< largest component of the unbalanced load, relative to the load [1]
 };
 
 /// Finds inner contacts that can exist together under inner control, by a scan over ring positions.
 /// It is the last resort when statics (load_shares.h) and continuation find no equilibrium.
 ///
 /// The ring visits the nodes of a grid: axially, along the load and, with free tilt, turned about
-/// the axis across the load. At each node the scan solves the equilibrium of each ball alone. A
-/// ball has up to three states: on the inner race at a larger or a smaller contact angle, or off
-/// it. One ball after the other takes the state that reduces the imbalance of the ring most. The
-/// sets that occur are returned in rising order of imbalance. A set is returned from its first
-/// node, and again from a later node if the imbalance fell to 0.7 of its last one or less.
+/// the axis across the load. At each node the scan solves the equilibrium of each ball separately.
+/// A ball has up to three states: on the inner race at a larger or a smaller contact angle, or off
+/// it. For one ball after the other, the scan selects the state that reduces the imbalance of the
+/// ring most. The sets that occur are returned in rising order of imbalance. A set is returned from
+/// its first node. It is returned again from a later node if its imbalance there is at most 0.7
+/// times the last returned one.
 ///
-/// A set is a start, not an equilibrium; Newton's method decides if its contacts hold.
+/// A set is a starting state, not an equilibrium. Newton's method decides if its contacts are
+/// valid.
 ///
-/// Source:   the brute-force search of bench/equilibrium_scan.h, accelerated: a ball depends only
-///           on its groove position, so balls come from a table over these positions.
+/// Source:   the brute-force search of bench/equilibrium_scan.h, accelerated. The state of a ball
+///           depends only on its groove position, so the scan reads balls from a table over these
+///           positions.
 /// Domain:   inner control at speed, two balls or more as unknowns. `direction` is the azimuth of
 ///           the load [rad]; ring positions across it are not tested.
 /// Accuracy: a set that occurs only between nodes is missed; docs/solver.md gives the frequency.

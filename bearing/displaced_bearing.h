@@ -9,28 +9,31 @@
 namespace raceway::bearing {
 
 /// Bearing with a given displacement of the inner ring: solves the balls and their forces on the
-/// ring. This is the inverse of solve_bearing_equilibrium(). For one speed and many displacements
-/// and ring states; each solve starts from the previous one. Keeps a reference to the bearing.
+/// ring. This is the inverse of solve_bearing_equilibrium(). Use it for one speed and many
+/// displacements and ring states. Each solve starts from the previous one. The object keeps a
+/// reference to the bearing.
 ///
-/// Domain:   speed >= 0; grooves that a shift has moved, see RingShift.
-/// Accuracy: `options.tolerance` on the imbalance of each ball, relative to the forces on it.
-///           Physically as solve_bearing_equilibrium(). An angular-contact bearing with separated
-///           rings has no contacts, as in solve_arrangement().
+/// Domain:   speed >= 0. The grooves may be shifted, see RingShift.
+/// Accuracy: `options.tolerance` on the imbalance of each ball, relative to the forces on it. The
+///           physics is the same as in solve_bearing_equilibrium(). An angular-contact bearing with
+///           separated rings has no contacts, as in solve_arrangement().
 class DisplacedBearing {
  public:
   DisplacedBearing(const Bearing& bearing, double speed, const RingShift& shift = {},
                    const EquilibriumOptions& options = {});
 
-  /// Moves the rings to another state of the same bearing.
+  /// Sets another shift of the grooves of this bearing.
   void set_shift(const RingShift& shift);
-  /// Solves the balls at this displacement of the inner ring, defined as in BearingEquilibrium; the
-  /// shift is added. False if a ball has no equilibrium; force and stiffness are then not valid.
+  /// Solves the balls at this displacement of the inner ring, defined as in BearingEquilibrium. The
+  /// shift is added. Returns false if a ball has no equilibrium; force and stiffness are then
+  /// invalid.
   [[nodiscard]] bool hold(const Vector5& displacement);
   /// Forces applied to the ring, in equilibrium with its balls: F_x, F_y, F_z [N], M_y, M_z [N m].
   [[nodiscard]] const Vector5& force() const { return force_; }
   /// ∂force/∂displacement with the balls in equilibrium.
   [[nodiscard]] const Matrix5& stiffness() const { return stiffness_; }
-  /// All results at the last displacement; the axial one includes the shift, as in BearingInSet.
+  /// All results at the last displacement. The axial displacement includes the shift, as in
+  /// BearingInSet.
   [[nodiscard]] BearingEquilibrium equilibrium() const;
 
  private:

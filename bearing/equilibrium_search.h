@@ -4,26 +4,26 @@
 
 namespace raceway::bearing {
 
-/// True if statics alone excludes an equilibrium: no load acts on a free coordinate, or an axial
-/// load pulls the ring of an angular-contact bearing off its shoulder. Its balls push the ring in
-/// one direction only, so their axial forces cannot sum to that load.
+/// True if statics excludes an equilibrium: no load acts on a free coordinate, or an axial load
+/// pulls the ring of an angular-contact bearing off its shoulder. The balls of such a bearing push
+/// the ring in one direction only, so their axial forces cannot balance this load.
 [[nodiscard]] bool cannot_balance(const RingSystem& system, const OperatingPoint& point);
 
 /// Finds an equilibrium at the system's operating point, from a neighbour's solution if given,
 /// otherwise by
-///   1. Newton from the closed-form thrust solution,
+///   1. Newton's method from the closed-form thrust solution,
 ///   2. under inner control, from the inner contacts that statics allows (lost_contacts.h),
 ///   3. following the solution from pure thrust to the full radial load and moment,
 ///   4. following it from standstill to full speed,
-///   5. if the axial load is small, following it from the radial load alone,
-///   6. under inner control, from states without the least loaded balls, and more of 2,
+///   5. if the axial load is small, following it from the radial load without axial load,
+///   6. under inner control, from states without the least loaded balls, then more sets as in 2,
 ///   7. under inner control, from the contacts that occur on a grid of ring positions
 ///      (contact_scan.h).
 ///
 /// Under outer control the forces are continuous in the displacement, and the paths find every
 /// state known to exist. Under inner control the gyroscopic couple vanishes with the contact, so a
-/// state can depend on a combination of lost balls. Steps 2 and 6 try the likely combinations, step
-/// 7 those that occur on the grid. The search misses 0.01 % of the existing states
+/// state can depend on a combination of lost balls. Steps 2 and 6 try the likely combinations. Step
+/// 7 tries the combinations that occur on the grid. The search misses 0.01 % of the existing states
 /// (docs/solver.md).
 [[nodiscard]] SolveStatus find_equilibrium(RingSystem& system, const OperatingPoint& point,
                                            const BearingEquilibrium* neighbour, RingState& state);

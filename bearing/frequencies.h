@@ -15,7 +15,7 @@ struct BearingFrequencies {
   double outer_race = unset;  ///< BPFO, balls over a point of the outer race: Z m
   double inner_race = unset;  ///< BPFI, balls over a point of the inner race: Z (1 - m)
   double ball_spin = unset;   ///< BSF, revolutions of a ball about its axis, in the cage: ω_R/ω;
-                              ///< a spot on the ball strikes at twice that
+                              ///< a defect of the ball strikes at twice this frequency
   [[nodiscard]] bool operator==(const BearingFrequencies&) const = default;
 };
 
@@ -23,8 +23,8 @@ struct BearingFrequencies {
 ///
 ///   FTF = (1 - g cos α)/2,   BSF = (1 - g² cos² α)/(2 g),   g = D/d_m
 ///
-/// Source: rolling without slip; the limit of ball_speeds() at αi = αo, BSF the share of its ω_R
-/// that rolls, ω_R cos(α - β) (tested). Domain: g cos α < 1.
+/// Source: rolling without slip; the limit of ball_speeds() at αi = αo. BSF is the rolling part of
+///         ω_R, ω_R cos(α - β) (tested). Domain: g cos α < 1.
 [[nodiscard]] inline BearingFrequencies nominal_frequencies(int count, double diameter_ratio,
                                                             double contact_angle) {
   const double ratio = diameter_ratio, x = ratio * std::cos(contact_angle);
@@ -44,11 +44,11 @@ struct BearingFrequencies {
   return nominal_frequencies(g.roller_count, g.diameter_ratio(), 0.0);
 }
 
-/// Frequencies from the balls at their own contact angles: the mean over all balls, because one
-/// cage averages the orbits that differ under radial load.
+/// Frequencies from the running contact angles of the balls. They are means over all balls, because
+/// the orbital speeds differ under radial load and the cage averages them.
 ///
-/// Domain: converged equilibrium with a loaded ball, else NaN; at standstill the limit of slow
-/// rotation. A ball without contact does not count.
+/// Domain: converged equilibrium with a loaded ball, else NaN. At standstill, the limit of slow
+///         rotation. Balls without contact are ignored.
 [[nodiscard]] inline BearingFrequencies running_frequencies(const Bearing& bearing,
                                                             const BearingEquilibrium& equilibrium,
                                                             RaceControl control) {

@@ -7,8 +7,9 @@ namespace raceway::bearing {
 /// Race that controls the ball: the ball rolls without spin at that race.
 enum class RaceControl { outer, inner };
 
-/// Speeds of a ball from its contact angles, the inner ring turning at ω. All laws here are
-/// rational in the sines and cosines, so a solver with ratios of lengths needs no trigonometry.
+/// Speeds of a ball from its contact angles; the inner ring rotates at ω. All laws here are
+/// rational in the sines and cosines, so a solver that has ratios of lengths needs no trigonometric
+/// function.
 ///
 /// Orbital (cage) speed, ratio m = ω_m/ω [1]:
 ///
@@ -23,15 +24,16 @@ T cage_speed_ratio(RaceControl control, const T& cos_inner, const T& cos_outer,
   return (cos_difference - g * cos_outer) / (1.0 + cos_difference);
 }
 
-/// Rotation of a ball from its friction equilibrium instead of race control: its orbital speed and
-/// the frictions in its plane.
+/// Rotation of a ball from its friction equilibrium instead of race control: the orbital speed, and
+/// the friction forces in the plane of the ball.
 ///
 ///   m = p/(p + q) + m_c,   p = (1 - g cos αi) cos(αo - β),   q = (1 + g cos αo) cos(αi - β)
-///   Ti, To = s times those given,   s = x (2 - x),   x = Qi/(load at which they were found) <= 1
+///   Ti, To = s times the given ones,   s = x (2 - x),   x = Qi/inner_load <= 1
 ///
-/// Rolling without slip at both contacts about an axis at pitch β, plus creep. β, m_c and the
-/// frictions stay as they are while contact angles move, and the frictions vanish with the inner
-/// contact. The default is outer control of a ball off the inner race, where αo = 0.
+/// The ball rolls without slip at both contacts about an axis at pitch β; the creep m_c is added.
+/// β, m_c and the given frictions stay constant while the contact angles change. The frictions
+/// become zero when the inner contact is lost. The default is outer control of a ball without inner
+/// contact, where αo = 0.
 struct GivenRotation {
   double cos_pitch = 1.0, sin_pitch = 0.0;            ///< cosine and sine of β
   double creep = 0.0;                                 ///< m_c [1]
@@ -58,10 +60,10 @@ struct BallSpeeds {
 ///     inner   ω_R cos β = (ω - ω_m)(cos αi - g)/g,    ω_R sin β = (ω - ω_m) sin αi/g
 ///   ω_si = ω_R sin(αi - β) + (ω - ω_m) sin αi,   ω_so = -ω_R sin(αo - β) + ω_m sin αo (magnitudes)
 ///
-/// Source: [Harris2006, vol. 2, ch. 5]; the reduced forms follow by inserting tan β and agree with
-/// the general formula to rounding (tested).
+/// Source: [Harris2006, vol. 2, ch. 5]; the reduced forms follow from inserting tan β. They agree
+///         with the general formula to rounding (tested).
 ///
-/// The first struct omits the attitude, which costs an arc tangent.
+/// BallRotation omits the attitude of the axis, because the attitude needs an arc tangent.
 struct BallRotation {
   double cage_speed;                          ///< ω_m [rad/s]
   double along, across;                       ///< ω_R along and across the bearing axis [rad/s]
@@ -110,7 +112,8 @@ struct BallRotation {
   return p / (p + q);
 }
 
-/// Rotation of a ball from a friction equilibrium: it rolls about its axis, and the cage creeps.
+/// Rotation of a ball from a friction equilibrium. The ball rolls about its axis, and the cage
+/// speed includes the creep.
 [[nodiscard]] inline BallRotation ball_rotation(const GivenRotation& given,
                                                 double inner_contact_angle,
                                                 double outer_contact_angle, double diameter_ratio,

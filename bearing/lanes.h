@@ -5,10 +5,11 @@
 #include <cstring>
 #include <utility>
 
-/// Number types for code that serves one operating point or several at once: `double`, or SIMD
-/// batches with one point per lane. Batches define arithmetic, comparisons, sqrt and so on (found
-/// by argument-dependent lookup); this header adds the same for `double` and further common
-/// functions. Code selects by mask instead of branching if lanes may differ.
+/// Number types for code that computes one operating point or several in parallel: `double`, or
+/// SIMD batches with one point per lane. Batches define arithmetic, comparisons, sqrt and other
+/// functions (found by argument-dependent lookup). This header adds the same functions for
+/// `double`, and some more for both. Code that may differ between lanes selects by mask instead of
+/// branching.
 namespace raceway::bearing {
 
 /// Result of a comparison of two T, and the number of points in a T.
@@ -41,7 +42,7 @@ inline constexpr bool is_scalar = Lanes<T>::count == 1;
   return {std::sin(x), std::cos(x)};
 }
 
-/// Returns the mask of lanes that are neither infinite nor NaN, by one subtraction.
+/// Returns the mask of lanes that are neither infinite nor NaN. One subtraction tests all lanes.
 template <typename T>
 [[gnu::always_inline]] inline Mask<T> finite(const T& x) {
   return x - x == T(0.0);
@@ -59,8 +60,8 @@ template <typename T>
   std::memcpy(reinterpret_cast<char*>(&x) + i * sizeof value, &value, sizeof value);
 }
 
-/// Copies `count` lanes of all members of a struct, from lane j of U on to lane i of T on. The
-/// struct must be made of its number type only.
+/// Copies `count` lanes of all members of a struct: from lane j of U to lane i of T, and so on. All
+/// members of the struct must have its number type.
 template <std::size_t count = 1, typename T, typename U, template <typename> class Struct>
 [[gnu::always_inline]] inline void copy_lanes(Struct<T>& to, std::size_t i, const Struct<U>& from,
                                               std::size_t j) {

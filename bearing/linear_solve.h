@@ -4,8 +4,8 @@
 
 namespace raceway::bearing {
 
-/// Solves a x = b by elimination with partial pivoting. b becomes x; a is overwritten. x is not
-/// finite if a is singular.
+/// Solves a x = b by elimination with partial pivoting. The result x replaces b, and a is
+/// overwritten. If a is singular, x is not finite.
 template <int n, typename T>
 [[gnu::always_inline]] inline void solve_linear(T (&a)[n][n], T (&b)[n]) {
   using std::abs;

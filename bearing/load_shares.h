@@ -8,26 +8,27 @@
 namespace raceway::bearing {
 
 /// Finds the balls that can keep the inner race under inner control, and the positions of ring and
-/// balls, from statics alone without a Newton step.
+/// balls, from statics without a Newton step.
 ///
-/// The load is spread over the kept balls linearly in c = cos(ψ - φ), φ the direction of the load
-/// (with locked tilt evenly). A kept ball carries an axial force f with its groove centre at radius
-/// R:
+/// The axial force of the kept balls is linear in c = cos(ψ - φ), where φ is the direction of the
+/// load; with locked tilt, the slope is the one at which the ring does not tilt. A kept ball
+/// carries an axial force f with its groove centre at radius R:
 ///
 ///   tan αi = f/(f_r + τ),   τ = Ti/sin αi,   Lo cos αo + Li cos αi = R
 ///
-/// With f given by axial load and moment, the radial displacement is what makes Σ f_r c the radial
-/// load. The couple τ does not shrink with the load, so a light one is carried by few balls: the
-/// fewest that hold the ring away from all that have lost the race.
+/// Axial load and moment determine f. The radial displacement follows from the condition that Σ f_r
+/// c equals the radial load. The couple τ does not decrease with the load, so few balls carry a
+/// light load: the smallest number that keeps the ring away from all lost balls.
 class LoadShares {
  public:
   LoadShares(const RingSystem& system, double direction);
 
-  /// Chooses the kept balls. False if statics cannot decide, as for a load without axial part.
+  /// Chooses the kept balls. Returns false if statics cannot decide, for example for a load without
+  /// an axial part.
   [[nodiscard]] bool choose(std::vector<InnerContact>& contacts, RingState& state) const;
-  /// Returns ring and balls with these contacts; the lost balls lie against the outer race.
+  /// Computes ring and balls with these contacts. The lost balls lie against the outer race.
   [[nodiscard]] bool spread(const std::vector<InnerContact>& contacts, RingState& state) const;
-  /// Computes ring and balls as spread(). Returns the worst violation of an assumed contact side
+  /// Computes ring and balls like spread(). Returns the worst violation of an assumed contact side
   /// [m]; NaN if no ring position is found.
   [[nodiscard]] double violation(const std::vector<InnerContact>& contacts, RingState& state) const;
   /// Balls in decreasing order of c.
@@ -51,10 +52,10 @@ class LoadShares {
     Plane groove, ball;
   };
 
-  /// Share of a ball under this axial force with its groove centre at this radius; `near` is the
-  /// start.
+  /// Share of a ball under this axial force with its groove centre at this radius. The iteration
+  /// starts from `near`.
   [[nodiscard]] Share share_at(double axial, double radius, const Share& near) const;
-  /// Computes all results of the inner angle.
+  /// Computes the other members of `share` from the inner angle.
   void set_outer_angle(double axial, Share& share) const;
   [[nodiscard]] bool ring_of(const Sums& sums, Vector5& ring) const;
   [[nodiscard]] bool even_ring(const Sums& sums, Vector5& ring) const;
@@ -62,8 +63,8 @@ class LoadShares {
   [[nodiscard]] bool untilted_ring(const Sums& sums, Vector5& ring, double& moment) const;
   [[nodiscard]] double axial_share(const Sums& sums, double moment, double c) const;
   [[nodiscard]] Sums sums_of(const std::vector<InnerContact>& contacts) const;
-  /// Position in order() of the lost ball that penetrates the race most; the size of order() if
-  /// none.
+  /// Position in order() of the lost ball that penetrates the race most; the size of order() if no
+  /// lost ball penetrates the race.
   [[nodiscard]] std::size_t reaching(const Vector5& ring, std::size_t first,
                                      std::size_t last) const;
 
@@ -71,7 +72,7 @@ class LoadShares {
   BallConstantsOf<double> constants_;
   bool tilts_;
   double cos_direction_, sin_direction_;
-  double axial_, radial_, moment_;  ///< load, the latter along and across the direction [N]
+  double axial_, radial_, moment_;  ///< load; moment about the axis across radial_ [N]
   Plane free_, thrown_;
   std::vector<double> along_;  ///< c of the balls
   std::vector<std::size_t> order_;

@@ -8,21 +8,23 @@
 namespace raceway::bearing {
 
 /// Searches for an equilibrium under inner control with each inner contact fixed as kept or lost.
-/// The gyroscopic couple vanishes with the contact, and the ball then moves further from the race.
-/// So for a range of groove positions both states are possible, and the search tries sets of kept
-/// balls. A solution is valid if no kept ball is in tension and no lost ball penetrates the race.
+/// When a ball loses the contact, its gyroscopic couple becomes zero and the ball moves further
+/// from the race. So both states are possible for a range of groove positions. The search therefore
+/// tries sets of kept balls. A solution is valid if no kept ball is in tension and no lost ball
+/// penetrates the race.
 class ContactSearch {
  public:
   explicit ContactSearch(RingSystem& system) : system_(system) {}
 
-  /// Searches from the kept balls that statics chooses (load_shares.h). A ball on the wrong side
-  /// changes sides until none is left. If a set recurs, the search tries similar sets, best statics
-  /// fit first, then sets that differ by one ball from the near misses.
+  /// Searches from the kept balls that statics chooses (load_shares.h). Each ball on the wrong side
+  /// changes sides, until no ball is on the wrong side. If a set recurs, the search tries similar
+  /// sets in the order of their fit to statics. It then tries sets that differ by one ball from
+  /// sets that have an equilibrium with a ball on the wrong side.
   [[nodiscard]] bool settle(RingState& state);
-  /// Tries more of the last kind, with balls that turn far over.
+  /// Tries again sets that differ by one ball, with more Newton steps for each.
   [[nodiscard]] bool widen(RingState& state);
-  /// As a last resort: from the sets that a scan over places of the ring finds (contact_scan.h),
-  /// then from those that differ from one of them by one ball.
+  /// Last resort: starts from the sets that a scan over ring positions finds (contact_scan.h), then
+  /// from sets that differ from one of them by one ball.
   [[nodiscard]] bool scan(RingState& state);
 
  private:
@@ -32,7 +34,7 @@ class ContactSearch {
   struct OpenSet {
     Contacts contacts;
     RingState state;
-    bool pulls;  ///< true if a kept ball is in tension; else a lost one penetrates the race
+    bool pulls;  ///< true if a kept ball is in tension; else a lost ball penetrates the race
   };
 
   [[nodiscard]] double direction() const;

@@ -4,10 +4,11 @@
 
 namespace raceway::bearing {
 
-/// Speed, loads and moments on the inner ring of one bearing. x along the shaft, y and z radial,
-/// right-handed; the inner ring turns, the outer ring stands.
+/// Speed, loads and moments on the inner ring of one bearing. x is along the shaft, y and z are
+/// radial, right-handed. The inner ring rotates, the outer ring is stationary.
 struct OperatingPoint {
-  double speed = 0.0;  ///< shaft to housing [rad/s], >= 0 (the sense of rotation is immaterial)
+  /// Speed of the shaft relative to the housing [rad/s], >= 0 (its sense has no effect).
+  double speed = 0.0;
   double axial_load = 0.0;     ///< F_x [N]
   double radial_load = 0.0;    ///< F_y [N]
   double radial_load_z = 0.0;  ///< F_z [N]

@@ -4,17 +4,17 @@
 
 namespace raceway::bearing {
 
-/// Thrust on the relieved bearing of two equal ones at a fixed distance [N]; 0 where it is lifted
-/// off.
+/// Thrust on the relieved bearing of two equal bearings at a fixed distance [N]; 0 if the bearing
+/// has lost its load.
 ///
 ///   δ(F2 + F_a, n) + δ(F2, n) = 2 δ(P, 0)
 ///
 /// δ is the axial displacement of the inner ring under pure thrust, with outer race control. The
-/// load F_a moves both inner rings alike. Centrifugal forces push the balls outwards, so that the
-/// thrust at speed exceeds P.
+/// load F_a moves both inner rings by the same distance. Centrifugal forces push the balls
+/// outwards, so the thrust at speed exceeds P.
 ///
-/// preload > 0 and load >= 0 [N], speed in rad/s. All rings have one temperature. The
-/// displacements come from thrust_start.h, so the result is right to 1e-3 of the preload. It is NaN
+/// preload > 0 and load >= 0 [N], speed in rad/s. All rings have one temperature. The displacements
+/// come from thrust_start.h, so the error of the result is at most 1e-3 of the preload. It is NaN
 /// if a bearing has no equilibrium.
 [[nodiscard]] double relieved_thrust(const Bearing& bearing, double preload, double load,
                                      double speed);

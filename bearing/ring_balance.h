@@ -10,12 +10,12 @@
 #include "bearing/lanes.h"
 
 // Equilibrium of one inner ring: sums over its balls with derivatives, and the report of each ball.
-// Lengths and forces only: tilts are multiplied by R_i, moments divided by it, so that one scale
-// fits all components.
+// All unknowns are lengths and all loads are forces: tilts are multiplied by R_i, and moments are
+// divided by R_i. One scale then fits all components.
 namespace raceway::bearing {
 
-/// Model of a ball: two springs in line, or the equilibrium of an orbiting ball under race control
-/// or with a given rotation.
+/// Model of a ball: two springs in series (at rest), or the equilibrium of an orbiting ball under
+/// race control or with a given rotation.
 enum class BallModel { at_rest, outer_control, inner_control, given_rotation };
 
 /// Ring coordinates that are unknowns, among x, y, z, θy, θz.
@@ -45,7 +45,8 @@ struct ModelConstant {
   static constexpr BallModel value = model;
 };
 
-/// Calls f with a ModelConstant, for several points at once with balls under race control.
+/// Calls f with the ModelConstant of balls at rest or under race control. Kernels for several
+/// points in parallel have only these models.
 template <typename F>
 decltype(auto) with_race_control(BallModel model, F&& f) {
   switch (model) {
@@ -67,14 +68,14 @@ decltype(auto) with_model(BallModel model, F&& f) {
   return with_race_control(model, f);
 }
 
-/// Positions of the balls, and the number of unknown ones: one, half of them, or all.
+/// Positions of the balls, and the number of balls that are unknowns: one, half of them, or all.
 struct BallCircle {
   const double* azimuth;  ///< [rad]
   const double* cosine;   ///< cosine of the azimuth
   const double* sine;
   int count;  ///< Z
   Symmetry symmetry;
-  std::span<const GivenRotation> rotations = {};  ///< one per ball, or one for all; see BallModel
+  std::span<const GivenRotation> rotations = {};  ///< one for each ball, or one for all
 
   [[nodiscard, gnu::always_inline]] int used() const { return distinct_balls(symmetry, count); }
   /// Number of balls that ball k represents [1].
@@ -88,7 +89,8 @@ struct BallCircle {
   }
 };
 
-/// Bearing, speed and load as inputs of the equilibrium. Numbers only, see copy_lanes().
+/// Bearing, speed and load as inputs of the equilibrium. All members have the number type T, as
+/// copy_lanes() requires.
 template <typename T>
 struct RingPoint {
   BallConstantsOf<T> ball;
@@ -97,9 +99,9 @@ struct RingPoint {
   T lever;                  ///< R_i [m]
   T moment_arm_ratio;       ///< f_i D / R_i [1]
   T load[5];                ///< moments divided by the lever [N]
-  T load_scale;             ///< largest of these [N]
+  T load_scale;             ///< largest of the loads [N]
   T ball_scale;             ///< load_scale / Z [N]
-  T rounding;               ///< residual that the rounding of lengths may leave [1]
+  T rounding;               ///< largest residual from the rounding of lengths [1]
 };
 
 /// A bearing at rest without load.
@@ -113,7 +115,7 @@ void set_operating_point(RingPoint<double>& ring, const Bearing& bearing,
 [[nodiscard]] BallModel ball_model(const RingPoint<double>& ring,
                                    const EquilibriumOptions& options);
 
-/// Newton step of a ball, and its limit.
+/// Newton step of a ball, and the approach that limits the step.
 template <typename T>
 struct BallStep {
   T own[2];          ///< for a ring at rest [m]
@@ -121,11 +123,12 @@ struct BallStep {
   T outer_approach;  ///< δo [m]
 };
 
-/// Contribution of one ball to the ring, in its own plane, the ball's position eliminated.
+/// Contribution of one ball to the ring, in the plane of the ball. The position of the ball is
+/// eliminated.
 template <typename T>
 struct BallShare {
   T force[3];              ///< f_axial, f_radial, f_m [N]
-  T gain[3];               ///< change of these by the ball's own Newton step [N]
+  T gain[3];               ///< change of these forces by the ball's own Newton step [N]
   T tangent[6];            ///< their derivatives by (A_axial, A_radial), row-major 3x2 [N/m]
   T imbalance;             ///< imbalance of the ball, squared and scaled [1]
   BallForcesOf<T> forces;  ///< for the report
@@ -157,10 +160,10 @@ template <BallModel model, typename T>
         ball_balance_under<rotation>(p.ball, centre, x, p.moment_arm_ratio, contact, given);
     share.forces = b;
     step.outer_approach = b.outer_approach;
-    // follow = -r_x⁻¹ r_a, own = -r_x⁻¹ r; one division for this and for the imbalance.
+    // follow = -r_x⁻¹ r_a, own = -r_x⁻¹ r. One division serves these and the imbalance.
     const T scale = p.ball_scale + b.outer_load;
     const T squared = scale * scale;
-    // A ball in the outer race with less than one digit of approach is not moved.
+    // A ball whose approach at the outer race has less than one significant digit is not moved.
     const T product = b.r_x[0] * b.r_x[3] - b.r_x[1] * b.r_x[2];
     const Mask<T> lies = product == T(0.0);
     const T determinant = select(lies, T(1.0), product);
@@ -222,8 +225,8 @@ template <class C, typename T>
 /// Forces of the balls on the ring in the coordinates C, and their derivatives.
 template <class C, typename T>
 struct RingSums {
-  T carried[C::count];              ///< by the balls [N]
-  T ahead[C::count];                ///< after the balls' own step [N]
+  T carried[C::count];              ///< forces of the balls [N]
+  T ahead[C::count];                ///< the same forces after the balls' own step [N]
   T stiffness[C::count][C::count];  ///< with the balls eliminated [N/m]
 
   RingSums() {
@@ -255,7 +258,7 @@ struct RingSums {
   }
 };
 
-/// Sums over the circle from the balls used, for all coordinates.
+/// Sums over the circle, from the balls that are unknowns, for all coordinates.
 template <typename T>
 void complete(const BallCircle& circle, RingSums<AllCoordinates, T>& sums) {
   T(&k)[5][5] = sums.stiffness;
@@ -283,8 +286,8 @@ void complete(const BallCircle& circle, RingSums<AllCoordinates, T>& sums) {
   }
 }
 
-/// Relative error allowed when the loads are summed again from the reported balls; rounding causes
-/// a thousandth of it. Self-check of every solve.
+/// Largest relative error allowed when the loads are summed again from the reported balls. Every
+/// solve makes this check of itself. Rounding causes a thousandth of this limit.
 inline constexpr double largest_load_error = 1e-8;
 
 /// Result of a ring in equilibrium.
@@ -292,12 +295,14 @@ template <typename T>
 struct RingReport {
   T stiffness[5][5];  ///< [N/m]
   T residual;         ///< largest imbalance of ring and balls, scaled [1]
-  /// Loads summed again from the reported balls, relative; NaN where a number is not finite [1].
+  /// Relative error of the loads summed again from the reported balls [1]; NaN if a number is not
+  /// finite.
   T recovered_load_error;
 };
 
-/// Angles and forces of all balls used at equilibrium, and the loads summed again from these: an
-/// independent check of the frame and of everything between the unknowns and the report.
+/// Angles and forces at equilibrium of all balls that are unknowns. The loads are summed again from
+/// these values. This sum independently checks the axes and all steps from the unknowns to the
+/// report.
 template <BallModel model, typename T>
 void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, const T* ring,
                  const PlaneOf<T>* balls, BallReport<T>* reports, RingReport<T>& report) {
@@ -306,7 +311,7 @@ void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, co
   const T diameter = 2.0 * p.moment_arm_ratio * p.lever - 2.0 * p.ball.inner_radius;
   RingSums<AllCoordinates, T> sums;
   T worst_ball = zero, sum[5] = {zero, zero, zero, zero, zero};
-  T nothing = zero;  // but NaN once a number is not finite
+  T nothing = zero;  // but NaN if a number is not finite
   const auto look = [&nothing](const T& number) { nothing = nothing + (number - number); };
   for (int k = 0; k < circle.used(); ++k) {
     const PlaneOf<T> a = groove_centre<AllCoordinates>(p, circle, ring, k);
@@ -322,7 +327,7 @@ void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, co
         ball_report<model == BallModel::at_rest>(f, a, x, diameter);
 
     const T angle = select(touches, b.inner_contact_angle, zero);
-    // A ball that is loose at rest has no outer angle either.
+    // A ball that is loose at rest also has no outer angle.
     look(select(b.outer_load > zero, b.outer_contact_angle, zero));
     for (const T& number :
          {angle, b.inner_load, b.outer_load, b.outer_friction, b.centrifugal_force})
@@ -342,7 +347,7 @@ void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, co
   T missing = zero, error = zero;
   for (int i = 0; i < (tilts ? 5 : 3); ++i) {
     missing = max(missing, abs(p.load[i] - sums.carried[i]));
-    // By symmetry these cancel over the balls that are not unknowns.
+    // By symmetry these components cancel over the balls that are not unknowns.
     const bool even = circle.symmetry == Symmetry::none || i == 0 ||
                       (circle.symmetry == Symmetry::mirror && (i == 1 || i == 4));
     if (even) error = max(error, abs(p.load[i] - sum[i]));
@@ -355,8 +360,8 @@ void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, co
   report.recovered_load_error = error / p.load_scale + nothing;
 }
 
-/// Sets all of `result` except status and iterations, from a ring in equilibrium and the balls
-/// used, all in lane i. T is double or Eight.
+/// Sets all of `result` except status and iterations, from a ring in equilibrium and the balls that
+/// are unknowns, all in lane i. T is double or Eight.
 template <typename T>
 void fill_equilibrium(const T& lever, const BallCircle& circle, const T* ring,
                       const RingReport<T>& report, const BallReport<T>* balls, std::size_t i,

@@ -9,27 +9,29 @@
 namespace raceway::bearing {
 
 struct NewtonLimits {
-  double tolerance;  ///< on the scaled residual [1]
-  int steps;         ///< most steps of one lane
-  /// Factor by which a whole step may raise the merit; a ball that changes sides may do so once.
+  double tolerance;  ///< limit of the scaled residual [1]
+  int steps;         ///< largest number of steps of one lane
+  /// Factor by which a full step may raise the merit. A ball that gains or loses contact may raise
+  /// it once.
   double rise = 4.0;
 };
 
 /// Progress of the lanes; each lane is true in at most one of these.
 template <typename T>
 struct NewtonProgress {
-  Mask<T> taken;      ///< has moved to its trial state, and goes on from there unless it is in:
-  Mask<T> converged;  ///< residual within the tolerance, smaller still at the trial state
+  Mask<T> taken;      ///< moved to the trial state; continues unless it is in a mask below
+  Mask<T> converged;  ///< residual within the tolerance, and smaller at the trial state
   Mask<T> not_finite, singular, exhausted;
 };
 
-/// Newton's method on ring and balls together, with an independent point in each lane: lanes begin
-/// and end at any time, and results do not depend on other lanes.
+/// Newton's method for ring and balls together, with an independent point in each lane. Lanes begin
+/// and end at any time. A result does not depend on the other lanes.
 ///
-/// A step moves the ring by at most half the distance of the groove centres. It is halved up to six
-/// times while it raises the merit, and cut if it would lift a ball off the outer race. A whole
-/// step may raise the merit by NewtonLimits::rise, because a ball may gain or lose contact. At
-/// convergence the trial state is one more step ahead, near rounding. This step is not counted.
+/// A step moves the ring by at most half the distance of the groove centres. The step is halved up
+/// to six times while it raises the merit. It is shortened if it would lift a ball off the outer
+/// race. A full step may raise the merit by the factor NewtonLimits::rise, because a ball may gain
+/// or lose contact. At convergence the trial state is one step further, near rounding. This step is
+/// not counted.
 template <typename T>
 class RingNewton {
  public:
@@ -41,7 +43,7 @@ class RingNewton {
   T steps = T(0.0);     ///< made since the start
   T residual = T(0.0);  ///< at `ring` and `balls` [1]
 
-  /// The trial state of this lane is a start, not a step.
+  /// Marks the trial state of this lane as a start, not a step.
   void begin(std::size_t i) {
     set_lane(fresh_, i, 1.0);
     set_lane(steps, i, 0.0);
@@ -67,7 +69,7 @@ class RingNewton {
   void advance(const BallCircle& circle);
 
   std::vector<BallStep<T>> now_, trial_;
-  T trial_force_[5], trial_stiffness_[5][5];  // imbalance of the ring after the balls' steps
+  T trial_force_[5], trial_stiffness_[5][5];  // of the ring, after the balls' steps
   T trial_residual_, trial_merit_;
   T fresh_ = T(1.0), merit_ = T(0.0), fraction_ = T(1.0), halvings_ = T(0.0);
   T step_[5] = {T(0.0), T(0.0), T(0.0), T(0.0), T(0.0)};
@@ -87,7 +89,7 @@ template <BallModel model, class C>
     const auto i = static_cast<std::size_t>(k);
     const PlaneOf<T> centre = groove_centre<C>(point, circle, trial_ring, k);
     bool alike = false;
-    // Useful for one point: from a thrust start all balls begin equal.
+    // This helps for one point only: from a thrust start all balls begin equal.
     if constexpr (is_scalar<T>)
       alike = centre == last_centre && trial_balls[i] == last_ball && !contacts &&
               circle.rotations.size() <= 1;
@@ -155,7 +157,8 @@ template <BallModel model, class C>
     PlaneOf<T> next{
         x.axial + fraction_ * (e.own[0] + e.follow[0] * da.axial + e.follow[1] * da.radial),
         x.radial + fraction_ * (e.own[1] + e.follow[2] * da.axial + e.follow[3] * da.radial)};
-    // The centrifugal force keeps every ball on the outer race; a step that leaves it is shortened.
+    // The centrifugal force keeps every ball on the outer race. A step that leaves the race is
+    // shortened.
     const T least = outer_radius + 0.1 * e.outer_approach;
     const T squared = next.axial * next.axial + next.radial * next.radial;
     const Mask<T> leaves = squared < least * least;
@@ -178,7 +181,8 @@ NewtonProgress<T> RingNewton<T>::pass(const BallCircle& circle, const NewtonLimi
   const T accept = select(halvings_ == T(0.0), T(limits.rise), T(1.0));
   NewtonProgress<T> progress;
   progress.taken = fresh || trial_merit_ <= accept * merit_ || halvings_ == T(6.0);
-  // As accurate as rounding allows; under a very small load this is not within the tolerance.
+  // Accepts the accuracy that rounding allows. Under a very small load it is worse than the
+  // tolerance.
   const T near = min(max(T(10.0 * limits.tolerance), point.rounding), T(0.1 * largest_load_error));
   const Mask<T> stalled = !fresh && trial_residual_ <= near && trial_merit_ > 0.25 * merit_;
   take<C>(progress.taken, circle.used());

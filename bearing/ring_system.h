@@ -8,14 +8,15 @@
 
 namespace raceway::bearing {
 
-/// Ring and ball positions. Tilts are multiplied by R_i, moments divided by it: all lengths, all
-/// forces, so that one scale fits all components.
+/// Ring and ball positions. Tilts are multiplied by R_i and moments are divided by R_i, so all
+/// positions are lengths and all loads are forces. One scale then fits all components.
 struct RingState {
   Vector5 ring = Vector5::Zero();
   std::vector<Plane> balls;
 };
 
-/// Memory of a solve, kept between solves so that they need not allocate. One per thread.
+/// Memory of a solve. It is kept between solves, so that later solves do not allocate. One for each
+/// thread.
 struct RingWorkspace {
   RingNewton<double> newton;
   RingState state;
@@ -52,7 +53,7 @@ class RingSystem {
   [[nodiscard]] SolveStatus failure() const { return failure_; }
   /// Limits the following search to this number of steps, in addition to the limit of the options.
   void allow(int steps) { end_ = std::min(options_.max_iterations, iterations_ + steps); }
-  /// True if the allowed steps are used up; newton() then makes none.
+  /// True if the allowed steps are used up; newton() then makes no step.
   [[nodiscard]] bool exhausted() const { return iterations_ >= end_; }
 
   /// Number of balls that are unknowns: one, half of them, or all.
@@ -61,11 +62,12 @@ class RingSystem {
   [[nodiscard]] double weight(std::size_t k) const { return circle_.weight(static_cast<int>(k)); }
   /// Inner groove centre of ball k [m].
   [[nodiscard]] Plane groove_centre(const Vector5& ring, std::size_t k) const;
-  /// A ball without inner contact: against the outer race, orbiting at nearly half the shaft speed.
+  /// Position of a ball without inner contact. It lies against the outer race and orbits at nearly
+  /// half the shaft speed.
   [[nodiscard]] Plane thrown_ball() const;
 
-  std::vector<InnerContact> contacts;  ///< held contacts; empty while physics decides
-  int newton_limit = 40;               ///< steps of one newton()
+  std::vector<InnerContact> contacts;  ///< fixed contacts; empty if the physical law decides
+  int newton_limit = 40;               ///< largest number of steps of one newton()
   double newton_rise = 4.0;            ///< NewtonLimits::rise
 
  private:

@@ -27,7 +27,7 @@ enum class ClearanceState {
 struct RollerGeometry {
   int roller_count = 0;            ///< Z [1]
   double roller_diameter = unset;  ///< D [m]
-  double roller_length = unset;    ///< L, effective, without the chamfers [m]
+  double roller_length = unset;    ///< L, effective length without the chamfers [m]
   double pitch_diameter = unset;   ///< d_m [m]
   double radial_clearance = 0.0;   ///< s, diametral; negative is a preload [m]
   ClearanceState clearance_state = ClearanceState::mounted;
@@ -36,7 +36,7 @@ struct RollerGeometry {
   double bore = unset;                ///< d [m]; may be unknown
   double outer_diameter = unset;      ///< diameter of the outer ring [m]; may be unknown
   double width = unset;               ///< B [m]; may be unknown
-  double static_load_rating = unset;  ///< C0 [N]; NaN: by life::static_load_rating()
+  double static_load_rating = unset;  ///< C0 [N]; NaN: computed by life::static_load_rating()
 
   /// γ = D/d_m [1].
   [[nodiscard]] double diameter_ratio() const { return roller_diameter / pitch_diameter; }
@@ -50,8 +50,8 @@ struct RollerGeometry {
 /// impossible: name, value with unit, allowed range.
 [[nodiscard]] RollerGeometry validated(const RollerGeometry& geometry);
 
-/// Number of slices of a roller. Life depends on it through the edge factor of ISO/TS 16281, so it
-/// is no option; odd, so that one slice lies in the middle.
+/// Number of slices of a roller. It is fixed, because the life depends on it through the edge
+/// factor of ISO/TS 16281. It is odd, so that one slice lies in the middle.
 inline constexpr std::size_t lamina_count = 41;
 
 /// Relief of a crowned roller at a distance from its middle [m].
@@ -60,17 +60,18 @@ inline constexpr std::size_t lamina_count = 41;
 ///   P = 0.0005 D ln(1/(1 - ((2|x| - L + 2.5 D)/(2.5 D))²))     L > 2.5 D, |x| > (L - 2.5 D)/2
 ///
 /// P is zero in the straight middle of a long roller.
-/// Source:   [ISO16281], print not seen. The first line was read in two programs. The brackets of
-///           the second line are from memory; one program prints them differently.
+/// Source:   [ISO16281], not checked against the print. The first line was read in two programs.
+///           The brackets of the second line are from memory; one program has different brackets.
 /// Domain:   |x| < L/2.
 [[nodiscard]] double roller_relief(const RollerGeometry& geometry, double x);
 
-/// A line contact of roller and raceway, per slice.
+/// Line contact of roller and raceway, for one slice.
 ///
 ///   q = c1 δ^(10/9),   c1 = 2^(10/9) cs,   cs = 35948 L^(8/9)/ns   [N, mm]
 ///
-/// cs is the stiffness of both contacts of a roller in series, c1 of a single one; with other
-/// materials than steel both are multiplied by 2 k(steel)/(k(roller) + k(ring)), k = (1 - ν²)/E.
+/// cs is the stiffness of both contacts of a roller in series, c1 that of a single contact. For
+/// materials other than steel both are multiplied by 2 k(steel)/(k(roller) + k(ring)), k = (1 -
+/// ν²)/E.
 ///
 /// Source:   [ISO16281], read in two programs; two equal contacts in series and the factor of the
 ///           materials are derived (Lundberg's form is linear in k).
@@ -80,8 +81,8 @@ inline constexpr std::size_t lamina_count = 41;
 struct LineContact {
   double stiffness = unset;     ///< c1 of one slice at one race [N/m^(10/9)]
   double compliance = unset;    ///< k1 + k2 [1/Pa]
-  double inner_radius = unset;  ///< R of roller and inner raceway, D/2 (1 - D/d_m) [m]
-  double outer_radius = unset;  ///< radius at the outer raceway, D/2 (1 + D/d_m) [m]
+  double inner_radius = unset;  ///< R, equivalent radius at the inner raceway, D/2 (1 - D/d_m) [m]
+  double outer_radius = unset;  ///< equivalent radius at the outer raceway, D/2 (1 + D/d_m) [m]
 
   [[nodiscard]] double radius(Race race) const {
     return race == Race::inner ? inner_radius : outer_radius;
@@ -112,7 +113,7 @@ class RollerBearing {
   /// Centrifugal force of a roller at a speed of the inner ring [N]:
   /// Fc = m d_m/2 ω_m²,   ω_m = ω (1 - D/d_m)/2.
   [[nodiscard]] double centrifugal_force(double speed) const;
-  /// Middles of the slices from the middle of the roller, along +x [m].
+  /// Positions of the slices' middles, measured from the middle of the roller along +x [m].
   [[nodiscard]] const std::array<double, lamina_count>& positions() const { return positions_; }
   /// Relief of the slices [m].
   [[nodiscard]] const std::array<double, lamina_count>& relief() const { return relief_; }

@@ -18,7 +18,8 @@ using Vector4 = Eigen::Vector4d;
 using Matrix4 = Eigen::Matrix4d;
 
 struct RollerOptions {
-  /// Locked: the tilts below are imposed. Free: the ring tilts until it carries the given moments.
+  /// Locked: tilt_y and tilt_z are imposed. Free: the ring tilts until it balances the given
+  ///         moments.
   Tilt tilt = Tilt::locked;
   double tilt_y = 0.0, tilt_z = 0.0;  ///< imposed, right-handed about y and z [rad]
   /// s in operation [m]; NaN: the clearance of the geometry.
@@ -32,8 +33,9 @@ struct LoadedRoller {
   double azimuth = unset;     ///< ψ from +y towards +z [rad]
   double inner_load = unset;  ///< Qi [N]
   double outer_load = unset;  ///< Qo [N]
-  double shift = unset;       ///< u, outwards, of its middle from the unloaded outer raceway [m]
-  double tilt = unset;        ///< f, of its axis in its own radial plane [rad]
+  double shift = unset;  ///< u, outward displacement of the roller's middle from the unloaded outer
+                         ///< raceway [m]
+  double tilt = unset;   ///< f, tilt of the roller's axis in its radial plane [rad]
   /// Loads of the slices, in the order of RollerBearing::positions() [N].
   std::array<double, lamina_count> inner_laminae{}, outer_laminae{};
 };
@@ -41,22 +43,22 @@ struct LoadedRoller {
 /// Displacement of the inner ring under its load, with the rollers in equilibrium. Only `report` is
 /// set unless the solve converged.
 struct RollerEquilibrium {
-  /// y, z [m], θ_y, θ_z [rad] of the inner ring at the middle plane of the rollers, counted from
+  /// y, z [m], θ_y, θ_z [rad] of the inner ring at the middle plane of the rollers, measured from
   /// the centred position.
   Vector4 displacement = Vector4::Constant(unset);
-  /// F_y, F_z [N], M_y, M_z [N m] that act on the inner ring. The moments are reactions where the
-  /// tilt is locked.
+  /// F_y, F_z [N], M_y, M_z [N m] that act on the inner ring. If the tilt is locked, the moments
+  /// are reactions.
   Vector4 load = Vector4::Constant(unset);
   /// Tangent stiffness ∂load/∂displacement with the rollers in equilibrium. Symmetric.
   Matrix4 stiffness = Matrix4::Constant(unset);
   std::vector<LoadedRoller> rollers;
   double clearance = unset;          ///< s of this equilibrium [m]
   double centrifugal_force = unset;  ///< force on one roller [N]
-  /// ∂(Σ Qi)/∂s, and of Σ Qo alike, where forces and tilt of the ring stay as they are: what a
-  /// clearance takes from the rollers, below zero [N/m].
+  /// ∂(Σ Qi)/∂s at constant forces on the ring and constant tilt, below zero [N/m]. Σ Qo has the
+  /// same derivative. It is the loss of roller load by additional clearance.
   double sum_by_clearance = unset;
-  /// True without load and inner contacts: the ring lies anywhere within its clearance. Counts as
-  /// an equilibrium, with no displacement and no stiffness.
+  /// True if there is no load and no inner contact: the position of the ring within its clearance
+  /// is undefined. This is a valid equilibrium without displacement and stiffness.
   bool loose = false;
   SolveReport report;
 
@@ -65,7 +67,7 @@ struct RollerEquilibrium {
   /// Σ Qi and Σ Qo over all rollers [N].
   [[nodiscard]] double inner_sum() const;
   [[nodiscard]] double outer_sum() const;
-  /// Rollers that touch the inner ring [1].
+  /// Number of rollers that touch the inner ring [1].
   [[nodiscard]] int loaded_rollers() const;
   /// Largest load of a slice [N].
   [[nodiscard]] double largest_lamina(Race race) const;
@@ -80,22 +82,24 @@ struct RollerEquilibrium {
 ///
 ///   rollers   Σ qo - Σ qi = Fc,   Σ x qo = Σ x qi
 ///
-///   ring      Σ qi cos ψ = F_y,   Σ qi sin ψ = F_z, and the moments alike
+///   ring      Σ qi cos ψ = F_y,   Σ qi sin ψ = F_z, and the same for the moments
 ///
 ///   K = Σ B'(Ki - Ki (Ki + Ko)^-1 Ki) B
 ///
 /// The equilibrium is the minimum of a convex energy of ring and rollers. Newton's method solves
 /// for all unknowns, with a line search on the derivative along the step. The two unknowns of each
-/// roller are eliminated. (Ki + Ko) is singular if a roller touches with a single slice; K takes
-/// the pseudo-inverse.
+/// roller are eliminated. (Ki + Ko) is singular if a roller touches with a single slice; K then
+/// uses the pseudo-inverse.
 ///
 /// Source:   at rest [ISO16281], read in two programs; two contacts in series and Fc derived.
-/// Domain:   speed >= 0; axial_load = 0, the bearing carries none: else std::invalid_argument.
-///           Without load and preload nothing touches the inner ring: `loose`. The ring does not
-///           move in a direction that the load leaves without stiffness (one loaded roller).
-/// Accuracy: `tolerance`; physically rigid rings, quasi-static; no skew, flange friction, cage slip
-///           or film. An approach below 1e-15 m is no contact: 1e-19 mm of rounding at 90 deg would
-///           be 1 % of a stiffness, since q' goes with the ninth root.
+/// Domain:   speed >= 0. axial_load must be 0, because the bearing carries no axial load; otherwise
+///           throws std::invalid_argument. Without load and preload no roller touches the inner
+///           ring: `loose`. The ring does not move in a direction without stiffness (one loaded
+///           roller).
+/// Accuracy: `tolerance`. Physical assumptions: rigid rings, quasi-static motion; no skew, flange
+///           friction, cage slip or film. An approach below 1e-15 m is not a contact. A rounding of
+///           1e-19 mm at 90 deg would otherwise give 1 % of a stiffness, because q' is proportional
+///           to the ninth root of the approach.
 [[nodiscard]] RollerEquilibrium solve_roller_bearing(const RollerBearing& bearing,
                                                      const OperatingPoint& point,
                                                      const RollerOptions& options = {});
@@ -103,19 +107,19 @@ struct RollerEquilibrium {
 class RollerBalance;
 
 /// Roller bearing with a given displacement of the inner ring: solves the rollers between the
-/// raceways. Like DisplacedBearing, in the same five coordinates; the axial one has no effect. For
-/// many displacements and clearances; each solve starts from the previous one. Keeps a reference to
-/// the bearing.
+/// raceways. It has the same five coordinates as DisplacedBearing; the axial one has no effect. Use
+/// it for many displacements and clearances. Each solve starts from the previous one. The object
+/// keeps a reference to the bearing.
 class DisplacedRollerBearing {
  public:
-  /// `clearance` NaN: of the geometry.
+  /// `clearance` NaN: the clearance of the geometry.
   DisplacedRollerBearing(const RollerBearing& bearing, double speed, double clearance = unset);
   DisplacedRollerBearing(DisplacedRollerBearing&&) noexcept;
   DisplacedRollerBearing& operator=(DisplacedRollerBearing&&) noexcept;
   ~DisplacedRollerBearing();
 
   void set_clearance(double clearance);
-  /// False if the rollers have no equilibrium; force and stiffness are then not valid.
+  /// Returns false if the rollers have no equilibrium; force and stiffness are then invalid.
   [[nodiscard]] bool hold(const Vector5& displacement);
   /// Forces applied to the ring, in equilibrium with its rollers: F_x = 0, F_y, F_z [N], M_y, M_z
   /// [N m].
@@ -133,8 +137,8 @@ class DisplacedRollerBearing {
   Matrix5 stiffness_ = Matrix5::Constant(unset);
 };
 
-/// Solves the rollers at a given displacement of the inner ring; `load` is the reaction there.
-/// `clearance` NaN: from the geometry.
+/// Solves the rollers at a given displacement of the inner ring; `load` of the result is the
+/// reaction at this displacement. `clearance` NaN: the clearance of the geometry.
 [[nodiscard]] RollerEquilibrium displaced_roller_bearing(const RollerBearing& bearing,
                                                          const Vector4& displacement, double speed,
                                                          double clearance = unset);
@@ -144,7 +148,7 @@ class DisplacedRollerBearing {
 [[nodiscard]] ContactPressure largest_pressure(const RollerBearing& bearing,
                                                const RollerEquilibrium& equilibrium);
 
-/// Hertz pressure by which static ratings of roller bearings are defined [Pa]. Source: [ISO76].
+/// Hertz pressure that defines the static rating of roller bearings [Pa]. Source: [ISO76].
 inline constexpr double static_limit_pressure_of_lines = 4000e6;
 
 /// Approximate tilt above which the ends of the rollers are overloaded [rad]. From memory.

@@ -10,7 +10,7 @@ namespace raceway::bearing {
 enum class Seat {
   shoulder,       ///< against the shoulders, the intended position
   groove_bottom,  ///< at the bottom, without contact angle
-  far_side        ///< some beyond the bottom, where such a bearing has no shoulder
+  far_side        ///< some balls beyond the bottom, where the bearing has no shoulder
 };
 
 /// Name of the seat in JSON results, e.g. "groove_bottom".
@@ -18,19 +18,20 @@ enum class Seat {
 
 /// Determines the seat from the least and largest inner contact angles of the loaded balls [rad].
 ///
-/// A ball at a contact angle pushes the ring away along the axis. Under a radial load alone these
-/// pushes have to vanish together, and with a shoulder on one side only they are all of one sign:
-/// the ring stands back until the groove centres lie opposite each other, and the load is carried
-/// at contact angle 0. A moment without enough axial load needs balls that push the other way; the
-/// solver lets grooves go on beyond the bottom, a real bearing comes apart there.
+/// A ball at a contact angle pushes the ring along the axis. With a shoulder on one side only, all
+/// balls push in the same direction. Under a purely radial load the sum of these forces must be
+/// zero, so each of them is zero: the ring moves back until the groove centres lie opposite each
+/// other, and the balls carry the load at contact angle 0. A moment without enough axial load needs
+/// balls that push in the opposite direction. In the solver the grooves continue beyond the bottom;
+/// the rings of a real bearing separate there.
 ///
-/// Domain:   angles within a tenth of the nominal one count as none; α0 = 0 (deep groove, with two
-///           shoulders) is always seated.
+/// Domain:   angles up to a tenth of the nominal angle are treated as zero. A bearing with α0 = 0
+///           (deep groove, with two shoulders) is always seated.
 [[nodiscard]] Seat seat(double least_inner_angle, double largest_inner_angle, double contact_angle);
 [[nodiscard]] Seat seat(const BearingEquilibrium& equilibrium, const BearingGeometry& geometry);
 
-/// Axial load that presses half of the circle against the shoulders under a radial load, the
-/// contact angle held at its nominal value [N]: 1.22 F_r tan α0.
+/// Axial load that presses half of the balls against the shoulders under a radial load [N]: 1.22
+/// F_r tan α0, with the contact angle at its nominal value.
 /// Source: the load integrals of point contact, J_a/J_r = 0.2782/0.2288 at ε = 0.5
 ///         [Harris2006, vol. 1, ch. 7], recomputed.
 [[nodiscard]] double seating_load(double radial_load, double contact_angle);

@@ -17,8 +17,8 @@ struct ShaftState {
 /// Forces of one bearing, their derivative with the ball eliminated, and the ball's Newton step.
 struct BearingShare {
   double force = 0.0;      ///< Z f_axial [N]
-  double gain = 0.0;       ///< its change by the ball's own Newton step [N]
-  double stiffness = 0.0;  ///< its derivative by the bearing's displacement [N/m]
+  double gain = 0.0;       ///< change of the force by the ball's own Newton step [N]
+  double stiffness = 0.0;  ///< derivative of the force by the bearing's displacement [N/m]
   double imbalance = 0.0;  ///< imbalance of the ball, squared and scaled [1]
   double own[2] = {};      ///< step of the ball for a ring at rest [m]
   double follow[2] = {};   ///< step of the ball per axial step of its groove centre [1]
@@ -31,7 +31,7 @@ struct ShaftAssembly {
   double shaft_imbalance;    ///< F_f - F_r + d P [N]
   double seat_imbalance;     ///< imbalance of the rear set's seat, in the unit of Arrangement::Seat
   double residual;           ///< largest of all, scaled [1]
-  double merit;              ///< sum of squares of the same
+  double merit;              ///< sum of squares of the scaled imbalances
 };
 
 /// Equilibrium of a shaft in its sets, solved by Newton's method. Internal to the solver.
@@ -39,7 +39,8 @@ class ShaftSystem {
  public:
   ShaftSystem(const Arrangement& arrangement, const EquilibriumOptions& options);
 
-  /// `share` of the speed squared, and of loads and shifts.
+  /// Sets the condition, with `speed_share` of the squared speed, and `load_share` of loads and
+  /// shifts.
   void set_condition(const ArrangementCondition& condition, double speed_share = 1.0,
                      double load_share = 1.0);
   /// Iterates from `state` to equilibrium within the tolerance. If false, `state` is undefined.
@@ -51,7 +52,7 @@ class ShaftSystem {
   [[nodiscard]] const BallConstants& constants(std::size_t i) const {
     return members_[i].constants;
   }
-  /// Given rotation of the balls of bearing i; null at rest or if none is given.
+  /// Given rotation of the balls of bearing i; null at rest or without a given rotation.
   [[nodiscard]] const GivenRotation* rotation(std::size_t i) const {
     return at_rest_ || options_.rotations.empty() ? nullptr : &options_.rotations[i];
   }
@@ -59,7 +60,7 @@ class ShaftSystem {
   [[nodiscard]] double load() const { return load_; }
   [[nodiscard]] double displacement(const ShaftState& state, std::size_t i) const;
   [[nodiscard]] Plane groove_centre(const ShaftState& state, std::size_t i) const;
-  /// Position of a ball under its centrifugal force alone.
+  /// Position of a ball on which only the centrifugal force acts.
   [[nodiscard]] Plane thrown_ball(std::size_t i) const;
   /// True if bearing i > 0 has the same condition and equilibrium as the previous one on the same
   /// side.
@@ -82,9 +83,9 @@ class ShaftSystem {
   struct Member {
     BallConstants constants;
     Plane free;      ///< inner groove centre without displacement
-    double offset;   ///< pressed further than its set
+    double offset;   ///< compression beyond that of its set
     double count;    ///< Z
-    bool like_last;  ///< same bearing in the same condition as the one before, on the same side
+    bool like_last;  ///< same bearing in the same condition as the previous one, on the same side
   };
   struct Step {
     double shaft, rear;

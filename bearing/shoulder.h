@@ -7,7 +7,7 @@
 namespace raceway::bearing {
 
 /// Angle of a shoulder's edge from the bottom of the groove, measured at the groove's centre like a
-/// contact angle [rad]. NaN where no shoulder diameter is given.
+/// contact angle [rad]. NaN if no shoulder diameter is given.
 ///
 ///   inner   cos θ = (R_i - d_s/2)/r_i,   r_i = f_i D,   R_i = d_m/2 + (f_i - 0.5) D cos α0
 ///   outer   cos θ = (d_s/2 - R_o)/r_o,   r_o = f_o D,   R_o = d_m/2 - (f_o - 0.5) D cos α0
@@ -21,29 +21,30 @@ namespace raceway::bearing {
 ///
 ///   θ - (α + asin(a/r))
 ///
-/// a: half axis of the ellipse across rolling; the least of all balls that touch. Below zero the
-/// shoulder cuts the ellipse off, and its edge carries more than Hertz says.
-/// Source:   static ellipse against land height as in [Harris2006, vol. 1], from memory, print not
-///           seen.
-/// Domain:   an equilibrium. α is |α| for α0 = 0 (deep groove, two shoulders); otherwise there is
-///           no shoulder beyond the bottom of the groove. NaN without a shoulder, or if no ball
-///           touches.
-/// Accuracy: the shoulder has a sharp edge here; a real one is rounded over a tenth of a millimetre
-///           or so, some 1 deg.
+/// a is the half axis of the ellipse across the rolling direction. The margin is the smallest of
+/// all balls that touch. Below zero the edge of the shoulder truncates the ellipse, and the
+/// pressure at the edge is higher than Hertz theory predicts.
+/// Source:   comparison of the static ellipse with the land height, as in [Harris2006, vol. 1];
+///           from memory, not checked against the print.
+/// Domain:   a bearing in equilibrium. For α0 = 0 (deep groove, two shoulders) |α| replaces α;
+///           otherwise the groove has no shoulder beyond its bottom. NaN without a shoulder, or if
+///           no ball touches.
+/// Accuracy: the model has a sharp edge. A real edge is rounded over about 0.1 mm, which is about 1
+///           deg.
 struct ShoulderMargins {
   double inner = unset, outer = unset;
-  /// Share of the ellipse's length that is cut off, at the ball with the least margin [1].
+  /// Truncated share of the ellipse's length, at the ball with the smallest margin [1].
   double inner_cut = 0.0, outer_cut = 0.0;
 };
 [[nodiscard]] ShoulderMargins shoulder_margins(const Bearing& bearing,
                                                const BearingEquilibrium& equilibrium);
 
 /// Pure axial load at standstill under which the ellipse of a race reaches the edge of its shoulder
-/// [N], by the equilibrium of the bearing at each load.
+/// [N]. The program solves the equilibrium of the bearing at each load.
 ///
-/// Domain:   NaN without a shoulder; 0 where the edge lies below the nominal contact already;
-///           infinite where nothing up to 1e8 N reaches it.
-/// Accuracy: 1e-9 relative. A limit of the geometry: the pressure there may be above 4.2 GPa.
+/// Domain:   NaN without a shoulder; 0 if the edge lies below the nominal contact; infinite if no
+///           load up to 1e8 N reaches the edge.
+/// Accuracy: 1e-9 relative. This is a limit of the geometry only: the pressure may exceed 4.2 GPa.
 struct PermissibleLoads {
   double inner = unset, outer = unset;
   /// Returns the smaller of the known values.

@@ -16,7 +16,7 @@ struct KernelBlock {
 };
 
 /// Points with equal ball count, symmetry, ball model and free coordinates. If they do not fill the
-/// last block, some point fills the rest.
+/// last block, any point fills the rest.
 struct KernelCall {
   BallCircle circle;
   BallModel model;
@@ -27,9 +27,9 @@ struct KernelCall {
   BallReport<Eight>* balls;  ///< circle.used() for each block
 };
 
-// Newton's method from the closed-form thrust start on many points at once, with their reports.
-// Points that do not converge are left to the search for single points. A result does not depend on
-// the other points of the call. One source is compiled for each instruction set.
+// Newton's method from the closed-form thrust start for many points in parallel, with their
+// reports. The search for single points solves the points that do not converge here. A result does
+// not depend on the other points of the call. One source is compiled for each instruction set.
 void solve_sse2(const KernelCall& call);
 void solve_avx2(const KernelCall& call);
 void solve_avx512(const KernelCall& call);

@@ -10,12 +10,12 @@ enum class SolveStatus {
   not_run,
   converged,
   no_equilibrium,   ///< none was found; SolveReport::certain is true if none exists
-  iteration_limit,  ///< ended by EquilibriumOptions::max_iterations
+  iteration_limit,  ///< reached EquilibriumOptions::max_iterations
   singular,         ///< the load leaves a displacement undetermined
-  not_finite,       ///< the numbers left the range of doubles
+  not_finite,       ///< a number is infinite or NaN
 };
 
-/// Returns the status in the words of the JSON results, such as "no_equilibrium".
+/// Returns the name of the status in the JSON results, such as "no_equilibrium".
 [[nodiscard]] std::string_view name(SolveStatus status);
 
 /// Outcome of a solve. It starts as a failure. Only the solver turns it into a success.
@@ -25,8 +25,8 @@ struct SolveReport {
   double residual = unset;  ///< largest imbalance of ring and balls, scaled by load [1]
   /// Sum of the forces of the reported balls minus the applied load, relative to the load [1].
   double recovered_load_error = unset;
-  /// True if statics alone proves that no equilibrium exists. If false, `no_equilibrium` only means
-  /// that the search found none.
+  /// True if statics proves that no equilibrium exists. If false, `no_equilibrium` only means that
+  /// the search found none.
   bool certain = false;
   [[nodiscard]] bool converged() const { return status == SolveStatus::converged; }
 };

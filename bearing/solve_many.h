@@ -25,14 +25,15 @@ struct BearingCase {
 
 /// Finds the equilibria of many operating points, each from a cold start. The statuses equal the
 /// statuses of solve_bearing_equilibrium(), and the solutions agree within the tolerance. There is
-/// one exception: under inner control one load can have several equilibria, and the rounding of
-/// another instruction set can lead to another one.
+/// one exception: under inner control one load can have several equilibria, and another instruction
+/// set can find a different one because of rounding.
 ///
 /// Newton's method solves the points in SIMD lanes, from the thrust start. The search of a single
-/// solve takes the points at which it does not converge. Threads share fixed chunks. The result of
-/// a point depends only on the point and the instruction set, to the last bit. The other points and
-/// the number of threads change nothing. Memory: the results, and a fixed amount per thread.
-/// Results that already have room for their balls are filled without allocation.
+/// solve handles the points at which this does not converge. Threads share the points in fixed
+/// chunks. The result of a point depends only on the point and the instruction set, to the last
+/// bit. The other points and the number of threads change nothing. Memory: the results, and a fixed
+/// amount per thread. If the results have enough memory for the balls, the function does not
+/// allocate.
 ///
 /// Throws std::invalid_argument for different sizes, and for points that are out of range.
 void solve_many(const Bearing& bearing, std::span<const OperatingPoint> points,
@@ -42,9 +43,9 @@ void solve_many(std::span<const BearingCase> cases, std::span<BearingEquilibrium
                 const EquilibriumOptions& options = {},
                 InstructionSet set = best_instruction_set());
 
-/// Solves many points for callers that keep a few numbers of each. Several threads call `take` with
-/// the index of a point and its equilibrium, once for each index. Memory does not grow with the
-/// number of points.
+/// Solves many points for callers that keep only a few numbers of each point. Several threads call
+/// `take` with the index of a point and its equilibrium, once for each index. Memory does not grow
+/// with the number of points.
 void visit_equilibria(const Bearing& bearing, std::span<const OperatingPoint> points,
                       const std::function<void(std::size_t, const BearingEquilibrium&)>& take,
                       const EquilibriumOptions& options = {},

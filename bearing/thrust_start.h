@@ -32,7 +32,7 @@ class ThrustStatics {
     ci_ = cotangent * si_;
     T qi = zero, qo = zero;
     Mask<T> possible(true), moving = active;
-    // The speed depends on αo, and αo on the speed. A few rounds give a good start.
+    // The speed depends on αo, and αo depends on the speed. A few iterations give a good start.
     for (int round = 0; round < 6 && any(moving); ++round) {
       const T cd = ci_ * co_ + si_ * so_;
       const T m = cage_speed_ratio(control, ci_, co_, cd, c_.diameter_ratio);
@@ -103,9 +103,9 @@ template <typename T>
 ///   t = cot αo = (Qi c + 1.4 Fc)/P,   ∂t/∂c = 1/sin³ αi,   ∂t/∂m = 2.8 C m/P
 ///   d sin αo = -cos αo sin² αo dt,   d cos αo = sin³ αo dt,   dδ = (2/3) (δ/Q) dQ
 ///
-/// Inner control uses the same slopes; they then neglect the change of the couple. The last step
-/// follows the slopes (sin αi to second order), and its result is not evaluated again. Most loads
-/// need two evaluations. Returns true in the lanes with a result.
+/// Inner control uses the same slopes, which then neglect the change of the couple. The last step
+/// follows the slopes (sin αi to second order); the equations are not evaluated after it. Most
+/// loads need two evaluations. Returns true in the lanes with a result.
 template <RaceControl control, typename T>
 Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const T& thrust,
                            ThrustStart<T>& start) {
@@ -213,9 +213,9 @@ Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, 
 }
 
 /// Finds the thrust start. Lanes in which quick_thrust_start() fails solve one equation in cot αi
-/// by a bracketing secant: the radial distances add up to the distance of the groove centres.
-/// Returns false in lanes without a root, which have no equilibrium under pure thrust. Lanes with a
-/// root keep it while others continue.
+/// by a bracketing secant method: the sum of the radial distances equals the radial distance of the
+/// groove centres. Returns false in lanes without a root, which have no equilibrium under pure
+/// thrust. Lanes with a root keep it while others continue.
 template <RaceControl control, typename T>
 Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const T& thrust,
                      ThrustStart<T>& start) {
@@ -229,8 +229,8 @@ Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const 
     statics.solve(cotangent, active);
     return select(statics.possible(), statics.radial_distance() - free.radial, T(unset));
   };
-  // From small contact angles (too long) to large ones (too short). Under inner control statics may
-  // become impossible on the way. There may then be no root.
+  // Bracket from small contact angles (distance too long) to large ones (too short). Under inner
+  // control statics may have no solution in part of the range. Then there may be no root.
   T high = free.radial / max(free.axial, 0.01 * free.radial);
   T at_high = excess(high, !quick);
   for (int i = 0; i < 20; ++i) {
@@ -249,7 +249,7 @@ Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const 
     low = select(steeper, select(low > T(0.05), 0.7 * low, low - 0.5), low);
     at_low = select(steeper, excess(low, steeper), at_low);
   }
-  // Statics may end between low and high: search for a root on the side of high.
+  // Statics may stop having a solution between low and high. Search for a root on the side of high.
   for (int i = 0; i < 60; ++i) {
     const M outside = rooted && at_low != at_low;
     if (!any(outside)) break;
@@ -275,7 +275,7 @@ Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const 
     found = found || (open && statics.possible());
     found = found && !(open && !statics.possible());
     open = open && !(abs(value) < 1e-4 * free.radial || high - low < 1e-9 * (1.0 + abs(high)));
-    // Illinois method: halve the value at the end that stays, so that both ends move.
+    // Illinois method: halve the value at the end that did not move, so that both ends move.
     const M above = value > zero;
     high = select(open && above, cotangent, high);
     low = select(open && !above, cotangent, low);
@@ -290,8 +290,8 @@ Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const 
                                 ThrustStart<double>& start);
 
 /// Finds the ball centre and the inner groove centre at which one ball under inner control exerts a
-/// given force on the inner ring: tan αi = f_axial / (f_radial + τ), τ = Ti / sin αi, the rest from
-/// statics. Returns false if the contact would have to pull.
+/// given force on the inner ring: tan αi = f_axial / (f_radial + τ), τ = Ti / sin αi, and statics
+/// gives the rest. Returns false if the contact would be in tension.
 [[nodiscard]] bool ball_under_force(const BallConstantsOf<double>& constants, Plane force,
                                     Plane& groove_centre, Plane& ball_centre);
 

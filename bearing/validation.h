@@ -8,9 +8,9 @@ namespace raceway::bearing {
 [[noreturn]] void refuse(std::string_view name, double value, double lower, double upper,
                          double unit, std::string_view unit_name);
 
-/// Throws std::invalid_argument unless lower <= value <= upper. NaN counts as missing. The message
-/// gives name, value and range in the unit shown: `ball_diameter = -12 mm: must be from 0.5 to 200
-/// mm`.
+/// Throws std::invalid_argument unless lower <= value <= upper. NaN is treated as missing. The
+/// message gives name, value and range in the unit shown: `ball_diameter = -12 mm: must be from 0.5
+/// to 200 mm`.
 inline void require_between(std::string_view name, double value, double lower, double upper,
                             double unit, std::string_view unit_name) {
   if (!(value >= lower && value <= upper)) refuse(name, value, lower, upper, unit, unit_name);

@@ -13,10 +13,10 @@
 namespace raceway::friction {
 
 /// Base law of a model. `contact` sums friction over the balls in equilibrium
-/// (friction/contact/contact_law.h); `table` is a measured table (friction/torque_table.h); the
+/// (friction/contact/contact_law.h). `table` is a measured table (friction/torque_table.h). The
 /// others are formulas for the whole bearing. Laws of cylindrical rollers have other parameters
-/// (friction/roller_friction.h); files use the names of the ball laws, and the type of the bearing
-/// decides.
+/// (friction/roller_friction.h). In files they have the names of the ball laws; the type of the
+/// bearing selects the law.
 enum class FrictionLaw { palmgren, skf, contact, table, roller_palmgren, roller_skf };
 /// Laws of ball bearings.
 inline constexpr std::array all_friction_laws{FrictionLaw::palmgren, FrictionLaw::skf,
@@ -27,7 +27,7 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 [[nodiscard]] constexpr bool of_rollers(FrictionLaw law) {
   return law == FrictionLaw::roller_palmgren || law == FrictionLaw::roller_skf;
 }
-/// Returns the laws for this kind of bearing.
+/// Returns all laws for the kind of bearing to which this law belongs.
 [[nodiscard]] constexpr std::span<const FrictionLaw> laws_of_same_bearing(FrictionLaw law) {
   if (of_rollers(law)) return roller_friction_laws;
   return all_friction_laws;
@@ -37,10 +37,10 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 /// Returns the law of ball bearings with this name in files.
 [[nodiscard]] std::optional<FrictionLaw> find_friction_law(std::string_view name);
 
-/// "P0", "F_b", "F_r" or "rollers".
+/// Returns the name in files: "P0", "F_b", "F_r" or "rollers".
 [[nodiscard]] std::string_view name(F1Load load);
 
-/// Parameters of the law, in the order of their values in base_moments().
+/// Parameters of the law, in the order of the values that base_moments() expects.
 ///   palmgren: f0, z, y        skf: mu_bl, mu_EHL, K_rs        contact: contact_parameters
 ///   table: scale
 ///   roller_palmgren: f0, f1   roller_skf: mu_bl, mu_EHL, K_rs
@@ -49,32 +49,33 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 /// True if a parameter of a law belongs to the lubricant and is written with it in a file.
 [[nodiscard]] bool of_the_lubricant(const Parameter& number);
 
-/// Bearing data that the law uses, as keys of a model file without their units. No other bearing
-/// datum changes the moments.
+/// Bearing data that the law uses, as keys of a model file without units. Other bearing data do not
+/// change the moments.
 ///   palmgren: contact_angle, pitch_diameter, static_load_rating
 ///   skf:      ball_material (its density), bore, outer_diameter
-///   table: nothing; contact and laws of rollers: everything; the list of both is empty
+///   table: none; contact and laws of rollers: all data; in these cases the list is empty
 [[nodiscard]] std::span<const std::string_view> bearing_data(FrictionLaw law);
 
-/// True if the law uses the balls and has no moments without their equilibrium.
+/// True if the law uses the balls. It then has no moments without a ball equilibrium.
 [[nodiscard]] constexpr bool needs_equilibrium(FrictionLaw law) {
   return law == FrictionLaw::contact;
 }
 
-/// Throws std::invalid_argument if the law needs data that the bearing does not have: C0 for
-/// Palmgren, an angular contact for SKF. Called once per model; the laws do not check.
+/// Throws std::invalid_argument if the bearing lacks data that the law needs: C0 for Palmgren, an
+/// angular contact for SKF. It is called once for each model; the laws do not check again.
 void require_data(FrictionLaw law, const bearing::Bearing& bearing);
 
-/// Friction moments of the base law [N m]. For SKF `load` is the sliding, `viscous` the rolling
-/// moment; for the contact law `viscous` is the rolling resistance of the oil and `load` the rest;
-/// for a table `viscous` is the part not marked as load dependent.
+/// Friction moments of the base law [N m]. For SKF, `load` is the sliding moment and `viscous` the
+/// rolling moment. For the contact law, `viscous` is the rolling resistance of the oil and `load`
+/// contains all other moments. For a table, `viscous` is the part that is not marked as load
+/// dependent.
 template <typename T>
 struct BaseMoments {
   T load;
   T viscous;
 };
 
-/// Laws of rollers for base_moments(). NaN if they count the roller loads and the rollers have no
+/// Laws of rollers for base_moments(). NaN if the law uses the roller loads and the rollers have no
 /// equilibrium.
 [[nodiscard]] BaseMoments<double> roller_moments(FrictionLaw law, const BearingState<double>& state,
                                                  std::span<const double> values);

@@ -8,23 +8,23 @@
 
 namespace raceway::friction {
 
-/// Friction power, which becomes heat, P = M ω [W].
+/// Friction power P = M ω, which becomes heat [W].
 ///
-/// M is the friction moment of the whole bearing; the number of balls does not enter.
+/// M is the friction moment of the whole bearing, so the number of balls is not a factor.
 /// Source: [CaseStudy, eq. 19], where the factor Z is a misprint.
 template <typename T>
 T power_loss(const T& friction_moment, const T& speed) {
   return friction_moment * speed;
 }
 
-/// Friction moments of one bearing by the place of their heat [N m].
+/// Friction moments of one bearing by the place at which they produce heat [N m].
 struct HeatSources {
-  double load = 0.0;              ///< load moment of the base law
-  double viscous = 0.0;           ///< viscous moment, and moments without a known place
-  double spin_coefficient = 0.0;  ///< friction coefficient of `spin-friction` [1], 0 without it
+  double load = 0.0;     ///< load moment of the base law
+  double viscous = 0.0;  ///< viscous moment of the base law, and moments without a known place
+  double spin_coefficient = 0.0;  ///< coefficient of `spin-friction` [1]; 0 without this effect
 };
 
-/// Heat by ring [W]. Their sum is the power loss, to rounding.
+/// Heat of each ring [W]. The sum of both is the power loss, to rounding.
 struct HeatSplit {
   double inner = unset;
   double outer = unset;
@@ -32,18 +32,19 @@ struct HeatSplit {
 
 /// Splits the friction power of a bearing between its rings.
 ///
-///   spin      μ Σ (3/8) Q a E(k) ω_s   at the contact that spins
+///   spin      μ Σ (3/8) Q a E(k) ω_s   at the spinning contact
 ///   load      in proportion to         Σ Q v
 ///   viscous   in proportion to         Σ v
 ///   v_i = (ω - ω_m) (d_m - D cos αi)/2,   v_o = ω_m (d_m + D cos αo)/2
 ///
-/// sums over the balls that touch the race; v is the rolling speed at the contact. The heat of an
-/// inner contact is counted to the inner ring, also what flows into the ball. The spin part is
-/// exact; the other two assume how a moment of the whole bearing is shared: rolling resistance as
-/// contact load times path, film shear as path alone (equal films at both races). At low speed,
-/// where Q and v agree at both contacts, each ring gets half.
+/// The sums include the balls that touch the race; v is the rolling speed at the contact. All heat
+/// of an inner contact belongs to the inner ring, including the heat that flows into the ball. The
+/// spin part is exact. The other two parts use an assumption on how a moment of the whole bearing
+/// is shared: rolling resistance in proportion to contact load times path, film shear in proportion
+/// to the path only (equal films at both races). At low speed, Q and v are equal at both contacts,
+/// and each ring gets half.
 ///
-/// Domain:   converged equilibrium in the state, else NaN; zero at standstill.
+/// Domain:   a state with a converged equilibrium, else NaN; zero at standstill.
 [[nodiscard]] inline HeatSplit split_heat(const BearingState<double>& s,
                                           const HeatSources& sources) {
   if (s.equilibrium == nullptr || !s.equilibrium->report.converged()) return {};
@@ -65,7 +66,8 @@ struct HeatSplit {
     by_load.inner += weight * ball.inner_load * inner_speed;
     by_path.inner += weight * inner_speed;
   }
-  // Without a loaded ball there are no weights; each ring gets half of the lubricant's losses.
+  // Without a loaded ball the weights are undefined; each ring then gets half of the lubricant's
+  // losses.
   const auto inner_share = [](const ContactPair& w) {
     const double sum = w.inner + w.outer;
     return sum > 0.0 ? w.inner / sum : 0.5;

@@ -17,28 +17,29 @@ enum class Supply { oil_air, grease, jet, bath };
 /// Returns the supply with this name in files.
 [[nodiscard]] std::optional<Supply> find_supply(std::string_view name);
 
-/// Kinematic viscosity of a lubricant (of a grease: of its base oil) against temperature [m²/s].
+/// Kinematic viscosity of a lubricant as a function of temperature [m²/s]. For a grease, the
+/// viscosity of its base oil.
 ///
 ///   log log Z = A - B log T,   Z = ν + 0.7 + exp(-1.47 - 1.84 ν - 0.51 ν²)
 ///   ν = (Z - 0.7) - exp(-0.7487 - 3.295 (Z - 0.7) + 0.6119 (Z - 0.7)² - 0.3193 (Z - 0.7)³)
 ///
-/// ν [mm²/s], T [K]; converted here, nowhere else. A and B follow from the values at 40 and 100 °C.
-/// The printed inverse is off by up to 2.4e-4; Newton's method on the first line removes this
-/// error, so the given values are reproduced.
+/// ν [mm²/s], T [K]; only this class converts these units. A and B follow from the values at 40 and
+/// 100 °C. The published inverse has an error of up to 2.4e-4. Newton's method on the first line
+/// removes this error, so the class reproduces the given values.
 ///
 /// Source:   [ASTMD341, eqs. 1 to 3].
-/// Domain:   ν at 40 °C from 1 to 100 000 mm²/s, at 100 °C from 0.5 mm²/s to below that at 40 °C; T
-///           > 0. Meant for liquid hydrocarbons from -70 to 370 °C and ν above 0.21 mm²/s; outside,
-///           ν keeps falling with T, towards 0.1 mm²/s.
-/// Accuracy: the equations to rounding. An oil of 100 mm²/s at 40 °C is met within 3 % from 50 to
-///           80 °C; near the pour point a real oil is thicker.
+/// Domain:   ν at 40 °C from 1 to 100 000 mm²/s; ν at 100 °C at least 0.5 mm²/s and below ν at 40
+///           °C; T > 0. The source covers liquid hydrocarbons from -70 to 370 °C and ν above 0.21
+///           mm²/s. Outside this range, ν continues to fall with T, towards 0.1 mm²/s.
+/// Accuracy: the equations to rounding. For an oil of 100 mm²/s at 40 °C the error is below 3 %
+///           from 50 to 80 °C. Near the pour point a real oil is thicker.
 class Lubricant {
  public:
   /// Throws std::invalid_argument naming the value that is missing or out of range.
   Lubricant(double viscosity_40C, double viscosity_100C);
 
   [[nodiscard]] double kinematic_viscosity(double temperature) const;
-  /// -d ln ν/dT [1/K], the derivative of the first line; positive in its domain.
+  /// -d ln ν/dT [1/K], the derivative of the first line; positive in the domain.
   [[nodiscard]] double viscosity_slope(double temperature) const;
   [[nodiscard]] double viscosity_40C() const { return viscosity_40C_; }    ///< [m²/s]
   [[nodiscard]] double viscosity_100C() const { return viscosity_100C_; }  ///< [m²/s]

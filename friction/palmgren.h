@@ -16,11 +16,11 @@ namespace raceway::friction {
 ///   F_b = max(0.9 F_a cot α0 - 0.1 F_r, F_r)      α0 > 0
 ///   F_b = max(3.3 F_a - 0.1 F_r, F_r)             α0 = 0
 ///
-/// Deep groove: cot α0 is infinite there; catalogues put 3.3 in place of 0.9 cot α0, its value at
-/// the 15 deg or so to which thrust turns the contact angle of such a bearing.
+/// For a deep-groove bearing cot α0 is infinite. Catalogues use 3.3 instead of 0.9 cot α0. This
+/// value corresponds to about 15 deg, the contact angle of such a bearing under thrust.
 ///
 /// Source:   [Palmgren1959; Harris2006, vol. 1, ch. 10]; α0 = 0: [KRW2006, p. 116-118].
-/// Domain:   every load; F_a and F_r count by magnitude.
+/// Domain:   every load; the magnitudes of F_a and F_r are used.
 template <typename T>
 T palmgren_load(const BearingState<T>& s) {
   using std::abs;
@@ -36,13 +36,13 @@ struct StaticLoadFactors {
   double X0, Y0;
 };
 
-/// Factors of a single row bearing of contact angle α0 [1].
+/// Factors of a single row bearing with contact angle α0 [1].
 ///
 ///   X0 = 0.5,  Y0 = 0.46  0.42  0.38  0.33  0.29  0.26  0.22       0 < α0
-///    at α0 =         15    20    25    30    35    40    45 deg, linear between, level beyond
+///    at α0 =         15    20    25    30    35    40    45 deg, linear between, constant outside
 ///   X0 = 0.6,  Y0 = 0.5                                           α0 = 0, deep groove
 ///
-/// Source: [ISO76], its print not seen; makers print the same values.
+/// Source: [ISO76], not checked against the print; makers print the same values.
 [[nodiscard]] inline StaticLoadFactors static_load_factors(double contact_angle) {
   static constexpr std::array Y0{0.46, 0.42, 0.38, 0.33, 0.29, 0.26, 0.22};
   constexpr double first = 15.0 * degree, per_step = 1.0 / (5.0 * degree);
@@ -56,7 +56,7 @@ struct StaticLoadFactors {
 ///
 ///   P0 = max(X0 F_r + Y0 F_a, F_r)
 ///
-/// Source: [ISO76]. Domain: every load; F_a and F_r count by magnitude.
+/// Source: [ISO76]. Domain: every load; the magnitudes of F_a and F_r are used.
 template <typename T>
 T static_equivalent_load(const BearingState<T>& s) {
   using std::abs;
@@ -77,7 +77,7 @@ template <typename T>
 T f1_ratio(const BearingState<T>& s) {
   const double C0 = s.bearing->geometry().static_load_rating;
   if (s.f1_load == F1Load::F_b) return palmgren_load(s) / C0;
-  // Divides as automatic derivatives do, so that values are equal to the last digit.
+  // Divides like the code of automatic derivatives, so that values are equal to the last digit.
   return static_equivalent_load(s) * (1.0 / C0);
 }
 
@@ -85,15 +85,15 @@ T f1_ratio(const BearingState<T>& s) {
 ///
 ///   M1 = f1 F_b d_m,   f1 = z (P0/C0)^y
 ///
-/// With BearingState::f1_load = F1Load::F_b, f1 = z (F_b/C0)^y: at equal z that form gives 1.7 to
-/// 1.9 times as much under pure thrust at 25 to 15 deg. A z fitted to one form does not fit the
-/// other.
-/// Source:   [Palmgren1959; Harris2006, vol. 1, ch. 10], prints not seen; f1 = z (P0/C0)^y is read
-///           in [KRW2006, p. 116-118], with z = 0.00067 and y = 0.33 for angular contact; other
-///           makers' z goes up to 0.001. With F_b: [CaseStudy, eqs. 20, 21].
+/// With BearingState::f1_load = F1Load::F_b, f1 = z (F_b/C0)^y: with the same z this form gives a
+/// moment 1.7 to 1.9 times larger under pure thrust at 25 to 15 deg. A value of z for one form is
+/// not valid for the other form.
+/// Source:   [Palmgren1959; Harris2006, vol. 1, ch. 10], not checked against the prints. f1 = z
+///           (P0/C0)^y was read in [KRW2006, p. 116-118], with z = 0.00067 and y = 0.33 for angular
+///           contact. Other makers have z up to 0.001. With F_b: [CaseStudy, eqs. 20, 21].
 /// Domain:   F_b >= 0, zero at zero load; C0 given (require_data() in friction_law.h).
-/// Accuracy: the formula to rounding. z of one bearing type differs by half between makers;
-///           calibration adjusts it.
+/// Accuracy: the formula to rounding. For one bearing type, z of different makers differs by half;
+///           calibration fits z.
 struct PalmgrenLoad {
   static constexpr std::string_view id = "palmgren_load";
   static constexpr std::array parameters{
@@ -113,10 +113,10 @@ struct PalmgrenLoad {
 
 /// Viscous moment of a ball bearing by palmgren_viscous_moment() [N m].
 ///
-/// Source:   f0 about 1.3 (grease) to 6.6 (oil jet) for angular contact, by maker [KRW2006, p.
-///           116-118].
-/// Accuracy: the formula to rounding. Against tests the formula itself scatters; f0 is what
-///           calibration adjusts.
+/// Source:   f0 from about 1.3 (grease) to 6.6 (oil jet) for angular contact, depending on the
+///           maker [KRW2006, p. 116-118].
+/// Accuracy: the formula to rounding. Measured moments scatter about the formula; calibration fits
+///           f0.
 struct PalmgrenViscous {
   static constexpr std::string_view id = "palmgren_viscous";
   static constexpr std::array parameters{

@@ -17,7 +17,7 @@ namespace raceway::friction {
 /// Inputs of the laws of a cylindrical roller bearing.
 struct RollerState {
   const bearing::RollerBearing* bearing = nullptr;
-  F1Load counted = F1Load::rollers;    ///< F_r or rollers
+  F1Load counted = F1Load::rollers;    ///< load F of the law: F_r or rollers
   double speed = 0.0;                  ///< [rad/s]
   double radial_load = 0.0;            ///< F_r [N], magnitude
   double inner_sum = 0.0;              ///< Σ Qi [N]
@@ -25,7 +25,7 @@ struct RollerState {
   double kinematic_viscosity = unset;  ///< [m²/s]
 };
 
-/// Σ Q/F_r of straight rollers at zero clearance [1], ∫cos^(10/9)/∫cos^(19/9) over half a circle.
+/// Σ Q/F_r of straight rollers at zero clearance [1]: ∫cos^(10/9)/∫cos^(19/9) over half a circle.
 inline constexpr double roller_sum_ratio = 1.25803095402823;
 
 /// Load F in a law [N].
@@ -33,35 +33,36 @@ inline constexpr double roller_sum_ratio = 1.25803095402823;
 ///   F_r       the external load
 ///   rollers   F = max(F_r, (Σ Qi + Σ Qo)/(2 · 1.25803))
 ///
-/// At zero clearance and at rest both are F_r; a preloaded bearing without load has torque.
-/// Source: derived; the printed laws use F_r only.
+/// At zero clearance and at rest both options give F_r. With `rollers`, a preloaded bearing without
+/// external load has a torque.
+/// Source: derived. The published laws use F_r only.
 [[nodiscard]] double counted_load(const RollerState& state);
 
 /// Load-dependent friction moment of a cylindrical roller bearing [N m].
 ///
 ///   M1 = f1 F d_m
 ///
-/// Source:   [Palmgren1959; Harris2006, vol. 1, ch. 10], prints not seen; f1 = 0.0003 is read in
-///           the public program thermca, after Jungnickel. The usual ranges, f1 0.0002 to 0.0004
-///           and f0 0.6 to 4, are from memory.
-/// Domain:   F >= 0. f1 is constant, where a ball bearing has z (P0/C0)^y.
+/// Source:   [Palmgren1959; Harris2006, vol. 1, ch. 10], not checked against the prints. f1 =
+///           0.0003 was read in the public program thermca, after Jungnickel. The usual ranges,
+///           0.0002 to 0.0004 for f1 and 0.6 to 4 for f0, are from memory.
+/// Domain:   F >= 0. f1 is constant; for ball bearings it is z (P0/C0)^y.
 struct RollerPalmgrenLoad {
   static constexpr std::array parameters{
       Parameter{.name = "f1", .unit = "1", .initial = 0.0003, .lower = 0.0, .upper = 0.01}};
   static double moment(const RollerState& s, double f1);
 };
 
-/// f0 of a cylindrical roller bearing by lubricant supply [1]: grease 0.8, oil-air 1.5, bath 3, jet
-/// 6; 1.5 without a supply.
+/// Usual f0 of a cylindrical roller bearing by lubricant supply [1]: grease 0.8, oil-air 1.5, bath
+/// 3, jet 6. If the supply is unknown, 1.5.
 /// Source: read in the public program thermca, after Jungnickel.
 [[nodiscard]] double usual_roller_f0(std::optional<Supply> supply);
 
-/// Constants of the SKF model of cylindrical roller bearings with a cage, dimension series 10
-/// [mm, N, rpm, mm²/s -> N mm]. The constants are quoted from memory and
-/// were not checked against the catalogue table.
+/// Constants of the SKF model of cylindrical roller bearings with a cage, dimension series 10 [mm,
+/// N, rpm, mm²/s -> N mm]. The constants are quoted from memory and were not checked against the
+/// catalogue table.
 struct SkfRollerConstants {
   double R1 = 1.12e-6;
-  double S1 = 0.16;  ///< weighs an axial load, which there is none of
+  double S1 = 0.16;  ///< factor of the axial load, which is always 0 here
   double S2 = 0.0015;
   double K_Z = 5.1;
 };
@@ -71,9 +72,9 @@ struct SkfRollerConstants {
 ///   M_rr = φ_ish φ_rs R1 d_m^2.41 F^0.31 (ν n)^0.6
 ///   M_sl = μ_sl (S1 d_m^0.9 F_a + S2 d_m F),   F_a = 0
 ///
-/// d_m = (d + D)/2, F by counted_load(); φ and μ_sl as in skf.h. μ_EHL = 0.02, from memory.
-/// Source:   the forms are read in SKF, Rolling bearings (catalogue), friction, table 2a; constants
-///           as SkfRollerConstants says. No term of centrifugal force.
+/// d_m = (d + D)/2, F is counted_load(); φ and μ_sl as in skf.h. μ_EHL = 0.02, from memory.
+/// Source:   the formulas were read in SKF, Rolling bearings (catalogue), friction, table 2a. For
+///           the constants see SkfRollerConstants. The formulas have no term for centrifugal force.
 /// Domain:   speed >= 0, viscosity > 0; bore and outer diameter given.
 struct RollerSkf {
   static constexpr std::array parameters{
@@ -84,36 +85,39 @@ struct RollerSkf {
   static double rolling(const RollerState& s, double K_rs);
 };
 
-/// parameters() of a law of rollers.
+/// Returns the parameters of a law of rollers, for parameters().
 [[nodiscard]] std::span<const Parameter> roller_parameters(FrictionLaw law);
-/// The law of rollers of that name, as files write it.
+/// Returns the law of rollers with this name in files.
 [[nodiscard]] std::optional<FrictionLaw> find_roller_law(std::string_view name);
 
-/// Throws std::invalid_argument if the law needs data that the bearing does not have: bore and
-/// outer diameter for SKF. Called once per model.
+/// Throws std::invalid_argument if the bearing lacks data that the law needs: bore and outer
+/// diameter for SKF. It is called once for each model.
 void require_data(FrictionLaw law, const bearing::RollerBearing& bearing);
 
-/// Friction moments of a law of rollers [N m], as BaseMoments has them for balls.
+/// Friction moments of a law of rollers [N m], in the same form as for balls.
 [[nodiscard]] BaseMoments<double> roller_moments(FrictionLaw law, const RollerState& state,
                                                  std::span<const double> values);
-/// State of a bearing in a model as these laws use it. Without equilibrium the sums are NaN.
+/// Converts the state of a bearing in a model to the input of these laws. Without equilibrium the
+/// sums are NaN.
 [[nodiscard]] RollerState roller_state(const BearingState<double>& state);
 
 /// Splits the friction power of a cylindrical roller bearing between its rings [W].
 ///
-///   viscous   half and half: both raceways pass ω d_m (1 - γ²)/4 of path
+///   viscous   half for each ring: the rolling speed ω d_m (1 - γ²)/4 is equal at both raceways
 ///   load      in proportion to Σ Qi and Σ Qo
 ///
-/// Source: as split_heat() of balls, at contact angle zero. Sum: the power loss, to rounding.
+/// Source: like split_heat() for balls, at contact angle zero. The sum is the power loss, to
+///         rounding.
 [[nodiscard]] HeatSplit split_heat(const RollerState& state, const BaseMoments<double>& moments);
 
-/// Heat that flows from ring to ring through the rollers at rest and dry [W/K].
+/// Heat conductance from ring to ring through dry rollers at rest [W/K].
 ///
 ///   G = Σ 1/(R_i + R_o),   R = ((ln(4 L/b) - 1)/k_ring + ln(2 D/b)/k_roller)/(π L)
 ///
-/// b: half width of the contact under Q/L. Rollers that touch one race only carry none.
+/// b is the half width of the contact under Q/L. Rollers that touch only one race conduct no heat.
 /// Source:   derived: a strip source on a half space, and a line source through a cylinder.
-/// Accuracy: 1 % against boundary elements. Oil and rolling carry more.
+/// Accuracy: 1 % compared with boundary elements. Oil and rolling motion transfer more heat than
+///           this.
 [[nodiscard]] double roller_conductance(const bearing::RollerBearing& bearing,
                                         const bearing::RollerEquilibrium& equilibrium,
                                         double roller_conductivity, double ring_conductivity);

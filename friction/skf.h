@@ -12,7 +12,7 @@ namespace raceway::friction {
 struct RingSize {
   double bore;            ///< d
   double outer_diameter;  ///< diameter of the outer ring, D
-  /// d_m of the SKF model: the mean of both, not the pitch diameter.
+  /// d_m of the SKF model: the mean of bore and outer diameter, not the pitch diameter.
   [[nodiscard]] double mean_diameter() const { return 0.5 * (bore + outer_diameter); }
 };
 
@@ -24,9 +24,9 @@ struct SkfConstants {
 };
 
 /// Single row angular contact ball bearings. Source: [SKFGeneral, p. 91-101, tables 2a to 5].
-/// Domain: the bearings of that catalogue have 40 deg (72 BE, 73 BE). Spindle bearings of 15 to 25
-/// deg use the same constants here, beyond the source: R2 and S2, the weight of an axial load, are
-/// for the steeper angle.
+/// Domain: the bearings of the catalogue have 40 deg (72 BE, 73 BE). Here spindle bearings of 15 to
+///         25 deg use the same constants, which the source does not cover: R2 and S2, the factors
+///         of the axial load, are for 40 deg.
 inline constexpr SkfConstants skf_angular_contact{.R1 = 5.03e-7,
                                                   .R2 = 1.97,
                                                   .R3 = 1.90e-12,
@@ -35,10 +35,10 @@ inline constexpr SkfConstants skf_angular_contact{.R1 = 5.03e-7,
                                                   .S3 = 1.91e-12,
                                                   .K_Z = 4.4};
 
-/// R3 and S3 of a bearing by its balls: times 0.41 for ceramic balls [1].
+/// Factor of R3 and S3 for the ball material [1]: 0.41 for ceramic balls, 1 for steel balls.
 ///
-/// 0.41 is the ratio of the densities of silicon nitride and steel, so the density decides: balls
-/// below 5000 kg/m³ count as ceramic.
+/// 0.41 is the ratio of the densities of silicon nitride and steel. Balls with a density below 5000
+/// kg/m³ are treated as ceramic.
 [[nodiscard]] inline double skf_ball_factor(const bearing::Material& balls) {
   return balls.density < 5000.0 ? 0.41 : 1.0;
 }
@@ -61,8 +61,8 @@ T inlet_shear_factor(const T& speed, const T& viscosity, double mean_diameter) {
 ///
 ///   φ_rs = exp(-K_rs ν n (d + D) sqrt(K_Z / (2 (D - d))))
 ///
-/// Dimensional as published: ν [mm²/s], n [rpm], d and D [mm]. K_rs is 3e-8 for an oil bath of low
-/// level or an oil jet, 6e-8 for grease and oil-air.
+/// Dimensional as published: ν [mm²/s], n [rpm], d and D [mm]. K_rs is 3e-8 for an oil bath with
+/// low level or an oil jet, and 6e-8 for grease and oil-air.
 /// Source: [SKFGeneral, p. 91-101]. Domain: speed >= 0.
 template <typename T>
 T replenishment_factor(const T& K_rs, const T& speed, const T& viscosity, const RingSize& ring,
@@ -99,12 +99,12 @@ T sliding_coefficient(const T& mu_bl, const T& mu_EHL, const T& share) {
 ///
 ///   M_rr = φ_ish φ_rs R1 d_m^1.97 (F_r + F_g + R2 F_a)^0.54 (ν n)^0.6,   F_g = R3 d_m^4 n²
 ///
-/// Dimensional as published: M_rr [N mm], d_m [mm], F [N], ν [mm²/s], n [rpm]; converted here.
-/// F_a is the external axial load; ceramic balls by skf_ball_factor().
-/// Source:   [SKFGeneral, p. 91-101], constants of 40 deg (skf_angular_contact); the editions from
-///           2013 on changed some constants.
-/// Domain:   speed >= 0, viscosity > 0, α0 > 0. Zero at standstill and without load, where the
-///           slope of the formula is infinite and is given as zero.
+/// Dimensional as published: M_rr [N mm], d_m [mm], F [N], ν [mm²/s], n [rpm]; converted here. F_a
+/// is the external axial load. For ceramic balls, skf_ball_factor() multiplies R3.
+/// Source:   [SKFGeneral, p. 91-101], constants of 40 deg (skf_angular_contact). Editions since
+///           2013 have some different constants.
+/// Domain:   speed >= 0, viscosity > 0, α0 > 0. The moment is zero at standstill and without load.
+///           There the slope of the formula is infinite and is returned as zero.
 /// Accuracy: the formula to rounding; the maker states none.
 struct SkfRolling {
   static constexpr std::string_view id = "skf_rolling";
@@ -140,7 +140,8 @@ struct SkfRolling {
 /// Dimensional as published: M_sl [N mm], d_m [mm], F [N], n [rpm]; converted here. μ_bl is about
 /// 0.15; μ_EHL 0.05 with mineral oil, 0.04 with synthetic oil, 0.1 with transmission fluid.
 /// Source:   [SKFGeneral, p. 91-101], constants of 40 deg (skf_angular_contact).
-/// Domain:   speed >= 0, viscosity > 0, α0 > 0; at standstill the boundary-lubricated value.
+/// Domain:   speed >= 0, viscosity > 0, α0 > 0. At standstill, the moment is that of boundary
+///           lubrication.
 /// Accuracy: the formula to rounding; the maker states none.
 struct SkfSliding {
   static constexpr std::string_view id = "skf_sliding";

@@ -15,13 +15,14 @@ namespace raceway::friction {
 ///
 ///   M_s / μ = (3/8) Q a E(k)
 ///
-/// a is the semi-major axis of the contact ellipse, E(k) the complete elliptic integral of the
-/// second kind of modulus k = sqrt(1 - (b/a)²); for a circle it is (3 π/16) Q a.
+/// a is the semi-major axis of the contact ellipse. E(k) is the complete elliptic integral of the
+/// second kind with modulus k = sqrt(1 - (b/a)²). For a circular contact M_s / μ = (3 π/16) Q a.
 ///
 /// Source:   [Harris2006, vol. 2, ch. 5; CaseStudy, eq. 23].
 /// Domain:   every load; 0 where Q <= 0.
-/// Accuracy: the formula to rounding. Physically: one friction coefficient over the whole ellipse,
-///           and spin alone slides; sliding in another direction as well lowers the true moment.
+/// Accuracy: the formula to rounding. Physical assumptions: one friction coefficient over the whole
+///           ellipse, and no sliding except spin. Additional sliding in another direction lowers
+///           the true moment.
 [[nodiscard]] inline double unit_spin_moment(const bearing::HertzContact& contact, double load) {
   if (load <= 0.0) return 0.0;
   return 0.375 * load * contact.semi_major_axis(load) * contact.second_integral;
@@ -33,32 +34,32 @@ struct ContactPair {
   double outer = 0.0;
 };
 
-/// Friction moment of the whole bearing that makes good the spin of all its balls, per unit of the
-/// friction coefficient, by contact [N m]:
+/// Friction moment of the whole bearing from the spin of all balls, per unit of the friction
+/// coefficient, for inner and outer contacts [N m]:
 ///
 ///   M / μ = Σ (3/8) Q a E(k) ω_s/ω      over the balls, at the inner and at the outer contact
 ///
-/// times the shaft speed it is the power of all contacts at their spin speeds: only the spin moment
-/// is per contact, and only here a sum over balls belongs. Under outer control just the inner
-/// contacts spin, under inner control just the outer ones.
+/// The moment times the shaft speed equals the total power of all contacts at their spin speeds.
+/// Spin moments are values for one contact, so only this law needs a sum over the balls. Under
+/// outer control only the inner contacts spin; under inner control only the outer contacts spin.
 ///
-/// Source:   power balance of the law above; ω_s by [Jones1960] as in bearing/kinematics.h.
-/// Domain:   converged equilibrium, else NaN. ω_s/ω follows from the contact angles alone, so the
-///           moment has a value at standstill: the limit of slow rotation.
+/// Source:   power balance of unit_spin_moment(); ω_s by [Jones1960] as in bearing/kinematics.h.
+/// Domain:   converged equilibrium, else NaN. ω_s/ω depends only on the contact angles, so at
+///           standstill the moment is the limit of slow rotation.
 [[nodiscard]] inline ContactPair unit_spin_friction(const bearing::Bearing& bearing,
                                                     const bearing::BearingEquilibrium& equilibrium,
                                                     bearing::RaceControl race_control) {
   if (!equilibrium.report.converged()) return {unset, unset};
   const bearing::HertzContact& inner = bearing.contact(bearing::Race::inner);
   const bearing::HertzContact& outer = bearing.contact(bearing::Race::outer);
-  // M_s = M_s(1 N) Q^(4/3), as a grows with the cube root of the load.
+  // M_s = M_s(1 N) Q^(4/3), because a is proportional to the cube root of the load.
   const double inner_unit = unit_spin_moment(inner, 1.0), outer_unit = unit_spin_moment(outer, 1.0);
   const auto moment = [](double unit, double load) { return unit * load * std::cbrt(load); };
   const bearing::Balls& balls = equilibrium.balls;
   ContactPair sum;
   for (std::size_t i = 0; i < balls.distinct().size(); ++i) {
     const bearing::BallEquilibrium& ball = balls.distinct()[i];
-    // A ball off the inner race is under outer control: neither contact spins.
+    // A ball without inner contact is under outer control: neither contact spins.
     if (!(ball.inner_load > 0.0)) continue;
     const bearing::BallRotation r =
         bearing::ball_rotation(race_control, ball.inner_contact_angle, ball.outer_contact_angle,

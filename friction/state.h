@@ -13,18 +13,19 @@ struct ContactData;
 }
 struct TorqueTable;
 
-/// Load in Palmgren's load moment. For balls it acts in the factor f1: the static equivalent load
-/// P0, as the source has it, or F_b, as in files made for that form. For cylindrical rollers it is
-/// F, the external radial load F_r or the load on the rollers, see counted_load().
+/// Load in Palmgren's load moment. For balls it is the load in the factor f1: the static equivalent
+/// load P0, as in the source, or F_b, for files that were made for this form. For cylindrical
+/// rollers it is the load F: the external radial load F_r or the load on the rollers, see
+/// counted_load().
 enum class F1Load { P0, F_b, F_r, rollers };
 
-/// Everything a friction law may use of one bearing at one operating point. T is double or an
-/// automatic derivative; what no parameter can move stays double.
+/// All inputs of a friction law for one bearing at one operating point. T is double or an automatic
+/// derivative. Values that do not depend on any parameter are always double.
 template <typename T = double>
 struct BearingState {
-  const bearing::Bearing* bearing = nullptr;  ///< null where the bearing has cylindrical rollers
-  /// Ball equilibrium at this point; null if not solved. needs_equilibrium() says which laws
-  /// need it.
+  const bearing::Bearing* bearing = nullptr;  ///< null if the bearing has cylindrical rollers
+  /// Ball equilibrium at this point; null if it was not solved. needs_equilibrium() is true for
+  /// laws that need it.
   const bearing::BearingEquilibrium* equilibrium = nullptr;
   bearing::RaceControl race_control = bearing::RaceControl::outer;
   F1Load f1_load = F1Load::P0;
@@ -37,17 +38,17 @@ struct BearingState {
   T radial_load = T(0.0);              ///< F_r [N], magnitude
   T temperature = T(kelvin(40));       ///< temperature of the lubricant [K]
   T kinematic_viscosity = T(unset);    ///< at that temperature [m²/s]
-  /// In place of `bearing` and `equilibrium` where it has cylindrical rollers.
+  /// Replaces `bearing` and `equilibrium` if the bearing has cylindrical rollers.
   const bearing::RollerBearing* rollers = nullptr;
   const bearing::RollerEquilibrium* roller_equilibrium = nullptr;
 
-  /// d_m of either kind of bearing [m].
+  /// d_m of the ball or roller bearing [m].
   [[nodiscard]] double pitch_diameter() const {
     return rollers ? rollers->geometry().pitch_diameter : bearing->geometry().pitch_diameter;
   }
 };
 
-/// A number of a law that may be given, fitted and bounded.
+/// Parameter of a law. It can be given or fitted, and it has bounds.
 using Parameter = record::NumberCard;
 
 }  // namespace raceway::friction

@@ -24,24 +24,25 @@ struct TableAxes {
   [[nodiscard]] std::size_t size() const;
 };
 
-/// Throws std::invalid_argument naming the axis that is empty, not increasing or out of range, and
-/// for more points than can be counted.
+/// Throws std::invalid_argument if an axis is empty, not increasing or out of range (the message
+/// names the axis), and if the number of points overflows.
 void validate(const TableAxes& axes);
 
 /// Values at one point of a table.
 struct TablePoint {
-  /// `converged` if all values are finite. A law without balls has a moment even if the balls have
-  /// no equilibrium; the status then describes the equilibrium.
+  /// `converged` if all values are finite. A law that does not use the balls has a moment even if
+  /// the balls have no equilibrium. In this case the status describes the equilibrium.
   bearing::SolveStatus status = bearing::SolveStatus::not_run;
   double friction_moment = unset;  ///< [N m]
-  std::span<double> columns;       ///< the further values, in the order of StribeckTable::columns
+  std::span<double> columns;       ///< additional values, in the order of StribeckTable::columns
 };
 
-/// One of several parts into which the points of a table are cut, in their order; by default all.
+/// One of several consecutive parts of the points of a table. The default is the whole table.
 struct TableSlab {
   std::size_t index = 0;  ///< from 0
   std::size_t count = 1;
-  /// Points of a table of `size` points that come before this slab, and that it has.
+  /// Number of points before this slab, and number of points in the slab, for a table of `size`
+  /// points.
   [[nodiscard]] std::size_t first(std::size_t size) const { return part(size, index); }
   [[nodiscard]] std::size_t points(std::size_t size) const {
     return part(size, index + 1) - first(size);
@@ -55,40 +56,40 @@ struct TableSlab {
 };
 
 /// Friction moment of a bearing over speed, loads and temperature, with further columns (parts of
-/// the moment, contact angles, ...) by name. Speed runs fastest, then axial load, radial load,
+/// the moment, contact angles, ...) by name. Speed varies fastest, then axial load, radial load,
 /// temperature.
 struct StribeckTable {
   TableAxes axes;
-  TableSlab slab;                            ///< part of all points that has the values below
-  std::vector<std::string> columns;          ///< names; their units are the writer's business
-  std::vector<double> friction_moment;       ///< [N m]; NaN where there is no value
+  TableSlab slab;                    ///< part of the points for which the next members have values
+  std::vector<std::string> columns;  ///< names; the caller that writes the table defines the units
+  std::vector<double> friction_moment;       ///< [N m]; NaN if a point has no value
   std::vector<bearing::SolveStatus> status;  ///< why
   std::vector<double> values;                ///< values of the columns, SI, point by point
 
   /// Index of a point from its place on each axis.
   [[nodiscard]] std::size_t index(std::size_t speed, std::size_t axial_load,
                                   std::size_t radial_load, std::size_t temperature) const;
-  /// Number of points with values here, and the index of the first.
+  /// Number of points in this slab; index of the first of them.
   [[nodiscard]] std::size_t points() const { return slab.points(axes.size()); }
   [[nodiscard]] std::size_t first() const { return slab.first(axes.size()); }
   /// Operating point of an index.
   [[nodiscard]] bearing::OperatingPoint point(std::size_t index) const;
-  /// Further values of the i-th point that has values, in the order of `columns`.
+  /// Additional values of a point by its index within the slab, in the order of `columns`.
   [[nodiscard]] std::span<const double> row(std::size_t index) const;
 };
 
-/// Fills successive points of a table. Called from several threads at once.
+/// Function that fills successive points of a table. Several threads call it in parallel.
 using TableLine =
     std::function<void(std::span<const bearing::OperatingPoint>, std::span<TablePoint>)>;
 
 /// Fills a table, or one slab of it, on all cores.
 ///
 /// Threads get pieces of at most 256 points, cut at the same places for any number of threads. So
-/// that number changes no digit if `line` depends only on its points. If a result depends only on
-/// its point, joined slabs equal the whole table. `progress` is called with the finished fraction,
-/// up to 1, by one thread at a time. An exception of `line` or `progress` ends the build and is
-/// passed on. Throws std::invalid_argument as validate(axes) does, and for an invalid slab.
-/// Memory: what the result holds, and one piece per thread.
+/// the number of threads changes no digit if the result of `line` depends only on its points. If
+/// each result depends only on its point, joined slabs equal the whole table. `progress` is called
+/// with the finished fraction, up to 1, by one thread at a time. An exception from `line` or
+/// `progress` ends the build and reaches the caller. Throws std::invalid_argument like
+/// validate(axes), and for an invalid slab. Memory: the result, and one piece for each thread.
 [[nodiscard]] StribeckTable build_stribeck_table(const TableAxes& axes,
                                                  std::vector<std::string> columns,
                                                  const TableLine& line,
@@ -110,7 +111,7 @@ struct TablePosition {
 };
 
 struct InterpolatedMoment {
-  double friction_moment = unset;  ///< [N m]; NaN if it depends on a grid point without value
+  double friction_moment = unset;  ///< [N m]; NaN if a grid point that it needs has no value
   bool clamped = false;            ///< true if the position was outside and moved to the edge
   [[nodiscard]] bool has_value() const { return !std::isnan(friction_moment); }
 };
@@ -118,15 +119,16 @@ struct InterpolatedMoment {
 /// Friction moment between the points of a table [N m].
 ///
 /// One axis after the other (speed first, temperature last): monotone cubic Hermite (PCHIP) on an
-/// axis of four points or more, linear on two or three, constant on one. An axis of one value
-/// answers for that value only. Grid points without value make a position NaN that rests on them.
+/// axis of four points or more, linear on two or three, constant on one. An axis with one value
+/// accepts only this value. The result is NaN if it depends on a grid point without a value.
 ///
 /// Source:   Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5 (1984), as in Boost.Math.
-/// Domain:   a whole table, no slab; the closed range of each axis, with a relative margin of
-///           1e-9 for rounding of units; positions that are not finite are an error in either case.
-/// Accuracy: exact at grid points. The error falls with the cube of an equal spacing, with its
-///           square next to the ends and to an extremum. Along a grid line the moment is monotone
-///           wherever its points are; between grid lines that is usual, but not certain.
+/// Domain:   a whole table, not a slab. The closed range of each axis, with a relative margin of
+///           1e-9 for rounding of units. A position that is not finite is an error for both values
+///           of Outside.
+/// Accuracy: exact at grid points. For equal spacing h the error is of order h³, and of order h²
+///           next to the ends and to an extremum. Along a grid line, the moment is monotone where
+///           its points are monotone. Between grid lines this is usual, but not guaranteed.
 [[nodiscard]] InterpolatedMoment interpolate(const StribeckTable& table,
                                              const TablePosition& position, Outside outside);
 

@@ -6,21 +6,22 @@
 
 namespace raceway::friction {
 
-/// Friction moment of a bearing that turns in its lubricant, without load [N m].
+/// Friction moment of a bearing that rotates in its lubricant without load [N m].
 ///
 ///   M0 = 1e-7 f0 (ν n)^(2/3) d_m³      ν n >= 2000
 ///   M0 = 160e-7 f0 d_m³                ν n <  2000
 ///
-/// Dimensional as published: M0 [N mm], ν [mm²/s], n [rpm], d_m [mm]; converted here, nowhere else.
+/// Dimensional as published: M0 [N mm], ν [mm²/s], n [rpm], d_m [mm]; only this function converts
+/// the units.
 /// Source:   [Palmgren1959; CaseStudy, eq. 22].
-/// Domain:   speed >= 0, viscosity > 0. At ν n = 2000 the two lines differ by 0.8 %, as printed;
-///           the lower one holds down to standstill.
+/// Domain:   speed >= 0, viscosity > 0. At ν n = 2000 the two published formulas differ by 0.8 %.
+///           The second formula is valid down to standstill.
 template <typename T>
 T palmgren_viscous_moment(const T& f0, const T& viscosity, const T& speed, double pitch_diameter) {
   using std::pow;
   const T nu_n = (viscosity / mm2_per_s) * (speed / rpm);
   const double d_m = pitch_diameter / mm;
-  // Branched before the power, which has no derivative at standstill.
+  // The branch comes before the power, because the power has no derivative at standstill.
   const T drag = nu_n < 2000.0 ? T(160.0) : T(pow(nu_n, 2.0 / 3.0));
   return 1e-7 * f0 * drag * (d_m * d_m * d_m * N_mm);
 }

@@ -4,27 +4,28 @@
 
 namespace raceway::life {
 
-/// Factors of the dynamic equivalent load of a single row [1]: P = F_r up to F_a/F_r = e, beyond it
-/// X F_r + Y F_a.
+/// Factors of the dynamic equivalent load of a single row [1]: P = F_r up to F_a/F_r = e, and P = X
+/// F_r + Y F_a above e.
 struct LoadFactors {
   double X, Y, e;
 };
 
 /// Load factors of one bearing under an axial load [N].
 ///
-///   up to 15 deg    by F_a/(Z D²), 0.172 to 6.89 N/mm²; the ends hold outside
-///   from 20 deg     by the contact angle alone
-///   between         linear, in the load first; 0 to 5 deg as a deep groove
+///   up to 15 deg    function of F_a/(Z D²) from 0.172 to 6.89 N/mm²; outside, the value at the end
+///   from 20 deg     function of the contact angle only
+///   between         linear, interpolated in the load first; 0 to 5 deg: as a deep groove
 ///
-/// The first column that catalogues use, f0 F_a/C0, is F_a/(Z D²) over cos α, since C0 = f0 Z D²
-/// cos α: so no f0 is needed.
-/// Source:   [ISO281, table 3], print not seen; every row was read in a transcript, and X + Y e = 1
-///           within 1 % at all its points (tested), as P is continuous at e.
-/// Domain:   α0 from 0 to 45 deg, F_a by magnitude; no number beyond.
-/// Accuracy: as printed. Under preload or at speed the reference life (reference_life.h) is better.
+/// Catalogues use f0 F_a/C0 as the first column. Because C0 = f0 Z D² cos α, it equals F_a/(Z D²
+/// cos α), so f0 is not needed.
+/// Source:   [ISO281, table 3], not checked against the print. All rows were read in a transcript.
+///           They have X + Y e = 1 within 1 % (tested), because P is continuous at e.
+/// Domain:   α0 from 0 to 45 deg, magnitude of F_a. NaN outside.
+/// Accuracy: that of the published table. Under preload or at speed, reference_life.h is more
+///           accurate.
 [[nodiscard]] LoadFactors load_factors(const bearing::BearingGeometry& geometry, double axial_load);
 
-/// Dynamic equivalent radial load P [N] of radial and axial load by magnitude [N].
+/// Dynamic equivalent radial load P of the magnitudes of radial and axial load [N].
 [[nodiscard]] double equivalent_load(const LoadFactors& factors, double radial_load,
                                      double axial_load);
 

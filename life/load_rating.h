@@ -5,13 +5,13 @@
 /// Bearing life: ratings and lives of ISO 281 and ISO/TS 16281.
 namespace raceway::life {
 
-/// Factor f_c of the dynamic rating of radial and angular contact ball bearings of one row [1], as
-/// function of γ = D cos α/d_m, linear between hundredths.
+/// Factor f_c of the dynamic rating of single-row radial and angular contact ball bearings [1], as
+/// a function of γ = D cos α/d_m. Linear between the table values at steps of 0.01.
 ///
-/// Source:   [ISO281, table 2], print not seen; two transcripts that agree were read.
-/// Domain:   γ from 0.01 to 0.40; no number outside.
-/// Trap:     it holds for grooves of f_i <= 0.52, f_o <= 0.53. Closer ones do not raise it; wider
-///           ones lower the true rating, which the standard leaves to ISO/TR 1281-1.
+/// Source:   [ISO281, table 2], read in two transcripts that agree, not checked against the print.
+/// Domain:   γ from 0.01 to 0.40; NaN outside.
+/// Trap:     it is valid for grooves with f_i <= 0.52, f_o <= 0.53. Closer grooves do not raise it.
+///           Wider grooves lower the true rating; for them the standard refers to ISO/TR 1281-1.
 [[nodiscard]] double rating_factor(double gamma);
 
 /// Dynamic radial load rating of one row of balls [N]: 90 % of bearings survive a million
@@ -21,12 +21,14 @@ namespace raceway::life {
 ///   C = 1.3 f_c cos^0.7 α Z^(2/3) 3.647 D^1.4        D >  25.4 mm
 ///
 /// Dimensional as published: D [mm], C [N]; converted here. α is the nominal contact angle.
-/// Source:   [ISO281, eqs. 1, 2, table 1 for 1.3], print not seen; read in transcripts.
-/// Domain:   α from 0 to 45 deg (a radial bearing) and γ of rating_factor(); no number outside.
-/// Accuracy: the formula to rounding; catalogues of good steel print up to 15 % more.
+/// Source:   [ISO281, eqs. 1, 2, table 1 for 1.3], read in transcripts, not checked against the
+///           print.
+/// Domain:   α from 0 to 45 deg (a radial bearing) and γ of rating_factor(); NaN outside.
+/// Accuracy: the formula to rounding. Catalogues of bearings of good steel have up to 15 % higher
+///           ratings.
 [[nodiscard]] double dynamic_load_rating(const bearing::BearingGeometry& geometry);
 
-/// Steepest contact angle that counts as a radial bearing [rad].
+/// Largest contact angle of a radial bearing [rad].
 inline constexpr double steepest_radial_angle = 45.0 * degree;
 
 }  // namespace raceway::life

@@ -8,8 +8,8 @@ namespace raceway::life {
 ///   ν1 = 4500 n^-0.5 d_m^-0.5       n >= 1000 rpm
 ///
 /// Dimensional as published: ν1 [mm²/s], n [rpm], d_m [mm]; converted here.
-/// Source:   [ISO281, eqs. 28, 29], print not seen; read in two texts. The lines differ by 2.3 % at
-///           1000 rpm, as printed. Makers' diagrams read up to 16 % lower.
+/// Source:   [ISO281, eqs. 28, 29], read in two texts, not checked against the print. The published
+///           formulas differ by 2.3 % at 1000 rpm. Makers' diagrams have values up to 16 % lower.
 /// Domain:   speed > 0; infinite at standstill.
 [[nodiscard]] double rated_viscosity(double speed, double pitch_diameter);
 
@@ -22,27 +22,30 @@ namespace raceway::life {
 ///   a_ISO = 0.1 (1 - (2.5671 - c κ^-p)^0.83 (e_C C_u/P)^(1/3))^-9.3, 50 at most
 ///     0.1 <= κ < 0.4    c = 2.2649, p = 0.054381
 ///     0.4 <= κ < 1      c = 1.9987, p = 0.19087
-///     1 <= κ <= 4       c = 1.9987, p = 0.071739;   κ above 4 counts as 4
+///     1 <= κ <= 4       c = 1.9987, p = 0.071739;   κ above 4 is treated as 4
 ///
-/// `fatigue_ratio` = e_C C_u/P: cleanliness e_C from 0 to 1, fatigue load over equivalent load.
-/// Source:   [ISO281, eqs. 31 to 33], print not seen; read in two texts. One public program has p =
-///           0.019087 in the middle line, a misprint: its line would not meet the others.
-/// Domain:   κ >= 0.1, no number below; fatigue_ratio >= 0. Steel; undefined for hybrid bearings,
-///           although their makers use the same factor.
+/// `fatigue_ratio` = e_C C_u/P: cleanliness e_C from 0 to 1, times the ratio of fatigue load to
+/// equivalent load.
+/// Source:   [ISO281, eqs. 31 to 33], read in two texts, not checked against the print. One public
+///           program has p = 0.019087 in the second range. This is a misprint, because the curve
+///           would not be continuous.
+/// Domain:   κ >= 0.1, NaN below; fatigue_ratio >= 0. Steel only. The factor is undefined for
+///           hybrid bearings, although makers use the same factor for them.
 [[nodiscard]] double life_modification(double viscosity_ratio, double fatigue_ratio);
 
 /// Life modification factor of radial roller bearings [1].
 ///
 ///   a_ISO = 0.1 (1 - (1.5859 - c κ^-p) (e_C C_u/P)^0.4)^-9.185, 50 at most
-///     0.1 <= κ < 0.4    c = 1.3993;   from there c = 1.2348;   p as for balls
+///     0.1 <= κ < 0.4    c = 1.3993;   above: c = 1.2348;   p as for balls
 ///
-/// Source:   [ISO281], print not seen; read in a text. Domain: as life_modification().
+/// Source:   [ISO281], read in a text, not checked against the print. Domain: as
+///           life_modification().
 [[nodiscard]] double roller_life_modification(double viscosity_ratio, double fatigue_ratio);
 
-/// Life factor a1 for a reliability [%], relative to 90 % [1], linear between the printed values.
+/// Life factor a1 for a reliability [%], relative to 90 % [1]. Linear between the table values.
 ///
-/// Source:   [ISO281:2007, table 12], from memory; no print or transcript was found to check.
-/// Domain:   90 to 99.95 %; no number outside.
+/// Source:   [ISO281:2007, table 12], from memory; no print or transcript was found for a check.
+/// Domain:   90 to 99.95 %; NaN outside.
 [[nodiscard]] double reliability_factor(double reliability_percent);
 
 /// Converts a life in millions of revolutions to hours at a speed [rad/s]; infinite at standstill.

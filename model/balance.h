@@ -17,16 +17,17 @@ struct BallTurning {
 [[nodiscard]] BallTurning ball_turning(const Model& model, const friction::Lubricant& oil,
                                        double temperature);
 
-/// Solves the ball equilibrium of a bearing with the solver of the model: by race control or, if no
-/// race controls the balls, with the oil at the temperature of the point. `bearing` and `oil` may
-/// differ from those of the model. The solve starts from a neighbouring solution if one is given.
+/// Solves the ball equilibrium of a bearing with the solver of the model: with race control or, if
+/// no race controls the balls, with the traction of the oil at the temperature of the point.
+/// `bearing` and `oil` may differ from those of the model. The solve starts from a neighbouring
+/// solution if one is given.
 [[nodiscard]] bearing::BearingEquilibrium solve_balls(
     const Model& model, const bearing::Bearing& bearing, const bearing::OperatingPoint& point,
     const bearing::EquilibriumOptions& options, const friction::Lubricant& oil,
     const bearing::BearingEquilibrium* neighbour = nullptr);
 
-/// Solves the equilibrium of the sets. `temperatures` of the oil: one for each bearing, or one for
-/// all [K].
+/// Solves the equilibrium of the sets. `temperatures` are those of the oil, one for each bearing or
+/// one for all [K].
 [[nodiscard]] bearing::ArrangementEquilibrium solve_sets(
     const Model& model, const bearing::Arrangement& arrangement,
     const bearing::ArrangementCondition& condition, std::span<const double> temperatures,

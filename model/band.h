@@ -8,7 +8,7 @@
 
 namespace raceway::model {
 
-/// Half width of the 95 % band of predictions from the uncertainty of the fitted parameters:
+/// Half width of the 95 % band of predictions, from the uncertainty of the fitted parameters:
 ///
 ///   1.96 sqrt(gᵀ C g)      g = ∂y/∂θ, C the covariance of the fit
 ///
@@ -19,7 +19,7 @@ namespace raceway::model {
 ///           errors.
 class Band {
  public:
-  /// Function that returns predicted values, always the same number of them.
+  /// Function that returns predicted values. Every call returns the same number of values.
   using Outputs = std::function<std::vector<double>(const Model&)>;
 
   static constexpr double level = 0.95;
@@ -31,14 +31,14 @@ class Band {
   [[nodiscard]] const std::vector<std::string>& fitted() const { return model_.covariance->names; }
   /// Returns the half width of each output in its unit; NaN if neither side has a prediction. It
   /// calls `outputs` twice for each parameter and once for the model. Several threads may call it
-  /// at once.
+  /// simultaneously.
   [[nodiscard]] std::vector<double> operator()(const Outputs& outputs) const;
 
  private:
-  /// The model with one parameter moved in one direction.
+  /// Model in which one parameter is changed in one direction.
   struct Side {
     Model model;
-    double step = 0.0;  ///< 0 if the parameter cannot be moved in this direction
+    double step = 0.0;  ///< 0 if the parameter cannot change in this direction
   };
   Model model_;
   std::vector<Side> below_, above_;

@@ -6,8 +6,8 @@
 
 namespace raceway::model {
 
-/// Names the input that a base law needs and the model lacks: a datum of the bearing, or a model
-/// without an effect that only fits its present law. The text is empty if nothing is missing.
+/// Names the missing condition for a base law: a datum of the bearing, or a model without an effect
+/// that is valid only with the current law. The text is empty if nothing is missing.
 [[nodiscard]] std::string lacks_for_law(const Model& model, friction::FrictionLaw law);
 
 /// Returns the model with another base law. The law has its published parameters; its usual

@@ -14,13 +14,13 @@ namespace raceway::model {
 /// Ball equilibrium, shared by all its users.
 using Balance = std::shared_ptr<const bearing::BearingEquilibrium>;
 
-/// Stores contact results of one row for fits that need almost equal results repeatedly. The
-/// integrals over the contact ellipses take most of the time.
+/// Stores contact results of one row for fits that need almost equal results repeatedly, because
+/// the integrals over the contact ellipses take most of the time.
 ///
 /// The key of a result consists of equilibrium, oil, temperature and the parameters of the law,
-/// except the factors of rolling and hysteresis. Along ν(T) of the oil, results nearby are found by
-/// linear extrapolation in temperature, for films that heat themselves. Accuracy: 1e-7 by
-/// temperature; all other values equal those of contact_result().
+/// except the factors of rolling and hysteresis. For films that heat themselves, results at a
+/// nearby temperature come from linear extrapolation along ν(T) of the oil. Accuracy: 1e-7 for
+/// extrapolated results; other results equal those of contact_result().
 class ContactMemory {
  public:
   /// Returns the result for the state `s` with the balls `balls`.

@@ -11,7 +11,7 @@ namespace raceway::model {
 /// temperature is NaN if the rig does not give it.
 [[nodiscard]] effects::Entry entry_of(const Model& model, double temperature);
 
-/// Returns the model with its own wrong data corrected: the oil card takes the corrected values,
+/// Returns the model with its own wrong data corrected: the lubricant gets the corrected values,
 /// and the effects that corrected it are removed. Corrections of recorded data remain effects.
 [[nodiscard]] Model with_corrected_data(Model model);
 

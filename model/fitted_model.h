@@ -18,9 +18,10 @@ class FittedModel {
   /// Returns true if there are no parameters to set.
   [[nodiscard]] bool as_entered() const { return places_.empty(); }
   /// Sets the values in the order of the places. Returns the first stage that differs from the last
-  /// keep(). Throws std::invalid_argument for values that the model cannot take.
+  /// keep(). Throws std::invalid_argument for values that the model does not accept.
   [[nodiscard]] Stage set(std::span<const double> values);
-  /// Declares that all predictions have these values, which were set last.
+  /// Tells this object that all predictions now correspond to these values, which must be those of
+  /// the last set().
   void keep(std::span<const double> values);
 
  private:

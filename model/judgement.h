@@ -42,28 +42,28 @@ inline constexpr Limit catalogue_speed{"catalogue_speed", unset, "rpm"};
 inline constexpr Limit speed_factor{"speed_factor", 2.16e6, "mm/min"};
 inline constexpr Limit speed_factor_grease{"speed_factor", 1.62e6, "mm/min"};
 inline constexpr double ceramic_speed_factor = 1.25;
-/// Largest mean temperature of a ring. Spindle greases and oils are chosen for up to about 80 °C at
-/// the inner ring, and the life of a grease halves for every 15 K above 70 °C (makers' rule, from
+/// Largest mean temperature of a ring. Spindle greases and oils are selected for up to about 80 °C
+/// at the inner ring. The life of a grease halves for every 15 K above 70 °C (makers' rule, from
 /// memory).
 inline constexpr Limit ring_temperature{"ring_temperature", 80.0, "C"};
 /// Largest ratio of the force between the sets to the force as mounted. Source: the classes of
-/// [GMN4000]. The strong preload is 6 times the light and twice the medium one. With a ratio of 3,
-/// a spindle mounted with light preload runs at medium, and one mounted with medium preload runs
-/// above all classes.
+/// [GMN4000]. The strong preload is 6 times the light preload and twice the medium preload. With a
+/// ratio of 3, a spindle with light preload as mounted runs at medium preload. A spindle with
+/// medium preload as mounted runs above all classes.
 inline constexpr Limit preload_factor{"preload_factor", 3.0, "times"};
 /// Viscosity above which an oil hardly reaches the contacts. An oil at its pour point has about 1e5
 /// to 1e6 mm²/s [ASTM D97, from memory].
 inline constexpr Limit oil_stiff{"stiff_oil", 1e5, "mm2/s"};
-/// Temperature up to which rings keep their size and mineral oil keeps its additives. Source:
-/// dimensional stability S0 of bearing rings, 150 °C.
+/// Temperature up to which rings are dimensionally stable and the additives of mineral oil remain
+/// effective. Source: dimensional stability S0 of bearing rings, 150 °C.
 inline constexpr Limit oil_hot{"hot_oil", 150.0, "C"};
 /// Largest interference over bore. Source: makers allow up to 1/1000 of the shaft diameter (from
 /// memory). At 0.6/1000, the hoop stress of a ring is 127 MPa.
 inline constexpr Limit interference{"interference", 1e-3, "of the diameter"};
-/// Slope of the bending line up to which beam and seats are linear. Spindle ball bearings tolerate
-/// a misalignment of about 0.6 mrad (2 angular minutes, from memory).
+/// Largest slope of the bending line for which beam and seats are linear. Spindle ball bearings
+/// tolerate a misalignment of about 0.6 mrad (2 angular minutes, from memory).
 inline constexpr Limit nose_slope{"nose_slope", 10.0, "mrad"};
-/// Range of the friction table of a model. Beyond it, the value at the edge is used.
+/// Range of the friction table of a model. Outside the range, the value at the edge is used.
 inline constexpr Limit friction_table{"friction_table", unset, "Nmm"};
 
 }  // namespace limits
@@ -98,9 +98,9 @@ struct JudgedBearing {
   double inner_ring_temperature = unset, outer_ring_temperature = unset;
 };
 
-/// Judges points one by one. It finds balls that lost the inner race or do not touch the shoulders
-/// of an angular-contact bearing (bearing/seat.h), and limits that are exceeded, with the number of
-/// points and the worst point.
+/// Judges points one by one. It finds balls that have lost the inner race, balls that do not lie
+/// against the shoulders of an angular-contact bearing (bearing/seat.h), and exceeded limits. For
+/// each of them it keeps the number of points and the worst point.
 class Judge {
  public:
   explicit Judge(const Model& model);
@@ -111,7 +111,8 @@ class Judge {
   /// Judges only speed and lubricant of a bearing.
   void look_at_speed(double pitch_diameter, bool ceramic, const std::string& place,
                      const bearing::OperatingPoint& point);
-  /// Judges whether a rotating bearing exceeds the friction table of its law, if the model has one.
+  /// If the law of the model is a friction table, judges whether a rotating bearing is outside the
+  /// range of the table.
   void look_at_table(const std::string& place, const bearing::OperatingPoint& point,
                      double axial_load, double radial_load);
   /// Judges the forces of both sets relative to the mounted force [N].
@@ -148,35 +149,35 @@ class Judge {
   std::size_t turning_ = 0;  ///< number of states of rotating bearings with the law `table`
 };
 
-/// Returns true for balls that are much lighter than the rings, such as silicon nitride.
+/// Returns true for balls of a much lower density than the rings, such as silicon nitride.
 [[nodiscard]] bool has_ceramic_balls(const bearing::Bearing& bearing);
-/// Returns true if the model has such balls; false for rollers.
+/// Returns true if the model has ceramic balls; false for rollers.
 [[nodiscard]] bool has_ceramic_balls(const Model& model);
 
-/// Possible range of a value, with the reason for its ends.
+/// Physically possible range of a value, with the reason for its limits.
 struct Possible {
   double lower, upper;  ///< [SI]
   std::string why;      ///< reason, as the end of a sentence
 };
 
-/// Returns the speeds that the rings of a bearing survive [rad/s]: the hoop stress ρ v² of the
-/// inner ring at its raceway is below 2 GPa, the strength of hardened bearing steel. Source: thin
-/// rotating ring, derived.
+/// Returns the range of speeds that the rings of a bearing can withstand [rad/s]. At these speeds
+/// the hoop stress ρ v² of the inner ring at its raceway is below 2 GPa, the strength of hardened
+/// bearing steel. Source: thin rotating ring, derived.
 [[nodiscard]] Possible possible_speeds(const Model& model);
 
-/// Returns the temperatures at which an oil flows [K]: its viscosity is below 1e7 mm²/s. Above this
-/// value it is as thick as pitch, and no oil reaches a contact.
+/// Returns the range of temperatures at which an oil flows, because its viscosity is below 1e7
+/// mm²/s [K]. An oil with a higher viscosity is as thick as pitch and does not reach a contact.
 [[nodiscard]] Possible possible_temperatures(const friction::Lubricant& lubricant);
 
-/// Temperatures between which water is liquid at atmospheric pressure [K].
+/// Freezing and boiling temperature of water at atmospheric pressure [K].
 inline constexpr double water_freezes = celsius_zero, water_boils = celsius_zero + 100.0;
 
 /// Interference over diameter at which the hoop stress E δ/d of a steel ring reaches the yield
 /// strength of about 1 GPa [1].
 inline constexpr double ring_yields = 0.005;
 
-/// Hertz pressure that no bearing steel withstands: its mean, 2/3 of it, equals the hardness of 60
-/// HRC, about 7 GPa [Pa].
+/// Maximum Hertz pressure that no bearing steel withstands [Pa]. The mean pressure, 2/3 of it, then
+/// equals the hardness at 60 HRC, about 7 GPa.
 inline constexpr double steel_flows = 10.5e9;
 
 /// Slope of a bending line above which linear beam theory has no meaning [rad].

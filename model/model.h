@@ -24,13 +24,14 @@ namespace raceway::model {
 /// Data of the test rig, used if a record does not contain them.
 struct Rig {
   double inertia = unset;        ///< inertia of all parts that coast down [kg m²]; NaN: not given
-  bool unknown_inertia = false;  ///< declared as unknown: torques have an unknown common factor
+  bool unknown_inertia = false;  ///< true: the inertia is declared as unknown, so torques have an
+                                 ///< unknown common factor
   int bearings = 1;              ///< number of equal bearings whose torque the rig measures [1]
   double axial_load = unset;     ///< per bearing, for rows without a load column [N]
   double radial_load = 0.0;      ///< per bearing [N]
   double temperature = kelvin(40);  ///< [K]
   double room_temperature = unset;  ///< [K]; NaN: the coldest row of a record is used
-  double minimum_speed = 0.0;       ///< coast-down rows below it are left out [rad/s]
+  double minimum_speed = 0.0;       ///< coast-down rows below this speed are excluded [rad/s]
 
   /// Returns true if friction slows down the shaft and all parts on it.
   [[nodiscard]] bool coasts_down() const { return inertia > 0.0 || unknown_inertia; }
@@ -42,7 +43,7 @@ struct Shaft {
   double external_load = 0.0;  ///< axial load, positive towards the tool [N]
   /// Parts without a measured temperature have the mounting temperature.
   std::optional<bearing::SetTemperatures> temperatures = {};
-  /// True if a set has its own bearings, which differ from the bearing of the model.
+  /// True if the bearings of a set differ from the bearing of the model.
   bool own_bearings = false;
 };
 
@@ -52,16 +53,16 @@ struct PrintedSpeed {
 };
 
 /// Model of a bearing on a rig, or of sets on a shaft, as entered by the user. rig::RigSubject and
-/// shaft::ShaftSubject adapt it to the loop.
+/// shaft::ShaftSubject adapt the model to the loop.
 struct Model {
   std::string name;
   /// Temperature range of the rows in use [K]; NaN without a record.
   double coldest = unset, hottest = unset;
   ModelBearing bearing;
   friction::Lubricant lubricant;
-  std::optional<friction::Supply> supply = {};  ///< rules out some effects; empty if not given
+  std::optional<friction::Supply> supply = {};  ///< excludes some effects; empty if not given
   friction::FrictionLaw law = friction::FrictionLaw::palmgren;
-  /// used by the palmgren law, and by all laws for rollers
+  /// load in the palmgren law, and in all laws for rollers
   friction::F1Load f1_load = friction::F1Load::P0;
   std::vector<double> law_values;               ///< in the order of friction::parameters(law)
   friction::contact::ContactData contact = {};  ///< data of the contact law
@@ -70,8 +71,8 @@ struct Model {
   std::shared_ptr<const friction::TorqueTable> table = nullptr;
   std::vector<effects::Effect> effects;  ///< effects in the order in which they were added
   bearing::EquilibriumOptions solver;
-  /// True if traction turns the balls and no race controls them. Only for the contact law; see
-  /// solve_balls().
+  /// True if traction determines the rotation of the balls instead of race control. Only for the
+  /// contact law; see solve_balls().
   bool balanced_balls = false;
   LifeData life = {};
   PrintedSpeed printed_speed = {};  ///< empty if the sets have different bearings
@@ -80,7 +81,7 @@ struct Model {
   std::vector<std::string> free;
   /// Shaft of the model; its `bearing` is the first bearing of the front set.
   std::optional<Shaft> shaft = {};
-  /// Surroundings of the sets in a model of a whole spindle; `shaft` is then present too.
+  /// Surroundings of the sets in a model of a whole spindle. Such a model also has `shaft`.
   std::optional<Spindle> spindle = {};
   /// Acceptable errors of measured channels, by name [SI].
   std::vector<record::NamedValue> tolerances = {};

@@ -13,7 +13,7 @@ namespace raceway::model {
 /// Bearing of a model: a ball bearing or a cylindrical roller bearing.
 ///
 /// Code for ball bearings converts it to a bearing::Bearing. This conversion throws
-/// std::invalid_argument for rollers, so no ball result is ever computed for them.
+/// std::invalid_argument for rollers, so the program never computes a ball result for rollers.
 class ModelBearing {
  public:
   // Implicit conversions from both kinds of bearing.

@@ -28,12 +28,13 @@ struct Expected {
   };
   std::vector<Default> defaults{};
   std::vector<Partner> partners{};
-  /// The first of these channels with a column is used; the model may still reject it.
+  /// Measured channels. The first one with a column in the file is used; the model may still reject
+  /// it.
   std::vector<const record::Channel*> measured{};
   std::vector<const record::Channel*> signed_inputs{};  ///< inputs that may be negative
   bool coast_down = false;     ///< true: time and speed alone give a record of friction torque
-  double minimum_speed = 0.0;  ///< coast-down rows below this speed are left out [rad/s]
-  /// Columns that are read but not used, each with a message.
+  double minimum_speed = 0.0;  ///< coast-down rows below this speed are excluded [rad/s]
+  /// Columns that the program reads but does not use, each with a message.
   std::vector<std::pair<const record::Channel*, std::string>> unused{};
 };
 
@@ -48,8 +49,8 @@ class ModelSubject : public fit::Subject {
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] virtual Expected expected() const = 0;
 
-  /// Returns a subject with the temperature range of the record. Its coldest row is the ambient
-  /// temperature if the rig gives none.
+  /// Returns a subject with the temperature range of the record. If the rig gives no ambient
+  /// temperature, the coldest row gives it.
   [[nodiscard]] std::unique_ptr<fit::Subject> informed_by(const fit::Record& record) const override;
 
   [[nodiscard]] std::vector<fit::Parameter> parameters() const override;
@@ -71,7 +72,7 @@ class ModelSubject : public fit::Subject {
                                                          const fit::Shape& shape) const override;
   [[nodiscard]] std::string correction(const std::string& id,
                                        std::span<const double> values) const override;
-  /// Also rules out effects of the catalogue that change no measured channel.
+  /// Also excludes effects of the catalogue that change no measured channel.
   [[nodiscard]] std::string rules_out(const std::string& id) const override;
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
   [[nodiscard]] std::string lacks_levels(const std::string& id,
@@ -92,7 +93,7 @@ class ModelSubject : public fit::Subject {
   [[nodiscard]] const Model& active() const { return active_; }
   /// Returns the places in active() of the named parameters. Throws like fit::find_parameters().
   [[nodiscard]] std::vector<ParameterPlace> places(const std::vector<std::string>& names) const;
-  /// Returns the free parameters of a model that names none. Default: default_free().
+  /// Returns the free parameters of a model that names no free parameters. Default: default_free().
   [[nodiscard]] virtual std::vector<std::string> usual_free() const;
   /// Returns the channel with the tolerance from the model.
   [[nodiscard]] fit::Measured with_tolerance(fit::Measured measured) const;
@@ -107,7 +108,7 @@ class ModelSubject : public fit::Subject {
 
  private:
   [[nodiscard]] const record::Channel& leading_channel() const;
-  /// True if the effect changes what is measured.
+  /// True if the effect changes a measured channel.
   [[nodiscard]] bool moves(const effects::Description& effect) const;
   [[nodiscard]] bool waits(std::string_view id) const;
   /// Returns the effect with its initial values. Throws like with_candidates().

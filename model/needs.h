@@ -16,17 +16,19 @@ namespace raceway::model {
 /// cylindrical rollers do not have it. The text is empty if the effect is allowed.
 [[nodiscard]] std::string refused_by_law(const effects::Description& effect, const Model& model);
 
-/// Returns the channel that a record measures of the sets on a shaft: the axial displacement, or
-/// the friction torque if there is no displacement.
+/// Returns the measured channel of a record for sets on a shaft: the axial displacement, or the
+/// friction torque if the record has no displacement.
 [[nodiscard]] const record::Channel& measured_of_shaft(const record::Record& record);
 
-/// Names the input that an effect needs and the model or the record lacks; empty if none. Missing
-/// levels are not included, because the data themselves show whether base parameters act alike.
+/// Names the input that an effect needs and that the model or the record lacks; empty if no input
+/// is missing. Missing levels are not included, because the data show whether base parameters have
+/// a similar influence.
 [[nodiscard]] std::string missing_need(const effects::Description& effect, const Model& model,
                                        const record::Record& record);
 
-/// Names the levels that an effect needs and the record lacks. Without them, base parameters act
-/// almost alike. The text is empty if no levels are missing.
+/// Names the levels that an effect needs and that the record lacks. Without these levels, base
+/// parameters have almost the same influence as the effect. The text is empty if no levels are
+/// missing.
 [[nodiscard]] std::string missing_levels(const effects::Description& effect, const Model& model,
                                          const record::Record& record);
 

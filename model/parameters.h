@@ -39,15 +39,15 @@ namespace raceway::model {
 /// a force. `neutral` and the plausible range belong to effects and are otherwise NaN.
 [[nodiscard]] std::vector<record::Parameter> parameters(const Model& model);
 
-/// Returns the range in which an effect's parameter is found for a bearing of this size. The upper
-/// limit is the bound of the parameter if all parts on a coast-down shaft contribute to it, because
-/// they have no published size.
+/// Returns the usual range of an effect's parameter for a bearing of this size. If all parts on a
+/// coast-down shaft contribute to the effect, the upper limit is the bound of the parameter,
+/// because no published range exists.
 [[nodiscard]] std::pair<double, double> plausible_range(const effects::Description& effect,
                                                         const effects::Parameter& number,
                                                         const Model& model);
 
-/// Returns the bounds of an effect's parameter in the unit of the files. They come from the record
-/// if the parameter must lie within its range.
+/// Returns the bounds of an effect's parameter in the unit of the files. If the parameter must lie
+/// within the range of the record, the bounds come from the record.
 [[nodiscard]] std::pair<double, double> bounds_of(const effects::Parameter& number,
                                                   const Model& model);
 
@@ -94,9 +94,9 @@ void set(Model& model, const record::Parameter& parameter, double value);
 /// contact: rolling_factor; table: scale.
 [[nodiscard]] std::vector<std::string> default_free(friction::FrictionLaw law);
 
-/// Returns the parameters that are free by default: for a spindle f0, or its counterpart in the
-/// law. For an arrangement with a preload force, it is the preload, which assembly makes uncertain.
-/// Otherwise the defaults of the law apply.
+/// Returns the parameters of a model that are free by default. For a spindle this is f0, or its
+/// counterpart in the law. For an arrangement with a preload force it is the preload, because
+/// assembly makes it uncertain. Otherwise the defaults of the law apply.
 [[nodiscard]] std::vector<std::string> default_free(const Model& model);
 
 }  // namespace raceway::model

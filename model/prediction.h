@@ -14,14 +14,14 @@
 namespace raceway::model {
 
 /// Friction of one bearing at one operating point, and the reading of the rig. Values are NaN if an
-/// input is unknown, or if the point has no equilibrium and an effect needs it; `report` gives the
-/// reason. If only an effect has no value, the base moments are still valid. A model that needs no
-/// balls gives a torque even without equilibrium.
+/// input is unknown, or if an effect needs the equilibrium and the point has none; `report` gives
+/// the reason. If only an effect has no value, the base moments are still valid. A model that does
+/// not need the balls gives a torque even without an equilibrium.
 struct FrictionPrediction {
   double load = unset;     ///< load moment of the base law at the actual load of the bearing [N m]
   double viscous = unset;  ///< viscous moment of the base law, as reduced by the film [N m]
   /// Moment of each effect, in the order of the model [N m]. It is 0 for an effect on condition,
-  /// lubricant or reading, whose influence is in the other terms.
+  /// lubricant or reading; the other terms contain the influence of such an effect.
   std::vector<double> effects;
   /// Result of the contact law for `load` and `viscous`, including effects on the film.
   std::optional<friction::contact::ContactResult> contacts;
@@ -85,9 +85,9 @@ struct FrictionPrediction {
                                                   bool with_equilibrium = false,
                                                   const effects::Record& record = {});
 
-/// Predicts many points, several at a time and on several threads. Neither the number of threads
-/// nor the other points change a digit. `records` may be empty. Throws std::invalid_argument if the
-/// sizes differ.
+/// Predicts many points in parallel, in SIMD lanes and on several threads. The result of a point
+/// does not depend on the other points or on the number of threads, to the last digit. `records`
+/// may be empty. Throws std::invalid_argument if the sizes differ.
 void predict_sweep(const Model& model, std::span<const bearing::OperatingPoint> points,
                    std::span<FrictionPrediction> predictions, bool with_equilibrium = false,
                    std::span<const effects::Record> records = {});

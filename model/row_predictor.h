@@ -21,32 +21,33 @@ class RowPredictor {
  public:
   using Rollers = std::shared_ptr<const bearing::RollerEquilibrium>;
 
-  /// `known` is the equilibrium under the condition `given`, if available: of the original bearing,
-  /// or of a bearing in its set on a shaft. `given` is a condition in addition to the changes by
-  /// effects in `steps`. `bearing` is the bearing of that equilibrium if it differs from the
-  /// model's. `rollers` is the equilibrium of the original cylindrical roller bearing, if
-  /// available.
+  /// `known` is the equilibrium under the condition `given`, if available: the equilibrium of the
+  /// original bearing, or of a bearing in its set on a shaft. `given` is a condition in addition to
+  /// the changes by effects in `steps`. `bearing` is the bearing of this equilibrium, if it differs
+  /// from the bearing of the model. `rollers` is the equilibrium of the original cylindrical roller
+  /// bearing, if available.
   RowPredictor(const Model& model, const Steps& steps, const bearing::OperatingPoint& point,
                const effects::Record& record, Balance known = nullptr,
                const effects::Condition& given = {},
                std::shared_ptr<const bearing::Bearing> bearing = nullptr,
                Rollers rollers = nullptr);
 
-  /// Returns the reading of the rig [N m]; NaN without a prediction. Results are stored. Values of
-  /// the model that act before `from` must not have changed since the last call.
+  /// Returns the reading of the rig [N m]; NaN without a prediction. Results are stored. Parameters
+  /// of the model that act before the stage `from` must be the same as in the last call.
   double predict(const Model& model, const Steps& steps, Stage from = Stage::entry);
 
-  /// Returns the equilibrium that predict() will need, so that a caller can solve many together and
-  /// pass the results to answer(). The result is empty if no equilibrium is needed, if it is
-  /// already stored, or if it has an imposed tilt or traction-controlled balls.
+  /// Returns the case whose equilibrium predict() will need, so that a caller can solve many cases
+  /// together and pass the results to answer(). The result is empty if no equilibrium is needed, if
+  /// it is already stored, or if it has an imposed tilt or traction-controlled balls.
   [[nodiscard]] std::optional<bearing::BearingCase> ask(const Model& model, const Steps& steps);
   void answer(bearing::BearingEquilibrium&& equilibrium);
   /// Solves only the equilibrium, as predict() would.
   void balance(const Model& model, const Steps& steps);
 
-  /// Returns the state of the contacts in a known equilibrium. A caller can compute their friction
-  /// and pass it back, and predict() uses it. The result is empty for other laws, without an
-  /// equilibrium, for a bearing changed by the condition, and if effects act on the film.
+  /// Returns the state of the contacts in a known equilibrium. A caller can compute the friction of
+  /// the contacts and pass it back; predict() then uses it. The result is empty for other laws,
+  /// without an equilibrium, for a bearing changed by the condition, and if effects act on the
+  /// film.
   [[nodiscard]] std::optional<friction::BearingState<double>> ask_contacts(const Model& model,
                                                                            const Steps& steps);
   void answer_contacts(const Model& model, const friction::contact::ContactResult& contacts);
@@ -89,8 +90,8 @@ class RowPredictor {
   double temperature_, viscosity_;          // values of the row after corrections
   std::optional<friction::Lubricant> oil_;  // set if it differs from the oil of the model
 
-  /// Stored equilibrium for another condition. Fits return to points at which they took
-  /// differences.
+  /// Stored equilibrium for another condition. It is used when a fit returns to a point at which it
+  /// computed differences.
   struct KnownBalance {
     effects::Condition condition;
     BallTurning turning;
@@ -119,15 +120,16 @@ class RowPredictor {
   double torque_ = unset, reading_ = unset;
 };
 
-/// Solves the equilibria that several rows need, several at a time.
+/// Solves the equilibria of several rows, several at a time.
 void solve_balances(const Model& model, const Steps& steps, std::span<RowPredictor> rows);
 
-/// Computes the contact friction that several rows need, several at a time
+/// Computes the contact friction of several rows, several at a time
 /// (friction/contact/many_contacts.h), after their equilibria.
 void solve_contacts(const Model& model, const Steps& steps, std::span<RowPredictor> rows);
 
-/// Calls predict() for all rows. Equilibria are solved several at a time, and rows are shared among
-/// threads. Each row is independent, so the number of threads does not change a digit.
+/// Calls predict() for all rows. Equilibria are solved several at a time, and rows are distributed
+/// over threads. Each row is independent, so the result does not depend on the number of threads,
+/// to the last digit.
 void predict_all(const Model& model, const Steps& steps, std::span<RowPredictor> rows,
                  std::span<double> readings, Stage from = Stage::entry);
 

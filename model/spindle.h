@@ -47,7 +47,7 @@ inline constexpr SolidMaterial iron_of_housings{.conductivity = 48.0,
 struct Segment {
   double length = unset;    ///< [m]
   double diameter = unset;  ///< outer [m]
-  double bore = unset;      ///< [m]; 0: solid. For a housing, NaN follows the bearings
+  double bore = unset;      ///< [m]; 0: solid. For a housing, NaN means the bearing diameter
   SolidMaterial material = steel_of_shafts;
 };
 
@@ -59,7 +59,7 @@ struct Disk {
   double polar_inertia = unset;      ///< about the shaft axis [kg m²]
 };
 
-/// A spring between shaft and housing, for a bearing with only its stiffness known.
+/// A spring between shaft and housing, for a bearing of which only the stiffness is known.
 struct Support {
   double position = unset;          ///< distance behind the nose face [m]
   double radial_stiffness = unset;  ///< [N/m]
@@ -88,7 +88,7 @@ struct Housing {
   std::vector<Segment> segments;
   double flange = unset;           ///< centre of the bolted connection to the machine [m]
   double flange_length = 20 * mm;  ///< [m]
-  /// Conductance into the machine [W/K]; with a joint, the part of the path behind the joint.
+  /// Conductance into the machine [W/K]; with a joint, only the path behind the joint.
   double flange_conductance = 4.0;
   std::optional<ScrewedJoint> flange_joint = {};
 };
@@ -102,13 +102,13 @@ struct Seat {
   double hardness = 3e9;               ///< hardness of the softer surface [Pa]
   /// Conductance of the contact of a ring with a shoulder or another ring [W/(m² K)].
   double shoulder_conductance = 8000.0;
-  /// Clamping forces of the inner rings with their spacers and of the outer rings [N]. The side
-  /// faces then conduct by their pressure; NaN: shoulder_conductance, and spacers without
-  /// resistance.
+  /// Clamping forces of the inner rings with their spacers and of the outer rings [N]. The
+  /// conductance of the side faces then depends on their pressure. NaN: side faces have
+  /// shoulder_conductance, and spacers have no contact resistance.
   double inner_clamping_force = unset, outer_clamping_force = unset;
-  /// Conductance from a side face of an outer ring to a collar of the shaft that runs against it
-  /// [W/(m² K)]. The default assumes a contact as at a shoulder. An open gap of 0.1 mm with air
-  /// would conduct 270.
+  /// Conductance from a side face of an outer ring to an adjacent collar of the shaft [W/(m² K)].
+  /// The default assumes a contact as at a shoulder. An open gap of 0.1 mm with air would conduct
+  /// 270.
   double collar_conductance = 8000.0;
   /// Conductance of the outer seats [W/(m² K)]. If given, it replaces the other data.
   double outer_conductance = unset;
@@ -157,7 +157,7 @@ struct Coolant {
 /// A further coolant circuit, with a channel around another span of the housing.
 struct Circuit {
   std::string name;  ///< gives the columns NAME_outlet_temperature_C and heat_to_NAME_W
-  Coolant channel;   ///< an inlet temperature of NaN is that of the first circuit
+  Coolant channel;   ///< inlet temperature NaN: that of the first circuit
 };
 
 enum class RotatingConvection { becker, kendoush, anderson_saunders };
@@ -207,8 +207,8 @@ struct ThermometerPlace {
   enum class Part { shaft, ring, housing, coolant };
   std::string name;  ///< gives the column NAME_temperature_C
   Part part = Part::housing;
-  /// Distance behind the nose face [m]. In the coolant, it lies between start and end of the
-  /// channel; NaN: outlet.
+  /// Distance behind the nose face [m]. In the coolant, the position is between start and end of
+  /// the channel; NaN: outlet.
   double position = unset;
   double radius = unset;  ///< [m]
 };
@@ -236,8 +236,8 @@ enum class Cells { coarse, medium, fine };
 /// positive towards the tool.
 struct Spindle {
   std::string name = {};
-  /// True: friction follows the forces of the warm sets; false: the forces of the cold sets at that
-  /// speed.
+  /// True: friction depends on the forces of the warm sets. False: it depends on the forces of the
+  ///       cold sets at the same speed.
   bool preload_feedback = true;
   std::vector<double> front_positions = {}, rear_positions = {};    ///< centres of the bearings [m]
   double bearing_width = unset;                                     ///< [m]
@@ -252,7 +252,7 @@ struct Spindle {
   Housing housing = {};
   Seat seat = {};
   std::optional<Coolant> coolant = {};  ///< first circuit
-  std::vector<Circuit> circuits = {};   ///< further circuits; they need a first one
+  std::vector<Circuit> circuits = {};   ///< further circuits; only allowed with `coolant`
   Ambient ambient = {};
   std::optional<HeatSource> motor = {};
   std::optional<HeatSource> drive = {};
@@ -263,7 +263,7 @@ struct Spindle {
   std::optional<Network> network = {};  ///< replaces the geometry
   Cells cells = Cells::medium;
   double step = unset;  ///< longest time step [s]; NaN: adaptive
-  /// Residuals up to these values count as coarseness of the model: [K], [m].
+  /// Residuals up to these values are attributed to simplifications of the model: [K], [m].
   double model_floor_temperature = 0.5, model_floor_displacement = 1 * um;
 
   /// Returns the channels of all circuits, `coolant` first.

@@ -9,11 +9,11 @@
 namespace raceway::model {
 
 /// Returns true if the law or an effect of the model uses ball loads or angles. Laws for the whole
-/// bearing do not. With them, a bearing with an assumed load can be compared without solving for
-/// the balls.
+/// bearing do not use them. With such a law, a bearing with an assumed load can be compared without
+/// a ball equilibrium.
 [[nodiscard]] bool needs_equilibrium(const Model& model);
 
-/// Effects of a model by the step at which they act; found once for many predictions.
+/// Effects of a model, by the step at which they act. Create this object once for many predictions.
 struct Steps {
   /// Indices in Model::effects. `reading` contains the effects on the measured channel.
   std::vector<std::size_t> entry, condition, lubricant, moment, reading;
@@ -23,7 +23,7 @@ struct Steps {
                  const record::Channel& read = record::friction_torque);
 };
 
-/// First step that the change of a parameter affects.
+/// Stages of a prediction. A changed parameter affects its first stage and all later stages.
 enum class Stage { entry, condition, lubricant, base, moment, reading };
 
 /// Returns the first stage that a parameter of the base law (`effect` < 0) or of an effect affects.

@@ -9,10 +9,10 @@ struct HoldingMoments {
   double y = unset, z = unset;
 };
 
-/// Solves the equilibrium of a bearing like solve_balls(), with an inner ring that the shaft keeps
-/// at a tilt about z [rad], under the forces of a point. The moments are found. Newton's method
-/// solves for the two moments. It starts from `neighbour`, which may be null, and from its moments,
-/// if they are known. `moments` receives the result.
+/// Solves the equilibrium of a bearing like solve_balls(), under the forces of a point. The shaft
+/// holds the inner ring at a tilt about z [rad]. Newton's method solves for the two moments that
+/// this needs. It starts from `neighbour`, which may be null, and from the moments of the
+/// neighbour, if they are known. `moments` receives the result.
 ///
 /// Accuracy: tilt to 1e-10 rad.
 [[nodiscard]] bearing::BearingEquilibrium solve_tilted(const Model& model,

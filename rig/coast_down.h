@@ -11,8 +11,8 @@ namespace raceway::rig {
 /// Options for dividing a coast-down into windows, one for each row. The defaults suit records with
 /// some hundred to a million samples.
 struct CoastDownOptions {
-  int windows = 40;  ///< wanted number per run; more windows give more rows with more noise each
-  int fewest_samples = 7;  ///< per window; fewer leave less than four to estimate the noise
+  int windows = 40;        ///< wanted windows per run; more windows give more and noisier rows
+  int fewest_samples = 7;  ///< per window; fewer leave less than 4 degrees of freedom for noise
   /// largest fall of the speed within a window, relative to its start [1]
   double largest_fall = 0.25;
 };
@@ -20,9 +20,9 @@ struct CoastDownOptions {
 /// Result for one run of a coast-down.
 struct CoastDownRun {
   std::string run;             ///< run_id; empty if the file has none
-  int samples = 0;             ///< samples used; samples with the same time count as one
-  int before_release = 0;      ///< samples left out: run-up and plateau
-  int outliers = 0;            ///< samples left out as outliers
+  int samples = 0;             ///< samples used; samples with the same time are one sample
+  int before_release = 0;      ///< excluded samples: run-up and plateau
+  int outliers = 0;            ///< samples excluded as outliers
   int rows = 0;                ///< number of torques found
   double speed_noise = unset;  ///< standard deviation of one sample (or block mean) [rad/s]
   double correlation = 0.0;    ///< correlation of neighbouring residuals; 0 if not significant [1]
@@ -44,26 +44,26 @@ struct CoastDownTorque {
 /// not overlap, so the errors of the rows are independent. A parabola in time is fitted to each
 /// window; its slope and value at the mean time of the window make one row. The slope of a parabola
 /// is not affected by the curvature of ω(t), even for unequally spaced samples. For equal spacing,
-/// it is no noisier than the slope of a straight line. A window covers 1/`windows` of the run,
-/// because noise falls with the 1.5th power of its length. It is shorter if the speed would fall by
-/// more than `largest_fall`. The remaining error comes from the third derivative: for M ~ ω^p it
-/// shifts the torque by the share p (2p - 1) s²/40 at a relative fall s, which is 0.04 % for p =
-/// 2/3 and 1 % for p = 2 at s = 0.25.
+/// its noise equals that of the slope of a straight line. A window covers 1/`windows` of the run,
+/// because noise falls with the 1.5th power of its length. A window is shorter if the speed would
+/// fall by more than `largest_fall`. The remaining error comes from the third derivative: for M ~
+/// ω^p it shifts the torque by the share p (2p - 1) s²/40 at a relative fall s, which is 0.04 % for
+/// p = 2/3 and 1 % for p = 2 at s = 0.25.
 ///
 /// The standard deviation of a row is the residual scale of the whole run (robust, Huber's proposal
-/// 2) times the gain of the slope. It is widened if neighbouring residuals are correlated (filtered
-/// signals), as a first-order autoregression. Samples more than 8 robust deviations from a robust
-/// local parabola are left out and listed in the notes. Windows do not span gaps. Dense records are
-/// first averaged in blocks, at most 32 in a window.
+/// 2) times the gain of the slope. If neighbouring residuals are correlated (filtered signals), it
+/// is increased by the factor of a first-order autoregression. Samples more than 8 robust
+/// deviations from a robust local parabola are excluded and listed in the notes. Windows do not
+/// span gaps. Dense records are first averaged in blocks, at most 32 in a window.
 ///
 /// The line number of a row is the line in the middle of its window. The notes give the place of
-/// all samples that were left out or averaged.
-/// Domain:   constant inertia, no drive. The function leaves out samples before the release
+/// all samples that were excluded or averaged.
+/// Domain:   constant inertia, no drive. The function excludes samples before the release
 /// (release.h), samples at standstill or below Rig::minimum_speed, windows in which the shaft
 /// speeds up, and runs with fewer samples than one window. If a run is driven up again, each
 /// coast-down in it is used. Samples with the same time are averaged. Throws std::invalid_argument
-/// without an inertia, for a value that is not finite, for time that goes back within a run (with
-/// the line), and if no run is long enough.
+/// without an inertia, for a value that is not finite, for a time that decreases within a run (the
+/// message names the line), and if no run is long enough.
 [[nodiscard]] CoastDownTorque coast_down_torque(const record::Record& coast_down,
                                                 const model::Rig& rig,
                                                 const CoastDownOptions& options = {});

@@ -17,7 +17,7 @@ class EnteredBalances {
  public:
   EnteredBalances(const model::Model& model, const record::Record& record);
   /// Returns the equilibria by row; empty if the operating points differ. Several threads may call
-  /// it at once.
+  /// it simultaneously.
   [[nodiscard]] std::span<const model::Balance> of(std::span<const model::Row> rows) const;
   /// Returns the equilibria of a bearing with cylindrical rollers, otherwise like of().
   [[nodiscard]] std::span<const model::RowPredictor::Rollers> rollers_of(

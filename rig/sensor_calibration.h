@@ -22,8 +22,8 @@ inline constexpr int highest_sensor_degree = 3;
 /// A test is significant if its p-value is below this limit.
 inline constexpr double sensor_significance = 0.01;
 
-/// Tests whether the scatter of repeated readings explains the distance of their means from the
-/// curve:
+/// Test of the fit: can the scatter of repeated readings explain the distance of their means from
+/// the curve?
 ///
 ///   F = (Σ n_l (mean_l - V(M_l))² / (L - p)) / (Σ (V - mean_l)² / (N - L))
 ///
@@ -71,13 +71,14 @@ struct SensorCalibration {
   [[nodiscard]] double std(int coefficient) const;
 };
 
-/// Fits the signal over the torque by least squares, with QR on the scaled torque. Without a given
-/// degree, it uses the lowest degree after which no further term up to the third is significant. If
+/// Fits the signal over the torque by least squares, with QR on the scaled torque. If no degree is
+/// given, it uses the lowest degree for which no higher term, up to the third, is significant. If
 /// the scatter changes along the range, the covariance is valid for any scatter (HC3 of
 /// [MacKinnon1985]).
 ///
 /// Throws std::invalid_argument for an invalid degree, for only one reference torque, for too few
-/// torques or readings for the degree, and for a signal that turns or does not follow the torque.
+/// torques or readings for the degree, and for a signal that does not depend on the torque or is
+/// not monotone.
 /// Accuracy: 1e-10 of the certified values of the NIST data sets Pontius and Norris.
 [[nodiscard]] SensorCalibration calibrate_sensor(std::span<const SensorReading> readings,
                                                  std::optional<int> degree = {});

@@ -17,9 +17,10 @@ namespace raceway::rig {
 ///   beyond them the tangent at that end
 ///
 /// Source:   definition. The inverse function gives the torque of a reading.
-/// Domain:   V rises, or falls, over the whole range: turning_torque() has no value.
-/// Trap:     the signal is a function of the torque and not the reverse. Weights on an arm are
-///           known much better than the signal, whose scatter would flatten a fit of M over V.
+/// Domain:   V increases or decreases over the whole range, so turning_torque() is empty.
+/// Trap:     fit the signal as a function of the torque, not the reverse. Weights on an arm are
+///           known much better than the signal, and the scatter of the signal would reduce the
+///           slope of a fit of M over V.
 struct TorqueSensor {
   Eigen::VectorXd coefficients{};   ///< b_k [V/(N m)^k]
   Eigen::MatrixXd covariance{};     ///< covariance of the coefficients
@@ -29,7 +30,7 @@ struct TorqueSensor {
   double lowest_signal = unset;     ///< range of the signal in the calibration [V]
   double highest_signal = unset;    ///< [V]
   std::optional<double> zero = {};  ///< signal of the day without torque, replaces V(0) [V]
-  /// its standard deviation [V]; default: `scatter` (one reading)
+  /// standard deviation of `zero` [V]; default: `scatter` (one reading)
   std::optional<double> zero_std = {};
   std::string source = {};  ///< file of the calibration, for messages
 };
@@ -65,12 +66,12 @@ struct SensedTorque {
 struct SensedTorques {
   std::vector<double> torque{};  ///< [N m]; NaN without a reading
   std::vector<double> std{};     ///< [N m]; empty if the calibration has no scatter
-  /// notes on their errors and on signals outside the calibration
+  /// notes on the errors of the torques and on signals outside the calibration
   std::vector<record::Note> notes{};
 };
 
-/// `deviations` has one entry for each signal [V] or is empty; `lines` of the file are used in
-/// notes.
+/// `deviations` has one entry for each signal [V] or is empty. `lines` are line numbers of the
+/// file, for notes.
 [[nodiscard]] SensedTorques sensed_torques(const TorqueSensor& sensor,
                                            std::span<const double> signals,
                                            std::span<const double> deviations,

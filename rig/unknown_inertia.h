@@ -10,8 +10,8 @@ namespace raceway::rig {
 ///
 ///   J = Σ M_model / Σ (-dω/dt)
 ///
-/// A coast-down determines only M/J. A model with typical parameters fixes the factor within its
-/// own accuracy, which gives the correct order of magnitude. The record itself determines how the
+/// A coast-down determines only M/J. A model with typical parameters determines J within the
+/// accuracy of the model, which gives the correct order of magnitude. The record determines how the
 /// torque depends on speed, load and temperature.
 ///
 /// `unit` contains the torques for an inertia of 1 kg m². Rows without a prediction are not used.

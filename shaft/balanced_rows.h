@@ -10,18 +10,18 @@
 namespace raceway::shaft {
 
 /// Solves the equilibrium of the sets on a shaft at the rows of a record, repeatedly with different
-/// parameters of one model. Each row stores its equilibrium as the start for the next one. The
+/// parameters of one model. Each row stores its equilibrium as the start of its next solve. The
 /// equilibrium is solved again only if the condition of the sets has changed.
 ///
-/// The axial load of a row is the external load. Without a recorded load, the model gives it.
-/// Recorded values replace values of the model: the preload force at standstill and ring
-/// temperatures. Balls, shaft and housing keep the temperatures of the model if it gives any.
-/// Otherwise, balls take the mean of the rings, the shaft takes the inner ring and the housing
-/// takes the outer ring.
+/// The axial load of a row is the external load. Without a recorded load, the model gives it. The
+/// recorded preload force at standstill and recorded ring temperatures replace the values of the
+/// model. Balls, shaft and housing keep the temperatures of the model if it gives any. Otherwise,
+/// the balls have the mean temperature of the rings, the shaft has that of the inner ring, and the
+/// housing has that of the outer ring.
 class BalancedRows {
  public:
   struct Row {
-    model::Row row;  ///< row with ring temperatures of the model if it has none of its own
+    model::Row row;  ///< row; without recorded ring temperatures, it has those of the model
     std::optional<bearing::SetTemperatures> temperatures;
     std::vector<effects::Condition> bearings{};  ///< changes by effects, front set first
     bearing::ArrangementEquilibrium equilibrium{};
@@ -55,9 +55,9 @@ class BalancedRows {
   [[nodiscard]] std::size_t balance_of(double preload);
 
   std::vector<Row> rows_;
-  std::vector<double> preloads_;        // that rows have
-  std::vector<ShaftBalance> balances_;  // one for each
-  const Row* last_ = nullptr;           // that was in equilibrium
+  std::vector<double> preloads_;        // different preloads of the rows
+  std::vector<ShaftBalance> balances_;  // one for each preload
+  const Row* last_ = nullptr;           // last row in equilibrium
   ShaftCondition wanted_;
 };
 

@@ -33,15 +33,16 @@ struct KinematicLawBounds {
   double lower_C = unset, upper_C = unset;  ///< [1/rpm]
 };
 
-/// Largest mean absolute error for which the law follows a curve: the error of the published fit
-/// [Brecher2021, section 4.2] and, for small displacements, a share of the largest displacement.
+/// Largest mean absolute error at which the verdict is `follows`: the error of the published fit
+/// [Brecher2021, section 4.2] and also, for small displacements, a share of the largest
+/// displacement. The error must be within both limits.
 inline constexpr double kinematic_law_tolerance = 0.023e-6;  ///< [m]
 inline constexpr double kinematic_law_share = 0.01;          ///< [1]
 
 enum class KinematicLawVerdict {
-  follows,  ///< mean absolute error within the tolerance or the share
-  scatter,  ///< error above the limits, with residuals that scatter from row to row
-  stiff     ///< error above the limits, with smooth residuals: the law cannot follow the shape
+  follows,  ///< mean absolute error within both limits
+  scatter,  ///< error above a limit, with residuals that scatter from row to row
+  stiff     ///< error above a limit, with smooth residuals: the law cannot follow the shape
 };
 
 struct KinematicLawFit {
@@ -75,12 +76,12 @@ struct KinematicLawFit {
 ///
 /// The law is linear in A, which is eliminated. For each C of a grid, the best B is found on a grid
 /// and then to full accuracy. From each minimum of this profile over C, Ceres optimises all three
-/// parameters; the lowest result is used. The result therefore needs no start value and depends on
-/// none.
+/// parameters; the lowest result is used. The fit therefore needs no start value.
 ///
 /// Standard errors come from the linearised problem. Without std, the misfit sets their scale. With
-/// std, they are widened if the misfit exceeds it. A computed curve has no scatter. Its standard
-/// errors show how sharply this curve defines the parameters; they say nothing about other curves.
+/// std, the standard errors are increased if the misfit exceeds std. A computed curve has no
+/// scatter. Its standard errors show how well this curve determines the parameters. They are not
+/// valid for other curves.
 ///
 /// Rows at standstill are not fitted, because the law is zero there. They extend the range of the
 /// law to zero. Throws std::invalid_argument for a value that is not finite, a negative speed, a

@@ -33,7 +33,8 @@ T kinematic_displacement_um(double speed_rpm, const T& A, const T& B, const T& C
 
 /// Result of a law at one speed.
 struct KinematicDisplacement {
-  double displacement;  ///< shaft against standstill, positive towards the tool [m]
+  double displacement;  ///< position of the shaft relative to standstill, positive towards the tool
+                        ///< [m]
   double slope;         ///< du/dω, displacement over angular speed [m s/rad]
   bool inside;          ///< false: the speed is outside the range of the law, see evaluate()
 };

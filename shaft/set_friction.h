@@ -29,8 +29,8 @@ struct SetState {
 ///
 ///   base law   Palmgren's and SKF's formulas use the bearing as entered, its catalogue angle and
 ///              load rating, with the axial load that it carries in the set
-///   a tilt     the sets are solved without it; a bearing that an effect tilts is solved alone at
-///              this load, with the free contact angle from growth and temperatures
+///   a tilt     the sets are solved without a tilt. A bearing that an effect tilts is solved alone
+///              at its load in the set, with the free contact angle from growth and temperatures
 ///
 /// A bearing without inner contacts carries no load. It has the viscous moment of the base law and
 /// the contribution of effects from balls on the outer race. All other steps are the same as for a
@@ -42,18 +42,19 @@ class SetFriction {
 
   [[nodiscard]] std::size_t bearings() const { return models_.size(); }
   /// Returns the model of one bearing, on a rig with as many bearings as the sets have. Drag on the
-  /// rotor therefore counts once.
+  /// rotor is therefore included once.
   [[nodiscard]] const Model& model(std::size_t i) const { return models_[i]; }
   /// Returns the steps of a bearing. They contain no conditions, because the equilibrium of the
   /// sets gives them.
   [[nodiscard]] const Steps& steps() const { return steps_; }
-  /// Takes the numbers of a model with the same effects.
+  /// Sets the parameter values of a model with the same effects.
   void take(const Model& model);
 
-  /// Returns bearing i in this state of the sets; with its balls if `steps.equilibrium` is true.
+  /// Returns the predictor of bearing i in this state of the sets, with the balls if
+  /// `steps.equilibrium` is true.
   [[nodiscard]] model::RowPredictor row(std::size_t i, const SetState& sets,
                                         const Steps& steps) const;
-  /// Returns bearing i without a state and without a reading.
+  /// Returns the predictor of bearing i without a state and without a reading.
   [[nodiscard]] model::RowPredictor nothing(std::size_t i) const;
 
  private:

@@ -17,14 +17,14 @@ class SetTorqueSubject final : public ShaftSubject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// Returns the saturated regression of a torque. Its load input is
-  /// the ratio of external load to preload.
+  /// Returns the saturated regression of a torque. The load input of the regression is the ratio of
+  /// external load to preload.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
   [[nodiscard]] std::vector<const record::Channel*> scattering(
       const fit::Record& record) const override;
   /// Returns speed, load (preload and external load together) and viscosity.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
-  /// Returns no doubt: a torque has no sign to mistake, and files::doubts() checks its unit.
+  /// Returns an empty text: a torque cannot have a wrong sign, and files::doubts() checks the unit.
   [[nodiscard]] std::string doubt(const fit::Record& record,
                                   std::span<const double> predicted) const override;
   /// Returns the other laws of friction.
@@ -38,8 +38,8 @@ class SetTorqueSubject final : public ShaftSubject {
   SetTorqueSubject(const model::Model& model, std::vector<std::string> waiting);
   [[nodiscard]] std::unique_ptr<ModelSubject> make(model::Model model,
                                                    std::vector<std::string> waiting) const override;
-  /// Returns the parameters of the law. Without several loads, its load factor is hard to tell from
-  /// the preload.
+  /// Returns the parameters of the law. If the record has only one load, the load factor of the law
+  /// can hardly be separated from the preload.
   [[nodiscard]] std::vector<std::string> usual_free() const override;
 };
 

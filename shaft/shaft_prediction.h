@@ -41,10 +41,10 @@ struct ShaftPrediction {
 /// previous one.
 ///
 /// Effects that change the condition of a bearing enter the equilibrium of the sets (see
-/// ShaftBalance). SetFriction gives the friction of each bearing. The position contains no effects
-/// on the reading of a transducer, and the torque none on the reading of a torque sensor:
-/// predict_displacement() and predict_torque() add them. Throws std::invalid_argument for a model
-/// without a shaft and for points that are not finite.
+/// ShaftBalance). SetFriction gives the friction of each bearing. The position does not include
+/// effects on the reading of a transducer, and the torque does not include effects on the reading
+/// of a torque sensor. predict_displacement() and predict_torque() add these effects. Throws
+/// std::invalid_argument for a model without a shaft and for points that are not finite.
 [[nodiscard]] std::vector<ShaftPrediction> predict_shaft(const Model& model,
                                                          std::span<const ShaftPoint> points);
 

@@ -4,7 +4,8 @@
 
 namespace raceway::shaft {
 
-/// Subject for sets on a shaft with measured axial displacement. SetTorqueSubject has their torque.
+/// Subject for sets on a shaft with measured axial displacement. For measured torque, see
+/// SetTorqueSubject.
 class ShaftSubject : public model::ModelSubject {
  public:
   /// Throws std::invalid_argument for a model without a shaft.

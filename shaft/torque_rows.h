@@ -20,14 +20,14 @@ class TorqueRows {
   /// Returns the steps of the model and of the torque reading.
   [[nodiscard]] const Steps& steps() const { return steps_; }
   /// Writes the readings of all rows [N m], like predict_torque(). `model` has the effects and
-  /// temperatures of the previous model. Its other numbers may differ, except those that act before
-  /// the stage `from`.
+  /// temperatures of the previous model. Its other parameters may differ, except parameters that
+  /// act before the stage `from`.
   void predict(const Model& model, std::span<double> readings,
                model::Stage from = model::Stage::entry);
 
  private:
   struct Made {
-    int solved = 0;  ///< number of the equilibrium that the bearings of the row have; 0 for none
+    int solved = 0;  ///< number of the equilibrium of the row's bearings; 0 for none
     std::vector<effects::Condition> conditions{};
   };
   void place(std::size_t row);

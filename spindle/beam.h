@@ -26,8 +26,8 @@ struct BeamElement {
   double density = unset;                     ///< [kg/m³]
 
   [[nodiscard]] double area() const;           ///< [m²]
-  [[nodiscard]] double second_moment() const;  ///< second moment about a diameter [m⁴]
-  /// Returns Φ = 12 E I / (κ G A L²), the share by which shear softens the element [1].
+  [[nodiscard]] double second_moment() const;  ///< second moment of area about a diameter [m⁴]
+  /// Returns Φ = 12 E I / (κ G A L²), the ratio of shear to bending flexibility of the element [1].
   [[nodiscard]] double shear_ratio() const;
 };
 
@@ -69,12 +69,13 @@ struct BeamLoad {
 
 struct BeamMesh {
   double element_length = 5 * mm;  ///< largest length of an element [m]
-  int elements = 0;  ///< least number of elements of the whole shaft; overrides the length
+  int elements = 0;  ///< smallest number of elements of the whole shaft; overrides the length
 };
 
 /// Shaft made of Timoshenko elements, with s from the nose to the rear. Isotropic parts have one
-/// matrix for both planes; in the complex variable v + i w the size is halved. Supports of the body
-/// are part of the beam. Bearings are not: their springs are arguments of each calculation.
+/// matrix for both planes. The complex variable v + i w halves the number of unknowns. Supports of
+/// the body are part of the beam. Bearings are not: their springs are arguments of each
+/// calculation.
 class Beam {
  public:
   /// Places nodes at changes of section, disks, supports and `places` [m]. Throws
@@ -121,14 +122,14 @@ struct Deflection {
   Eigen::VectorXd shape;  ///< (v, θ) of all nodes [m, rad]
 };
 
-/// Solves K q = f with springs at `places`, each of which is a node. The result is exact at the
+/// Solves K q = f with springs at `places`. Each place must be a node. The result is exact at the
 /// nodes.
 [[nodiscard]] Deflection deflect(const Beam& beam, std::span<const double> places,
                                  std::span<const PlaneSpring> springs,
                                  std::span<const BeamLoad> loads);
 
-/// Beam condensed onto a few nodes in one plane: stiffness for their (v, θ), with all other nodes
-/// eliminated (exact in statics).
+/// Beam condensed onto a few nodes in one plane. It has the stiffness for (v, θ) of these nodes;
+/// all other nodes are eliminated, which is exact in statics.
 class CondensedBeam {
  public:
   CondensedBeam(const Beam& beam, std::vector<std::size_t> nodes);

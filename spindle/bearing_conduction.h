@@ -15,8 +15,8 @@ namespace raceway::spindle {
 ///   G = 1650 Z D²      Z D² [m²]
 ///
 /// Source:   590 Z D² sqrt(7 + ln(ω d_m/(2000 D))) of [Schaefer1993] as implemented in the open
-///           program Thermca, evaluated at n d_m = 500 000 mm/min. The value includes the contacts,
-///           about a tenth of it.
+///           program Thermca, evaluated at n d_m = 500 000 mm/min. The value includes the
+///           conductance of the contacts, which is about a tenth of it.
 /// Domain:   balls of 5 to 22 mm; within 12 % of the formula for n d_m from 200 000 to 2 000 000.
 /// Accuracy: unknown. For a 7014 bearing, the contact model of [Jungnickel2010] in the same program
 ///           gives 0.6 W/K, and this formula gives 4.7 W/K. The larger value agrees with the rule
@@ -42,8 +42,8 @@ namespace raceway::spindle {
 /// Source:   constriction_resistance() with Hertz's semi-axes; the resistance of the ball itself is
 ///           neglected.
 /// Domain:   loads >= 0; the conductance is zero if a ball touches only one race.
-/// Accuracy: dry and at rest. Oil film, lubricant and rolling balls conduct several times as much;
-///           model::Spindle::lubricant_conductance is added for them.
+/// Accuracy: for a dry bearing at rest. Oil film, lubricant and rolling balls conduct several times
+///           as much; add model::Spindle::lubricant_conductance for them.
 class BallConduction {
  public:
   /// Arguments are conductivities [W/(m K)].

@@ -9,8 +9,8 @@ namespace raceway::spindle {
 
 /// Solves A T = r, A = capacity_factor C + G, for the temperatures of all bodies.
 ///
-/// A = L D Lᵀ, with the bodies in an elimination order of little fill that is found once. Forward
-/// and back substitution are separate, because
+/// A = L D Lᵀ, with the bodies in an elimination order with little fill. The order is found once.
+/// Forward and back substitution are separate, because
 ///
 ///   uᵀ A⁻¹ r = (L⁻¹ u)ᵀ D⁻¹ (L⁻¹ r)
 ///
@@ -18,26 +18,26 @@ namespace raceway::spindle {
 /// Accuracy: rounding; the matrix is diagonally dominant.
 class ConductanceSolver {
  public:
-  /// `paths` may change its conductances afterwards, and nothing else.
+  /// Afterwards, only the conductances of `paths` may change.
   explicit ConductanceSolver(const HeatPaths& paths);
-  /// False where A is not positive definite: heat has no way out.
+  /// Returns false if A is not positive definite, which means that heat cannot leave.
   [[nodiscard]] bool factorise(const HeatPaths& paths, double capacity_factor);
   [[nodiscard]] Vector solve(const Vector& right) const {
     return second_half(first_half(in_order(right)));
   }
 
-  /// Right sides with their bodies in the order of elimination.
+  /// Returns right sides with the bodies in the order of elimination.
   template <typename Right>
   [[nodiscard]] Right in_order(const Right& right) const {
     return order_ * right;
   }
-  /// L⁻¹ r, column by column.
+  /// Returns L⁻¹ r, column by column.
   template <typename Right>
   [[nodiscard]] Right first_half(Right in_order) const {
     ldlt_.matrixL().solveInPlace(in_order);
     return in_order;
   }
-  /// A⁻¹ r of L⁻¹ r.
+  /// Returns A⁻¹ r from L⁻¹ r.
   [[nodiscard]] Vector second_half(const Vector& first) const {
     Vector in_order = inverse_.cwiseProduct(first);
     ldlt_.matrixU().solveInPlace(in_order);
@@ -47,7 +47,7 @@ class ConductanceSolver {
   [[nodiscard]] const Vector& inverse() const { return inverse_; }
 
  private:
-  /// Places in the matrix that a link adds to.
+  /// Places in the matrix to which a link adds its conductance.
   struct LinkPlaces {
     Eigen::Index first, second, off;
   };

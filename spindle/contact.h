@@ -49,7 +49,7 @@ struct RoughContact {
 inline constexpr double gap_conductivity = 0.027;
 
 /// Returns the conductance of the air between rough surfaces [W/(m² K)], λ/(3 Ra + gap). It remains
-/// when a seat becomes loose. `gap` is the distance of the mean planes beyond the roughness; >= 0
+/// when a seat becomes loose. `gap` is the distance of the mean planes minus the roughness, >= 0
 /// [m].
 [[nodiscard]] inline double gas_gap(double roughness, double gap,
                                     double conductivity = gap_conductivity) {

@@ -19,9 +19,9 @@ enum class NewtonStatus { converged, no_balance, diverged };
 ///
 ///   F A⁻¹ r = Φᵀ D⁻¹ L⁻¹ r,   M = Φᵀ D⁻¹ Π
 ///
-/// need only forward substitutions; only T needs a back substitution. dy/ds is kept between time
-/// steps, updated after each Newton step (Broyden 1965), and computed again when convergence is
-/// slow.
+/// need only forward substitutions; only T needs a back substitution. The solver keeps dy/ds
+/// between time steps, updates it after each Newton step (Broyden 1965), and computes it again when
+/// convergence is slow.
 class CoupledNewton {
  public:
   CoupledNewton(const HeatPaths& paths, BearingCoupling* coupling);
@@ -36,7 +36,7 @@ class CoupledNewton {
   /// Drops the derivatives; call it after a change of the inputs of the sets.
   void forget_derivatives() { known_ = false; }
   /// Returns the largest real gain of the loop heat -> temperature -> preload -> heat at the last
-  /// solution. At a gain of 1 the spindle runs away thermally.
+  /// solution. At a gain of 1, thermal runaway begins.
   [[nodiscard]] double gain(const Vector& felt, const Vector& given);
 
  private:

@@ -20,8 +20,8 @@ struct DrawnRun {
 [[nodiscard]] DrawnRun drawn_run(Simulator& simulator, std::span<const ProfileRow> profile,
                                  const State* start, const Run& run, std::size_t states = 12);
 
-/// Adds the early end of a run as its last moment, and as an additional row of the programme if it
-/// is after the last completed row. A run without an early end is unchanged.
+/// Adds the early end of a run as its last moment. If the end is after the last completed row, it
+/// also becomes an additional row of the programme. A run without an early end is unchanged.
 void add_end(Simulator& simulator, std::vector<ProfileRow>& profile, const State* start, Run& run);
 
 }  // namespace raceway::spindle

@@ -7,8 +7,8 @@
 #include "record/units.h"
 
 /// Computes heat transfer between solids and flowing fluids. Each function is one correlation and
-/// returns a conductance in W/(m² K). The two temperatures of a difference may be equal; results
-/// are then neither NaN nor negative.
+/// returns a conductance in W/(m² K). If two temperatures are equal, the results are still finite
+/// and not negative.
 namespace raceway::spindle {
 
 /// Properties of a fluid at one temperature.
@@ -138,13 +138,13 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
   return root * root * 0.5 * (inner_radius + outer_radius) * gap * gap * gap;
 }
 
-/// Returns the conductance of that gap from surface to surface [W/(m² K)], relative to the area at
-/// the mean radius.
+/// Returns the conductance of the gap between a rotating and a fixed cylinder, from surface to
+/// surface [W/(m² K)], relative to the area at the mean radius.
 ///
 ///   h = Nu λ/(2 δ);   Nu = 2,   0.128 Ta^0.367 above 1700,   0.409 Ta^0.241 above 1e4
 ///
 /// Source:   Becker and Kaye (J Heat Transfer 84, 1962, p. 97). Nu is defined with 2 δ and the
-///           temperatures of both surfaces. Programs that use λ/δ double the conductance.
+///           temperatures of both surfaces. A program that uses λ/δ doubles the conductance.
 /// Domain:   no axial flow. The published pieces have a step of 2 % at 1700 and of 0.2 % at 1e4.
 ///           Here they are joined where they intersect, at 1790 and 1.01e4, because a step could
 ///           stop an iteration.
@@ -241,9 +241,9 @@ struct Channel {
           .length = turns * std::hypot(pi * c.diameter, c.pitch)};
 }
 
-/// Returns the film of a coolant at its mean temperature [W/(m² K)], for the flow or, if it is off,
-/// for the standing fluid. Standing fluid conducts heat too, so the film never falls below that
-/// value.
+/// Returns the film of a coolant at its mean temperature [W/(m² K)], for the flow or, if the
+/// coolant is off, for the standing fluid. The film never falls below the value of the standing
+/// fluid, because standing fluid also conducts heat.
 [[nodiscard]] inline double coolant_film(const model::Coolant& c, double temperature, bool on) {
   if (!on || !(c.flow > 0.0)) return c.stagnant;
   return std::max(c.stagnant, channel_of(c).film(c.flow, fluid_properties(c.fluid, temperature)));

@@ -11,7 +11,7 @@ namespace raceway::spindle {
 
 /// Thermal state of a spindle, with time steps and steady states.
 ///
-/// The model is a mesh of cells with the sets, or a network of bodies only.
+/// The model is a mesh of cells together with the sets, or a network of bodies without sets.
 class HeatFlow {
  public:
   HeatFlow(const model::Model& model, const effects::SpindleCondition& condition,
@@ -23,8 +23,8 @@ class HeatFlow {
   struct Step {
     Status status = Status::not_run;
     Vector rate_before, rate_after;  ///< dT/dt [K/s]
-    double error = 0.0;  ///< from the embedded method, largest of all bodies; 0 if not asked [K]
-    double energy_error = unset;  ///< stored heat minus supplied heat, over the turnover [1]
+    double error = 0.0;  ///< of the embedded method, largest of all bodies; 0 if not requested [K]
+    double energy_error = unset;  ///< stored heat minus supplied heat, relative to the turnover [1]
     std::array<double, reservoirs> out_before{}, out_after{};  ///< [W]
   };
 
@@ -34,8 +34,8 @@ class HeatFlow {
   /// Sets the inputs of the sets. Returns false if the sets have no equilibrium.
   [[nodiscard]] bool set_inputs(const Inputs& inputs);
   /// Advances by dt [s] under `inputs`, whose speed and loads must equal those of set_inputs().
-  /// Films, seats, and the bearing loads from radial loads on the shaft are taken at `films`. The
-  /// state changes only if the status is `converged`.
+  /// Films, seats, and the bearing loads from radial loads on the shaft are computed at the
+  /// temperatures `films`. The state changes only if the status is `converged`.
   [[nodiscard]] Step advance(const Inputs& inputs, double machine_rise, double dt,
                              const Vector& films, bool asks_for_error);
   /// Finds the steady state under these inputs. `iterations` counts the updates of films and seats.

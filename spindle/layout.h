@@ -42,7 +42,7 @@ struct BearingPlace {
 };
 
 /// Side face of a ring that a clamping force presses against its neighbour: a shoulder, a spacer or
-/// another ring, whose front face it then is too.
+/// another ring. Between two rings, the rear face of one is also the front face of the other.
 struct ClampedFace {
   int bearing = -1;      ///< index of the ring in Layout::bearings
   bool inner = true;     ///< true: inner ring
@@ -56,7 +56,7 @@ struct Layout {
   Mesh mesh;
   std::vector<BearingPlace> bearings;  ///< order as in model::rings_of()
   Joints shoulders, collars;
-  Joints clamped;  ///< spacers between rings without a clamping force: no contact resistance
+  Joints clamped;  ///< spacers between rings without clamping force or contact resistance
   std::vector<ClampedFace> faces;  ///< faces with a clamping force, not in the groups above
   Joints housing_cylinder, housing_ends, nose, rear, flange;
   Joints gap;
@@ -72,7 +72,7 @@ struct Layout {
     return mesh.cells[static_cast<std::size_t>(seat.front().cell)].material;
   }
   /// Returns the weights of a source between two planes, by volume. With a radius, only cells at
-  /// this radius are used. If no cell is there, the nearest one is used.
+  /// this radius are used. If there is no cell, the nearest cell is used.
   [[nodiscard]] Shares source(Body body, double from, double to, double radius = unset) const;
 };
 
@@ -80,7 +80,7 @@ struct Layout {
 /// name, value with unit and allowed range.
 [[nodiscard]] Layout make_layout(const model::Model& model, model::Cells cells);
 
-/// Returns shaft and housing as regions, before they are cut into cells.
+/// Returns shaft and housing as regions, before their division into cells.
 [[nodiscard]] std::vector<Region> regions_of(const model::Model& model);
 
 }  // namespace raceway::spindle

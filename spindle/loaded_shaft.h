@@ -45,7 +45,7 @@ struct LoadedShaft {
   double front_force = unset, rear_force = unset;  ///< axial forces, summed over each side [N]
   Eigen::VectorXd y, z;                            ///< (v, θ) of all nodes in both planes
   /// Values in the frame of each bearing, with +x in the direction in which its inner ring is
-  /// pressed: loads on the ring, and balls with displacement and tangent stiffness.
+  /// pressed: loads on the ring, and the balls with displacement and tangent stiffness.
   std::vector<bearing::Vector5> loads;
   std::vector<bearing::BearingEquilibrium> bearings;
   /// State of the roller bearings, in a frame with x to the rear. `load` is the load from the
@@ -58,12 +58,12 @@ class ShaftBalance5;
 
 /// Elastic shaft on all its bearings, under loads at any places. It solves the problem of
 /// solve_loaded_shaft() repeatedly for different conditions, each starting from the previous
-/// solution. Several threads must not use one object at once.
+/// solution. Several threads must not use one object simultaneously.
 class ShaftOnBearings {
  public:
-  /// Bearings and loads are at nodes of the beam, which is not needed after construction. Throws
-  /// std::invalid_argument if a node is missing, or if the number of places differs from the number
-  /// of bearings.
+  /// Bearings and loads must be at nodes of the beam. The beam is not needed after construction.
+  /// Throws std::invalid_argument if a node is missing, or if the number of places differs from the
+  /// number of bearings.
   ShaftOnBearings(const Beam& beam, ShaftBearings held, std::span<const double> load_places);
   ShaftOnBearings(ShaftOnBearings&&) noexcept;
   ~ShaftOnBearings();

@@ -35,12 +35,13 @@ struct RoundPart {
 ///             σθ = c (a² + b² + a² b²/r² - (1 + 2ν)/(3 - 2ν) r²)
 ///             σz = ρ ω² ν/(2 (1 - ν)) ((a² + b²)/2 - r²)
 ///
-/// with a < r < b. The sum is exact, because the axial stress without resultant does not change the
-/// growth of the surfaces in press_fit().
+/// with a < r < b. The superposition is exact, because an axial stress without a resultant does not
+/// change the growth of the surfaces in press_fit().
 /// Source:   Timoshenko and Goodier, Theory of Elasticity, 3rd ed., art. 150 to 152 (heat), Lamé
 ///           (fit), the rotating disc in plane strain (rotation).
 /// Domain:   places several wall thicknesses away from ends, steps and grooves of the part.
-/// Accuracy: exact to rounding for a wall with steady heat flow; else as the temperatures.
+/// Accuracy: exact to rounding for a wall with steady heat flow; otherwise limited by the
+///           temperatures.
 [[nodiscard]] std::vector<Stress> stresses_of(const RoundPart& part);
 
 }  // namespace raceway::spindle

@@ -25,7 +25,8 @@ struct PowerLaw {
   [[nodiscard]] double operator()(double power) const;
 };
 
-/// Curve of cubics through points that turns only at points; outside, the end values are used.
+/// Curve of cubics through points. It has maxima and minima only at the points. Outside, the end
+/// values are used.
 ///
 /// Source:   [FritschCarlson1980].
 class MonotoneCurve {
@@ -50,12 +51,13 @@ struct LagAt {
 /// Laws K(P) and T(P). All values are NaN for fewer than two powers.
 ///
 /// Source:   lines from [Brecher2021, eq. 8 and 9].
-/// Traps:    a line is only a chord. Its K(0) has no physical meaning, and its T may reach zero.
+/// Traps:    a line is only a chord of the true curve. K(0) of a line has no physical meaning, and
+///           T of a line may reach zero.
 struct PowerLaws {
   StraightLine gain_line = {}, time_line = {};  ///< [m/W], [m]; [s/W], [s]
   PowerLaw gain_power = {}, time_power = {};    ///< NaN if values differ in sign
-  /// Range of P in which both lines have the same sign as between the points [W]; infinite limits
-  /// if the sign never changes.
+  /// Range of P in which both lines have the same sign as between the points [W]; the limits are
+  /// infinite if the sign never changes.
   double valid_from = unset, valid_to = unset;
 };
 

@@ -18,7 +18,7 @@ struct PressedPart {
 /// State of a press fit.
 struct PressFit {
   double pressure = 0.0;  ///< [Pa], >= 0
-  /// diametral, at speed and temperature; negative: loose [m]
+  /// diametral interference at speed and temperature; negative: loose [m]
   double effective_interference = unset;
   double gap = 0.0;                    ///< radial gap of a loose seat [m], >= 0
   double outer_radius_growth = unset;  ///< growth of the outer surface of the outer part [m]
@@ -29,7 +29,7 @@ struct PressFit {
 /// Returns the growth by rotation of the outer or inner surface of a ring, with both surfaces free
 /// of stress [m].
 ///
-///   u(r2) = ρ ω² r2/(4 E) ((1 - ν) r2² + (3 + ν) r1²);   u(r1): exchange r1 and r2
+///   u(r2) = ρ ω² r2/(4 E) ((1 - ν) r2² + (3 + ν) r1²);   for u(r1), exchange r1 and r2
 ///
 /// Source:   plane stress of a rotating disc with a hole, derived.
 /// Domain:   r1 >= 0.
@@ -45,8 +45,8 @@ struct PressFit {
 ///   p = (δ/2)/(b (c_i/E_i + c_o/E_o)),   δ = δ0 + 2 (u_i - u_o) + 2 b (α_i T_i - α_o T_o)
 ///   c_i = (b² + a²)/(b² - a²) - ν_i,   c_o = (c² + b²)/(c² - b²) + ν_o,   radii a < b < c
 ///
-/// u is growth_by_rotation() of each part alone. δ0 is the diametral interference as mounted and at
-/// standstill, negative for a clearance.
+/// u is growth_by_rotation() of each separate part. δ0 is the diametral interference as mounted and
+/// at standstill, negative for a clearance.
 /// Source:   Lamé, plane stress; a radial finite element agrees to 1e-7.
 /// Domain:   a loose seat has no pressure and does not deform either part. Each part has a uniform
 ///           temperature and one section along the axis.

@@ -14,7 +14,7 @@ namespace raceway::spindle {
 
 /// The sets of a spindle at one speed, prepared for the beam.
 struct SetsAtSpeed {
-  Status status = Status::not_run;  ///< no_equilibrium if the sets or a bearing have none
+  Status status = Status::not_run;  ///< no_equilibrium if the sets or a bearing have no equilibrium
   std::string message = {};
   bearing::ArrangementCondition condition = {};  ///< includes growth by speed and, if warm, by heat
   bearing::ArrangementEquilibrium equilibrium = {};
@@ -26,7 +26,7 @@ struct SetsAtSpeed {
 
 /// Preload and stiffness of a spindle's sets at several speeds. Cold sets have the mounting
 /// temperature. Warm sets have the ring temperatures of the spindle at steady state. Several
-/// threads must not use one object at once.
+/// threads must not use one object simultaneously.
 class SetsOfSpindle {
  public:
   /// Throws std::invalid_argument like Simulator and WarmSets.

@@ -25,7 +25,7 @@ enum class Status { not_run, converged, no_equilibrium, thermal_runaway, step_li
 /// Returns the status as a readable sentence.
 [[nodiscard]] std::string_view words(Status status);
 
-/// Operating conditions of a spindle. NaN means the value of the model.
+/// Operating conditions of a spindle. For NaN, the value of the model is used.
 struct Inputs {
   double speed = 0.0;                  ///< [rad/s], >= 0
   double ambient_temperature = unset;  ///< [K]
@@ -35,7 +35,8 @@ struct Inputs {
   double motor_power = unset;          ///< electrical input of the motor [W]
   double axial_load = 0.0;             ///< load at the nose, positive towards the tool [N]
   double radial_load = 0.0;            ///< load at the nose in the direction of y [N]
-  /// Moment at the nose in the plane of y, positive like a force further forward [N m].
+  /// Moment at the nose in the plane of y [N m]. A positive moment has the direction of the moment
+  /// of a positive force in front of the nose.
   double moment = 0.0;
   double belt_force = unset;  ///< [N]
   bool coolant_on = true;
@@ -80,7 +81,8 @@ struct CircuitState {
 /// State of a spindle at one moment.
 struct Moment {
   double time = unset;          ///< [s]
-  double displacement = unset;  ///< nose face relative to the flange, positive towards the tool [m]
+  double displacement = unset;  ///< displacement of the nose face relative to the flange, positive
+                                ///< towards the tool [m]
   double kinematic_displacement = unset;  ///< displacement of the cold sets alone at that speed [m]
   double set_position = unset;            ///< position of the front set from its equilibrium [m]
   double elongation = unset;              ///< shaft relative to the housing between the sets [m]
@@ -108,7 +110,7 @@ struct State {
 struct Report {
   Status status = Status::not_run;
   int steps = 0, rejected = 0;
-  /// stored heat minus supplied heat over the turnover, worst step [1]
+  /// stored heat minus supplied heat, relative to the turnover; worst step [1]
   double energy_error = unset;
   std::string message = {};  ///< place and reason of an early end
   [[nodiscard]] bool converged() const { return status == Status::converged; }
@@ -183,7 +185,7 @@ struct SectionStress {
 };
 
 /// A spindle prepared for simulation: cells, conductances and mounted sets. Several threads must
-/// not use one object at once; copies are cheap.
+/// not use one object simultaneously; copies are cheap.
 class Simulator {
  public:
   /// Includes the effects that the model has switched on. Throws std::invalid_argument for a model
@@ -197,12 +199,12 @@ class Simulator {
   ~Simulator();
 
   /// Sets a flag that is checked before every step: when it becomes true, simulate() and steady()
-  /// throw fit::Cancelled. Copies of this object check it too. Null switches the check off.
+  /// throw fit::Cancelled. Copies of this object also check the flag. Null switches the check off.
   void stop_on(const std::atomic<bool>* cancelled);
   /// Simulates from `start` or, without it, from the ambient temperature in all cells. `step_ends`
-  /// fixes the ends of all steps, taken from another run of this programme. In a fit, step sizes
-  /// then do not change with the parameters. `keep` lists rising times [s]. For each, the state at
-  /// the end of the first step that reaches it is kept.
+  /// gives the ends of all steps, from another run of this programme. With it, step sizes do not
+  /// change with the parameters of a fit. `keep` lists increasing times [s]. For each time, the
+  /// result has the state at the end of the first step that reaches the time.
   [[nodiscard]] Run simulate(std::span<const ProfileRow> profile, const State* start = nullptr,
                              std::span<const double> step_ends = {},
                              std::span<const double> keep = {});
@@ -214,8 +216,8 @@ class Simulator {
   [[nodiscard]] const bearing::ArrangementEquilibrium* sets() const;
   /// Returns the sets as mounted; null for a network.
   [[nodiscard]] const bearing::Arrangement* arrangement() const;
-  /// Returns the bent shaft of the last call, on which the bearing friction is based. Null for a
-  /// network, and for a shaft without radial loads and roller bearings.
+  /// Returns the bent shaft of the last call. The bearing friction is based on it. The result is
+  /// null for a network, and for a shaft without radial loads and roller bearings.
   [[nodiscard]] const LoadedShaft* shaft() const;
   /// Returns the conditions of the sets of the last call; null for a network.
   [[nodiscard]] const bearing::ArrangementCondition* sets_condition() const;
@@ -224,11 +226,11 @@ class Simulator {
   [[nodiscard]] std::vector<SeatsOfBearing> seats() const;
   /// Returns joints and surfaces at the end of the last call; empty for a network.
   [[nodiscard]] std::vector<SurfaceState> surfaces() const;
-  /// Returns the displacement along the shaft, from nose to rear end, at the end of the last call,
-  /// whose result was `moment`; empty for a network.
+  /// Returns the displacement along the shaft, from nose to rear end, at the end of the last call.
+  /// `moment` must be the result of that call. Empty for a network.
   [[nodiscard]] std::vector<ShaftPlace> along_shaft(const Moment& moment) const;
-  /// Returns the stresses of shaft and rings at the end of the last call, which had this speed;
-  /// empty for a network.
+  /// Returns the stresses of shaft and rings at the end of the last call, which must have had this
+  /// speed. Empty for a network.
   [[nodiscard]] std::vector<SectionStress> stresses(double speed) const;
   [[nodiscard]] std::vector<FieldCell> field(const State& state) const;
   [[nodiscard]] std::size_t cells() const;

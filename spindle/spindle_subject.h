@@ -5,25 +5,25 @@
 namespace raceway::spindle {
 
 /// Subject for a spindle with axial displacement and temperatures measured over time. Every channel
-/// is weighted by its noise and by the accuracy expected of such a model.
+/// is weighted by its noise and by the expected accuracy of a spindle model.
 class SpindleSubject : public model::ModelSubject {
  public:
   /// Throws std::invalid_argument for a model without a spindle.
   explicit SpindleSubject(const model::Model& model);
 
-  /// Returns the displacement of the nose, then a temperature for each sensor of the model, in its
-  /// order.
+  /// Returns the displacement of the nose, then a temperature for each sensor, in the order of the
+  /// model.
   [[nodiscard]] std::vector<fit::Measured> measured() const override;
   /// Requires a time that rises within every run, a speed, and at least one measured channel.
   void require(const fit::Record& record) const override;
   [[nodiscard]] bool has_memory() const override { return true; }
   [[nodiscard]] bool approximates() const override { return true; }
   [[nodiscard]] bool is_costly() const override { return true; }
-  /// Returns the time steps of the original model, which fits keep.
+  /// Returns the time steps of the original model. Fits use the same steps.
   [[nodiscard]] std::shared_ptr<const void> prepare(const fit::Record& record) const override;
-  /// Simulates every run separately, starting from its ambient temperature. The first run starts
-  /// after a warm-up if its thermometers show one (find_warm_start()). If the displacement was set
-  /// to zero while warm, the fit uses the zero that fits the readings best.
+  /// Simulates every run separately, starting from its ambient temperature. If the thermometers of
+  /// the first run show a warm-up (find_warm_start()), this run starts from the warm state. If the
+  /// displacement was set to zero while warm, the fit uses the zero that fits the readings best.
   [[nodiscard]] std::unique_ptr<fit::Predictor> predictor(
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
@@ -31,7 +31,8 @@ class SpindleSubject : public model::ModelSubject {
   /// Describes the runs of a record that start warm, one sentence each.
   [[nodiscard]] std::vector<std::string> warm_starts(const fit::Record& record) const;
 
-  /// Excludes conditions of rotating sets, because the spindle computes its own temperatures.
+  /// Excludes effects on the condition of rotating sets, because the spindle model computes the
+  /// temperatures.
   [[nodiscard]] std::vector<fit::Candidate> candidates() const override;
   [[nodiscard]] std::vector<std::string> catalogue() const override;
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;

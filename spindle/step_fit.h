@@ -23,8 +23,8 @@ struct StepFit {
   /// The faster lag comes first; NaN if the rows do not determine two different lags.
   Lag fast = {}, slow = {};
   double rms_of_two = unset;  ///< [m]
-  /// True if the residual of one lag exceeds a hundredth of its gain, and two lags leave less than
-  /// half of it.
+  /// True if the residual of one lag exceeds a hundredth of the gain, and the residual of two lags
+  /// is less than half of it.
   bool two_needed = false;
   /// True if the record is longer than two time constants of the single lag. Otherwise, gain and
   /// time constant are extrapolated.
@@ -42,8 +42,9 @@ struct StepFit {
 ///           any order and spacing, with t >= 0 [s]. T is limited to the range from a tenth of the
 ///           first time to thirty times the last.
 /// Accuracy: time constants to 1e-9 if the rows follow the law exactly.
-/// Traps:    subtract the kinematic part from the displacement first, because this instant part
-/// would look like a fast lag. Throws std::invalid_argument for too few rows, for a value that is
+/// Traps:    subtract the kinematic part from the displacement first, because this immediate part
+///           would look like a fast lag. Throws std::invalid_argument for too few rows, for a value
+///           that is
 /// not finite, for a negative time, and if all displacements are zero.
 [[nodiscard]] StepFit fit_step(std::span<const double> time, std::span<const double> displacement);
 
@@ -51,8 +52,8 @@ struct StepFit {
 ///
 ///   u(t) = Σ K_k exp(-t/T_k)
 ///
-/// A delay element needs these time constants at rest. Free gains would split the decay into other
-/// lags than the step before it.
+/// A delay element needs these time constants at rest. With free gains, the lags of the decay would
+/// not correspond to the lags of the step.
 /// Method:   a logarithmic grid that is refined around its best point, from a tenth of the first
 ///           time to thirty times the last.
 /// Accuracy: 1e-6 if the rows follow the law exactly. Throws std::invalid_argument like fit_step(),

@@ -10,19 +10,20 @@
 
 namespace raceway::spindle {
 
-/// Input that steps: the speed of a spindle at rest, or a load at the nose of a rotating spindle.
+/// Input that changes in a step: the speed of a spindle at rest, or a load at the nose of a
+/// rotating spindle.
 enum class Stepped { speed, axial_load, radial_load };
 
 /// Response of a spindle at rest to a step of speed or power at t = 0, or response of a settled,
 /// rotating spindle to a load. Displacements from a load are relative to the settled displacement.
 struct StepResponse {
   Stepped stepped = Stepped::speed;
-  double load = unset;           ///< load that steps [N]; NaN: the speed steps
+  double load = unset;           ///< load after the step [N]; NaN: the speed steps
   std::string load_case = {};    ///< name of an imported load case; empty if simulated
   double speed = unset;          ///< [rad/s]; NaN: only the power is known
   double power_start = unset;    ///< friction loss of all bearings at t = 0 [W]
   double power_end = unset;      ///< friction loss at the end, the power of K(P) and T(P) [W]
-  double kinematic = unset;      ///< instant displacement [m]
+  double kinematic = unset;      ///< immediate displacement [m]
   double end = unset;            ///< displacement at the end minus the kinematic part [m]
   double front_force = unset;    ///< force of the cold front set at that speed [N]
   double highest_force = unset;  ///< largest force of the front set during the step [N]
@@ -38,8 +39,8 @@ struct StepResponse {
 /// it did not converge.
 struct CoolDown {
   StepFit fit = {};  ///< fit to the cooling
-  /// Time constants at P = 0 for the gains of that step [s]: of its single lag, and of its two
-  /// lags.
+  /// Time constants at P = 0 for the gains of the step before the cooling [s]: for the single lag,
+  /// and for the two lags.
   double one = unset, fast = unset, slow = unset;
   [[nodiscard]] bool known() const { return one > 0.0; }
 };
@@ -78,7 +79,7 @@ struct StepOptions {
                                            const StepOptions& options = {});
 
 /// Simulates load steps [N] at each of these speeds [rad/s]. Each step starts from the settled
-/// spindle without the load. One lag is fitted to the displacement after its instant part. The
+/// spindle without the load. One lag is fitted to the displacement after the immediate part. The
 /// power in a response is the total power of all bearings, not the increase by the load.
 ///
 /// Throws std::invalid_argument like step_responses(), and for loads that are 0 or do not rise.
@@ -90,13 +91,14 @@ struct StepOptions {
 /// Returns gain and time constant of each load step that has a fit, over the load.
 [[nodiscard]] std::vector<LagAt> at_loads(const LoadSteps& loads);
 
-/// Returns gain and time constant of each step with a fit, at its final power: for one lag, or for
-/// the faster or slower of two.
+/// Returns gain and time constant of each step with a fit, at its final power: for the single lag,
+/// or for the faster or the slower of two lags.
 enum class WhichLag { one, fast, slow };
 [[nodiscard]] std::vector<LagAt> at_powers(std::span<const StepResponse> steps,
                                            WhichLag which = WhichLag::one);
 
-/// Returns true if one lag does not fit one of the steps and if all steps have two lags.
+/// Returns true if one lag is not enough for at least one step, and two lags were found for all
+/// converged steps.
 [[nodiscard]] bool need_two(std::span<const StepResponse> steps);
 
 }  // namespace raceway::spindle

@@ -39,7 +39,7 @@ class ThermalSystem {
   /// Coolant circuits in the order of model::Spindle::channels().
   struct Circuit {
     model::Coolant channel;
-    int node = -1;  ///< mean of inlet and outlet
+    int node = -1;  ///< node at the mean temperature of inlet and outlet
     Group walls = {};
     std::size_t flow = 0;  ///< outlet of the coolant
   };
@@ -59,7 +59,7 @@ class ThermalSystem {
   [[nodiscard]] double ambient(const Inputs& inputs) const;
   /// Returns the seats after the last update(), bearing by bearing as in Layout.
   [[nodiscard]] const std::vector<SeatsOfBearing>& seats() const { return seats_; }
-  /// Returns all joints and surfaces but the seats of the rings, after the last update().
+  /// Returns all joints and surfaces except the seats of the rings, after the last update().
   [[nodiscard]] std::vector<SurfaceState> surfaces(const Vector& temperatures) const;
   /// Returns the radial heat flow in shaft and rings, without the heat that enters at raceways.
   [[nodiscard]] CylinderHeat through_cylinders(const Vector& temperatures) const;
@@ -77,7 +77,7 @@ class ThermalSystem {
   void update_seats(const Vector& temperatures, double speed);
   void update_room(const Vector& temperatures, double speed);
   void update_coolant(const Vector& temperatures, const Inputs& inputs);
-  /// Cells heated by a source; `share` is the part of the heat in the first cells.
+  /// Cells that a source heats; `share` is the part of the heat in the first group of cells.
   struct HeatedCells {
     Shares first, second;
     double share = 1.0;

@@ -17,8 +17,8 @@ struct RollersAsked {
 /// A cylindrical roller bearing of a spindle at the temperatures of its rings and seats: clearance,
 /// friction heat and conduction.
 ///
-/// The roller loads are kept between two calls of take(), but follow the clearance along its
-/// tangent. Heat and preload therefore interact within a time step too.
+/// Between two calls of take(), the roller loads change only linearly with the clearance. Heat and
+/// preload therefore also interact within a time step.
 class WarmRollers {
  public:
   WarmRollers(const model::Model& model, const model::RollerOnShaft& rollers, const Layout& layout,

@@ -34,9 +34,9 @@ struct BearingHeat {
 /// Sets of a spindle at given ring temperatures: equilibrium, forces and friction heat.
 ///
 /// Each bearing has its own ring temperatures (thermal_shift()); balls and lubricant have the mean
-/// of the rings, as in the test data with a known answer. Friction follows the axial forces of the
-/// warm sets, or of the cold sets at that speed. The contributions of radial loads to forces,
-/// friction and position are kept between two calls of bear().
+/// temperature of the rings, as in the test data with known results. Friction depends on the axial
+/// forces of the warm sets, or of the cold sets at the same speed. The contributions of radial
+/// loads to forces, friction and position are kept between two calls of bear().
 class WarmSets {
  public:
   /// Throws std::invalid_argument if the sets cannot be mounted.
@@ -47,7 +47,8 @@ class WarmSets {
   /// Returns false if the sets have no equilibrium; the state is then unchanged.
   [[nodiscard]] bool solve(const SetsAsked& asked);
   /// Takes the bearing loads of the bent shaft, in addition to the axial loads, at the temperatures
-  /// of the last solve(); null means none. Returns false if a friction value is not finite.
+  /// of the last solve(); null means no such loads. Returns false if a friction value is not
+  /// finite.
   [[nodiscard]] bool bear(const LoadedShaft* bent);
 
   [[nodiscard]] const model::Model& model() const { return model_; }
@@ -67,7 +68,7 @@ class WarmSets {
  private:
   [[nodiscard]] bool find_condition(const bearing::OperatingPoint& point,
                                     shaft::ShaftCondition& condition) const;
-  /// Balls with different loads, and the load on their bearing.
+  /// Balls with unequal loads, and the load on the bearing.
   struct UnevenBalls {
     const bearing::Vector5& load;
     const bearing::BearingEquilibrium& balls;
@@ -76,7 +77,8 @@ class WarmSets {
   [[nodiscard]] BearingHeat heat_of(std::size_t bearing, const SetsAsked& asked,
                                     const bearing::ArrangementEquilibrium& sets,
                                     const UnevenBalls* uneven = nullptr) const;
-  /// Returns `heat` interpolated between contacts in the warm and in the cold sets.
+  /// Returns the heat interpolated between the contacts in the warm sets and those in the cold
+  /// sets.
   [[nodiscard]] BearingHeat heat_of_contacts(std::size_t bearing, double temperature,
                                              const bearing::ArrangementEquilibrium& sets,
                                              const UnevenBalls* uneven, BearingHeat heat) const;

@@ -9,7 +9,8 @@
 
 namespace raceway::spindle {
 
-/// Operation of a spindle before the first row of a run, if its thermometers show that it was warm.
+/// Operation of a spindle before the first row of a run, if the thermometers show that the spindle
+/// was warm.
 struct WarmStart {
   Inputs inputs{};          ///< constant
   double duration = unset;  ///< [s]
@@ -22,17 +23,18 @@ struct WarmStart {
 };
 
 /// Finds the past operation that agrees best with the thermometers in the first row of a run. The
-/// result is empty if they are within 2 K of a cold start, if the record has no ambient
-/// temperature, or if no past halves the error of a cold start.
+/// result is empty if the thermometers are within 2 K of a cold start, if the record has no ambient
+/// temperature, or if no past operation halves the error of a cold start.
 ///
 /// Candidates are constant speeds (of the first row, the mean and the highest) for a quarter of an
-/// hour to eight hours, with the other inputs of the first row. The displacement counts as set to
-/// zero if its first reading is less than a quarter of the displacement after that past.
+/// hour to eight hours, with the other inputs of the first row. The displacement is treated as set
+/// to zero if its first reading is less than a quarter of the displacement after that past
+/// operation.
 [[nodiscard]] std::optional<WarmStart> find_warm_start(const model::Model& model,
                                                        const record::Record& run,
                                                        std::span<const ProfileRow> profile);
 
-/// Returns the state of a spindle after that past, from which the run begins.
+/// Returns the state of a spindle after that past operation. The run begins from this state.
 [[nodiscard]] State state_after(Simulator& simulator, const WarmStart& past,
                                 std::span<const ProfileRow> profile);
 

@@ -6,9 +6,9 @@
 /// Decompositions of matrices of any size.
 ///
 /// Eigen's decompositions are templates that take many seconds to compile. This folder compiles
-/// them once, for matrices of double, and other files call functions. A function returns exactly
-/// what Eigen's class for its method returns. Files that decompose matrices of a fixed size, or
-/// sparse ones, use Eigen directly.
+/// them once, for matrices of double, and other files call functions. Each function returns exactly
+/// the result of Eigen's class for its method. Files that decompose sparse matrices or matrices of
+/// a fixed size use Eigen directly.
 namespace raceway::algebra {
 
 /// Solution x of min |b - A x|, by QR with column pivoting. A: m × n, b: m, x: n.
@@ -25,13 +25,13 @@ namespace raceway::algebra {
 /// Pseudoinverse of A, by a complete orthogonal decomposition. A: m × n, result: n × m.
 [[nodiscard]] Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& A);
 
-/// Solution x of A x = b for a symmetric, semidefinite A, by L D Lᵀ. A: n × n, its lower triangle
-/// is read.
+/// Solution x of A x = b for a symmetric, semidefinite A, by L D Lᵀ. A: n × n; only the lower
+/// triangle is read.
 ///
 /// SymmetricSolver solves for several b.
 [[nodiscard]] Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 
-/// Inverse of a symmetric, definite A, by L D Lᵀ. A: n × n, its lower triangle is read.
+/// Inverse of a symmetric, definite A, by L D Lᵀ. A: n × n; only the lower triangle is read.
 [[nodiscard]] Eigen::MatrixXd symmetric_inverse(const Eigen::MatrixXd& A);
 
 /// Solution x of A x = b for a regular A, by LU with partial pivoting. A: n × n.
@@ -45,7 +45,7 @@ namespace raceway::algebra {
 /// Inverse of the lower triangular L in A = L Lᵀ. A: n × n, symmetric and positive definite.
 [[nodiscard]] Eigen::MatrixXd inverse_lower_root(const Eigen::MatrixXd& A);
 
-/// Eigenvalues of a general A: n × n, in no order; complex ones in conjugate pairs.
+/// Eigenvalues of a general A: n × n. They have no order; complex eigenvalues form conjugate pairs.
 [[nodiscard]] Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& A);
 
 /// Decomposition A = V diag(values) Vᵀ.
@@ -54,10 +54,10 @@ struct SymmetricEigen {
   Eigen::MatrixXd vectors;  ///< V: n × n, a unit vector in each column
 };
 
-/// Eigenvalues and eigenvectors of a symmetric A: n × n, its lower triangle is read.
+/// Eigenvalues and eigenvectors of a symmetric A: n × n; only the lower triangle is read.
 [[nodiscard]] SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& A);
 
-/// Singular values of A: m × n, descending; min(m, n) of them.
+/// The min(m, n) singular values of A: m × n, descending.
 [[nodiscard]] Eigen::VectorXd singular_values(const Eigen::MatrixXd& A);
 
 /// Decomposition A = U diag(values) Vᵀ with k = min(m, n) singular values.
@@ -77,19 +77,20 @@ struct RightSvd {
 };
 
 /// Singular values and right singular vectors of A: m × n, from the R of A = Q R, which is small
-/// where A has many rows.
+/// even if A has many rows.
 [[nodiscard]] RightSvd right_svd(const Eigen::MatrixXd& A);
 
 /// Replaces A: m × n by the R of A = Q R, without a copy. The entries below the diagonal are
 /// Householder vectors, not zeros.
 void reduce_to_triangle(Eigen::MatrixXd& A);
 
-/// Decomposition A P = Q R of A: m × n. P orders the columns by what each adds to those before it.
+/// Decomposition A P = Q R of A: m × n. P orders the columns so that each next column adds most to
+/// the previous ones.
 class PivotedQr {
  public:
   explicit PivotedQr(const Eigen::MatrixXd& A);
-  /// The rank counts pivots |R_kk| above `threshold` times the largest one [1]. Without a
-  /// threshold: above rounding.
+  /// The rank is the number of pivots |R_kk| above `threshold` times the largest pivot [1]. Without
+  /// a threshold, it is the number of pivots above rounding.
   PivotedQr(const Eigen::MatrixXd& A, double threshold);
 
   [[nodiscard]] Eigen::Index rank() const;
@@ -124,7 +125,7 @@ class HouseholderQr {
   std::shared_ptr<const Eigen::HouseholderQR<Eigen::MatrixXd>> qr_;
 };
 
-/// Decomposition A = L D Lᵀ of a symmetric, semidefinite A: n × n. Its lower triangle is read.
+/// Decomposition A = L D Lᵀ of a symmetric, semidefinite A: n × n; only the lower triangle is read.
 class SymmetricSolver {
  public:
   explicit SymmetricSolver(const Eigen::MatrixXd& A);
@@ -136,14 +137,15 @@ class SymmetricSolver {
   std::shared_ptr<const Eigen::LDLT<Eigen::MatrixXd>> ldlt_;
 };
 
-/// Decomposition A = L Lᵀ of a symmetric, positive definite A: n × n. Its lower triangle is read.
+/// Decomposition A = L Lᵀ of a symmetric, positive definite A: n × n; only the lower triangle is
+/// read.
 class LowerRoot {
  public:
   explicit LowerRoot(const Eigen::MatrixXd& A);
 
   /// L⁻¹ b.
   [[nodiscard]] Eigen::VectorXd solve_root(const Eigen::VectorXd& b) const;
-  /// ln det A. Meaningless where A is not positive definite.
+  /// ln det A. Meaningless if A is not positive definite.
   [[nodiscard]] double log_determinant() const;
 
  private:

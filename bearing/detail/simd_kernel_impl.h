@@ -61,13 +61,13 @@ class KernelRun {
     }
   }
 
-  /// Each lane works on one point; when it is done, the next point takes the lane.
+  /// Each lane solves one point. When the point is finished, the lane begins the next point.
   void iterate() {
     constexpr int most_steps = 40;
     const NewtonLimits limits{.tolerance = call_.tolerance, .steps = most_steps};
     std::size_t next = 0, working = 0;
     for (std::size_t i = 0; i < width; ++i) {
-      // A lane without work repeats some point.
+      // A lane without work repeats any point.
       copy_lanes(memory_.newton.point, i, call_.blocks[0].points, 0);
       point_of_[i] = none;
       working += begin(i, next);
@@ -87,7 +87,7 @@ class KernelRun {
     }
   }
 
-  /// Gives lane i the next point that has a start; false if there is none.
+  /// Gives lane i the next point that has a start. Returns false if no such point is left.
   bool begin(std::size_t i, std::size_t& next) {
     RingNewton<T>& newton = memory_.newton;
     while (next < call_.count) {

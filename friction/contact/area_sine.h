@@ -6,15 +6,15 @@
 
 namespace raceway::friction::contact {
 
-/// asinh(x) for x >= 0 to 1e-15 relative, without a branch or a call, so that a compiler can make
-/// several at once: log(1 + t) with t = x + x²/(1 + sqrt(1 + x²)), computed as 2 atanh(s) of the
+/// asinh(x) for x >= 0 to 1e-15 relative. It has no branch and no call, so that a compiler can
+/// vectorize it. It is log(1 + t) with t = x + x²/(1 + sqrt(1 + x²)), computed as 2 atanh(s) of the
 /// mantissa. `length` = sqrt(1 + x²). Used by slip_forces.cpp; film_traction.cpp has its own vector
 /// version.
 [[gnu::always_inline]] inline double area_sine(double x, double length) {
   const double t = x + x * x / (1.0 + length);
   const auto bits = std::bit_cast<std::uint64_t>(1.0 + t);
   constexpr std::uint64_t mantissa = 0x000fffffffffffff, one = 0x3ff0000000000000;
-  constexpr std::uint64_t whole = 0x4330000000000000;  // 2^52, whose last digits count units
+  constexpr std::uint64_t whole = 0x4330000000000000;  // 2^52; its last digit has the value 1
   const double m = std::bit_cast<double>((bits & mantissa) | one);
   const double exponent =
       std::bit_cast<double>((bits >> 52) | whole) - (4503599627370496.0 + 1023.0);

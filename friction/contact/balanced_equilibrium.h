@@ -18,8 +18,8 @@ class TurningBalls {
       : attitudes_of_(bearing, speed, oil, law), bearing_(&bearing), speed_(speed) {}
 
   /// Computes the rotation of the distinct balls under these forces, starting from the last
-  /// attitudes. Returns false if a ball has no attitude; `status()` gives the reason. `ball_scale`:
-  /// load on a ball [N].
+  /// attitudes. Returns false if a ball has no attitude; `status()` gives the reason. `ball_scale`
+  /// is a typical load on a ball [N].
   [[nodiscard]] bool turn(std::span<const bearing::BallEquilibrium> balls, double ball_scale);
   /// True if the rotations equal those used to find the forces.
   [[nodiscard]] bool settled() const;
@@ -38,15 +38,15 @@ class TurningBalls {
   std::vector<BallAttitude> attitudes_;
   std::vector<bearing::GivenRotation> rotations_;
   double change_ = 0.0, films_ = 0.0;
-  /// Share of the step towards the rotations found. Smaller if forces and rotations oscillate.
+  /// Share of the step towards the new rotations. It is reduced if forces and rotations oscillate.
   double share_ = 1.0, last_change_ = std::numeric_limits<double>::infinity();
   bearing::SolveStatus status_ = bearing::SolveStatus::not_run;
 };
 
-/// Equilibrium of a bearing whose balls rotate as contact traction requires, without race control.
-/// Only `report` is set unless the solve converged.
+/// Equilibrium of a bearing whose balls rotate in equilibrium with contact traction, without race
+/// control. Only `report` is set unless the solve converged.
 struct BalancedEquilibrium {
-  /// Equilibrium, with `rotations`. Its report counts the Newton steps of all passes and gives the
+  /// Equilibrium, with `rotations`. Its report has the number of Newton steps of all passes and the
   /// force residual.
   bearing::BearingEquilibrium equilibrium;
   std::vector<BallAttitude> attitudes;  ///< attitudes of equilibrium.balls.distinct()
@@ -60,32 +60,33 @@ struct BalancedEquilibrium {
 /// attitudes act on the balls.
 ///
 /// The solver alternates between forces for given rotations and rotations for given forces. It
-/// starts from outer control or the rotations of a neighbour. The coupling is weak; where it is
-/// not, the solver shortens its steps. Nearly unloaded balls at very high speed may not converge
-/// (fewer than 1 in 100 extreme cases, tested); the report says so.
+/// starts from outer control or the rotations of a neighbour. The coupling is usually weak; if it
+/// is strong, the solver shortens its steps. With nearly unloaded balls at very high speed the
+/// solver may not converge (fewer than 1 in 100 extreme cases, tested). The report contains this
+/// status.
 ///
-/// Domain:   as solve_bearing_equilibrium(); at standstill the attitudes change no force.
-///           `options.race_control` and `rotations` are ignored.
-/// Accuracy: 1e-8 on the forces of each ball. The physics is as accurate as traction at small slip:
-///           angles to 0.1 degrees in a full film, where traction is small. In mixed lubrication
-///           the pitch angle follows the asperities' share of load.
+/// Domain:   as for solve_bearing_equilibrium(). At standstill the attitudes do not affect the
+///           forces. `options.race_control` and `options.rotations` are ignored.
+/// Accuracy: 1e-8 on the forces of each ball. The physical accuracy is that of traction at small
+///           slip: contact angles to 0.1 degrees in a full film, where traction is small. In mixed
+///           lubrication the pitch angle depends on the share of the load that asperities carry.
 [[nodiscard]] BalancedEquilibrium solve_balanced_equilibrium(
     const bearing::Bearing& bearing, const bearing::OperatingPoint& point, const OilState& oil,
     const ContactLaw& law, const bearing::EquilibriumOptions& options = {},
     const bearing::BearingEquilibrium* neighbour = nullptr);
 
-/// Solves an arrangement; `oils`: one for each bearing, or one for all. The report covers the whole
-/// arrangement and counts Newton iterations. Throws std::invalid_argument as solve_arrangement(),
-/// and for another number of oils.
+/// Solves an arrangement. `oils` has one entry for each bearing, or one for all. The report is for
+/// the whole arrangement, with the number of Newton iterations. Throws std::invalid_argument like
+/// solve_arrangement(), and if the number of oils is wrong.
 [[nodiscard]] bearing::ArrangementEquilibrium solve_balanced_arrangement(
     const bearing::Arrangement& arrangement, const bearing::ArrangementCondition& condition,
     std::span<const OilState> oils, const ContactLaw& law,
     const bearing::EquilibriumOptions& options = {},
     const bearing::ArrangementEquilibrium* neighbour = nullptr);
 
-/// Friction of a bearing in equilibrium whose balls rotate by traction; bearing_friction() is its
-/// counterpart for race control. The attitudes follow from this oil and law under the equilibrium
-/// forces, even if the film has warmed up since. NaN if a ball has no attitude.
+/// Friction of a bearing in equilibrium whose balls rotate by traction. Use bearing_friction() for
+/// race control. The attitudes are computed with this oil and law under the equilibrium forces,
+/// even if the oil had another temperature in the equilibrium. NaN if a ball has no attitude.
 template <typename Look>
 [[nodiscard]] BearingFriction balanced_friction(const bearing::Bearing& bearing,
                                                 const bearing::BearingEquilibrium& equilibrium,

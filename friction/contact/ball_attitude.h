@@ -13,8 +13,9 @@ namespace raceway::friction::contact {
 struct BallAttitude {
   double cage_speed = unset;       ///< ω_m [rad/s]
   double film_cage_speed = unset;  ///< ω_m used for the films [rad/s]
-  /// Components of ω_R in the cage's frame: along the bearing axis against the shaft, radially
-  /// outwards, and along the orbit [rad/s]. Under race control the last one is zero.
+  /// Components of ω_R in the cage's frame: along the bearing axis and opposite to the shaft's
+  /// rotation, radially outwards, and along the orbit [rad/s]. Under race control `orbital` is
+  /// zero.
   double along = unset, across = unset, orbital = unset;
   SlipMotion inner_slip, outer_slip;
   Traction inner, outer;                            ///< at each contact
@@ -31,10 +32,11 @@ class TurningBall;
 
 /// Finds the rotation of the balls of one bearing at one speed and state of the oil.
 ///
-/// A ball has four free speeds. The cage exerts no force; only traction acts at both contacts:
+/// A ball has four free speeds. The cage exerts no force. The conditions for traction at both
+/// contacts are:
 ///
-///   Σ τ_x of both contacts alike,   M = J ω_m x̂ × w       (M of traction about the ball's centre)
-///   T_i + T_o = (2/D) J ω_m ω_R sin β,   as the third component says
+///   Σ τ_x equal at both contacts,   M = J ω_m x̂ × w       (M of traction about the ball's centre)
+///   T_i + T_o = (2/D) J ω_m ω_R sin β,   the third component
 ///
 /// The unknowns are the slips at the centres of both contacts and ω_R sin β; the derivatives are
 /// analytic. Traction follows from a potential that is convex in these speeds; the gyroscopic
@@ -45,21 +47,23 @@ class TurningBall;
 /// Source:   derived; the slip field of traction.h. Race control is not assumed: in a full film the
 ///           ball turns until its gyroscopic moment vanishes (β near 0); under boundary friction it
 ///           approaches race control.
-/// Domain:   speed >= 0, at standstill the limit of slow rotation; loaded balls. A ball without
-///           contact at the inner race rolls on the outer race without slip at its centre.
-/// Accuracy: forces 1e-9 of the sum of |τ|; power in equals power lost to 1e-8. Film and rolling
-///           resistance at the cage speed found; the latter turns no ball.
+/// Domain:   speed >= 0, at standstill the limit of slow rotation. The balls are loaded. A ball
+///           without contact at the inner race rolls on the outer race without slip at the centre
+///           of the contact.
+/// Accuracy: forces to 1e-9 of the sum of |τ|; input power equals lost power to 1e-8. Film and
+///           rolling resistance use the computed cage speed. Rolling resistance does not affect the
+///           rotation of a ball.
 class BallAttitudes {
  public:
   BallAttitudes(const bearing::Bearing& bearing, double speed, const OilState& oil,
                 const ContactLaw& law);
 
-  /// Solves the attitude of a ball under these loads at these contact angles. `start`: attitude of
-  /// a neighbour or at another load.
+  /// Solves the attitude of a ball under these loads at these contact angles. `start` is the
+  /// attitude of a neighbouring ball or at another load.
   [[nodiscard]] BallAttitude solve(const bearing::BallEquilibrium& ball,
                                    const BallAttitude* start = nullptr) const;
-  /// Solves the attitude once, with films at the cage speed of `start` or of outer control. For
-  /// iterations.
+  /// Solves the attitude once, with films at the cage speed of `start` or, without it, of outer
+  /// control. Use it inside an iteration.
   [[nodiscard]] BallAttitude solve_once(const bearing::BallEquilibrium& ball,
                                         const BallAttitude* start = nullptr) const;
 
@@ -72,12 +76,13 @@ class BallAttitudes {
   }
   /// Shaft speed used by solve(): 1 rad/s at standstill.
   [[nodiscard]] double turning() const { return speed_ > 0.0 ? speed_ : 1.0; }
-  /// Share of that speed that forms a film: zero at standstill.
+  /// Factor of this speed for the films: 0 at standstill, else 1.
   [[nodiscard]] double film_speed() const { return speed_ > 0.0 ? 1.0 : 0.0; }
 
  private:
   [[nodiscard]] BallAttitude on_outer_race(const bearing::BallEquilibrium& ball) const;
-  /// Presses a ball on films formed at this cage speed. True if asperities carry load.
+  /// Computes the contacts of a ball on films formed at this cage speed. Returns true if asperities
+  /// carry load.
   bool press(const bearing::BallEquilibrium& ball, double cage_speed, TurningBall& turned) const;
 
   const bearing::Bearing* bearing_;

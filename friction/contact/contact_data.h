@@ -14,7 +14,7 @@ namespace raceway::friction::contact {
 struct ContactData {
   OilData oil;
   double eyring_stress = default_eyring_stress;  ///< τ0 [Pa]
-  /// Γ of the film as entered with the oil, for any law. NaN: given by the type of oil [1].
+  /// Γ of the film as entered with the oil, for all laws [1]. NaN: the value of the oil type.
   double limiting_traction = unset;
   Inlet supply = Inlet::limited;
   double inlet_over_b = unset;          ///< m of starvation_factors() [1]; unset: flooded film
@@ -23,8 +23,8 @@ struct ContactData {
   AsperityLaw asperities;
 };
 
-/// Returns the inlet condition. `bath` floods the inlets; with any other supply a contact gets only
-/// the oil left by the ball in front.
+/// Returns the inlet condition. `bath` floods the inlets. With any other supply, a contact gets
+/// only the oil that the preceding ball leaves.
 [[nodiscard]] constexpr Inlet inlet_of(std::optional<Supply> supply) {
   return supply == Supply::bath ? Inlet::flooded : Inlet::limited;
 }

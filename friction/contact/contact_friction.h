@@ -14,7 +14,8 @@
 
 namespace raceway::friction::contact {
 
-/// Numbers of the law in addition to bearing and oil. Limits as in model files.
+/// Parameters of the law in addition to bearing and oil. They have the same limits as in model
+/// files.
 struct ContactLaw {
   Inlet supply = Inlet::limited;
   double replenishment = 0.0;              ///< K_rs of replenishment_factor() [1], 0 is off
@@ -44,7 +45,7 @@ struct ContactFriction {
   [[nodiscard]] double power() const { return sliding + rolling + hysteresis; }
 };
 
-/// Data that all contacts of one race share at one state of its oil, computed once.
+/// Data common to all contacts of one race at one state of its oil, computed once.
 struct RaceFriction {
   ContactShape shape;
   OilState oil;
@@ -53,9 +54,9 @@ struct RaceFriction {
   double supply_factor;  ///< φ_rs [1]
 
   /// Friction of one contact of load Q > 0. The film uses the speed of `motion` times `film_speed`.
-  /// At standstill `film_speed` is 0, so that power over shaft speed has its limit: φ = 1, no
+  /// At standstill `film_speed` is 0, so that power divided by shaft speed has its limit: φ = 1, no
   /// rolling resistance. At contact angles above a right angle the ball rolls in the opposite
-  /// direction, with equal resistance. `centre` as film_traction() takes it.
+  /// direction, with equal resistance. `centre` is described at film_traction().
   [[nodiscard]] ContactFriction contact(double load, const ContactMotion& motion, double film_speed,
                                         double& centre) const {
     const ContactFriction c = film(load, motion, film_speed);
@@ -154,7 +155,7 @@ struct BearingFriction {
     double sliding = 0.0, rolling = 0.0, hysteresis = 0.0;  ///< [N m]
     [[nodiscard]] double sum() const { return sliding + rolling + hysteresis; }
   };
-  Parts inner, outer;  ///< moments on the shaft by the race where their power is lost [N m]
+  Parts inner, outer;  ///< moments on the shaft, by the race at which the power is lost [N m]
   double smallest_film = unset;        ///< thinnest film of all contacts, h_min [m]
   double smallest_film_ratio = unset;  ///< [1]
   bool converged = false;
@@ -166,7 +167,7 @@ struct BearingFriction {
     f.inner = f.outer = {unset, unset, unset};
     return f;
   }
-  /// Adds a number of equal contacts to the `parts` of their race.
+  /// Adds `contacts` equal contacts to the `parts` of their race.
   void add(const ContactFriction& c, double contacts, double speed, Parts& parts) {
     const double share = contacts / speed;
     parts.sliding += share * c.sliding;
@@ -194,8 +195,8 @@ struct BearingFriction {
                                : 1.0};
 }
 
-/// Returns the speeds of one ball in equilibrium; its own motion if it has no contact at the inner
-/// race.
+/// Returns the speeds of one ball in equilibrium. A ball without contact at the inner race is under
+/// outer control.
 [[nodiscard]] inline BallMotion ball_motion(const bearing::BearingGeometry& g,
                                             const bearing::BallEquilibrium& ball,
                                             bearing::RaceControl control, double speed) {
@@ -209,7 +210,7 @@ struct BearingFriction {
   return ball_motion(g, r, inner, ball.outer_contact_angle, speed);
 }
 
-/// Both contacts of a ball. The inner one is not meaningful if the ball has lost contact there.
+/// Both contacts of a ball. The inner one is meaningless if the ball has lost this contact.
 struct ContactsOfBall {
   ContactFriction inner, outer;
 };
@@ -242,15 +243,16 @@ template <typename Contacts, typename Look>
 ///
 ///   M = Σ (sliding + rolling + hysteresis)/ω       over the balls, at both races
 ///
-/// Each power is counted at the contact where it arises, so that the moments of a race are the heat
-/// of its ring. Assumes race control without gyroscopic creep; see balanced_equilibrium.h for balls
-/// without race control.
-/// Source:   the laws of this folder; the sum by power, derived.
-/// Domain:   speed >= 0, at standstill the limit of slow rotation; converged equilibrium, else NaN.
-/// Accuracy: the laws to rounding, sliding 0.1 %. The level of a bearing at speed is known to
-///           +-40 %: supply of the inlets (+32 to +55 % flooded) and their heat; ratios of
-///           bearings are known much better.
-/// `look` as of sum_over_contacts().
+/// Each power belongs to the contact in which it arises, so the moments of a race give the heat of
+/// its ring. The function assumes race control without gyroscopic creep; see balanced_equilibrium.h
+/// for balls without race control.
+/// Source:   the laws of this folder; the sum of powers is derived.
+/// Domain:   speed >= 0; at standstill the limit of slow rotation. Without a converged equilibrium
+///           the result is NaN.
+/// Accuracy: the laws to rounding, sliding to 0.1 %. The friction level of a bearing at speed is
+///           uncertain by +-40 %, because of the oil supply of the inlets (flooded: +32 to +55 %)
+///           and their heating. The ratio of two bearings is much more accurate. `look` is
+///           described at sum_over_contacts().
 template <typename Look>
 [[nodiscard]] BearingFriction bearing_friction(const bearing::Bearing& bearing,
                                                const bearing::BearingEquilibrium& equilibrium,
@@ -261,7 +263,7 @@ template <typename Look>
   const RaceFriction inner = race_friction(bearing, bearing::Race::inner, oil, law, speed);
   const RaceFriction outer = race_friction(bearing, bearing::Race::outer, oil, law, speed);
   const double turning = speed > 0.0 ? speed : 1.0, film_speed = speed > 0.0 ? 1.0 : 0.0;
-  double inner_centre = usual_centre, outer_centre = usual_centre;  // from ball to ball
+  double inner_centre = usual_centre, outer_centre = usual_centre;  // passed from ball to ball
   const auto contacts = [&](std::size_t, const bearing::BallEquilibrium& ball) {
     const BallMotion motion = ball_motion(bearing.geometry(), ball, control, turning);
     ContactsOfBall c;

@@ -62,8 +62,8 @@ struct ContactResult {
   BearingFriction friction;
   double drag = 0.0;         ///< drag of the balls in the lubricant [N m]
   double mean_slip = unset;  ///< Σ p |v|/Σ Q over all contacts [m/s]
-  /// Largest T/Q of the friction that balances the gyroscopic moment [1], and its ratio to the
-  /// limit of that contact's film.
+  /// Largest T/Q that the friction needs to balance the gyroscopic moment [1], and the ratio of
+  /// this value to the limit of the film in that contact.
   double holding_coefficient = unset;
   double holding_over_traction = unset;
 
@@ -72,11 +72,11 @@ struct ContactResult {
   [[nodiscard]] BaseMoments<double> moments() const {
     return {.load = sliding() + hysteresis() + drag, .viscous = rolling()};
   }
-  /// True if rescale() converts one set of values to the other: only the factors of rolling and
-  /// hysteresis differ, and a changed factor was not 0.
+  /// True if rescale() can convert one set of values to the other: only the factors of rolling and
+  /// hysteresis differ, and no changed factor was 0.
   [[nodiscard]] static bool rescales(std::span<const double> from, std::span<const double> to);
   void rescale(std::span<const double> from, std::span<const double> to);
-  /// Multiplies the rolling resistance of the oil by this share [1].
+  /// Multiplies the rolling resistance of the oil by this factor [1].
   void thin(double share) {
     friction.inner.rolling *= share;
     friction.outer.rolling *= share;
@@ -91,8 +91,8 @@ struct ContactResult {
 /// Heat of each ring [W]: the power of its contacts, plus half of the drag losses of the balls.
 [[nodiscard]] HeatSplit ring_heat(const ContactResult& result, double speed);
 
-/// Sums the friction of all balls of a state. Numbers are NaN without a converged equilibrium. With
-/// `balls` the contacts of each distinct ball are kept too.
+/// Sums the friction of all balls of a state. Numbers are NaN without a converged equilibrium. If
+/// `balls` is given, it receives the contacts of each distinct ball.
 [[nodiscard]] ContactResult contact_result(const BearingState<double>& state,
                                            std::span<const double> values,
                                            std::vector<BallFriction>* balls = nullptr);
@@ -103,8 +103,9 @@ struct ContactResult {
 ///
 /// c: share of oil in the free space, `oil_fraction`.
 /// Source:   drag of a sphere at high Reynolds number, c as in commercial programs; from memory,
-///           source not seen in print.
-/// Domain:   speed > 0, 0 at standstill. Accuracy: a factor of 3; the cage is not in it.
+///           not checked against a print.
+/// Domain:   speed > 0; the result is 0 at standstill. Accuracy: a factor of 3. The drag of the
+///           cage is not included.
 [[nodiscard]] double ball_drag(const BearingState<double>& state, double density,
                                double oil_fraction);
 

@@ -8,14 +8,14 @@
 
 namespace raceway::friction::contact {
 
-/// Shape common to the contacts of one race, at the nominal contact angle as Bearing::contact().
+/// Shape of all contacts of one race, at the nominal contact angle like Bearing::contact().
 ///
 ///   R_x = D (1 ∓ γ)/2,  γ = D cos α0/d_m,  upper sign at the inner race;   R_z = f D/(2 f - 1)
 ///   R = 2 f D/(2 f + 1)
 struct ContactShape {
   double radius_along = unset;     ///< R_x [m]
   double radius_across = unset;    ///< R_z [m]
-  double pressed_radius = unset;   ///< R, of ball and groove pressed to each other across [m]
+  double pressed_radius = unset;   ///< R, deformed radius of the contact across rolling [m]
   double modulus = unset;          ///< E' = 2/((1-ν1²)/E1 + (1-ν2²)/E2) [Pa]
   double ellipse_ratio = unset;    ///< k = a/b [1]
   double second_integral = unset;  ///< E(k) [1]
@@ -43,7 +43,7 @@ struct ContactShape {
 struct ContactMotion {
   double surface_speed = 0.0;  ///< u, mean of both surfaces in the frame of the cage [m/s]
   double rolling = 0.0;  ///< ω_roll, relative rotation about the tangent across rolling [rad/s]
-  double spin = 0.0;     ///< ω_s, about the normal, magnitude [rad/s]
+  double spin = 0.0;     ///< ω_s, rotation about the normal, magnitude [rad/s]
 };
 
 /// Both contacts of a ball that rolls without slip at their centres.

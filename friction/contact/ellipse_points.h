@@ -12,9 +12,10 @@ namespace raceway::friction::contact {
 ///
 ///   x = b r cos θ,  y = a r sin θ,  r² = 1 - s²,  p = p0 s,  dx dy = a b s ds dθ
 ///
-/// Gauss points in s from 0 to 1, midpoints in θ from -π/2 to π/2: no pole at the centre and no
-/// root at the rim, where p falls to zero with infinite slope. Polynomials in x and y are exact up
-/// to degree 2 Angles - 1 in θ; in s for p times even powers.
+/// Gauss points in s from 0 to 1, midpoints in θ from -π/2 to π/2: this avoids the pole at the
+/// centre and the root at the rim, where p falls to zero with infinite slope. The integrals of
+/// polynomials in x and y are exact up to degree 2 Angles - 1 in θ; in s they are exact for p times
+/// even powers.
 template <std::size_t Radial, std::size_t Angles>
 struct EllipsePoints {
   std::array<double, Radial> s{};       ///< p/p0 [1]
@@ -41,7 +42,7 @@ struct EllipsePoints {
   struct NodeWeight {
     double node, weight;
   };
-  /// Gauss and Legendre's points on [-1, 1]: zeros of P_n by Newton's method.
+  /// Gauss-Legendre points on [-1, 1]: the zeros of P_n by Newton's method.
   static NodeWeight legendre(std::size_t i) {
     constexpr auto n = static_cast<double>(Radial);
     double x = std::cos(pi * (static_cast<double>(i) + 0.75) / (n + 0.5)), slope = 1.0;

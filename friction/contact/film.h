@@ -9,7 +9,7 @@ namespace raceway::friction::contact {
 
 /// Rolling contact and the oil at its inlet: inputs of the film and rolling laws.
 struct RollingInlet {
-  double viscosity = unset;           ///< η of the oil at no pressure [Pa s]
+  double viscosity = unset;           ///< η of the oil at ambient pressure [Pa s]
   double pressure_viscosity = unset;  ///< α [1/Pa]
   double speed = unset;         ///< u, mean of both surfaces in the frame of the cage [m/s], >= 0
   double modulus = unset;       ///< E' = 2/((1-ν1²)/E1 + (1-ν2²)/E2), twice HertzContact's [Pa]
@@ -23,16 +23,17 @@ struct Film {
   double minimum = 0.0;  ///< h_min, at the sides
 };
 
-/// Film of an elliptical contact that draws oil in, isothermal and flooded [m].
+/// Isothermal, flooded film of an elliptical contact [m].
 ///
 ///   h_c/R_x   = 2.69 U^0.67 G^0.53 W^-0.067 (1 - 0.61 e^(-0.73 k))
 ///   h_min/R_x = 3.63 U^0.68 G^0.49 W^-0.073 (1 - e^(-0.68 k))
-///   U = η u/(E' R_x),   G = α E',   W = Q/(E' R_x²),   k = a/b, of the exact ellipse
+///   U = η u/(E' R_x),   G = α E',   W = Q/(E' R_x²),   k = a/b of the exact ellipse
 ///
-/// Source:   [HamrockDowson1977]; read in several public programs, which agree.
-/// Domain:   Q > 0, rolling along the short axis; zero at standstill. Fitted for U from 1e-12 to
-///           1e-11 about, W from 1e-7 to 1e-6, k from 1 to 8; spindle bearings exceed U tenfold.
-/// Accuracy: the formula to rounding; against measured films 10 to 20 %.
+/// Source:   [HamrockDowson1977], read in several public programs that agree.
+/// Domain:   Q > 0, rolling along the short axis; zero at standstill. Fitted for U from about 1e-12
+///           to 1e-11, W from 1e-7 to 1e-6, k from 1 to 8. In spindle bearings U is up to ten times
+///           larger.
+/// Accuracy: the formula to rounding; 10 to 20 % compared with measured films.
 /// Trap:     U here is half the U of rolling_force().
 [[nodiscard]] inline Film isothermal_film(const RollingInlet& c, double ellipse_ratio) {
   if (!(c.speed > 0.0)) return {};  // powers without finite derivatives
@@ -45,7 +46,7 @@ struct Film {
                      std::pow(W, -0.073) * (1.0 - std::exp(-0.68 * ellipse_ratio))};
 }
 
-/// Thermal loading of an inlet, L = η β u²/k_f [1]: heat of shear against conduction.
+/// Thermal loading of an inlet, L = η β u²/k_f [1]: the ratio of shear heating to conduction.
 [[nodiscard]] inline double thermal_loading(double viscosity, double viscosity_slope, double speed,
                                             double conductivity) {
   return viscosity * viscosity_slope * speed * speed / conductivity;
@@ -55,9 +56,10 @@ struct Film {
 ///
 ///   φ_T = 1/(1 + 0.1 (1 + 14.8 S^0.83) L^0.64)
 ///
-/// S = |u1 - u2|/u is zero for a ball that rolls.
-/// Source:   read in a published report on roller bearings, its original paper not seen. Others
-///           have (1 - 13.2 p/E' L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), which is thinner.
+/// S = |u1 - u2|/u is zero for pure rolling.
+/// Source:   read in a published report on roller bearings; the original paper was not checked.
+///           Other texts have (1 - 13.2 p/E' L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), which
+///           gives a thinner film.
 /// Domain:   L >= 0, S >= 0; 1 at L = 0. Accuracy: 10 % up to L = 1; beyond, extrapolated.
 [[nodiscard]] inline double thermal_film_factor(double loading, double slip_ratio = 0.0) {
   if (!(loading > 0.0)) return 1.0;
@@ -70,9 +72,10 @@ struct Film {
 ///   central  ((m - 1)/(m* - 1))^0.29,   m* = 1 + 3.06 ((R_x/b)² H_c)^0.58
 ///   minimum  ((m - 1)/(m* - 1))^0.25,   m* = 1 + 3.34 ((R_x/b)² H_min)^0.56,   H = h/R_x
 ///
-/// m = distance of the oil's edge from the centre over b; H of the isothermal flooded film.
-/// Source:   [HamrockDowson1977, part 4], from memory; no print or program was found to check.
-/// Domain:   m > 1; 1 where m >= m*, so that a film is never thicker than the flooded one.
+/// m is the distance of the oil's edge from the centre, divided by b. H belongs to the isothermal
+/// flooded film.
+/// Source:   [HamrockDowson1977, part 4], from memory; no print or program was found for a check.
+/// Domain:   m > 1. The share is 1 for m >= m*, so a film is never thicker than the flooded film.
 struct StarvationFactors {
   double central = 1.0, minimum = 1.0;
 };
@@ -108,10 +111,11 @@ struct AsperityLaw {
 ///
 ///   φ = exp(-B Λ^C)
 ///
-/// Source:   [ZhouHoeprich1991], print not seen. The form is read in a published simulation of
-///           roller bearings, with B = 2.32, C = 0.97 for its raceways: both depend on the surface.
-///           1.8 and 1.2 are from memory.
-/// Domain:   Λ >= 0. Accuracy: a factor of 2 of φ between finishes at Λ about 1.
+/// Source:   [ZhouHoeprich1991], not checked against the print. The form was read in a published
+///           simulation of roller bearings, with B = 2.32 and C = 0.97 for its raceways. Both
+///           depend on the surface. The defaults 1.8 and 1.2 are from memory.
+/// Domain:   Λ >= 0. Accuracy: near Λ = 1, φ of different surface finishes differs by a factor of
+///           2.
 [[nodiscard]] inline double asperity_share(double film_ratio, const AsperityLaw& law = {}) {
   if (!(film_ratio > 0.0)) return 1.0;
   return std::exp(-law.B * std::pow(film_ratio, law.C));

@@ -11,18 +11,19 @@ namespace raceway::friction::contact {
 ///
 ///   M_h = 7.48e-7 (D/2)^0.33 Q^1.33 (1 - 3.519e-3 (R_z/R_x - 1)^0.8063) (E'_s/E')^(1/3)
 ///
-/// Dimensional as published: [N m, m, N]. R_x and R_z are the equivalent radii in and across the
+/// Dimensional as published: [N m, m, N]. R_x and R_z are the equivalent radii along and across the
 /// rolling direction; E' is the modulus of the contact, E'_s the modulus of steel on steel.
-/// Source:   [Houpert2002] as [Balan2015, eq. 9] quotes it; neither print was seen here, the
-///           equation of Balan was taken from notes on its text; a public ball screw program has
-///           k = R_y/R_x in the same formula. The last factor is derived: a loss in proportion to
-///           the elastic work is M_h = (3/16) α Q b, and b goes with (Q R_x/E')^(1/3) at a given
-///           shape. So one loss factor α of some per cent serves steel and ceramic balls alike,
-///           which is an assumption; the factor is exactly 1 for steel.
+/// Source:   [Houpert2002] as quoted in [Balan2015, eq. 9]. Neither print was checked; the equation
+///           of Balan comes from notes on its text. A public ball screw program has k = R_y/R_x in
+///           the same formula. The last factor is derived: if the loss is proportional to the
+///           elastic work, M_h = (3/16) α Q b, and b is proportional to (Q R_x/E')^(1/3) at a given
+///           shape. This assumes the same loss factor α, a few per cent, for steel and ceramic
+///           balls. The last factor is exactly 1 for steel.
 /// Domain:   Q >= 0, R_z >= R_x. The bracket is an approximation that falls to zero at R_z/R_x =
-///           1100, in grooves of f < 0.5006; none beyond, so that rolling never gains power.
-/// Trap:     R_z/R_x is a ratio of radii (25 to 33 at f = 0.52), not the ratio of the ellipse (7 to
-/// 9).
+///           1100, which needs grooves of f < 0.5006. Beyond this ratio the result is zero, so that
+///           rolling never gains power.
+/// Trap:     R_z/R_x is a ratio of radii (25 to 33 at f = 0.52), not the axis ratio of the ellipse
+///           (7 to 9).
 [[nodiscard]] inline double hysteresis_moment(double ball_diameter, double load,
                                               double radius_ratio, double contact_modulus) {
   const double shape = 1.0 - 3.519e-3 * std::pow(radius_ratio - 1.0, 0.8063);

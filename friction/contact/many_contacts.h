@@ -9,15 +9,18 @@ namespace raceway::friction::contact {
 
 /// Vectorized contact_result() for many states of one bearing: the same laws, points and statuses.
 ///
-/// All states should name one bearing and one ContactData; states that name others than the first,
-/// at standstill, without equilibrium or without race control are computed one by one. A result
-/// depends only on its state and the instruction set, to the last bit.
-/// Memory: a fixed amount per thread, kept between calls; none per state.
-/// Accuracy: film, rolling and hysteresis to 1e-11 of contact_result(). Sliding, of the same points
-///           in single precision, to 2e-4 of it at worst in 4000 random states, in most to 1e-6
-///           (5e-7 of the torque of a 7014 at speed), slip to 5e-4, what a film can hold to 2 %.
+/// All states should refer to the same bearing and the same ContactData. The function computes a
+/// state one by one if it refers to another bearing or ContactData than the first state, if it is
+/// at standstill, or if it has no equilibrium or no race control. A result depends only on its
+/// state and the instruction set, to the last bit.
+/// Memory: a fixed amount for each thread, kept between calls. States need no memory.
+/// Accuracy: compared with contact_result(), film, rolling and hysteresis agree to 1e-11. Sliding
+///           uses the same points in single precision. It agrees to 2e-4 in the worst of 4000
+///           random states, and to 1e-6 in most of them (5e-7 of the torque of a 7014 at speed).
+///           Slip agrees to 5e-4, and the ratio of holding friction to the limit of the film to 2
+///           %.
 /// Throws std::invalid_argument if the sizes differ or the machine lacks the instructions (avx512
-/// takes the kernels of avx2).
+/// uses the kernels of avx2).
 void contact_results(std::span<const BearingState<double>> states, std::span<const double> values,
                      std::span<ContactResult> results,
                      bearing::InstructionSet set = bearing::best_instruction_set());
@@ -30,12 +33,13 @@ struct FrictionColumns {
   std::span<double> smallest_film{};                             ///< h_min [m]
   std::span<double> smallest_film_ratio{};                       ///< Λ [1]
   std::span<double> kinematic_viscosity{};  ///< viscosity of the oil at the point [m²/s]
-  /// Equivalent loads of the races, which a life by ISO/TS 16281 takes with that viscosity [N]:
-  /// inner Q_ei = (Σ Q^3/Z)^(1/3), turning; outer Q_ee = (Σ Q^(10/3)/Z)^(3/10), standing.
+  /// Equivalent loads of the races for a life by ISO/TS 16281, together with that viscosity [N]:
+  /// Q_ei = (Σ Q^3/Z)^(1/3) for the rotating inner ring, Q_ee = (Σ Q^(10/3)/Z)^(3/10) for the
+  /// stationary outer ring.
   std::span<double> inner_equivalent_load{}, outer_equivalent_load{};
 };
 
-/// Inputs of friction_of_many() besides the operating points.
+/// Inputs of friction_of_many() in addition to the operating points.
 struct FrictionOfMany {
   const bearing::Bearing* bearing = nullptr;
   const Lubricant* lubricant = nullptr;
@@ -44,7 +48,7 @@ struct FrictionOfMany {
 };
 
 /// Equilibrium and friction of one bearing at many operating points (speed, loads, temperature),
-/// shared among threads in fixed chunks. NaN where a point has no equilibrium.
+/// shared among threads in fixed chunks. The values of a point without equilibrium are NaN.
 /// Domain:   as solve_bearing_equilibrium() and Lubricant. Accuracy: as contact_results().
 /// Throws std::invalid_argument if a non-empty span does not have one number per point, or for
 /// points that are out of range.

@@ -7,11 +7,11 @@
 #include "friction/lubricant.h"
 #include "record/units.h"
 
-/// Contacts of ball and race: film, rolling resistance of the oil, traction, hysteresis. Formulas
-/// only; the layer above sums them over a bearing.
+/// Contacts of ball and race: film, rolling resistance of the oil, traction, hysteresis. This file
+/// has the formulas; contact_friction.h sums them over a bearing.
 namespace raceway::friction::contact {
 
-/// Types of oil (for a grease: of its base oil) that differ in the properties below.
+/// Types of oil that differ in the properties below. For a grease, the type of its base oil.
 enum class OilType { mineral, pao, ester };
 
 /// Name in files: "mineral", "pao", "ester".
@@ -33,10 +33,10 @@ struct OilDefaults {
   double pressure_viscosity_t;  ///< t [1]
 };
 
-/// Source:   textbook values of each kind, s and t by [Gold2001]; all from memory, no print
-///           was seen.
-/// Accuracy: density 3 %, conductivity and α 15 %, limiting traction 30 % (it moves the torque of a
-///           spindle bearing by less than 0.1 % below about 1.2 GPa).
+/// Source:   textbook values of each type, s and t by [Gold2001]. All are from memory and were not
+///           checked against a print.
+/// Accuracy: density 3 %, conductivity and α 15 %, limiting traction 30 %. Below about 1.2 GPa the
+///           limiting traction changes the torque of a spindle bearing by less than 0.1 %.
 [[nodiscard]] constexpr OilDefaults oil_defaults(OilType type) {
   switch (type) {
     case OilType::pao:
@@ -49,11 +49,12 @@ struct OilDefaults {
   return {880.0, 0.13, 0.06, 9.904, 0.139};
 }
 
-/// Default Eyring stress, above which a film is shear-thinning [Pa]. Published values of bearing
+/// Default Eyring stress, above which a film is shear-thinning [Pa]. Published values for bearing
 /// oils are 2 to 10 MPa.
 inline constexpr double default_eyring_stress = 5.0 * MPa;
 
-/// Share of its density at 15 °C that an oil loses per kelvin [1/K]; 6.4e-4 to 7e-4 in tables.
+/// Decrease of the density of an oil per kelvin, relative to its density at 15 °C [1/K]. Tables
+/// have 6.4e-4 to 7e-4.
 inline constexpr double density_slope = 6.5e-4;
 
 /// ρ = ρ15 (1 - 6.5e-4 (T - 15 °C)) [kg/m³]. Domain: T below 1500 °C.
@@ -65,8 +66,8 @@ inline constexpr double density_slope = 6.5e-4;
 ///
 ///   α = s ν^t,   α [1/GPa], ν [mm²/s]; converted here
 ///
-/// Source:   [Gold2001], from memory, print not seen. Domain: ν > 0.
-/// Accuracy: 15 % for oils of one kind; 4 % of friction at most.
+/// Source:   [Gold2001], from memory, not checked against the print. Domain: ν > 0.
+/// Accuracy: 15 % for oils of one type, which changes the friction by at most 4 %.
 [[nodiscard]] inline double pressure_viscosity(OilType type, double kinematic_viscosity) {
   const OilDefaults oil = oil_defaults(type);
   return oil.pressure_viscosity_s *
@@ -83,12 +84,12 @@ struct OilState {
   double conductivity = unset;         ///< k_f [W/(m K)]
 };
 
-/// Oil data in addition to its viscosities. Unset data take the default of the oil type.
+/// Oil data in addition to the viscosities. The default of the oil type replaces unset data.
 struct OilData {
   OilType type = OilType::mineral;
   double density_15C = unset;         ///< [kg/m³]
   double conductivity = unset;        ///< [W/(m K)]
-  double pressure_viscosity = unset;  ///< α, at every temperature [1/Pa]
+  double pressure_viscosity = unset;  ///< α, independent of temperature [1/Pa]
 };
 
 /// β = -d ln ν/dT - d ln ρ/dT. Domain: as Lubricant.

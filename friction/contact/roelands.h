@@ -10,12 +10,13 @@ namespace raceway::friction::contact {
 ///
 ///   η(p) = η0 exp(L ((1 + p/1.96e8)^Z - 1)),   L = ln η0 + 9.67,   Z = α 1.96e8/L
 ///
-/// The slope at zero pressure is α, as in Barus' law; above about 0.1 GPa it rises more slowly.
-/// Source:   Roelands 1966 in the form of textbooks [Hamrock1994], neither print seen; the form was
-///           read in a published report on roller bearings.
-/// Domain:   p >= 0, α > 0 and η0 above e^-9.67 Pa s = 0.063 mPa s, where Z has its pole; NaN below
-///           (roelands_holds()).
-/// Accuracy: 10 % up to 0.5 GPa; above 1 GPa the oil is a glass, see shear.h.
+/// The slope of ln η at zero pressure is α, as in Barus' law. Above about 0.1 GPa the viscosity
+/// rises more slowly than in Barus' law.
+/// Source:   Roelands 1966 in the form of textbooks [Hamrock1994]. Neither print was checked; the
+///           form was read in a published report on roller bearings.
+/// Domain:   p >= 0, α > 0 and η0 above e^-9.67 Pa s = 0.063 mPa s, where Z has a pole. At or below
+///           this viscosity the result is NaN (see roelands_holds()).
+/// Accuracy: 10 % up to 0.5 GPa. Above 1 GPa the oil behaves like a glass, see shear.h.
 class Roelands {
  public:
   Roelands(double viscosity, double pressure_viscosity)
@@ -28,7 +29,7 @@ class Roelands {
            std::exp(log_ * (std::pow(1.0 + pressure / reference_pressure, exponent_) - 1.0));
   }
 
-  /// η0, L and Z of the formula, for callers that evaluate many pressures at once.
+  /// η0, L and Z of the formula, for callers that evaluate many pressures.
   [[nodiscard]] double at_no_pressure() const { return viscosity_; }
   [[nodiscard]] double logarithm() const { return log_; }
   [[nodiscard]] double exponent() const { return exponent_; }
@@ -39,8 +40,7 @@ class Roelands {
   double viscosity_, log_, exponent_;
 };
 
-/// True if Roelands' law has a value for an oil of this viscosity. A thinner oil does not
-/// lubricate.
+/// True if Roelands' law has a value for an oil of this viscosity. Thinner oils do not lubricate.
 [[nodiscard]] inline bool roelands_holds(double viscosity) {
   return std::log(viscosity) + 9.67 > 0.0;
 }

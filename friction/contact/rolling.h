@@ -19,8 +19,8 @@ struct RollingEllipse {
   double second_integral = unset;  ///< E(k), HertzContact::second_integral [1]
 };
 
-/// Moes' load parameter M of the ellipse as the law below uses it [1]. Above about 10 the contact
-/// is elastohydrodynamic; far below it is rigid and isoviscous.
+/// Moes' load parameter M of the ellipse, for rolling_force() [1]. If M is above about 10, the
+/// contact is elastohydrodynamic. If it is much smaller, the contact is rigid and isoviscous.
 ///
 ///   M = β^0.25 κ W/U^0.75,   β = (4/π) E(k)/(1 + R_x/R_z),   κ = b/a,
 ///   U = 2 η u/(E' R_x),   W = Q/(E' R_x²)
@@ -39,11 +39,12 @@ struct RollingEllipse {
 ///   limited   IVR = 0.835 (R_x/R_z)^-0.358 U^0.636 W^0.364,
 ///             EHL = 1.544 β^(1/3) κ^-0.577 U^0.656 W^0.466 G^0.022
 ///
-/// with U, W, β, κ, M of moes_load(), G = α E'. Its power is rolling_power().
-/// Source:   [BibouletHoupert2010, part 2, eqs. 28 to 32]; the
-///           limited inlet is Houpert's law of 1987; [Balan2015, eqs. 1 to 5] agrees. Read as text,
-///           the layout of the print not seen.
-/// Domain:   Q > 0; zero at standstill, where its slope is infinite and is given as zero.
+/// U, W, β, κ and M are those of moes_load(), G = α E'. rolling_power() gives the power.
+/// Source:   [BibouletHoupert2010, part 2, eqs. 28 to 32]. The limited inlet is Houpert's law of
+///           1987. [Balan2015, eqs. 1 to 5] agrees. The equations were read as plain text, not in
+///           the print layout.
+/// Domain:   Q > 0. The force is zero at standstill, where the slope is infinite and is returned as
+///           zero.
 /// Accuracy: the formula to rounding; a flooded and a limited inlet differ by 30 to 55 % at spindle
 ///           speeds, and the inlet condition is not known beforehand.
 /// Trap:     U has a factor 2 that Hamrock and Dowson's U lacks.
@@ -70,10 +71,10 @@ struct RollingEllipse {
   return area * ((rigid - elastic) / (1.0 + moes_load(c) / 6.6) + elastic);
 }
 
-/// Power lost in the oil of one inlet, P = 2 F u [W]: F acts on both surfaces.
+/// Power lost in the oil of one inlet, P = 2 F u [W], because F acts on both surfaces.
 ///
-/// Source:   derived from the power integral of the same paper (its eq. 37); the 6 r F of
-///           [Balan2015] for three balls between two plates agrees.
+/// Source:   derived from the power integral of [BibouletHoupert2010, part 2, eq. 37]. It agrees
+///           with the 6 r F of [Balan2015] for three balls between two plates.
 [[nodiscard]] inline double rolling_power(double force, double speed) {
   return 2.0 * force * speed;
 }
@@ -82,11 +83,13 @@ struct RollingEllipse {
 ///
 ///   φ = 1/(1 + 0.29 L^0.78),   L of thermal_loading()
 ///
-/// Source:   [Aihara1987], on tapered rollers, read in a published report; print not seen.
-/// Domain:   L >= 0; 1 at L = 0. Measured up to L about 5; spindle bearings reach 10, where this is
-///           an extrapolation that takes two thirds of the rolling force.
-/// Trap:     above L of about 40 the force of a limited inlet times this falls as the oil grows
-///           thicker (flooded: 300), thick oil at the highest speeds; no measurements there.
+/// Source:   [Aihara1987], on tapered rollers; read in a published report, not checked against the
+///           print.
+/// Domain:   L >= 0; φ = 1 at L = 0. Measured up to about L = 5. Spindle bearings reach L = 10,
+///           where the formula is extrapolated and reduces the rolling force by nearly two thirds.
+/// Trap:     above about L = 40 (flooded: 300) the product of φ and the force of a limited inlet
+///           decreases when the viscosity increases. This happens with thick oil at the highest
+///           speeds, where there are no measurements.
 [[nodiscard]] inline double thermal_rolling_factor(double loading) {
   if (!(loading > 0.0)) return 1.0;
   return 1.0 / (1.0 + 0.29 * std::pow(loading, 0.78));

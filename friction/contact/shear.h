@@ -9,8 +9,8 @@
 namespace raceway::friction::contact {
 
 /// Shear stress at one point of a contact with sliding speed v, for traction.h: τ(v)/v, finite at v
-/// = 0, and dτ/dv [Pa s/m]. Call at_pressure(p) of a law once per pressure, and its result for any
-/// number of speeds.
+/// = 0, and dτ/dv [Pa s/m]. Call at_pressure(p) of a law once for each pressure, and use its result
+/// for any number of speeds.
 struct ShearResponse {
   double secant;   ///< τ/v
   double tangent;  ///< dτ/dv, from 0 to the secant
@@ -20,14 +20,14 @@ struct ShearResponse {
 ///
 ///   τ = (1 - φ) min(τ0 asinh(η(p) v/(h_c τ0)), Γ p) + φ μ p v/sqrt(v² + ε²)
 ///
-/// τ0 Eyring's stress, Γ the limiting traction, φ of asperity_share(), μ of boundary friction, ε a
-/// speed far below any slip that matters, which makes the direction of τ smooth where v changes
-/// sign: 1e-6 of the rolling speed.
-/// Source:   Eyring's law with a limiting stress, as in textbooks [Hamrock1994], print not seen;
-///           η(p) Roelands.
+/// τ0 is Eyring's stress, Γ the limiting traction, φ the result of asperity_share(), and μ the
+/// boundary friction coefficient. ε is 1e-6 of the rolling speed, far below any relevant slip. It
+/// makes the direction of τ smooth where v changes sign.
+/// Source:   Eyring's law with a limiting stress, as in textbooks [Hamrock1994], not checked
+///           against the print. η(p) is Roelands' law.
 /// Domain:   v >= 0, p >= 0, h_c > 0; φ = 1 ignores the film (standstill).
-/// Accuracy: level of a film under 1 GPa 30 %; in bearings of full film the oil's rolling
-///           resistance is some 98 % of friction, and this the rest.
+/// Accuracy: 30 % for the stress of a film below 1 GPa. In bearings with a full film, the rolling
+///           resistance of the oil is about 98 % of the friction, and this stress causes the rest.
 struct FilmShear {
   Roelands viscosity;
   double film;               ///< h_c [m]
@@ -37,8 +37,8 @@ struct FilmShear {
   double boundary_friction;  ///< μ [1]
   double small_speed;        ///< ε [m/s]
 
-  /// Upper limit of the slope, steeper than any unlimited film [s/m]. It keeps Roelands' values at
-  /// absurd pressures finite.
+  /// Upper limit of the slope, steeper than any unlimited film [s/m]. It keeps Roelands' values
+  /// finite at unrealistic pressures.
   static constexpr double glass = 1e30;
 
   struct Point {

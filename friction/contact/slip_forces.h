@@ -22,8 +22,9 @@ struct SlipMotion {
 ///
 ///   force_k = Σ τ·∂v/∂k,   slope_kl = ∂force_k/∂l = Σ ∂v/∂k·(dτ/dv)·∂v/∂l
 ///
-/// τ follows from a potential that is convex in v, so the slopes are symmetric and nowhere
-/// negative, and the power of friction is Σ force_k k, for any set of points.
+/// τ is the gradient of a potential that is convex in v. So the matrix of slopes is symmetric and
+/// has no negative eigenvalue. The power of friction is Σ force_k k. Both are valid for any set of
+/// points.
 struct SlipForces {
   std::array<double, 4> force{};  ///< by along, across [N], rolling, spin [N m]
   double slope[4][4] = {};        ///< [N s/m, N s, N m s]
@@ -32,8 +33,8 @@ struct SlipForces {
   double pressure_slip = 0.0;     ///< Σ p |v| [N m/s]
 };
 
-/// One loaded ellipse with all four parts of its slip free; traction.h handles given rolling and
-/// spin. The stress at each pressure is computed once.
+/// One loaded ellipse in which all four parts of the slip are free. For given rolling and spin, use
+/// traction.h. The stress at each pressure is computed once.
 ///
 /// Source:   field of traction.h.
 /// Domain:   Q > 0; any motion.
@@ -48,7 +49,8 @@ class SlippingContact {
   [[nodiscard]] const SlidingEllipse& ellipse() const { return ellipse_; }
   [[nodiscard]] double pressed_radius() const { return pressed_radius_; }
 
-  /// Speed below which dry friction changes direction, as a multiple of the shear law's.
+  /// Sets the speed below which the direction of dry friction is smoothed, as a multiple of
+  /// small_speed of the shear law.
   void smooth(double times);
 
  private:

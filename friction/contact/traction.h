@@ -18,7 +18,8 @@ struct SlidingEllipse {
   double load = unset;             ///< Q [N]
   double semi_major_axis = unset;  ///< a, along y [m]
   double semi_minor_axis = unset;  ///< b, along x [m]
-  /// Curvature of the sliding by rolling in a groove, ω_roll/(2 R), R by contact_shape.h [1/(m s)].
+  /// Coefficient of the differential slip by rolling in a groove, ω_roll/(2 R), with R of
+  /// contact_shape.h [1/(m s)].
   double differential = 0.0;
   double spin = 0.0;  ///< ω_s, rotation about the normal [rad/s]
 
@@ -48,12 +49,14 @@ struct TractionSums {
 ///
 ///   v_x = v_x0 + ω_roll y²/(2 R) - ω_s y,   v_y = v_y0 + ω_s x,   τ = τ(p, |v|) v/|v|
 ///
-/// One integral over spin, differential and gyroscopic sliding: their frictions do not add. The
-/// stress at each pressure is computed once, then sums() at any number of v_x0, v_y0.
+/// One integral includes spin, differential and gyroscopic sliding, because their friction forces
+/// cannot be added. The stress at each pressure is computed once. sums() then evaluates any number
+/// of v_x0, v_y0.
 /// Source:   slip field derived; for pure spin it is [Harris2006, vol. 2, ch. 5]'s moment
 ///           (3/8) μ Q a E(k), for pure differential sliding 0.1611 μ Q ω_roll a²/(2 R).
 /// Domain:   Q > 0, ellipse small compared with the radii.
-/// Accuracy: with 16 x 32 points of the whole ellipse 0.03 % of power, with dry friction 0.2 %.
+/// Accuracy: with 16 x 32 points of the whole ellipse, 0.03 % of the power; with dry friction 0.2
+///           %.
 template <class Shear, std::size_t Radial, std::size_t Angles>
 class TractionField {
  public:
@@ -62,8 +65,9 @@ class TractionField {
       points_[i] = shear.at_pressure(ellipse.peak_pressure() * grid().s[i]);
   }
 
-  /// `whole`: both halves of the ellipse. Without it v_y0 = 0 and the other half is the mirror
-  /// image: equal force along rolling, none across.
+  /// If `whole` is true, the sums include both halves of the ellipse. If it is false, v_y0 must be
+  /// 0; the other half is then the mirror image, with equal force along rolling and no net force
+  /// across.
   [[nodiscard]] TractionSums sums(const CentreSlip& centre, bool whole) const {
     const TractionSums right = half(centre, 1.0);
     if (whole) return added(right, half(centre, -1.0));
@@ -128,7 +132,7 @@ class TractionField {
   std::array<Point, Radial> points_{};
 };
 
-/// Traction of a contact with its solved sliding at the centre.
+/// Traction of a contact, with the solved slip at the centre.
 struct Traction {
   bool converged = false;
   CentreSlip slip;               ///< v_x0, v_y0 [m/s]
@@ -138,10 +142,10 @@ struct Traction {
   double mean_slip = unset;      ///< Σ p |v|/Q [m/s]
 };
 
-/// Finds the zero of an increasing function by Newton's method inside a bracket. A step that does
-/// not halve the value is replaced by bisection, because dry friction changes direction within a
-/// millionth of a slip. value(v) returns {value, slope, size}. It ends where |value| <= tolerance
-/// size, or where the bracket is as narrow as `tolerance` of the first.
+/// Finds the zero of an increasing function by Newton's method inside a bracket. Bisection replaces
+/// a step that does not halve the value, because dry friction changes direction within a millionth
+/// of a slip. value(v) returns {value, slope, size}. The search ends if |value| <= tolerance size,
+/// or if the bracket is `tolerance` times the first one or less.
 struct GrowingValue {
   double value, slope, size;
 };
@@ -164,14 +168,14 @@ template <class Value>
   return false;
 }
 
-/// v_x0 at which the contact rolls freely, Σ τ_x = 0, with v_y0 given. It lies between
-/// -ω_roll a²/(2 R) and 0, as the edges of the ellipse are dragged forward by rolling.
+/// v_x0 at which the contact rolls freely, Σ τ_x = 0, for a given v_y0. It lies between -ω_roll
+/// a²/(2 R) and 0, because rolling drags the edges of the ellipse forward.
 template <class Field>
 [[nodiscard]] bool find_free_rolling(const Field& field, bool whole, CentreSlip& slip) {
   const SlidingEllipse& e = field.ellipse();
   const double range = e.differential * e.semi_major_axis * e.semi_major_axis;
   if (range == 0.0) {
-    slip.along = 0.0;  // both sides of the ellipse slide against each other
+    slip.along = 0.0;  // the friction of both sides of the ellipse cancels
     return true;
   }
   const double low = std::min(-range, 0.0), high = std::max(-range, 0.0);
@@ -197,7 +201,8 @@ template <class Field>
           .mean_slip = s.pressure_slip / load};
 }
 
-/// Traction of a freely rolling contact without a force across: Σ τ_x = 0, v_y0 = 0 (race control).
+/// Traction of a freely rolling contact without a transverse force: Σ τ_x = 0, v_y0 = 0 (race
+/// control).
 template <class Field>
 [[nodiscard]] Traction rolling_traction(const Field& field) {
   CentreSlip slip;
@@ -205,9 +210,9 @@ template <class Field>
   return traction_at(field, slip, false, found);
 }
 
-/// Traction of a freely rolling contact that creeps across until it balances a force T: Σ τ_x = 0,
-/// Σ τ_y = T [N]. Not converged if no slip up to 1 km/s balances it. Not for the gyroscopic moment
-/// of a ball under race control, which a film cannot balance.
+/// Traction of a freely rolling contact that creeps transversely until it balances a force T: Σ τ_x
+/// = 0, Σ τ_y = T [N]. It does not converge if no slip up to 1 km/s balances T. Do not use it for
+/// the gyroscopic moment of a ball under race control, which a film cannot balance.
 template <class Field>
 [[nodiscard]] Traction holding_traction(const Field& field, double force) {
   if (force == 0.0) return rolling_traction(field);
@@ -218,7 +223,7 @@ template <class Field>
     slip.across = sign * creep;
     found = find_free_rolling(field, true, slip);
     const TractionSums s = field.sums(slip, true);
-    // v_x0 follows v_y0.
+    // v_x0 depends on v_y0.
     const double follow = s.along_slope > 0.0 ? s.mixed_slope * s.mixed_slope / s.along_slope : 0.0;
     return GrowingValue{sign * s.across - std::abs(force), s.across_slope - follow, s.force};
   };

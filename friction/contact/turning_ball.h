@@ -14,7 +14,8 @@ namespace raceway::friction::contact {
 /// Slip at both centres along rolling and across, and ω_R sin β times a length, all in [m/s].
 using Slips = std::array<double, 4>;
 
-/// One ball between its races: its speeds at four given slips, and its equilibrium there.
+/// One ball between its races: the speeds of the ball at four given slips, and the balance of its
+/// forces.
 class TurningBall {
  public:
   TurningBall(const bearing::Bearing& bearing, const bearing::BallEquilibrium& ball, double speed,
@@ -68,11 +69,11 @@ class TurningBall {
             v.across * co_ - v.along * so_ + v.cage * so_};
   }
 
-  /// All forces at given slips, and the Newton step.
+  /// All forces at given slips, with their slopes for the Newton step.
   struct Look {
     SlipForces inner, outer;
     std::array<double, 4> missing;  ///< [N]
-    double size;                    ///< Σ|τ| of both [N]
+    double size;                    ///< Σ|τ| of both contacts [N]
     [[nodiscard]] double largest() const {
       double most = 0.0;
       for (const double x : missing) most = std::fmax(most, std::abs(x));
@@ -103,7 +104,7 @@ class TurningBall {
     return l;
   }
 
-  /// Newton step from q, where `l` was evaluated.
+  /// Newton step from q; `l` was evaluated at q.
   [[nodiscard]] Slips step(const Slips& q, const Look& l) const {
     const Speeds v = speeds(q);
     double arm[2][4][4], a[4][4] = {}, b[4];
@@ -160,7 +161,8 @@ class TurningBall {
 
  private:
   [[nodiscard]] double pitch_radius() const { return inner_radius_ + half_ * ci_; }
-  /// Approximate zero of Σ τ_x; rolling drags the edges of the ellipse forward.
+  /// Approximate zero of Σ τ_x. It is not 0, because rolling drags the edges of the ellipse
+  /// forward.
   static double free_rolling(const SlippingContact& contact, const SlipMotion& motion) {
     const double a = contact.ellipse().semi_major_axis;
     return -0.2 * motion.rolling * a * a / (2.0 * contact.pressed_radius());

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-/// Fits a polynomial by least squares; the calibration of sensors uses it too.
+/// Fits a polynomial by least squares, for the calibration of sensors.
 namespace raceway::rig {
 
 /// Polynomial y = Σ c_k (x/scale)^k fitted to readings.
@@ -32,7 +32,7 @@ struct CurveFit {
 [[nodiscard]] Eigen::MatrixXd robust_covariance(const CurveFit& fit);
 
 /// Returns the p-value of F = (square/degrees) / (error_square/error_degrees). Squares up to
-/// `floor` count as rounding.
+/// `floor` are treated as rounding.
 [[nodiscard]] double p_of_F(double square, int degrees, double error_square, int error_degrees,
                             double floor);
 

@@ -19,7 +19,7 @@ class Programme {
   [[nodiscard]] double begin_of(std::size_t row) const {
     return row == 0 ? start_ : rows_[row - 1].time;
   }
-  /// Returns the row after the last one that continues from `row` without a jump.
+  /// Returns the index after the last row that follows `row` without a jump.
   [[nodiscard]] std::size_t jump_after(std::size_t row) const;
   /// Returns the inputs of a step. Temperatures that change are averaged over the step. `row`
   /// contains the time `from`.
@@ -30,7 +30,7 @@ class Programme {
   double start_;
 };
 
-/// Chooses step sizes [s]: short after a jump, then as the error allows.
+/// Chooses step sizes [s]. They are short after a jump; later they depend on the error.
 class StepSizes {
  public:
   static constexpr double longest_unless_given = 600.0;
@@ -44,8 +44,8 @@ class StepSizes {
   void shrink() { next_ *= 0.3; }
   [[nodiscard]] bool too_short() const { return next_ < shortest; }
   [[nodiscard]] bool held() const { return !given_.empty(); }
-  /// Returns the step size from `time`. The step ends at `end` at the latest and leaves no very
-  /// short step before it.
+  /// Returns the step size from `time`. The step does not go beyond `end`, and it does not leave a
+  /// very short step before `end`.
   [[nodiscard]] double take(double time, double end);
   /// Returns false if the step must be repeated with a smaller size.
   [[nodiscard]] bool accept(double dt, double error);

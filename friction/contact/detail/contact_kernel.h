@@ -5,34 +5,35 @@
 namespace raceway::friction::contact {
 
 // Interface of many_contacts.cpp to contact_kernel_*.cpp: the laws of contact_friction.h for
-// several contacts at once. One source is compiled for each instruction set.
+// several contacts in parallel. One source is compiled for each instruction set.
 
 inline constexpr std::size_t contacts_of_block = 16;
 inline constexpr std::size_t most_kernel_rings = 16, most_kernel_angles = 16;
 
-/// Data common to all contacts of a call: race, law, spin or not. Names as in contact_friction.h;
-/// the factors omit the powers of each contact's own numbers.
+/// Data common to all contacts of a call: race, law, and whether the contacts spin. Names as in
+/// contact_friction.h. The factors do not contain the powers of values that differ between
+/// contacts.
 struct KernelRace {
-  bool flooded, starves;  ///< inlets of rolling_force(); inlet_over_b is given
+  bool flooded, starves;  ///< flooded inlets; inlet_over_b is given
   // Ellipse and motion.
   double unit_major_axis, ellipse_ratio, pressed_radius;
   // isothermal_film(): h = factor · (η u)^n α^m Q^-q.
   double central_factor, minimum_factor, roughness, asperities_B, asperities_C;
   // starvation_factors(): m* - 1 = factor · (h/b²)^n.
   double inlet_excess, starved_central, starved_minimum;
-  // rolling_force(): rigid and elastic ends, M; powers of U, W and G as the law has them.
+  // rolling_force(): rigid and elastic limits, M; powers of U, W and G as in the law.
   double rigid_factor, elastic_factor, moes_factor, rolling_factor, hysteresis_factor;
   // FilmShear.
   double eyring_stress, limiting_traction, boundary_friction, glass, reference_pressure;
-  /// Points of the half ellipse where the ball spins, else of the quarter: ring by ring p/p0 and
-  /// weight, sines and cosines of the angles; copies of them that make the ellipse.
+  /// Points of half the ellipse if the ball spins, else of a quarter: p/p0 and weight of each ring,
+  /// sines and cosines of the angles, and the number of copies that make the ellipse.
   std::size_t rings, angles;
   double s[most_kernel_rings], radius[most_kernel_rings], weight[most_kernel_rings];
   double cosine[most_kernel_angles], sine[most_kernel_angles];
   double copies;
 };
 
-/// Block of contacts computed at once. Speeds > 0, loads > 0.
+/// Block of contacts computed in parallel. Speeds > 0, loads > 0.
 struct ContactBlock {
   // For each contact: Q [N], |u| [m/s], |ω_roll|, ω_s [rad/s]; for its oil: η [Pa s], α [1/Pa],
   // L/u² [s²/m²]; φ_rs [1].

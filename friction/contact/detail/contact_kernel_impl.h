@@ -90,7 +90,7 @@ void roll_in(const KernelRace& race, bool spins, std::size_t at, ContactBlock& b
   const D small = 1e-6 * u * per_unit;
   const D limit = film_share * race.limiting_traction * peak * (1.0 / race.eyring_stress);
   const D edge = share * race.boundary_friction * peak * (1.0 / race.eyring_stress);
-  // A share below rounding counts as zero: at speed most contacts have no asperity contact.
+  // A share below rounding is treated as zero: at speed most contacts have no asperity contact.
   const D boundary = xsimd::select(edge > 1e-16 * limit, edge, D(0.0));
   unit.store_aligned(sliding.unit_speed + at);
   (race.copies * a * b * race.eyring_stress).store_aligned(sliding.pull + at);
@@ -119,7 +119,7 @@ void roll_in(const KernelRace& race, bool spins, std::size_t at, ContactBlock& b
   }
 }
 
-/// Sums over the points of the contacts at one v_x0 each; `turn` is Σ (dτ/dv) v_x.
+/// Sums over the points of the contacts, at one v_x0 for each contact; `turn` is Σ (dτ/dv) v_x.
 template <class F>
 struct KernelSums {
   F along, slope, force, power, turn, slip;
@@ -193,15 +193,16 @@ template <class F, bool film, bool asperities, bool spins>
 
 /// Σ τ_x = 0 of each contact: Newton's method kept in a bracket. The search ends when the residual
 /// is 3e-4 of the force; the slope then gives the power to the square of that error. It also ends
-/// when the bracket is 5e-4 of the first one, because points that change direction make steps in
-/// the force; the power hardly depends on v_x0 there. A step that does not halve the force is
-/// replaced by the chord of the bracket, to which those steps are small.
+/// when the bracket is 5e-4 of the first one, because points that change direction cause jumps of
+/// the force; there the power hardly depends on v_x0. If a step does not halve the force, the chord
+/// of the bracket replaces it, because the jumps are small compared with the chord.
 template <class F, bool film, bool asperities, bool spins>
 void slide_in(const KernelRace& race, std::size_t at, KernelSliding& sliding) {
   const F zero(0.0f);
   F low = -F::load_aligned(sliding.differential + at), high = zero;
   const F narrow = 5e-4f * (high - low);
-  // Dry friction alone has its zero at 0.121 of the range, at 0.01 where spin rules; films about.
+  // The zero of pure dry friction is at 0.121 of the range, or at 0.01 if spin dominates. The zero
+  // of a film is close to these values.
   F start(0.121f);
   if constexpr (spins)
     start = xsimd::select(F::load_aligned(sliding.film_share + at) > F(0.5f), F(0.1f), F(0.01f));
@@ -210,7 +211,7 @@ void slide_in(const KernelRace& race, std::size_t at, KernelSliding& sliding) {
   auto done = zero > zero;
   for (int step = 0; step < 60; ++step) {
     const KernelSums<F> f = sums_in<F, film, asperities, spins>(race, sliding, at, v);
-    // The ends count as half of the largest possible force until they are known.
+    // Until the forces at the ends are known, half of the largest possible force is used.
     if (step == 0) {
       below = -0.5f * f.force;
       above = 0.5f * f.force;
@@ -230,7 +231,7 @@ void slide_in(const KernelRace& race, std::size_t at, KernelSliding& sliding) {
     slip = xsimd::select(now, f.slip, slip);
     done = done || now;
     if (xsimd::all(done)) break;
-    if (step % 4 == 3) below = -above;  // the middle, where chords are slow
+    if (step % 4 == 3) below = -above;  // bisection, if chords are slow
     const F part = xsimd::min(xsimd::max(below / (below - above), F(0.1f)), F(0.9f));
     v = xsimd::select(inside && size < 0.5f * before, newton, low + part * (high - low));
     before = size;

@@ -7,8 +7,9 @@ namespace raceway::friction::contact {
 // Interface of film_traction.cpp to traction_pass_*.cpp. One source, compiled for each instruction
 // set.
 
-/// Points of the unit circle in rows of sixteen for vectorization: the angles of a ring where the
-/// ball spins; the rings at an angle where it does not, and what is at y < 0 mirrors y > 0.
+/// Points of the unit circle in rows of sixteen for vectorization. If the ball spins, a row has the
+/// angles of one ring. If it does not spin, a row has the rings at one angle, and the points at y <
+/// 0 mirror those at y > 0.
 inline constexpr std::size_t side_by_side = 16;
 inline constexpr std::size_t most_rings = 16;
 
@@ -21,8 +22,8 @@ struct CirclePoints {
   alignas(64) Real weight[most_rings], s[most_rings];
 };
 
-/// A slip field and the shear law at the pressure of each ring. Speeds in units of the fastest
-/// slip, stresses in units of Eyring's, lengths in a.
+/// A slip field and the shear law at the pressure of each ring. Speeds are relative to the fastest
+/// slip, stresses to Eyring's stress, and lengths to a.
 template <typename Real>
 struct RingStresses {
   Real differential, spin, width, film_share, small2;
@@ -41,8 +42,8 @@ struct PassSums {
 /// Friction parts that a contact has.
 enum class Rubbing { film, asperities, both };
 
-/// The kernels of one instruction set. A search takes `along`, `slope` and `force` in single
-/// precision; a sum takes all, with a slope good for a search.
+/// The kernels of one instruction set. A search computes `along`, `slope` and `force` in single
+/// precision. A sum computes all values; its slope is accurate enough for a search.
 struct TractionKernel {
   void (*stresses)(const CirclePoints<double>&, const RingPressures&, RingStresses<double>&,
                    RingStresses<float>&);

@@ -29,7 +29,7 @@ void stresses_in(const CirclePoints<double>& points, const RingPressures& p,
   }
 }
 
-/// Stress at a slip v = v2/|v| and its slope, for the parts that rub.
+/// Stress at a slip v = v2/|v| and its slope, for the friction parts of the contact.
 template <class V>
 struct Stress {
   V stress, tangent;
@@ -69,7 +69,7 @@ PassSums pass_in(const CirclePoints<typename V::value_type>& points,
                  const RingStresses<typename V::value_type>& rings, double at) {
   using Real = typename V::value_type;
   constexpr bool all = is_double<V>;
-  const V tiny2(Real(1e-36));  // keeps 1/v a number where nothing slides
+  const V tiny2(Real(1e-36));  // keeps 1/v finite at points without slip
   const V centre(static_cast<Real>(at)), spin(rings.spin), differential(rings.differential);
   const V width(rings.width), share(rings.film_share), small2 = V(rings.small2) + tiny2;
   V along(Real(0)), slope(Real(0)), force(Real(0)), power(Real(0)), moment(Real(0)), slip(Real(0));

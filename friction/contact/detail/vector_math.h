@@ -13,7 +13,7 @@ inline constexpr bool is_double = sizeof(typename V::value_type) == 8;
 template <class V>
 [[gnu::always_inline]] inline V estimated_inverse_root(const V& x) {
 #ifdef __AVX512F__
-  // For these, xsimd 8 uses instructions that no machine of this set has.
+  // For this type, xsimd 8 uses instructions that machines with this set do not have.
   if constexpr (sizeof(V) == 64 && is_double<V>)
     return V(_mm512_rsqrt14_pd(x));
   else if constexpr (sizeof(V) == 64)
@@ -23,8 +23,8 @@ template <class V>
     return xsimd::rsqrt(x);
 }
 
-/// 1/sqrt(x), x from 1e-36 to 1e36: an estimate of some 12 bits and Newton's method, which is
-/// faster than a root and a division. To 5e-7 in single precision, 1e-13 in double.
+/// 1/sqrt(x), x from 1e-36 to 1e36: an estimate of about 12 bits and Newton's method, which is
+/// faster than a root and a division. Accuracy 5e-7 in single precision, 1e-13 in double.
 template <class V>
 [[gnu::always_inline]] inline V inverse_root(const V& x) {
   using Real = typename V::value_type;
@@ -35,7 +35,7 @@ template <class V>
   return r;
 }
 
-/// Exponent of x > 0, not denormal, and x over that power of two, from sqrt(1/2) to sqrt(2).
+/// Exponent of x > 0, not denormal, and x divided by that power of two, from sqrt(1/2) to sqrt(2).
 template <class V>
 struct Split {
   V exponent, mantissa;
@@ -47,7 +47,7 @@ template <class V>
   using Bit = typename Bits::value_type;
   constexpr int digits = is_double<V> ? 52 : 23;
   constexpr Bit fraction = (Bit{1} << digits) - 1;
-  // 2^digits, whose last digits count units.
+  // 2^digits; its last digit has the value 1.
   constexpr Bit one = is_double<V> ? static_cast<Bit>(0x3ff0000000000000) : 0x3f800000;
   constexpr Bit unit = is_double<V> ? static_cast<Bit>(0x4330000000000000) : 0x4b000000;
   constexpr Real bias = static_cast<Real>(fraction) + Real(1) + Real(is_double<V> ? 1023 : 127);
@@ -75,8 +75,8 @@ template <class V>
 
 inline constexpr double ln_2 = 0.693147180559945309;
 
-/// asinh(z), z >= 0, `length` = sqrt(1 + z²): the logarithm of their sum, or where that is small
-/// 2 atanh(z/(1 + length)), which keeps the digits of a small z.
+/// asinh(z), z >= 0, `length` = sqrt(1 + z²): the logarithm of z + length. For small z it is 2
+/// atanh(z/(1 + length)), which keeps the digits of z.
 template <class V>
 [[gnu::always_inline]] inline V area_sine(const V& z, const V& length) {
   using Real = typename V::value_type;
@@ -103,7 +103,7 @@ template <class V>
 template <class V>
 [[gnu::always_inline]] inline V exponential(const V& x) {
   using Bits = xsimd::as_unsigned_integer_t<V>;
-  constexpr double round = 6755399441055744.0;  // 1.5 2^52, whose last digits count units
+  constexpr double round = 6755399441055744.0;  // 1.5 2^52; its last digit has the value 1
   const V shifted = x * 1.44269504088896341 + round;
   const V n = shifted - round;
   const V r = (x - n * 0x1.62e42fefa3800p-1) - n * 0x1.ef35793c76730p-45;
