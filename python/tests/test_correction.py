@@ -308,7 +308,7 @@ def test_several_displacements(spindle):
     assert both.displacements == ["displacement_ch1_um", "displacement_ch2_um"]
     assert set(found.parameters) <= set(both.parameters)
     assert all(name.startswith("displacement_ch") for name in both.parameters)
-    with pytest.raises(raceway.InputError, match="has several .* choose one by channel displacement_ch1_um or"):
+    with pytest.raises(raceway.InputError, match="has several .* choose one with channel displacement_ch1_um or"):
         both.compare(spindle)
     first, second = (both.compare(spindle, channel=name) for name in both.displacements)
     assert first.data["quantity"] == "displacement_ch1" and second.data["quantity"] == "displacement_ch2"
@@ -364,7 +364,7 @@ def test_fit_law(program, root, tmp_path):
         ({"order": (1, 2, 3)}, TypeError, "order: a number of sections"),
         ({"order": True}, TypeError, "order: a number of sections"),
         ({"order": (1, 2.5)}, TypeError, "order: a number of sections"),
-        ({"inputs": "front_bearing_temperature"}, raceway.InputError, "has no such input"),
+        ({"inputs": "front_bearing_temperature"}, raceway.InputError, "does not have this input"),
         ({"inputs": [1]}, TypeError, "inputs: names are wanted"),
         ({"lags_s": [-5.0]}, raceway.InputError, "--lags -5: must be auto, or time constants from 0"),
         ({"lags_s": [float("nan")]}, raceway.InputError, "--lags nan"),

@@ -298,7 +298,7 @@ def test_a_bearing_that_is_not_in_the_catalogue_is_described():
     model = raceway.Model.new("mine", bore_mm=70, outer_diameter_mm=110, contact_angle_deg=25, ball_count=20)
     assert "70 x 110 mm, 25 deg" in model.notes[0]
     assert model.solve(1000, 300).data["balls"][19]
-    with pytest.raises(raceway.InputError, match="with bore_mm and outer_diameter_mm, and ball_count"):
+    with pytest.raises(raceway.InputError, match="give bore_mm and outer_diameter_mm, and ball_count"):
         raceway.Model.new("mine")
     with pytest.raises(ValueError, match="ball_count = -4"):
         raceway.Model.new("mine", bore_mm=70, outer_diameter_mm=110, ball_count=-4)

@@ -80,7 +80,7 @@ def test_one_column_may_stand_by_itself(rig):
 
 def test_a_band_of_a_model_that_was_not_fitted(rig):
     for ask in (lambda: rig.solve(1000, 300, band=True), lambda: rig.table([0, 1000], band=True)):
-        with pytest.raises(raceway.InputError, match=r"calibrate\(record\)\.model has one"):
+        with pytest.raises(raceway.InputError, match=r"calibrate\(record\)\.model and add"):
             ask()
 
 
