@@ -9,47 +9,48 @@
 #include "correction/model.h"
 #include "record/record.h"
 
-/// Fits simple models for comparison: a correction has to be better than these.
+/// Fits simple models for comparison. A useful correction must be better than these models.
 namespace raceway::correction {
 
 /// Fits a multiple linear regression on the inputs of the model's channels and on further columns.
 /// Each input becomes a channel with only a feedthrough, so the result runs like every other model.
-/// It has no memory and extrapolates linearly. Power is left out, with a message. Inputs that never
-/// vary or depend linearly on others are left out too.
+/// The model has no memory and extrapolates linearly. The fit omits power, with a message. It also
+/// omits inputs that never vary or that depend linearly on other inputs.
 ///
 /// Source:   least squares by QR, see regression.h. Standard errors are widened for the
-/// autocorrelation of the residual. The held-out error comes from eight parts, each predicted with
-/// the coefficients of the others. Throws std::invalid_argument without an input and for too few
-/// readings.
+/// autocorrelation of the residual. The held-out error comes from eight parts of the record. Each
+/// part is predicted with the coefficients from the other parts. Throws std::invalid_argument
+/// without an input and for too few readings.
 [[nodiscard]] Identification regression_baseline(const Model& model,
                                                  const std::vector<const Channel*>& offered,
                                                  const record::Record& record);
 
-/// Returns true if a model is only a regression.
+/// Returns true if a model is only a linear regression.
 [[nodiscard]] bool is_regression(const Model& model);
 
-/// Returns the channels of a model that these baselines can use, without sections, and one channel
-/// for each further column. Throws std::invalid_argument if there are none.
+/// Returns the channels of a model that these baselines can use, without their sections. The result
+/// also has one channel for each further column. Throws std::invalid_argument if there are no such
+/// channels.
 [[nodiscard]] std::vector<DrivenChannel> bare_channels(const Model& model,
                                                        const std::vector<const Channel*>& offered,
                                                        std::vector<record::Note>& messages);
 
-/// An ARX model: ARX model: predicts a reading from the readings and inputs before it.
+/// ARX model: predicts a reading from earlier readings and inputs.
 ///
 ///   y(k) = sum_i a_i y(k-i) + sum_ij b_ij u_j(k-i) + c,   i = 1..n of y, 0..n of u
 ///
 /// Source:   least squares of the one-step prediction [Ljung1999, sec. 4.2].
-/// Traps:    each step starts from readings, so the one-step fit is good for any poles. With
-///           readings close in time or of coarse resolution, a good fit only says that the next
-///           reading is similar to the last. A control uses the simulation, which has no readings.
-///           Noise of the readings moves the estimated poles towards 0.
+/// Traps:    each step starts from readings, so even wrong poles give a good one-step fit. If
+///           readings are close in time or have a coarse resolution, a good fit only means that the
+///           next reading is similar to the last one. A control uses the simulation, which has no
+///           readings. Noise of the readings moves the estimated poles towards 0.
 struct ArxFit {
   int order = 0;
   Metrics one_step{}, simulated{};
   /// Errors over the second half of the record, simulated with the fit to the first half.
   Metrics second_half{};
   std::vector<std::complex<double>> poles{};  ///< poles in z, the largest first
-  /// time constant of each pole [s]; NaN if the pole is not a decay
+  /// Time constant of each pole [s]; NaN if the pole is not a decay.
   std::vector<double> time_constants{};
   bool stable = false;
   /// Channels as transfer functions, one for each input, with a common denominator.
@@ -73,8 +74,8 @@ struct ArxBaseline {
 /// baseline.
 [[nodiscard]] Model with_arx(const Model& model, const ArxBaseline& baseline, const ArxFit& fit);
 
-/// Fits ARX models on an even grid as fine as the readings. Throws std::invalid_argument without an
-/// input and for too few readings.
+/// Fits ARX models on an even time grid with the spacing of the readings. Throws
+/// std::invalid_argument without an input and for too few readings.
 [[nodiscard]] ArxBaseline arx_baseline(const Model& model,
                                        const std::vector<const Channel*>& offered,
                                        const record::Record& record, int lowest, int highest);

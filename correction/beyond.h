@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-/// Continues laws beyond the range of their inputs in the data of the fit.
+/// Extrapolates laws beyond the input range of the fit.
 namespace raceway::correction {
 
 struct Interval {
@@ -15,15 +15,15 @@ struct Interval {
   friend bool operator==(const Interval&, const Interval&) = default;
 };
 
-/// Evaluates a law at x. Within the range of the fit, the law itself is used. Beyond it, the law
-/// never rises more steeply than a straight line:
+/// Evaluates a law at x. Within the range of the fit, the law itself is used. Beyond this range,
+/// the result never rises more steeply than a straight line:
 ///
 ///   y(edge) + the smaller change of   law(x) - y(edge)   and   y'(edge) (x - edge)
 ///
 /// If the two have different signs, the value at the edge is used. The result lies between the
 /// value at the edge and the law, so it is positive if the law is positive.
-/// Accuracy: the slope at the edge is a difference over a millionth of the range, taken inside the
-/// range.
+/// Accuracy: the slope at the edge is a finite difference inside the range, over a millionth of the
+///           range.
 template <typename Law>
 [[nodiscard]] double continued(const Law& law, const Interval& seen, double x) {
   if (!(x < seen.lower) && !(x > seen.upper)) return law(x);

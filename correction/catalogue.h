@@ -9,7 +9,7 @@ namespace raceway::correction {
 
 /// Returns the effects on a displacement over time, by id: see correction/effects/all_effects.h.
 [[nodiscard]] std::span<const EffectKind* const> kinds();
-/// Returns null if no effect has this id.
+/// Returns the effect with this id; null if there is none.
 [[nodiscard]] const EffectKind* find_kind(std::string_view id);
 
 /// Returns the cards of the effects.

@@ -9,8 +9,8 @@
 
 namespace raceway::correction {
 
-/// Gain or time constant of a delay element as a function of its input x, a power or a load [SI]. x
-/// is in the unit of its column: W, N.
+/// Gain or time constant of a delay element [SI] as a function of the input x, a power or a load. x
+/// is in the unit of its column: W or N.
 class Characteristic {
  public:
   struct Line {
@@ -19,7 +19,8 @@ class Characteristic {
   struct Power {
     double factor, exponent;
   };
-  /// Linear interpolation between points with rising x. Outside, the end values are used.
+  /// Linear interpolation between points with rising x. Outside the points, the end values are
+  /// used.
   struct Table {
     std::vector<double> input, value;
   };
@@ -27,13 +28,13 @@ class Characteristic {
 
   Characteristic(Line line) : form_(line) {}
   Characteristic(Power power) : form_(power) {}
-  /// Throws std::invalid_argument for an empty table, for lengths that differ, and for x that does
-  /// not rise.
+  /// Throws std::invalid_argument for an empty table, for different lengths, and for values of x
+  /// that do not rise.
   Characteristic(Table table);
 
   [[nodiscard]] double operator()(double input) const;
   /// Returns the range around x = 0 in which the value is positive, including `lower` and excluding
-  /// `upper`. A limit that does not exist is infinite. A power law is not defined below 0.
+  /// `upper`. A missing limit is infinite. A power law is not defined below 0.
   [[nodiscard]] Interval positive_within() const;
   [[nodiscard]] const Form& form() const { return form_; }
 

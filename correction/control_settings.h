@@ -5,7 +5,8 @@
 #include <utility>
 #include <vector>
 
-/// Contains the settings of a correction on a control, [export] of a model file: docs/control.md.
+/// Contains the settings of a correction on a control. They are in [export] of a model file:
+/// docs/control.md.
 namespace raceway::correction {
 
 /// A value for all inputs or axes, and different values for some of them.
@@ -30,7 +31,7 @@ struct ControlLimits {
   double low = 0.0, high = 0.0;
 };
 
-/// Units are those of the files: um (urad for an angle), s, C, and for an input the unit of its
+/// Units are the units of the files: um (urad for an angle), s, C, and for an input the unit of its
 /// column.
 struct ControlSettings {
   // Settings of axes, by the column of their displacement.
@@ -38,7 +39,7 @@ struct ControlSettings {
   ByColumn<double> slew_um_s{1.0};   ///< largest rate of the offset
   /// offset = sign * displacement: -1 moves the axis against the displacement
   ByColumn<double> sign{-1.0};
-  /// unit of the output: "um", "mm", "counts"; for an angle "urad", "mrad", "rad", "deg", "counts"
+  /// Unit of the output: "um", "mm", "counts"; for an angle "urad", "mrad", "rad", "deg", "counts".
   ByColumn<std::string> unit{"um"};
   ByColumn<double> count_um{0.1};  ///< size of one count
   ByColumn<std::string> axis{};    ///< letter of the axis; empty: LETTER of displacement_LETTER_um
@@ -47,7 +48,7 @@ struct ControlSettings {
       {-40.0, 150.0}, {}};  ///< `all`: for temperatures only; other inputs: ten times their range
   ByColumn<double> fastest_per_s{1.0};  ///< `all`: for temperatures only; 0: not checked
   ByColumn<double> stuck_s{3600.0};     ///< `all`: for temperatures only; 0: not checked
-  ByColumn<double> smoothing_s{0.0};    ///< smoothing of the input of instant parts
+  ByColumn<double> smoothing_s{0.0};    ///< smoothing time of the input of instant parts
   // Settings of all axes and inputs.
   std::string on_fault = "last-safe";  ///< action after the hold: "hold", "last-safe", "zero"
   double hold_s = 60.0, fade_s = 300.0;

@@ -11,7 +11,7 @@
 
 namespace raceway::correction {
 
-/// A correction model for the loop: one displacement over time.
+/// A correction model of one displacement over time, as a subject of the loop.
 class CorrectionSubject : public fit::Subject {
  public:
   explicit CorrectionSubject(Model model);
@@ -31,7 +31,7 @@ class CorrectionSubject : public fit::Subject {
   /// are removed, because the new parameters will come from this whole record.
   [[nodiscard]] std::unique_ptr<fit::Subject> informed_by(const fit::Record& record) const override;
 
-  /// Keeps the range of a model whose parameters are compared with another record.
+  /// Keeps the input range of this model. Use it to compare its parameters with another record.
   void keep_range(const Model& model);
 
   [[nodiscard]] std::vector<fit::Parameter> parameters() const override;
@@ -44,26 +44,26 @@ class CorrectionSubject : public fit::Subject {
   [[nodiscard]] std::unique_ptr<fit::Subject> with_candidates(
       std::span<const std::string> ids) const override;
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
-  /// Returns the id of the candidate that the user named: "second-time-constant:ambient". The place
-  /// may be missing if it is the main channel or the only axis. Unknown ids are returned unchanged.
-  /// Throws std::invalid_argument if the name is ambiguous. Call this on a subject returned by
-  /// informed_by().
+  /// Returns the full id of the candidate that the user named, such as
+  /// "second-time-constant:ambient". The user may omit the place if it is the main channel or the
+  /// only axis. Unknown ids are returned unchanged. Throws std::invalid_argument if the name is
+  /// ambiguous. Call this on a subject returned by informed_by().
   [[nodiscard]] std::string meant_by(const std::string& id) const;
   /// Returns sensors with visible resolution: the displacement steps with the last digit of the
-  /// sensor, and the residual steps back by at most the explained amount. Use it for a fitted
-  /// model.
+  /// sensor, and the residual steps back by at most the amount that the model explains. Call this
+  /// function on a fitted model.
   [[nodiscard]] std::vector<fit::Fault> faults(const fit::Record& record) const override;
   /// Returns eight consecutive parts of the record with equal numbers of readings. If an input
   /// moves in only one part, each run is split into eight parts. A part that contains nearly all
-  /// motion of an input is never held out. The first part of a record that began warm is not held
-  /// out either.
+  /// motion of an input is never held out. If the machine was warm at the start of the record, the
+  /// first part is not held out either.
   [[nodiscard]] std::vector<fit::Blocking> blockings(const fit::Record& record) const override;
 
-  /// Unknowns outside the parameters of the model: the zero of each run after the first, and the
-  /// initial states of a record that did not begin at rest [m].
+  /// Unknowns that are not parameters of the model [m]: the zero of each run after the first, and
+  /// the initial states if the record did not begin at rest.
   struct Beginning {
     fit::Parameter parameter{};
-    int zero = 0;  ///< run of the zero, or
+    int zero = 0;  ///< run of the zero; for a state: channel and section
     std::size_t channel = 0, section = 0;
     bool is_state = false;
   };

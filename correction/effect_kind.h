@@ -18,18 +18,18 @@ struct EffectCard {
   std::string_view id;
   std::string_view title;
   std::string_view form;      ///< formula with u: input, x: state, y: displacement
-  std::string_view needs;     ///< description of the required record
+  std::string_view needs;     ///< description of the record that the effect needs
   std::string_view confused;  ///< effects with which it may be confused
   /// Parameters in the units of files. A unit "um/u" is per unit of the input.
   std::span<const record::NumberCard> numbers;
   std::size_t size = 0;     ///< index of the parameter whose neutral value switches the effect off
   bool of_channel = false;  ///< true: changes the response of a channel; false: adds its own share
   bool at_channel = false;  ///< true: `where` names a channel; empty means the first one
-  /// true: a column is part of the name, the one that drives it or its window
+  /// True: a column is part of the name: the column that drives the effect or its window.
   bool by_column = false;
   bool by_window = false;   ///< true: may act in a window of a position
-  bool of_reading = false;  ///< true: valid only for this record, not for others or for a control
-  /// true: the record itself shows it; it has no parameter and is never switched on
+  bool of_reading = false;  ///< true: valid only for this record, and not for a control
+  /// True: the record itself shows the effect; it has no parameter and is never switched on.
   bool evidence = false;
   bool needs_input = false;  ///< true: a file must name its columns
 };
@@ -47,11 +47,12 @@ struct Surroundings {
   [[nodiscard]] bool first_channel_lags() const {
     return !model.channels.empty() && !model.channels.front().sections.empty();
   }
-  /// Returns the name of the channel on which an effect acts; empty for the first channel.
+  /// Returns the name of the channel on which an effect acts. The name is empty for the first
+  /// channel.
   [[nodiscard]] std::string where(const DrivenChannel& channel) const {
     return &channel == &model.channels.front() ? std::string() : channel.name;
   }
-  /// Returns columns of this kind that vary and drive nothing in the model.
+  /// Returns the columns of this kind that vary and that the model does not use as inputs.
   [[nodiscard]] std::vector<const Channel*> unused(bool (*is_of_kind)(const Channel&)) const;
 };
 
@@ -73,9 +74,10 @@ class EffectKind {
 
   [[nodiscard]] virtual const EffectCard& card() const = 0;
 
-  /// Returns the effect at every place where the record allows it, with its initial values.
+  /// Returns the effect at every place where the record allows the effect, with its initial values.
   [[nodiscard]] virtual std::vector<Effect> possible(const Surroundings& in) const;
-  /// Returns the allowed values of a parameter; empty: all values within its bounds.
+  /// Returns the allowed values of a parameter. An empty result allows all values within the
+  /// bounds.
   [[nodiscard]] virtual std::vector<double> choices(std::size_t number,
                                                     const Surroundings& in) const;
 
@@ -93,8 +95,8 @@ class EffectKind {
   [[nodiscard]] virtual std::string key(const Effect& effect, std::size_t number,
                                         const Model& model) const;
 
-  /// Returns the input of the effect: its columns, otherwise the input of the channel on which it
-  /// acts.
+  /// Returns the input of the effect: its columns, or the input of the channel on which the effect
+  /// acts if it has no columns.
   [[nodiscard]] virtual Input input(const Effect& effect, const Model& model) const;
   /// Returns the columns that the effect needs in addition to its input.
   [[nodiscard]] virtual std::vector<const Channel*> other_columns(const Effect& effect) const;
@@ -119,8 +121,8 @@ class EffectKind {
 /// Returns the unit of an effect's parameter for the reader: "um/K", or "urad/K" for an angle.
 [[nodiscard]] std::string unit_of(const Effect& effect, std::size_t number, const Model& model);
 
-/// Returns a lag of the effect's input: the share of effects with the parameters `gain` and
-/// `time_constant`.
+/// Returns the contribution of effects with the parameters `gain` and `time_constant`: a lag of the
+/// input of the effect.
 [[nodiscard]] DrivenShare lag_of_input(const EffectKind& kind, const Effect& effect,
                                        const Model& model);
 

@@ -14,8 +14,8 @@ namespace raceway::correction {
 ///
 ///   x(t + dt) = a x(t) + w,   a = exp(-dt/T),   w ~ N(0, s² (1 - a²) + q² dt)
 ///
-/// Without readings it returns to 0 with the memory T and then has the standard deviation s. With
-/// infinite T it is a constant or, with q, a random walk.
+/// Without readings, the unknown returns to 0 with the memory T, and its standard deviation becomes
+/// s. With infinite T, it is a constant if q = 0, otherwise a random walk.
 struct Unknown {
   std::string name{};
   double std = unset;                                       ///< s, in the unit of the unknown
@@ -23,7 +23,7 @@ struct Unknown {
   double walk = 0.0;         ///< q, in the unit of the unknown per root of a second
   double first_std = unset;  ///< standard deviation at the start; NaN: s
   double bound = std::numeric_limits<double>::infinity();  ///< largest absolute value
-  /// Index k of the unknown whose rate is this one, dx_k/dt = x; negative: none.
+  /// Index k of another unknown whose rate is this unknown, dx_k/dt = x; negative: none.
   int rate_of = -1;
 };
 
@@ -42,8 +42,8 @@ struct Unknown {
 /// Source:   derivation above. Tests compare it with the dense solution of the regression.
 /// Units:    x_j and h_j may have any units whose product is the unit of y.
 /// Domain:   s_j, T_j, r > 0; time must not go back.
-/// Trap:     after each reading, a violated bound is restored by moving along the covariance. The
-///           covariance itself does not change.
+/// Trap:     if an unknown violates its bound after a reading, the unknowns are moved along the
+///           covariance until the bound is met. The covariance itself does not change.
 class UnknownsFilter {
  public:
   /// Throws std::invalid_argument for a standard deviation or memory that is not positive.

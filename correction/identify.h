@@ -14,8 +14,8 @@ namespace raceway::correction {
 
 struct IdentifyOptions {
   int lowest_order = 1, highest_order = 3;  ///< range for the number of sections of a channel
-  /// Columns that may drive additional channels. They are added one at a time while the held-out
-  /// error falls.
+  /// Columns that may drive additional channels. Channels are added one at a time, as long as the
+  /// held-out error falls.
   std::vector<const Channel*> offered{};
   std::size_t most_channels = 6;
   std::function<void(double share, std::string_view step)> progress{};
@@ -30,13 +30,13 @@ struct StructureTried {
   bool taken = false;
 };
 
-/// Result of a fit to the record up to a time, tested on all later readings.
+/// Result of a fit to the first part of the record, tested on all later readings.
 struct AheadError {
-  double from = unset;  ///< end of the fit, since the first row [s]
+  double from = unset;  ///< end of the fitted part, after the first row [s]
   double rms = unset;   ///< [m]
 };
 
-/// A ridge strength that was tried: see lag_bank.h.
+/// Ridge strength that was tried: see lag_bank.h.
 struct StrengthTried {
   double strength = unset;      ///< [um² per square of a gain in um/K, um/(m/min), um/1000 rpm]
   double speed_weight = unset;  ///< [1]
@@ -48,7 +48,7 @@ struct StrengthTried {
 struct Identification {
   Model model{};                        ///< identified model with parameters, range and covariance
   std::vector<StructureTried> tried{};  ///< structures in the order of the search
-  /// fitted parameters of the model with standard errors
+  /// Fitted parameters of the model with standard errors.
   std::vector<record::Parameter> parameters{};
   std::vector<StrengthTried> strengths{};  ///< ridge strengths of a bank of lags
   std::vector<AheadError> ahead{};         ///< errors ahead of a bank of lags
@@ -66,18 +66,17 @@ struct Identification {
   [[nodiscard]] bool is_bank() const { return !strengths.empty(); }
 };
 
-/// Returns a channel of `model` that this column drives. The column gives its name, and it has no
-/// sections.
+/// Returns a channel of `model` that this column drives. The channel has the name of the column and
+/// no sections.
 [[nodiscard]] DrivenChannel driven_by(const Channel& column, const Model& model);
 
 /// Identifies the order, inputs and parameters of a model from a record. Gains and time constants
 /// come from variable projection with many starts. The error on eight held-out parts selects the
 /// structure. At the end, the parameters are fitted to single rows. Gains, time constants and the
-/// kinematic law of the model are start values. Delay elements that depend on the power and printed
-/// coefficients remain unchanged.
+/// kinematic law of the model are start values. Printed coefficients and delay elements that depend
+/// on the power remain unchanged.
 ///
-/// Throws std::invalid_argument for a record that lacks an input of the model or has too few
-/// readings.
+/// Throws std::invalid_argument if the record lacks an input of the model or has too few readings.
 [[nodiscard]] Identification identify(const Model& model, const record::Record& record,
                                       const IdentifyOptions& options = {});
 

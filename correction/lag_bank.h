@@ -17,28 +17,29 @@ struct LagBankOptions {
 };
 
 /// Returns an instant response (0) and lags [s] that begin at a hundredth of the longest run and
-/// grow by a factor of three, up to a quarter of the run.
+/// grow by a factor of three, up to a quarter of that run.
 [[nodiscard]] std::vector<double> usual_lags(const Series& series);
 
-/// Model with many small shares: every input passes the same lags, and a ridge regression finds all
-/// gains together.
+/// Model with many small shares: every input passes through the same lags, and one ridge regression
+/// finds all gains.
 ///
 ///   minimise  mean (y - y0 - sum g_ij x_ij)² + λ sum (w_ij g_ij)²,   w_ij = s_i sqrt(τ_j/5400 s)
 ///
 /// x_ij is input i after lag j, and g is its gain [um/K, um/(m/min), um/1000 rpm]. λ [um² per
 /// square of that unit] is the strength. s is 1 except for speeds. Slow lags have larger penalties,
-/// because they have the longest effect beyond the record. The instant response counts as 600 s. A
-/// speed enters as n and as n (n/1000 rpm)^0.5, which follows the rise of friction, and has no
-/// instant share. The program tries λ from 0.01 to 10 and s of speeds from 0.1 to 1. Each
-/// combination is fitted to up to six initial parts of the record (0.59 to 0.88 of it) and judged
-/// by its error on the remainder. The final gains are the mean over all combinations, weighted by
-/// this error to the power -4. Held-out parts from the middle would favour gains that are valid
-/// only within the record. The best strength alone would depend mostly on chance.
+/// because they affect the prediction for the longest time after the record. The instant response
+/// has the penalty of τ = 600 s. A speed has two inputs: n, and n (n/1000 rpm)^0.5, which rises
+/// like the friction. A speed has no instant share. The program tries λ from 0.01 to 10 and s of
+/// speeds from 0.1 to 1. Each combination is fitted to up to six initial parts of the record (0.59
+/// to 0.88 of its length) and judged by the error on the rest of the record. The final gains are
+/// the mean over all combinations, weighted by this error to the power -4. Held-out parts from the
+/// middle of the record would favour gains that are valid only within the record. The choice of a
+/// single best strength would depend mostly on chance.
 ///
-/// With many sensors on unknown bodies, this model predicts better than a few sections with their
-/// own time constants, which fit equally well but extrapolate badly. The gains have no physical
-/// meaning. They have no standard error, because the ridge shrinks them to 0. If the model does not
-/// list its free parameters, only the offset remains free afterwards.
+/// If many sensors are on unknown bodies, this model predicts better than a few sections with their
+/// own time constants. Such sections fit equally well but extrapolate badly. The gains have no
+/// physical meaning. They have no standard error, because the ridge shrinks them towards 0. If the
+/// model does not list its free parameters, only the offset remains free after this fit.
 /// Source: ridge regression [HoerlKennard1970]. The lags and weights are our choice, based on the
 /// record of docs/spindle-record.md.
 ///

@@ -14,17 +14,19 @@ namespace raceway::correction {
 /// Straight lines are fitted to about ten minutes of readings before and after (3 to 20 readings
 /// each). They meet in the middle with a gap. Without a jump, the gap shows only noise and the
 /// curvature. A jump is a gap of at least five times the usual gap (standard deviation from the
-/// median). Gaps within ten minutes of a speed change do not count, because instant parts of the
-/// machine step there. Slow changes of any size are not jumps.
+/// median). Gaps within ten minutes of a speed change are ignored, because the instant parts of the
+/// displacement step at a speed change. Slow changes of any size are not jumps.
 [[nodiscard]] std::vector<double> leaps(const record::Record& record,
                                         const record::Channel& displacement);
 
-/// Smallest visible jump of a temperature [K]; smaller jumps disappear in the last digits.
+/// Smallest visible jump of a temperature [K]; smaller jumps cannot be separated from the last
+/// digits.
 inline constexpr double seen_leap_of_a_sensor = 0.5;
 
 /// Returns the rows before which a temperature jumps faster than any body with heat capacity can.
-/// The jump exceeds 0.5 K and four times the change in the neighbouring rows. These rows belong to
-/// one run with equal time steps, and the speed is constant for three rows.
+/// The jump exceeds 0.5 K and is more than four times the change in the neighbouring rows. All
+/// these rows must belong to one run with equal time steps, and the speed must be constant for
+/// three rows.
 [[nodiscard]] std::vector<std::size_t> leaping_rows(const record::Record& record,
                                                     const record::Channel& column);
 

@@ -16,7 +16,7 @@ struct LearningOptions {
   /// usual_misfit.
   double misfit = unset;
   double reading_std = unset;  ///< [m]; NaN: measured_std of the model, otherwise usual_reading_std
-  /// time in which gains return to the values of the model [s]
+  /// Time in which gains return to the values of the model [s].
   double forgetting = 7.0 * 24.0 * 3600.0;
   double gain_std = 0.1;    ///< standard deviation of a relative gain error [1]
   double gain_bound = 0.5;  ///< largest relative change of a gain [1]
@@ -28,15 +28,15 @@ inline constexpr double usual_reading_std = 0.3 * um;
 /// Result of a reading that a probe offered.
 struct OfferedReading {
   std::size_t row = 0;
-  /// both [m]; the prediction does not yet use this reading
+  /// Reading and prediction [m]; the prediction does not yet use this reading.
   double reading = unset, predicted = unset;
-  double std = unset;   ///< expected standard deviation of their difference [m]
+  double std = unset;   ///< expected standard deviation of reading minus prediction [m]
   bool learnt = false;  ///< true: used for learning; false: rejected as too far from the prediction
-  bool zeroed = false;  ///< true: the zero was reset from it
-  double good_for = unset;  ///< time for which the prediction then meets the tolerance [s]
+  bool zeroed = false;  ///< true: this reading reset the zero
+  double good_for = unset;  ///< time until the uncertainty exceeds the tolerance [s]
 };
 
-/// A part of the model whose size is learned.
+/// A part of the model with a learned size.
 struct LearntGain {
   std::string name{};  ///< channel or effect; "kinematic"; a lag with its time constant
   /// Relative difference from the gain of the model [1]. For a lag that the model lacks, the
@@ -46,7 +46,7 @@ struct LearntGain {
   bool is_lag = false, at_bound = false;
 };
 
-/// Reason to identify the model again.
+/// Reason why the model should be identified again.
 struct IdentificationDue {
   std::size_t row = 0;
   std::string reason{};
@@ -68,11 +68,11 @@ struct Learning {
   std::vector<IdentificationDue> due{};
   ErrorBetween error{};
   double tolerance = unset;  ///< [m]
-  /// number of rows whose uncertainty exceeds the tolerance
+  /// Number of rows whose uncertainty exceeds the tolerance.
   std::size_t rows_beyond_tolerance = 0;
-  /// Time after the last row, with constant inputs, until the uncertainty of the prediction exceeds
-  /// the tolerance [s]. 0 means now, infinite means never, and NaN means that the tolerance or a
-  /// reading is missing.
+  /// Time from the last row until the uncertainty of the prediction exceeds the tolerance, with
+  /// constant inputs [s]. 0 means immediately, and infinite means never. NaN means that the
+  /// tolerance or a reading is missing.
   double next_reading = unset;
   double level = 1.0;  ///< ratio of actual to expected residual of the model [1]
   double misfit = unset, reading_std = unset;  ///< values that were used [m]
@@ -86,26 +86,27 @@ struct Learning {
 ///
 /// f is the model with the contributions c_j. The zero z of the run is unknown until its first
 /// reading. Afterwards it is a random walk of one misfit per root of an hour, plus a drift of half
-/// a misfit per hour with a memory of 12 h. The d_i describe the residual and errors of the states
-/// of slow sections: one process with half an hour and one for each slow time constant, together a
-/// fifth of a misfit. The a_j are relative changes of contributions. The b_l belong to lags of 0.5,
-/// 2 and 8 h of inputs that the model lacks, with s_l in half ranges of the input, together 2
-/// misfits. All a and b return to 0 with the forgetting time. v is the noise of a reading. One
-/// UnknownsFilter estimates all of them together. The readings determine their size relative to v:
-/// their variance is multiplied by level². level² is the mean ratio of actual to expected variance
-/// over about the last 32 readings, in which the expectation of the model counts as 8 readings.
+/// a misfit per hour with a memory of 12 h. The d_i describe the residual and the errors in the
+/// states of slow sections. One process has a memory of half an hour, and there is one further
+/// process for each slow time constant. Their joint standard deviation is a fifth of a misfit. The
+/// a_j are relative changes of contributions. The b_l are gains of lags that the model lacks: lags
+/// of 0.5, 2 and 8 h of the model inputs. The responses s_l are in units of half the input range.
+/// The joint standard deviation of all these lags is 2 misfits. All a and b return to 0 with the
+/// forgetting time. v is the noise of a reading. One UnknownsFilter estimates all of them together.
+/// The readings determine the size of these unknowns relative to v: the variance of the unknowns is
+/// multiplied by level². level² is the mean ratio of actual to expected variance over about the
+/// last 32 readings, and the expectation of the model has the weight of 8 readings.
 ///
 /// A reading is rejected if it differs from the prediction by more than 5 expected standard
 /// deviations. The next reading is then offered regardless of the interval. The zero is reset if
-/// the next reading agrees with the rejected one, or if two readings before it were rejected.
+/// this next reading agrees with the rejected one, or if the two readings before it were rejected.
 ///
 /// Source:   a Kalman filter. Sizes and times are our choice, based on the record of
 ///           docs/correction.md with models from three initial parts of it.
-/// Domain:   records over time. A lag is added only if the model knows the range of its input.
+/// Domain:   records over time. A lag is added only if the model contains the range of the input.
 /// Accuracy: the standard deviation depends on these assumptions.
 ///
-/// Throws std::invalid_argument without a column of the displacement, without a reading, and for a
-/// missing input.
+/// Throws std::invalid_argument if the displacement column, all readings or an input are missing.
 [[nodiscard]] Learning learn(const Model& model, const record::Record& record,
                              const LearningOptions& options = {});
 

@@ -6,8 +6,8 @@
 
 namespace raceway::correction {
 
-/// Errors of a simulated displacement, by the definitions of several papers. The residue is
-/// measured minus simulated. Values are in SI units except percentages.
+/// Errors of a simulated displacement, as several papers define them. The residue is the measured
+/// minus the simulated displacement. Values are in SI units, except percentages.
 struct Metrics {
   std::size_t readings = 0;
   double rms = unset, mean_abs = unset, max_abs = unset;
@@ -15,8 +15,8 @@ struct Metrics {
   /// |max| + |min| of the residue, as printed in [Transfer2022, eq. 7]. It equals the peak-to-peak
   /// value if max and min have different signs and is larger otherwise.
   double peak_to_peak = unset;
-  /// (1 - |y - s| / |y - mean of y|) 100 with the measured y: 100 is perfect, and 0 is as good as
-  /// the mean.
+  /// (1 - |y - s| / |y - mean of y|) 100 with the measured y: 100 is a perfect simulation, and 0 is
+  /// as good as the mean.
   double fit_percent = unset;
   /// Reduction of the largest residue relative to the largest displacement [%].
   double reduction_of_max_percent = unset;

@@ -48,17 +48,17 @@ struct TableCoordinate {
 
 /// Input of a channel.
 ///
-/// Temperatures count relative to the first row of a run. Feeds and speeds act by their absolute
-/// value, other columns with their sign.
+/// Temperatures are taken relative to the first row of a run. For feeds and speeds, the absolute
+/// value is used. Other columns keep their sign.
 struct Input {
   std::string name{};                     ///< name in the file: "power_W", or the only column
   std::vector<const Channel*> columns{};  ///< the mean of these columns is the input
-  const Channel* reference = nullptr;     ///< its rise is subtracted from the rise of the input
-  /// Exponent of a speed n, which then acts as n (n/1000 rpm)^(exponent - 1), because heat rises
+  const Channel* reference = nullptr;     ///< its rise is subtracted from the input
+  /// Exponent for a speed n. The input is then n (n/1000 rpm)^(exponent - 1), because heat rises
   /// faster than n.
   double exponent = 1.0;
   Interval seen{};  ///< range of that speed in the fit [SI]; continued() applies beyond it
-  /// power: table torque at the speed times the speed
+  /// Power: table torque at the speed times the speed.
   std::shared_ptr<const FrictionTable> table{};
   TableCoordinate axial_load{}, radial_load{}, temperature{};  ///< other coordinates in that table
   Interval within{};                                           ///< limits of the power [W]
@@ -77,7 +77,7 @@ struct Input {
   [[nodiscard]] record::Course course() const;
 };
 
-/// A lag: A lag, described by the response to a unit step of the input and a time constant.
+/// A lag, described by the response to a unit step of the input and a time constant.
 struct Section {
   double gain = unset;           ///< [m] per SI unit of the input
   double time_constant = unset;  ///< [s]
@@ -89,14 +89,14 @@ struct DrivenChannel {
   Input input{};
   std::vector<Section> sections{};
   double feedthrough = 0.0;  ///< instant response [m] per SI unit of the input
-  double scale = 1.0;        ///< factor on the whole channel: the gain of a sister spindle
+  double scale = 1.0;  ///< factor on the whole channel, for example the gain of a sister spindle
   /// Replaces the sections by a gain and time constant that depend on the power.
   std::optional<DelayElement> element{};
   /// Replaces the sections by printed coefficients for one sampling time, in um/K for every input.
   std::optional<TransferFunction> printed{};
 };
 
-/// Law of instant displacement, u = A n^(1 - B exp(-C n)): see shaft/kinematic_law.h.
+/// Law of the kinematic displacement, u = A n^(1 - B exp(-C n)): see shaft/kinematic_law.h.
 struct Kinematic {
   double A = unset, B = unset, C = unset;  ///< units [um], [1], [1/rpm]
 };
@@ -128,7 +128,7 @@ struct NumberPrior {
 
 /// Range of a column in the data of the fit.
 struct SeenRange {
-  const Channel* column = nullptr;      ///< null: the power of a channel
+  const Channel* column = nullptr;      ///< null for the power of a channel
   std::string name{};                   ///< name of the column or the channel
   double lower = unset, upper = unset;  ///< [SI]; temperatures as absolute values, not as rise
   double still = unset;                 ///< longest time with a constant temperature, if known [s]
@@ -138,7 +138,7 @@ struct SeenRange {
 /// its own range although the combination never occurred.
 struct SeenTogether {
   std::vector<const Channel*> columns{};  ///< columns that varied
-  Eigen::VectorXd mean{}, std{};          ///< [SI]; by absolute value, except temperatures
+  Eigen::VectorXd mean{}, std{};          ///< [SI]; absolute values, except for temperatures
   Eigen::MatrixXd correlation{};
   double farthest = unset;  ///< distance of the farthest point from the mean [1]: see range.h
 };
@@ -149,14 +149,15 @@ struct Left {
   double correlation_time = unset;  ///< [s]
 };
 
-/// Evidence for a fitted model from readings that its fit did not use; trust.h judges it.
+/// Evidence for a fitted model from readings that the fit did not use. trust.h judges this
+/// evidence.
 struct Evidence {
   double error = unset;  ///< rms error on these readings; NaN if there are none [m]
-  /// rms of the readings after subtracting one constant from each run [m]
+  /// Rms of the readings after subtracting one constant from each run [m].
   double uncorrected = unset;
   double duration = unset;    ///< duration of the readings of the longest run [s]
   bool one_way = false;       ///< true if the readings only move once from one state to another
-  bool other_record = false;  ///< true if both errors come from another record than the fit
+  bool other_record = false;  ///< true if both errors come from a different record than the fit
 };
 
 struct Model {

@@ -13,19 +13,19 @@ namespace raceway::correction {
 /// Range of the time constants that a record can determine [s].
 struct TimeConstantLimits {
   double shortest = 1.0, longest = 1e7;
-  double record = unset;  ///< length of the record, if there is one
+  double record = unset;  ///< length of the record; NaN without a record
 };
 
 /// A parameter of a model that may be fitted.
 struct Number {
   record::Parameter parameter{};  ///< parameter "spindle.gain_1", in the units of the files
   std::string group{};  ///< "gains", "time_constants", "offset", "kinematic", "scale" or "effects"
-  double* place = nullptr;  ///< its place in the model
+  double* place = nullptr;  ///< address of the value in the model
   double factor = 1.0;      ///< value in the model over value of the parameter
 };
 
-/// Returns all parameters, in the order of the file. The places point into the model, which must
-/// live longer.
+/// Returns all parameters, in the order of the file. The places point into the model, so the model
+/// must live longer than the result.
 [[nodiscard]] std::vector<Number> numbers(Model& model, const TimeConstantLimits& limits = {});
 
 /// Returns the parameters without their places in the model.
@@ -41,7 +41,7 @@ struct Number {
 [[nodiscard]] bool is_group(std::string_view name);
 
 /// Returns the shortest time constant for a lag of this input [s]. A faster response to power or
-/// speed belongs to the law of instant displacement.
+/// speed belongs to the law of the kinematic displacement.
 [[nodiscard]] double shortest_time_constant(const Input& input, const TimeConstantLimits& limits);
 
 /// Returns the channel with this name, or the first one for an empty name; null if there is none.

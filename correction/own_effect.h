@@ -10,18 +10,19 @@
 
 namespace raceway::correction {
 
-/// User-defined effect: a formula of the columns of a record, in the units of the files. It adds y
-/// + K/(1 + tau s) f(columns, parameters); without a time constant it acts instantly.
+/// User-defined effect: a formula of the columns of a record, in the units of the files. It changes
+/// y to y + K/(1 + tau s) f(columns, parameters). Without a time constant, it acts instantly.
 ///
-/// A formula with a temperature counts from the first row of a run, like temperatures. Columns
-/// enter it as recorded, and speeds and feeds keep their sign.
+/// If the formula contains a temperature, its value is taken relative to the first row of a run,
+/// like the temperatures themselves. The formula uses the columns as recorded, so speeds and feeds
+/// keep their sign.
 class OwnEffect final : public EffectKind {
  public:
   struct Number {
     std::string name{}, unit{};
     double value = 0.0;
     double lower = unset, upper = unset;  ///< NaN: unbounded
-    bool in_braces = false;               ///< the file gives its value, unit and bounds
+    bool in_braces = false;               ///< true: the file gives value, unit and bounds in braces
   };
   struct Given {
     std::string id{}, title{}, formula{};
@@ -33,8 +34,8 @@ class OwnEffect final : public EffectKind {
   explicit OwnEffect(Given given);
 
   [[nodiscard]] const Given& given() const { return given_; }
-  /// Its numbers: Returns the card with its parameters: the gain [um], the time constant if it
-  ///              lags, and the parameters of the formula.
+  /// Returns the card with the parameters of the effect: the gain [um], the time constant if there
+  /// is one, and the parameters of the formula.
   [[nodiscard]] const EffectCard& card() const override { return card_; }
   [[nodiscard]] const std::vector<const Channel*>& columns() const { return columns_; }
   [[nodiscard]] bool follows_a_temperature() const;

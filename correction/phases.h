@@ -7,7 +7,7 @@
 
 namespace raceway::correction {
 
-/// State of a machine at a row, which shows in which state a model fails.
+/// State of the machine at a row. It shows in which state a model fails.
 inline constexpr record::Channel phase{
     .name = "phase", .variable = "phase", .words = "phase", .role = record::Role::run};
 

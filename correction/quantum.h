@@ -8,8 +8,8 @@
 
 namespace raceway::correction {
 
-/// Returns the last digit of a column [SI]: the greatest step of which all differences are
-/// multiples. NaN if there is no such step, or for fewer than three values.
+/// Returns the last digit of a column [SI]: the largest step for which all differences between
+/// values are multiples of the step. NaN if there is no such step, or for fewer than three values.
 [[nodiscard]] double quantum_of(const record::Channel& channel, std::span<const double> values);
 
 /// Longest time step within a record, in multiples of the usual step. A longer step is a gap
@@ -25,9 +25,10 @@ struct Still {
 /// ends such a time, because the sensor may have changed during the gap.
 [[nodiscard]] Still longest_still(const record::Record& record, std::span<const double> values);
 
-/// Returns likely values between the steps of a sensor. Values are interpolated between the changes
-/// of the last digit, where the true value is half-way. At a turning point, the middle has the
-/// value of the digit. `begins` is true at the first row of a run.
+/// Returns likely values between the steps of a sensor. At a change of the last digit, the true
+/// value is half-way between the two digits. The function interpolates between these changes. At a
+/// turning point, the middle between two changes has the value of the digit. `begins` is true at
+/// the first row of a run.
 [[nodiscard]] std::vector<double> between_digits(std::span<const double> time,
                                                  std::span<const double> values,
                                                  const std::vector<bool>& begins);

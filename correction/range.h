@@ -9,17 +9,19 @@
 #include "correction/series.h"
 #include "verdict/calibrate.h"
 
-/// Stores the range of the data of a fit and finds departures of a record from it.
+/// Stores the input range of a fit and finds the rows of a record outside this range.
 namespace raceway::correction {
 
-/// Stores the range of every input on a record up to its last reading, and their joint range.
+/// Stores the range of every input in a record up to its last reading, and the joint range of the
+/// inputs.
 void see(Model& model, const record::Record& record);
 
 /// Returns the model of a calibration, with the ranges and evidence of the record, the covariance
 /// of the fitted parameters, and the residual.
 [[nodiscard]] Model trusted(const verdict::Calibration& found, const record::Record& record);
 
-/// Removes all information from another record: ranges, covariance, residual and evidence.
+/// Removes all information that comes from another record: ranges, covariance, residual and
+/// evidence.
 void forget_what_was_seen(Model& model);
 
 /// Returns the range in the data of the fit: of a column (by absolute value, except temperatures)
@@ -37,8 +39,8 @@ void forget_what_was_seen(Model& model);
 ///   d = sqrt(zᵀ (R + 0.01 I)^-1 z),   z = (x - mean)/std, R: correlation of the inputs
 ///
 /// This is the distance of [Mahalanobis1936]. It grows with the distance of one input in units of
-/// its spread, and when correlated inputs differ from their correlation. The term 0.01 lets two
-/// exactly correlated inputs differ by a tenth of their spread per unit of distance.
+/// its spread. It also grows if correlated inputs do not follow their correlation. The term 0.01
+/// lets two exactly correlated inputs differ by a tenth of their spread per unit of distance.
 class Distance {
  public:
   explicit Distance(const SeenTogether& seen);
@@ -53,7 +55,7 @@ class Distance {
   Eigen::MatrixXd weights_;
 };
 
-/// Departures of a record from the range of the fit.
+/// Rows of a record outside the range of the fit.
 struct Beyond {
   struct Part {
     const Channel* column = nullptr;  ///< null: a power, or the joint range of inputs
@@ -64,17 +66,17 @@ struct Beyond {
     double farthest = unset;              ///< farthest of all values
     [[nodiscard]] bool together() const { return name.empty(); }
   };
-  std::vector<Part> parts{};   ///< ranges that the record leaves, inputs first
+  std::vector<Part> parts{};   ///< exceeded ranges, inputs first
   std::vector<bool> at_row{};  ///< true for rows outside any range
   bool known = false;          ///< true if the model contains its ranges
   [[nodiscard]] std::size_t rows() const;
 };
 [[nodiscard]] Beyond beyond_range(const Model& model, const Series& series);
 
-/// Returns the part of the prediction from outside the range of the fit, at every row [m]. It is
-/// the sum over parts of |part - part with limited inputs|: each input is limited to its range, and
-/// then all inputs are moved towards their mean until they are inside the joint range. It is 0 at
-/// every row of a record within the range.
+/// Returns the extrapolated part of the prediction at every row [m]. It is the sum of |part - part
+/// with limited inputs| over the parts of the model. To limit the inputs, each input is first
+/// limited to its range. Then all inputs are moved towards their mean until they are inside the
+/// joint range. The result is 0 if the inputs are within the range.
 [[nodiscard]] std::vector<double> extrapolated(const Model& model, const Series& series,
                                                const Beyond& beyond);
 

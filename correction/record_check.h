@@ -29,7 +29,7 @@ struct RecordCheck {
   fit::Repeatability repeatability{};  ///< repeatability from repeated readings within stops
   double noise_at_most = unset;        ///< upper bound of the noise of widely spaced readings [m]
   double reading_interval = unset;     ///< median [s]
-  /// range of time constants that the record can determine [s]
+  /// Range of time constants that the record can determine [s].
   double shortest = unset, longest = unset;
   std::vector<Quantum> quanta{};
   std::vector<Printed> printed{};  ///< printed transfer functions of the model
@@ -38,8 +38,8 @@ struct RecordCheck {
   std::vector<record::Note> of_its_inputs{};
 };
 
-/// Describes in one sentence where an input leaves the range of its delay element; empty if it
-/// never does.
+/// Describes in one sentence where an input leaves the range of its delay element. The text is
+/// empty if all inputs stay in their ranges.
 [[nodiscard]] std::string beyond_element(const Model& model, const record::Record& record);
 
 [[nodiscard]] RecordCheck check_record(const Model& model, const record::Record& record);

@@ -7,11 +7,11 @@
 namespace raceway::correction {
 
 /// Multiple linear regression: a displacement as a linear combination of temperatures, without
-/// memory. Many controls use this model; here it is the baseline for comparison.
+/// memory. Many controls use this model. In raceway, it is a baseline for comparison.
 struct Regression {
   Eigen::VectorXd coefficients{};  ///< one for each column
   double rms = unset;              ///< rms residual, in the unit of the readings
-  /// Condition number: largest over least singular value of the columns. From 1e8 on, the
+  /// Condition number: largest over least singular value of the columns. At 1e8 and above, the
   /// coefficients lose digits.
   double condition = unset;
 };

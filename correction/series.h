@@ -17,10 +17,11 @@ namespace raceway::correction {
 /// Response of a channel with effects that change its lags.
 struct Answer {
   double sensor_time_constant = 0.0;  ///< sensor time constant [s]: the input is T (1 + it s)
-  double off_gain = 1.0, off_time_constant = 1.0;  ///< ratios that apply while coolant_on is 0
-  double speed_factor = 0.0, gain_power = 1.0;     ///< s and g of the effect's card
-  double falling = 1.0;                            ///< ratio while the input is below the state
-  Interval speed{};  ///< speed range of the fit [rpm], beyond which s and g are continued()
+  double off_gain = 1.0, off_time_constant = 1.0;  ///< ratios that act while coolant_on is 0
+  /// s and g of speed_dependent_time_constant.h.
+  double speed_factor = 0.0, gain_power = 1.0;
+  double falling = 1.0;  ///< ratio of τ while the input is below the state
+  Interval speed{};      ///< speed range of the fit [rpm], beyond which s and g are continued()
 
   [[nodiscard]] bool is_plain() const {
     return sensor_time_constant == 0.0 && off_gain == 1.0 && off_time_constant == 1.0 &&
@@ -28,7 +29,7 @@ struct Answer {
   }
 };
 
-/// Returns the effective size of a speed or feed that drives a channel, without its sign: see
+/// Returns the effective absolute value of a speed or feed that drives a channel: see
 /// Input::exponent.
 [[nodiscard]] double driving_size(double value, double exponent);
 
@@ -57,10 +58,11 @@ class Series {
   /// feed, multiplied by the weight of a window on the input. Throws std::invalid_argument if the
   /// record lacks a column.
   [[nodiscard]] Values input(const Input& input) const;
-  /// Returns the input of an instant part as the reading in each row sees it, including its window.
+  /// Returns the input of an instant part at the time of the reading in each row, including its
+  /// window.
   [[nodiscard]] Values at_once(const Input& input) const;
-  /// Returns the weight of a window on the displacement as the reading in each row sees it; null
-  /// for an input without such a window.
+  /// Returns the weight of a window on the displacement at the time of the reading in each row;
+  /// null for an input without such a window.
   [[nodiscard]] Values shown_share(const Input& input) const;
   /// Returns the number of rows at which the spindle turns and the power is outside the axes of its
   /// friction table.
@@ -68,11 +70,11 @@ class Series {
 
   /// Returns the state of a lag of this input in the unit of the input, including its window.
   [[nodiscard]] Values lag(const Input& input, double time_constant, const Answer& answer) const;
-  /// Returns n^(1 - B exp(-C n)) for the speed n in rpm. Above the speed range of the fit it
-  /// follows continued(). The lower end is standstill, where the value is known to be 0.
+  /// Returns n^(1 - B exp(-C n)) for the speed n in rpm. Above the speed range of the fit, the
+  /// value follows continued(). The lower end of the range is standstill, where the value is 0.
   [[nodiscard]] Values kinematic(double B, double C, const Interval& seen = {}) const;
-  /// Returns the lag of exp(-n/n0) while the spindle turns, otherwise of 0. Beyond the speed range
-  /// of the fit it follows continued().
+  /// Returns a lag of exp(-n/n0). At standstill, the input of the lag is 0. Beyond the speed range
+  /// of the fit, the input follows continued().
   [[nodiscard]] Values motor(double decay_speed_rpm, double time_constant,
                              const Interval& seen = {}) const;
   /// Returns exp(-t/tau) from the first row of the first run; 0 in later runs.
@@ -90,7 +92,7 @@ class Series {
   [[nodiscard]] std::vector<double> formula(const Input& input) const;
   /// Returns the key of the stored values of `input`.
   [[nodiscard]] Key key_of(const Input& input) const;
-  /// Computes the input at every row without a window.
+  /// Computes the input at every row, without its window.
   void fill(const Input& input, std::vector<double>& out) const;
   /// Returns the weight of a window at every row.
   [[nodiscard]] std::vector<double> shares(const Window& window) const;
@@ -103,7 +105,7 @@ class Series {
   std::vector<int> zero_;
   int zeros_ = 1;
   mutable std::mutex mutex_;
-  mutable std::vector<std::string> inputs_;  // input of each id
+  mutable std::vector<std::string> inputs_;  // key of the input with each id
   mutable std::map<Key, Values> kept_;
 };
 

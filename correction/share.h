@@ -9,7 +9,7 @@
 
 namespace raceway::correction {
 
-/// Share of the displacement from a lag of an input, or from the input itself without a lag.
+/// Share of the displacement that is a lag of an input, or proportional to the input.
 struct DrivenShare {
   Input input{};
   double gain = 0.0;             ///< [um] per unit of the input as displayed
@@ -24,7 +24,7 @@ struct MotorShare {
   double decay_speed = 0;    ///< n0 [rpm]
 };
 
-/// Share that settles once from the start of the record: size (1 - exp(-t/τ)).
+/// Share that settles from the start of the record: size (1 - exp(-t/τ)).
 struct SettlingShare {
   double size = 0.0;         ///< [um]
   double time_constant = 0;  ///< [s]
@@ -40,12 +40,13 @@ struct JumpShare {
 };
 
 /// Contribution of an effect to the displacement. Simulation, step responses and exported programs
-/// all use it, so they agree. It is empty for an effect that changes the response of a channel.
+/// all use this contribution, so their results agree. The contribution is empty for an effect that
+/// changes the response of a channel.
 using Share =
     std::variant<std::monostate, DrivenShare, MotorShare, SettlingShare, JumpShare, Kinematic>;
 
-/// Receives a weight [m] and its factor values, one for each row. For equal parameters, a Series
-/// passes the same stored object.
+/// Receives a weight [m] and a factor for each row. For equal parameters, a Series passes the same
+/// stored object.
 using Sink = std::function<void(double weight, const Series::Values& values)>;
 
 /// Simulates a share on a record. `seen` is the speed range of the fit [rpm], beyond which laws are

@@ -17,22 +17,22 @@ struct Contribution {
 };
 
 /// Simulates the displacement at every row of a record from rest [m], including the offset of the
-/// model. When a power leaves the range of a delay element, the result is NaN to the end of that
-/// run. Beyond the range of the model, lags remain linear, and laws follow continued(). Throws
-/// std::invalid_argument if the record lacks an input, or if its sampling interval differs from
-/// that of printed coefficients.
+/// model. After a power leaves the range of a delay element, the result is NaN until the end of
+/// that run. Beyond the range of the model, lags remain linear, and laws follow continued(). Throws
+/// std::invalid_argument if the record lacks an input, or if its sampling interval differs from the
+/// interval of printed coefficients.
 void simulate(const Model& model, const Series& series, std::span<double> displacement);
 
-/// Passes all terms that simulate() adds to the offset to a sink.
+/// Passes each term that simulate() adds to the offset to a sink function.
 void show_parts(const Model& model, const Series& series, const Sink& sink);
 
 /// Returns the contributions of the parts to the displacement, without the offset.
 [[nodiscard]] std::vector<Contribution> contributions(const Model& model, const Series& series);
 
-/// Returns the response of a channel with the effects that act on it.
+/// Returns the response of a channel, including the effects that act on this channel.
 [[nodiscard]] Answer answer_of(const Model& model, const DrivenChannel& channel);
 
-/// Returns the columns that a model needs in addition to the time.
+/// Returns the columns that a model needs besides the time.
 [[nodiscard]] std::vector<const Channel*> inputs_of(const Model& model);
 
 }  // namespace raceway::correction

@@ -22,18 +22,18 @@ struct StepResponse {
   std::vector<Part> parts{};
   double at_once = 0.0;               ///< instant part without a lag [m]
   double sensor_time_constant = 0.0;  ///< time constant of a slow sensor [s]
-  /// For printed coefficients: displacement sample by sample [m], in place of parts.
+  /// Displacement for each sample [m]; used for printed coefficients instead of `parts`.
   std::vector<double> sampled{};
   double sampling = unset;  ///< [s]
-  /// Effects that change the response in other conditions: at other speeds, during cooling, or with
-  /// the coolant off.
+  /// Effects that change the response under other conditions: at other speeds, during cooling, or
+  /// with the coolant off.
   std::vector<std::string> changed_by{};
 };
 
 /// Returns the step responses of all channels of a model and of all effects that are lags. The step
-/// is 1 K, W or m/min, or 1000 rpm. The record determines the inputs at which a delay element is
-/// shown (the median above zero, the largest, and the least below zero) and the duration for
-/// printed coefficients. Effects without a lag and the kinematic law are left out.
+/// is 1 K, W or m/min, or 1000 rpm. The record determines the input values for a delay element (the
+/// median above zero, the largest, and the lowest below zero) and the duration for printed
+/// coefficients. Effects without a lag and the kinematic law are left out.
 [[nodiscard]] std::vector<StepResponse> step_responses(const Model& model,
                                                        const record::Record& record);
 

@@ -14,27 +14,29 @@ namespace raceway::correction {
 ///   y(k) = sum a(i) u(k-i) - sum b(i) y(k-i),   b(0) = 1
 ///
 /// Source:   [Transfer2022, eq. 1], [S3]; a in um/K (not um/(s K), as printed), here [m/K].
-/// Traps:    slow poles lie so close to 1 that the printed digits decide gain and stability. With a
-///           sampling time of 1 s and time constants of 5400 and 900 s, the coefficients of the
-///           denominator have a sum of only 2e-7. Transfer functions are therefore read, checked
-///           and run, but never identified; identification uses sections.
+/// Traps:    slow poles are so close to 1 that the printed digits determine gain and stability.
+///           With a sampling time of 1 s and time constants of 5400 and 900 s, the coefficients of
+///           the denominator have a sum of only 2e-7. The program therefore reads, checks and runs
+///           transfer functions, but never identifies them. Identification uses sections.
 struct TransferFunction {
   std::vector<double> numerator, denominator;
   double sampling = unset;  ///< [s]
 };
 
-/// Cancels a common root of numerator and denominator at exactly 1. Such a pole never decays: it
-/// cancels in exact arithmetic, but drifts numerically. Throws std::invalid_argument without
-/// coefficients, if b(0) is not 1, if a coefficient is not finite, and if the sampling time is not
-/// positive.
+/// Cancels a common root of numerator and denominator at exactly 1. Such a pole never decays. It
+/// cancels in exact arithmetic, but the numerical result drifts. Throws std::invalid_argument
+/// without coefficients, if b(0) is not 1, if a coefficient is not finite, and if the sampling time
+/// is not positive.
 [[nodiscard]] TransferFunction reduced(const TransferFunction& printed);
 
 /// Returns the reduced function with a numerator in um per `unit` [SI] of the input and with two
-/// polynomials of equal length. Coefficients have 15 digits. With slow poles, further digits change
-/// the gain by 1e-9, so all programs that run the function use these rounded numbers.
+/// polynomials of equal length. Coefficients have 15 digits. With slow poles, more digits would
+/// change the gain by 1e-9. All programs that run the function therefore use these rounded
+/// coefficients.
 [[nodiscard]] TransferFunction direct_form(const TransferFunction& printed, double unit);
 
-/// Runs the function from rest in double precision on an input sampled at its own rate.
+/// Runs the function from rest in double precision. The input has the sampling time of the
+/// function.
 [[nodiscard]] std::vector<double> run(const TransferFunction& printed,
                                       std::span<const double> input);
 /// Runs the function as a controller does, in single precision and not reduced.
@@ -46,12 +48,12 @@ struct TransferFunction {
 ///   y(k) = through u(k) + sum x_i(k),   x_i(k) = x_i(k-1) + rise_i (gain_i u(k-1) - x_i(k-1))
 ///
 /// Source:   partial fractions in z^-1, of the reduced function.
-/// Domain:   poles real, distinct and in the open interval (0, 1); a numerator that is not longer
-///           than the denominator.
+/// Domain:   the poles are real, distinct and in the open interval (0, 1). The numerator is not
+///           longer than the denominator.
 /// Accuracy: limited by the poles, which are found in extended precision because poles of slow
 ///           bodies lie within 1e-4 of each other.
-/// Traps:    the two forms agree only at the sampling time of the function. There, a lag has the
-///           time constant -dt/ln(1 - rise), and its input is held between samples.
+/// Traps:    the two forms agree only at the sampling time dt of the function. A lag has the time
+///           constant -dt/ln(1 - rise), and its input is held between samples.
 struct ParallelForm {
   struct Lag {
     double rise, gain;  ///< 1 - pole [1]; in the unit of a(0)
@@ -73,7 +75,7 @@ struct ParallelForm {
 /// Properties of printed coefficients.
 struct TransferFunctionCheck {
   std::vector<std::complex<double>> poles{};  ///< poles as printed, the largest first
-  /// time constant of each pole [s]; NaN if the pole is not a decay
+  /// Time constant of each pole [s]; NaN if the pole is not a decay.
   std::vector<double> time_constants{};
   double dc_gain = unset;  ///< in the unit of a(0)
   /// Range of the gain from rounding the last printed digit of every coefficient: 5th and 95th
@@ -81,7 +83,7 @@ struct TransferFunctionCheck {
   double dc_gain_lower = unset, dc_gain_upper = unset;
   double unstable_share = unset;
   double feedthrough = unset;  ///< a(0): instant part of the response to a step
-  /// error of the step response after 40 h in single precision, over the gain [1]
+  /// Error of the step response after 40 h in single precision, divided by the gain [1].
   double single_error = unset;
   std::vector<std::string> warnings{};  ///< warnings for the reader, one sentence each
 };

@@ -7,7 +7,7 @@
 #include "correction/model.h"
 #include "correction/range.h"
 
-/// Judges the trust in a correction from held-out readings.
+/// Rates the trust in a correction from held-out readings.
 namespace raceway::correction {
 
 enum class TrustLevel { unknown, do_not_use, within_range, good };
@@ -41,16 +41,16 @@ struct Trust {
 ///                 tolerance or, without a tolerance, a quarter of the displacement
 ///   good          otherwise
 ///
-/// An error on another record (`Evidence::other_record`) is direct evidence. The conditions on the
-/// course and the length of the first record are then not used.
+/// An error on another record (`Evidence::other_record`) is direct evidence. The function then
+/// ignores the conditions on the shape and the length of the first record.
 /// Accuracy: the limits are our choice. They were tested on corrections found in the first 1 to 12
 /// h of data/corrections/exact. No correction with a residual above a fifth of the displacement in
 /// its test.csv is called good.
 [[nodiscard]] Trust trust_of(const Model& model);
 
-/// Returns the trust on a record. It is at most as good as the readings show, and "within range" at
-/// best if the record leaves the range. `errors` are the errors of the readings after subtracting
-/// one constant; `uncorrected` comes from uncorrected_rms().
+/// Returns the trust for a record. The level is not better than the readings of the record show. If
+/// the record leaves the range, the level is at best "within range". `errors` are the errors of the
+/// readings after subtracting one constant; `uncorrected` comes from uncorrected_rms().
 [[nodiscard]] Trust trust_on(const Model& model, const Metrics& errors, double uncorrected,
                              const Beyond& beyond);
 

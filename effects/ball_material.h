@@ -8,18 +8,20 @@
 
 namespace raceway::effects {
 
-/// Balls of the other material: silicon nitride where steel was entered, steel where silicon
-/// nitride was entered.
+/// Balls of the other material: silicon nitride if the model has steel, and steel if the model has
+/// silicon nitride.
 ///
 ///   X = (1 - c) X_entered + c X_other       density, elastic modulus, Poisson's ratio
 ///
-/// Source:   definition; c = 1 is a wrong material card, values between serve the fit.
-/// Domain:   0 <= c <= 1. Reaches the torque through ball loads only: centrifugal force and
-///           gyroscopic moment go with density, contact areas with the modulus.
+/// Source:   definition. c = 1 means that the model has the wrong ball material; values between 0
+///           and 1 are only used by the fit.
+/// Domain:   0 <= c <= 1. The effect changes the torque only through the ball loads: the density
+///           changes centrifugal force and gyroscopic moment, and the modulus changes the contact
+///           areas.
 ///
-/// In the sets of a shaft the other balls are the mounted ones. A preload entered as a force stays,
-/// since that force was set. A preload entered as an offset or a class keeps its gap, and stiffer
-/// balls raise its force.
+/// In the sets of a shaft, the bearings were mounted with the other balls. A preload entered as a
+/// force remains unchanged, because that force was set. A preload entered as an offset or a class
+/// keeps its gap, so stiffer balls increase the preload force.
 struct BallMaterial {
   static constexpr std::string_view id = "ball-material";
   static constexpr std::string_view title = "balls of another material than entered";

@@ -13,28 +13,32 @@ struct RollingContact {
   const bearing::HertzContact& hertz;
   double load;           ///< Q [N]
   double conformity;     ///< f = groove radius / ball diameter [1]
-  double radius_ratio;   ///< R_z/R_x of the equivalent radii across and along rolling [1], >= 1
+  double radius_ratio;   ///< ratio R_z/R_x of the equivalent radii across and along the rolling
+                         ///< direction [1], >= 1
   double rolling_ratio;  ///< relative rolling speed over shaft speed, ω_roll/ω [1]
 };
 
-/// Ratio of the equivalent radii of ball and groove across and along the rolling direction [1]:
+/// Returns the ratio of the equivalent radii of ball and groove, across to along the rolling
+/// direction [1]:
 ///
 ///   R_z/R_x = (1 + F(ρ))/(1 - F(ρ)),   R_x = D (1 ∓ γ)/2,   R_z = f D/(2 f - 1)
 ///
-/// upper sign at the inner race, at the nominal contact angle as Bearing::contact().
+/// The upper sign is for the inner race. The contact angle is the nominal one, as in
+/// Bearing::contact().
 /// Source: F(ρ) Σρ = 1/R_x - 1/R_z and Σρ = 1/R_x + 1/R_z, see groove_curvature().
 [[nodiscard]] inline double radius_ratio(const bearing::BearingGeometry& g, bearing::Race race) {
   const double F = bearing::groove_curvature(g, race, g.contact_angle).difference;
   return (1.0 + F) / (1.0 - F);
 }
 
-/// Sum of value(RollingContact) over all loaded contacts; NaN without a converged equilibrium.
+/// Returns the sum of value(RollingContact) over all loaded contacts; NaN without a converged
+/// equilibrium.
 ///
 ///   ω_roll,i = ω_R cos(αi - β) + (ω - ω_m) cos αi,   ω_roll,o = ω_R cos(αo - β) - ω_m cos αo
 ///
 /// A moment that resists rolling at a contact takes the power moment * ω_roll from the shaft.
-/// Source: rotation of ball against race about the tangent of the contact across the rolling
-/// direction; ω_R, ω_m, β as in bearing/kinematics.h.
+/// Source: rotation of the ball relative to the race, about the contact tangent across the rolling
+///         direction; ω_R, ω_m, β as in bearing/kinematics.h.
 template <typename Value>
 double sum_over_contacts(const friction::BearingState<double>& s, const Value& value) {
   if (s.equilibrium == nullptr || !s.equilibrium->report.converged()) return unset;

@@ -7,9 +7,9 @@
 
 namespace raceway::effects {
 
-/// The type-erased catalogue in the order of all_effects.h. Each id occurs once, in the requested
-/// form if it has one. Effects of other forms are included, so that messages can name them: see
-/// Requirements::belongs_to() and Description::moves().
+/// Returns the type-erased catalogue in the order of all_effects.h. Each id occurs once, in the
+/// requested form if the effect has it. Effects of other forms are included, so that messages can
+/// name them: see Requirements::belongs_to() and Description::moves().
 [[nodiscard]] std::span<const Description> catalogue(Form form = Form::rig);
 
 /// Returns the effect with this id in catalogue(form); null if there is none.

@@ -13,25 +13,26 @@ namespace raceway::effects {
 ///
 ///   x = c (n/10 000 rpm)²
 ///
-/// Source:   a thin free ring widens by ρ ω² r³/E, derived (3.7 um at r = 45 mm and 10 000 rpm,
-///           steel), and by (1 - ν)/4 of that as part of a solid disc.
+/// Source:   derived. A thin free ring widens by ρ ω² r³/E (steel, r = 45 mm, 10 000 rpm: 3.7 um).
+///           At the edge of a solid disc, the growth is only (1 - ν)/4 of this value.
 /// Domain:   every speed.
 struct RingGrowthAtSpeed {
   static constexpr std::string_view id = "centrifugal-ring-growth";
   static constexpr std::string_view title = "expansion of the inner ring with speed";
 
-  /// Growth at `speed`, in the unit of `size`, which is the growth at 10 000 rpm.
+  /// Returns the growth at `speed` in the unit of `size`. `size` is the growth at 10 000 rpm.
   static double at_speed(double size, double speed) {
     const double ratio = speed / (10000.0 * rpm);
     return size * ratio * ratio;
   }
 };
 
-/// Axial load of a bearing on a rig that grows as its inner ring widens [N].
+/// Increase of the axial load of a bearing on a rig, caused by the growth of the inner ring [N].
 ///
 ///   F_a -> F_a + c (n/10 000 rpm)²
 ///
-/// In a rigid set the load follows the widening; c contains the stiffness of the set.
+/// In a rigid set, the load is proportional to the growth of the ring; c contains the stiffness of
+/// the set.
 struct CentrifugalRingGrowth : RingGrowthAtSpeed {
   static constexpr Form form = Form::rig;
   static constexpr std::string_view mechanism =
@@ -57,12 +58,13 @@ struct CentrifugalRingGrowth : RingGrowthAtSpeed {
   }
 };
 
-/// Radial growth of the inner raceway against the outer one, in the sets of a shaft [m].
+/// Radial growth of the inner raceway relative to the outer one, in the sets of a shaft [m].
 ///
 ///   g = c (n/10 000 rpm)²
 ///
-/// The groove is shifted by g: the contact angle falls, the preload rises and the shaft moves, by
-/// the equilibrium of the sets. Sets of equal stiffness at both ends do not move the shaft.
+/// The inner groove moves outwards by g. The equilibrium of the sets then has a smaller contact
+/// angle, a higher preload and another position of the shaft. If the sets at both ends have equal
+/// stiffness, the shaft does not move.
 struct ShaftCentrifugalRingGrowth : RingGrowthAtSpeed {
   static constexpr Form form = Form::shaft;
   static constexpr std::string_view mechanism =

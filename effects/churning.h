@@ -12,8 +12,8 @@ namespace raceway::effects {
 ///
 ///   M = c (n/10 000 rpm)^0.621 (ν/20 mm²/s)^1.379
 ///
-/// Source:   second term of the drag moment in the SKF catalogues from 2013 on, 1.093e-7 n² d_m³ (n
-///           d_m² f_t/ν)^-1.379 R_s: its exponents; c contains the influence of the oil level.
+/// Source:   exponents of the second term of the drag moment in the SKF catalogues from 2013 on,
+///           1.093e-7 n² d_m³ (n d_m² f_t/ν)^-1.379 R_s. c contains the influence of the oil level.
 /// Domain:   speed >= 0, viscosity > 0; zero at standstill. Oil bath only.
 struct Churning {
   static constexpr std::string_view id = "churning";

@@ -23,56 +23,58 @@ namespace raceway::effects {
 class OwnMoment;
 
 /// Form of an effect: for a bearing on a rig, for the sets on a shaft, or for a whole spindle with
-/// temperatures of its own.
+/// computed temperatures.
 enum class Form { rig, shaft, spindle };
 inline constexpr std::array all_the_forms{Form::rig, Form::shaft, Form::spindle};
 
-/// Name in files: "rig", "shaft", "spindle".
+/// Returns the name in files: "rig", "shaft" or "spindle".
 [[nodiscard]] std::string_view name(Form form);
 
-/// A number of an effect in the unit of the files; the effect converts it.
+/// Parameter of an effect, in the unit of the files. The effect converts it to SI.
 using Parameter = record::NumberCard;
 
-/// Data that a model and its record must offer before an effect can be tested or fitted.
+/// Data that the model and its record must have before an effect can be tested or fitted.
 enum class Need {
   speed_levels,         ///< more than one speed
   load_levels,          ///< more than one load
   preload_levels,       ///< more than one preload of the sets
   viscosity_levels,     ///< more than one temperature
-  time,                 ///< a time of every row
+  time,                 ///< time of every row
   ring_temperatures,    ///< temperatures of inner and outer ring
-  loads,                ///< loads above zero, so that the balls can be solved for
+  loads,                ///< loads above zero, because the ball equilibrium needs a load
   several_axial_loads,  ///< more than one axial load, even if other settings vary
   several_bearings,     ///< a rig that measures the torque of two or more bearings
   rising_and_falling,   ///< speeds approached from below and from above
-  ball_load_law,    ///< another effect that uses ball loads: base laws see the entered load only
-  palmgren_law,     ///< the SKF law contains this already
+  ball_load_law,    ///< another effect that uses ball loads; base laws use only the entered load
+  palmgren_law,     ///< the law palmgren, because the law skf already contains the effect
   opposed_sets,     ///< bearings at both ends of the shaft
   torque_standard,  ///< known torque that fixes the scale of the readings
-  cold_friction     ///< a spindle whose friction follows the forces of its cold sets
+  cold_friction     ///< a spindle whose friction is computed with the forces of the cold sets
 };
 
-/// Missing data in words: "time_s of every row".
+/// Returns the missing data in words: "time_s of every row".
 [[nodiscard]] std::string_view text(Need need);
-/// As above, for a channel that must have a number in every row: "preload_N of every row".
+/// Returns the same text for a channel that must have a number in every row: "preload_N of every
+/// row".
 [[nodiscard]] std::string text(const record::Channel& channel);
 
-/// Any of these supplies is enough: "an oil jet or an oil bath".
+/// Returns the supplies in words: "an oil jet or an oil bath". Any one of them is sufficient.
 [[nodiscard]] std::string text(std::span<const friction::Supply> supplies);
 
 /// Values recorded with a row in addition to its operating point; NaN if not recorded.
 struct Record {
-  double time = unset;                    ///< by the clock of the file [s]
+  double time = unset;                    ///< time in the file [s]
   double inner_ring_temperature = unset;  ///< [K]
   double outer_ring_temperature = unset;  ///< [K]
   int run = -1;
-  double since_start = unset;  ///< time since the day or the passage through the loads began [s]
-  double direction = unset;    ///< 1 where the speed was reached from below, -1 from above
+  /// Time since the start of the day or of the passage through the loads [s].
+  double since_start = unset;
+  double direction = unset;  ///< 1 if the speed was reached from below, -1 if from above
   const record::Record* rows = nullptr;  ///< all recorded rows; null if not known
   std::size_t row = 0;                   ///< index of this row
 
-  /// Returns a recorded value [SI]: time and ring temperatures as above, all else from `rows`. NaN
-  /// if not recorded.
+  /// Returns a recorded value [SI]: time and ring temperatures from the members above, all other
+  /// values from `rows`. NaN if not recorded.
   [[nodiscard]] double value(const record::Channel& channel) const;
 };
 
@@ -96,7 +98,8 @@ struct BaseLaw {
 struct Entry {
   double viscosity_40C, viscosity_100C;  ///< viscosities of the oil
   double temperature;                    ///< temperature of the row
-  double room;  ///< temperature at which a sensor reads true: the rig's own, or the coldest row's
+  double room;  ///< temperature at which a sensor has no error: room temperature of the rig, or
+                ///< temperature of the coldest row
 };
 
 /// Inputs of an effect on the condition of the bearing.
@@ -104,20 +107,22 @@ struct ConditionInputs {
   const bearing::Bearing& bearing;       ///< as entered
   const bearing::OperatingPoint& point;  ///< as entered
   const Record& record;
-  double power;  ///< loss of the base law at the entered load [W]; see Requirements::uses_power
+  double power;  ///< friction power of the base law at the entered load [W]; see
+                 ///< Requirements::uses_power
 };
 
-/// True condition of the bearing, as a change from the entered one. Changes of several effects add.
+/// Difference between the true and the entered condition of the bearing. The changes of several
+/// effects add up.
 struct Condition {
-  double extra_axial_load = 0.0;  ///< in the direction of the entered one [N]
-  double radial_growth = 0.0;     ///< growth of the inner raceway against the outer one [m]
-  double tilt = 0.0;              ///< tilt of the inner ring about z, held by the shaft [rad]
-  double other_balls = 0.0;       ///< share of the way from the entered ball material to the other
-                                  ///< one of steel and silicon nitride [1]
-  double other_mounting = 0.0;    ///< share of the way from the entered mounting of the sets to
-                                  ///< the other one of rigid and spring [1]
-  double preload_error = 0.0;     ///< relative error of an entered preload force: real over
-                                  ///< entered, less one [1]
+  double extra_axial_load = 0.0;  ///< in the direction of the entered axial load [N]
+  double radial_growth = 0.0;     ///< growth of the inner raceway relative to the outer one [m]
+  double tilt = 0.0;              ///< tilt of the inner ring about z, imposed by the shaft [rad]
+  double other_balls = 0.0;  ///< 0: entered ball material; 1: the other material (steel or silicon
+                             ///< nitride); values between interpolate [1]
+  double other_mounting = 0.0;  ///< 0: entered mounting of the sets; 1: the other mounting (rigid
+                                ///< or spring); values between interpolate [1]
+  /// Relative error of the preload force: (real - entered)/entered [1].
+  double preload_error = 0.0;
   [[nodiscard]] bool operator==(const Condition&) const = default;
   [[nodiscard]] bool finite() const;
   [[nodiscard]] bool changes_bearing() const { return radial_growth != 0.0 || other_balls != 0.0; }
@@ -126,7 +131,8 @@ struct Condition {
 /// Inputs of an effect on the lubricant.
 struct LubricantInputs {
   const friction::Lubricant& lubricant;
-  const friction::BearingState<double>& state;  ///< at the viscosity of the row's temperature
+  /// State with the viscosity at the temperature of the row.
+  const friction::BearingState<double>& state;
   const BaseLaw& base;
 };
 
@@ -139,87 +145,91 @@ struct Film {
 
 /// Inputs of an added moment.
 struct MomentInputs {
-  const friction::BearingState<double>& state;  ///< true loads, viscosity of the film
-  friction::BaseMoments<double> base;           ///< moments of the base law there [N m]
+  /// State with the true loads and the viscosity of the film.
+  const friction::BearingState<double>& state;
+  friction::BaseMoments<double> base;  ///< moments of the base law in this state [N m]
   const Record& record;
 };
 
 /// Inputs of an effect on the reading of a measured channel.
 struct ReadingInputs {
   double value;                          ///< predicted value of that channel [SI]
-  const bearing::OperatingPoint& point;  ///< on a shaft, the axial load is external
+  const bearing::OperatingPoint& point;  ///< on a shaft, its axial load is the external load
   const Record& record;
 };
 
-/// Pitch diameter for which the ranges of scaled sizes hold.
+/// Pitch diameter for which the ranges of scaled sizes are given.
 inline constexpr double size_of_ranges = 60 * mm;
 
 /// Description of an effect in words.
 struct Card {
   std::string_view id = {};
-  std::string_view title = {};      ///< one line
-  std::string_view mechanism = {};  ///< mechanism in a sentence or two
+  std::string_view title = {};      ///< title in one line
+  std::string_view mechanism = {};  ///< physical mechanism in one or two sentences
   std::string_view formula = {};
   std::string_view source = {};
   /// Ids of effects and names of base parameters.
   std::span<const std::string_view> confused_with = {};
-  /// A measurement that shows whether the effect is present: "the torque without seals".
+  /// Measurement that shows whether the effect is present: "the torque without seals".
   std::string_view settled_by = {};
-  /// The wrong datum if this effect explains a misfit ("the oil card"); empty for physics.
+  /// Datum that is wrong if this effect explains a misfit ("the oil card"); empty for a physical
+  /// effect.
   std::string_view datum = {};
 };
 
-/// Requirements of an effect on a model and its data.
+/// Requirements of an effect for the model and its data.
 struct Requirements {
   std::span<const Need> needs = {};
   /// Channels that must have a number in every row, in addition to `needs`.
   std::span<const record::Channel* const> channels = {};
-  /// Supplies of lubricant with which it can act; empty for all.
+  /// Lubricant supplies with which the effect can act; empty if it can act with all of them.
   std::span<const friction::Supply> supplies = {};
-  bool needs_equilibrium = false;  ///< uses ball loads or contact angles
-  bool uses_power = false;         ///< looks at ConditionInputs::power
-  /// Replacement in the contact law, in words, if that law contains the effect. Empty if the effect
-  /// may be added to that law too.
+  bool needs_equilibrium = false;  ///< true: the effect uses ball loads or contact angles
+  bool uses_power = false;         ///< true: the effect uses ConditionInputs::power
+  /// Keys of the contact law that replace the effect, in words, if this law already contains it.
+  /// Empty if the effect may be added to the contact law.
   std::string_view within_contacts = {};
-  /// Further bearing data that it uses, named as in friction::bearing_data().
+  /// Further bearing data that the effect uses, with the names of friction::bearing_data().
   std::span<const std::string_view> bearing_data = {};
-  bool for_rig = true;      ///< may stand in a model of a bearing on a rig
-  bool for_shaft = true;    ///< may stand in a model of a shaft
-  bool for_spindle = true;  ///< may stand in a model of a spindle
+  bool for_rig = true;      ///< allowed in a model of a bearing on a rig
+  bool for_shaft = true;    ///< allowed in a model of a shaft
+  bool for_spindle = true;  ///< allowed in a model of a spindle
 
-  /// True if it can act with this supply, or with an unknown one.
+  /// Returns true if the effect can act with this supply. An unknown supply counts as suitable.
   [[nodiscard]] bool works_with(std::optional<friction::Supply> supply) const;
-  /// True if it has this form and may stand in a model of it.
+  /// Returns true if the effect is allowed in models of this form.
   [[nodiscard]] constexpr bool belongs_to(Form form) const {
     return form == Form::rig ? for_rig : form == Form::shaft ? for_shaft : for_spindle;
   }
-  /// True if it acts only in spindles.
+  /// Returns true if the effect acts only in spindles.
   [[nodiscard]] constexpr bool of_spindles_alone() const {
     return for_spindle && !for_rig && !for_shaft;
   }
 };
 
-/// Properties by which a verdict weighs and words an effect.
+/// Properties of an effect that a verdict uses for its weight and its wording.
 struct Nature {
-  /// True if all rotating parts contribute. On a rig that coasts down it is then the drag of all
-  /// these parts, counted once and not per bearing; the plausible range is for the bearing alone.
+  /// True if all rotating parts contribute to the effect. In a coast-down, the effect is then the
+  /// drag of all these parts and counts once, not once per bearing. The plausible range is for the
+  /// bearing only.
   bool drags_on_the_rotor = false;
-  /// Exponent of the pitch diameter in the range of its size, which holds for 60 mm. 0: the same
-  /// range for bearings of all sizes.
+  /// Exponent of the pitch diameter that scales the plausible range of the size. The stated range
+  /// is for 60 mm. 0: the same range for bearings of all sizes.
   double size_power = 0.0;
-  /// True if it warms up and cools down with the machine. Temperature or lag separates it from
-  /// other effects.
+  /// True if the effect increases and decreases as the machine warms up and cools down. Temperature
+  /// or lag separates such an effect from other effects.
   bool follows_heat = false;
-  bool base_law = false;        ///< corrects an exponent of the base law
-  bool empirical = false;       ///< a shape without a law of physics
-  bool spin = false;            ///< its moment arises where the balls spin
-  bool friction_alone = false;  ///< a condition that does not move the sets
-  bool as_mounted = false;      ///< a condition of the sets as they were mounted, before they turn
-  bool of_each_record = false;  ///< may differ between several records
+  bool base_law = false;   ///< true: corrects an exponent of the base law
+  bool empirical = false;  ///< true: a shape without a physical law
+  bool spin = false;       ///< true: the moment comes from contacts in which the balls spin
+  /// True: changes the condition of the bearings but does not move the sets.
+  bool friction_alone = false;
+  bool as_mounted = false;      ///< true: changes the sets as mounted, before they turn
+  bool of_each_record = false;  ///< true: may differ between several records
 };
 
-/// Steps of a reading at which an effect acts: the non-null ones. `values` are in the order of its
-/// parameters.
+/// Functions of an effect for the steps of the computation of a reading. Null if the effect does
+/// not act at a step. `values` are in the order of the parameters.
 struct Actions {
   /// Corrects entered or measured values.
   void (*entry)(Entry&, std::span<const double> values) = nullptr;
@@ -231,38 +241,41 @@ struct Actions {
   void (*lubricant)(const LubricantInputs&, std::span<const double> values, Film&) = nullptr;
   /// Added friction moment of one bearing [N m].
   double (*moment)(const MomentInputs&, std::span<const double> values) = nullptr;
-  /// Used instead of `moment` if that is one parameter times this [N m per unit of the parameter].
+  /// Friction moment per unit of the parameter. It replaces `moment` if the moment is proportional
+  /// to a single parameter [N m per unit].
   double (*unit_moment)(const MomentInputs&) = nullptr;
   const OwnMoment* user_made = nullptr;  ///< the moment of a user-made effect
-  /// Added to the reading of `channel` [SI].
+  /// Value that is added to the reading of `channel` [SI].
   double (*reading)(const ReadingInputs&, std::span<const double> values) = nullptr;
-  const record::Channel* channel = nullptr;  ///< measured channel of the reading step; else null
+  /// Channel of `reading`; null if the effect changes no reading.
+  const record::Channel* channel = nullptr;
   /// Changes heat sources and factors of a spindle.
   void (*spindle)(std::span<const double> values, SpindleCondition&) = nullptr;
 
   [[nodiscard]] bool has_moment() const { return moment || unit_moment || user_made; }
-  /// True if it acts on the reading of this channel.
+  /// Returns true if the effect changes the reading of this channel.
   [[nodiscard]] constexpr bool reads(const record::Channel& measured) const {
     return reading && *channel == measured;
   }
-  /// First step at which it acts: "entry", "condition", "lubricant", "moment", "reading" or
-  /// "spindle".
+  /// Returns the first step at which the effect acts: "entry", "condition", "lubricant", "moment",
+  /// "reading" or "spindle".
   [[nodiscard]] std::string_view step() const;
 };
 
 /// Entry of one physical effect in the catalogue. Each effect is a struct in its own file (see
-/// spin_friction.h); this is its type-erased form, chosen by name at run time.
+/// spin_friction.h). A Description is the type-erased form of such a struct, chosen by name at run
+/// time.
 ///
 /// An effect that acts differently in the sets of a shaft and in a bearing on a rig has two
-/// descriptions with one id and separate parameters. The model decides which one applies. A spindle
-/// has the effects of its sets in the form of a shaft, except those that its temperatures already
-/// include.
+/// descriptions with one id and separate parameters. The model decides which one applies. The sets
+/// of a spindle have the effects in the form for a shaft, except effects that the computed
+/// temperatures already include.
 struct Description : Card, Requirements, Nature, Actions {
   std::span<const Parameter> parameters = {};
 
-  /// True if it changes a measured channel of this subject: for a shaft its position, which
-  /// friction does not move, or the friction torque of its sets. In a spindle the heat of friction
-  /// moves all channels.
+  /// Returns true if the effect changes this measured channel. On a shaft, the channel is the axial
+  /// position, which friction does not change, or the friction torque of the sets. In a spindle,
+  /// the friction heat changes all channels.
   [[nodiscard]] bool moves(Form form,
                            const record::Channel& measured = record::axial_displacement) const {
     if (form != Form::shaft || !belongs_to(form)) return belongs_to(form);
@@ -277,16 +290,17 @@ struct Effect {
   std::vector<double> values;
   std::shared_ptr<const void> owner = nullptr;  ///< keeps a user-made description alive
 
-  /// Added moment [N m]; 0 if the effect acts at other steps.
+  /// Returns the added moment [N m]; 0 if the effect acts at other steps.
   [[nodiscard]] double moment(const MomentInputs& inputs) const;
 };
 
-/// Returns the changes of a spindle by these effects; other effects change nothing here.
+/// Returns the changes that these effects cause in a spindle. Effects without a spindle step are
+/// ignored.
 [[nodiscard]] SpindleCondition spindle_condition(std::span<const Effect> effects);
 
-/// Initial values of all parameters.
+/// Returns the initial values of all parameters.
 [[nodiscard]] std::vector<double> initial_values(const Description& description);
-/// As above, with every parameter that has one at its neutral value.
+/// Returns the initial values, but the neutral value of each parameter that has one.
 [[nodiscard]] std::vector<double> neutral_values(const Description& description);
 
 }  // namespace raceway::effects

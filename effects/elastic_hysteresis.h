@@ -11,13 +11,13 @@ namespace raceway::effects {
 
 using friction::contact::hysteresis_moment;
 
-/// Friction moment by elastic hysteresis in the rolling contacts [N m].
+/// Friction moment of the elastic hysteresis in the rolling contacts [N m].
 ///
 ///   M = c Σ M_h ω_roll/ω       over all contacts, M_h by hysteresis_moment()
 ///
-/// Source:   ω_roll/ω by power, derived.
-/// Domain:   converged equilibrium, else NaN. Outer contacts also carry the centrifugal force; only
-///           this separates the effect from the load moment of the base law.
+/// Source:   ω_roll/ω from the balance of power, derived.
+/// Domain:   converged equilibrium, else NaN. The outer contacts also carry the centrifugal force.
+///           Only this force separates the effect from the load moment of the base law.
 struct ElasticHysteresis {
   static constexpr std::string_view id = "elastic-hysteresis";
   static constexpr std::string_view title = "hysteresis of the rolling contacts";

@@ -13,13 +13,13 @@ namespace raceway::effects {
 ///
 ///   ν = ν(T_film),   T_film = T + R P(T_film),   P = M(ν(T_film)) ω
 ///
-/// M is the viscous moment of the base law without other effects on the lubricant; for the contact
-/// law it is the whole moment, all of which heats the film. P falls with temperature, so there is
-/// one solution, between T and T + R P(T). If asperities make P grow, the lowest solution is above
-/// that.
+/// M is the viscous moment of the base law without other effects on the lubricant. In the contact
+/// law, the whole moment heats the film, so M is the whole moment. P falls with temperature, so
+/// there is one solution, between T and T + R P(T). If P rises with temperature because of
+/// asperities, the lowest solution is above T + R P(T).
 /// Source:   heat balance with one resistance R; 5 to 40 K/kW assumed for a spindle bearing.
-/// Domain:   speed >= 0, R >= 0. A sensor away from the film has the same signature: the data
-///           cannot separate the two.
+/// Domain:   speed >= 0, R >= 0. A temperature sensor far from the film has the same signature, and
+///           the data cannot separate the two.
 struct FilmSelfHeating {
   static constexpr std::string_view id = "film-self-heating";
   static constexpr std::string_view title = "oil film hotter than the temperature sensor";
@@ -48,13 +48,14 @@ struct FilmSelfHeating {
     if (!(resistance > 0.0) || !(in.state.speed > 0.0)) return;
     friction::BearingState<double> s = in.state;
     const double outside = s.temperature;
-    const auto rise = [&](double temperature) {  // minus the rise by its own power
+    // Temperature rise minus the rise from the friction power.
+    const auto rise = [&](double temperature) {
       s.temperature = temperature;
       s.kinematic_viscosity = in.lubricant.kinematic_viscosity(temperature);
       return temperature - outside - resistance * in.base.film_moment(s) * s.speed;
     };
     double low = outside, f_low = rise(low);
-    double high = outside - f_low, f_high = rise(high);  // power there is less than at `low`
+    double high = outside - f_low, f_high = rise(high);  // the power is lower here than at `low`
     // At low speed and high temperature, thinner oil shifts load to the asperities. The power then
     // grows with temperature.
     for (int i = 0; i < 20 && f_high < 0.0; ++i) {
@@ -64,12 +65,13 @@ struct FilmSelfHeating {
       f_high = rise(high);
     }
     if (!std::isfinite(f_low) || !(f_high > 0.0)) return;
-    // Secants of the last two points; bisection where a secant leaves the bracket.
+    // Secant method with the last two points; bisection if the secant leaves the bracket.
     double before = low, f_before = f_low, temperature = high, f = f_high;
     for (int i = 0; i < 60 && std::abs(f) > 1e-10; ++i) {
       double next = temperature - f * (temperature - before) / (f - f_before);
       if (!(next > low && next < high)) next = 0.5 * (low + high);
-      if (next == low || next == high) break;  // the bracket is one rounding wide
+      // No further floating-point number lies in the bracket.
+      if (next == low || next == high) break;
       before = temperature;
       f_before = f;
       temperature = next;
@@ -80,21 +82,22 @@ struct FilmSelfHeating {
     film.kinematic_viscosity = in.lubricant.kinematic_viscosity(temperature);
   }
 
-  /// Linear whole moment of the contacts against temperature along ν(T) of the oil:
+  /// Linear approximation of the whole contact moment as a function of temperature, with ν(T) of
+  /// the oil:
   ///
   ///   M(T) = moment + slope (T - temperature),   |T - temperature| <= reach
   struct Tangent {
     double temperature, moment, slope, reach;  ///< [K], [N m], [N m/K], [K]
   };
 
-  /// Solves by Newton's method from `temperature`; `tangent_about` returns a stored tangent at or
-  /// near a temperature. M is convex in T, so each tangent gives a temperature not above the
-  /// film's, and closer to it each time. False if there is no solution.
+  /// Solves by Newton's method from `temperature`. `tangent_about` returns a stored tangent at or
+  /// near a temperature. M is convex in T, so the temperature from a tangent is never above the
+  /// film temperature and comes closer in each step. Returns false if there is no solution.
   template <typename TangentAbout>
   static bool lubricant_by_tangents(const LubricantInputs& in, std::span<const double> values,
                                     double temperature, const TangentAbout& tangent_about,
                                     Film& film) {
-    const double rise = values[0] * 1e-3 * in.state.speed;  // by one N m [K]
+    const double rise = values[0] * 1e-3 * in.state.speed;  // temperature rise per N m [K]
     if (!(rise > 0.0)) return true;
     const double outside = in.state.temperature;
     if (std::isnan(temperature)) temperature = outside;

@@ -13,38 +13,41 @@ namespace raceway::effects {
 
 using record::FormulaError;
 
-/// A user-made friction moment. Several threads may call it at once.
+/// A user-made friction moment. Several threads may call it at the same time.
 class OwnMoment {
  public:
   virtual ~OwnMoment() = default;
   /// [N m]
   [[nodiscard]] virtual double moment(const MomentInputs& inputs,
                                       std::span<const double> values) const = 0;
-  /// True if a model file can store it: true for a formula, false for a function of a program.
+  /// Returns true if a model file can store the moment. This is true for a formula, and false for a
+  /// function of a program.
   [[nodiscard]] virtual bool stands_in_files() const { return true; }
 };
 
 /// A user-made friction moment as a formula in the units of the files: "c * (speed_rpm/1000)^2" in
-/// N mm. Names come from variables() and its own parameters; muParser provides operators and
-/// functions. Several threads may evaluate it at once.
+/// N mm. The formula may use the names in variables() and the parameters of the effect, with the
+/// operators and functions of muParser. Several threads may evaluate it at the same time.
 class Formula : public OwnMoment {
  public:
-  /// Throws FormulaError: no formula, or a name that is neither variable nor parameter.
+  /// Throws FormulaError for an invalid formula, and for a name that is neither a variable nor a
+  /// parameter.
   Formula(std::string text, std::vector<std::string> parameters);
 
   [[nodiscard]] double moment(const MomentInputs& inputs,
                               std::span<const double> values) const override;
-  /// True if the moment is zero everywhere when this parameter is zero, and nonzero somewhere
-  /// otherwise.
+  /// Returns true if a zero value of this parameter makes the moment zero everywhere, and another
+  /// value does not.
   [[nodiscard]] bool is_size(std::size_t parameter, std::span<const double> values) const;
-  /// True if the formula uses that variable.
+  /// Returns true if the formula uses that variable.
   [[nodiscard]] bool uses(std::string_view variable) const;
 
   struct Variable {
     std::string_view name;
     std::string_view meaning;
     double (*computed)(const MomentInputs&) = nullptr;
-    const record::Channel* channel = nullptr;  ///< otherwise: as recorded with the row, in its unit
+    /// Channel of the row, in its own unit; null for a variable of the state.
+    const record::Channel* channel = nullptr;
     [[nodiscard]] double value(const MomentInputs& inputs) const;
   };
   /// Returns the variables of a formula in addition to its parameters, with every input of the
@@ -55,7 +58,7 @@ class Formula : public OwnMoment {
   record::Expression expression_;
 };
 
-/// User-made effect as written in a model file.
+/// User-made effect in a model file.
 struct UserMadeEffect {
   struct Number {
     std::string name, unit;
@@ -68,10 +71,10 @@ struct UserMadeEffect {
   std::vector<Number> parameters;
 };
 
-/// Makes an effect like an effect of the catalogue. Throws FormulaError.
+/// Makes an effect that works like an effect of the catalogue. Throws FormulaError.
 [[nodiscard]] Effect make_effect(const UserMadeEffect& given);
-/// Makes an effect from a moment that is not a formula; `torque_Nmm` describes it in words. The
-/// effect is off when the first parameter that may be zero is zero.
+/// Makes an effect from a moment that is not a formula. `torque_Nmm` describes the moment in words.
+/// To switch the effect off, the first parameter whose bounds include zero is set to zero.
 [[nodiscard]] Effect make_effect(const UserMadeEffect& given, std::unique_ptr<OwnMoment> moment);
 
 }  // namespace raceway::effects

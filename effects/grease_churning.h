@@ -14,10 +14,9 @@ namespace raceway::effects {
 ///   M = A M0 exp(-t/τ)
 ///
 /// Source:   churning phase after Lugt (2009): M(t) = M_end (1 + A exp(-t/τ)) with A of 0.5 to 4
-///           and τ of 1 to 20 h, applied to the viscous moment, since churning does not depend on
+///           and τ of 1 to 20 h, applied to the viscous moment, because churning does not depend on
 ///           load.
-/// Domain:   a time of each row, by the clock of the file; t = 0 is the start of churning. Grease
-///           only.
+/// Domain:   needs the time of each row in the file; churning begins at t = 0. Grease only.
 struct GreaseChurning {
   static constexpr std::string_view id = "grease-churning";
   static constexpr std::string_view title = "running-in of fresh grease";

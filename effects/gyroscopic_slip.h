@@ -7,16 +7,17 @@
 
 namespace raceway::effects {
 
-/// Empirical moment in proportion to the gyroscopic moments of the balls [N m].
+/// Empirical moment that is proportional to the gyroscopic moments of the balls [N m].
 ///
 ///   M = c Σ M_g
 ///
-/// A candidate for a misfit that grows with the square of speed and, by the angle at the outer
-/// race, with load. It is not the friction of gyroscopic sliding: M_g acts about an axis across the
-/// shaft, and a sum of such moments does not brake the shaft. Sliding takes the power Σ M_f ω_slip,
-/// as a moment M = Σ M_f ω_slip/ω, and only beyond the friction limit, M_g > about μ Q D/2. This
-/// effect has neither threshold nor slip speed, and c is not a friction coefficient. M proportional
-/// to M_g is an assumption.
+/// The effect is a candidate for a misfit that grows with the square of speed. It also grows with
+/// load, through the contact angle at the outer race. It is not the friction of gyroscopic sliding:
+/// M_g acts about an axis across the shaft, so the sum of these moments does not brake the shaft.
+/// Sliding dissipates the power Σ M_f ω_slip, which is a moment M = Σ M_f ω_slip/ω on the shaft. It
+/// begins only above the friction limit, M_g > about μ Q D/2. This effect has no threshold and no
+/// slip speed, and c is not a friction coefficient. It is an assumption that M is proportional to
+/// M_g.
 ///
 /// Source:   M_g [CaseStudy, eqs. 14 and 18; Harris2006, vol. 2, ch. 5]; the rest is empirical.
 /// Domain:   converged equilibrium, else NaN; zero at standstill.

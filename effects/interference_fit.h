@@ -10,20 +10,21 @@
 
 namespace raceway::effects {
 
-/// Radial growth of the inner raceway that sits on the shaft with interference [m].
+/// Radial growth of the inner raceway from an interference fit on the shaft [m].
 ///
 ///   u = (d/d_i) I/2,   I = max(I0 - (3 + ν) ρ ω² d d_i²/(16 E), 0)
 ///
-/// with bore d and inner raceway diameter d_i = d_m - D cos α0; changes the contact angle, at an
-/// entered axial load, by cos α0 -> cos α0 + u/(B D).
-/// Source:   Lamé, derived: ring of rectangular section on a solid shaft of the same material. The
-///           second term is the speed growth of the bore relative to the shaft. The centrifugal
-///           growth of the raceway is a separate effect.
-/// Domain:   speed >= 0; the slope in ω jumps where the ring comes loose.
+/// The bore is d, and the diameter of the inner raceway is d_i = d_m - D cos α0. At an entered
+/// axial load, the growth changes the contact angle: cos α0 -> cos α0 + u/(B D).
+/// Source:   derived from Lamé for a ring of rectangular section on a solid shaft of the same
+///           material. The second term of I is the growth of the bore relative to the shaft at
+///           speed. The centrifugal growth of the raceway is a separate effect.
+/// Domain:   speed >= 0; the derivative with respect to ω jumps at the speed at which the ring
+///           comes loose.
 ///
-/// In the sets of a shaft the fit is part of the mounted state: a preload entered as a force
-/// already includes the fit, so at speed only the loosening moves the sets. A preload entered as an
-/// offset or a class is ground into free bearings, and the fit adds to it.
+/// In the sets of a shaft, the fit is part of the mounted state. A preload entered as a force
+/// already includes the fit, so only the loss of interference at speed moves the sets. A preload
+/// entered as an offset or a class refers to bearings before mounting, so the fit increases it.
 struct InterferenceFit {
   static constexpr std::string_view id = "interference-fit";
   static constexpr std::string_view title = "inner ring expanded by its fit";

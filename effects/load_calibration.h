@@ -15,10 +15,12 @@ namespace raceway::effects {
 ///
 ///   F_a,read = s F_a
 ///
-/// Source:   definition. Load cells are accurate to 0.1 to 1 % of full scale; a lever arm, a
-///           friction in the loading device or a wrong sensitivity is off by some ten percent.
-/// Domain:   s > 0. Palmgren's load moment is a power of the load, so z absorbs this error without
-///           radial load. It shows under a radial load and in effects that use ball loads.
+/// Source:   definition. Load cells are accurate to 0.1 to 1 % of full scale. A wrong lever arm,
+///           friction in the loading device or a wrong sensitivity causes errors of some ten
+///           percent.
+/// Domain:   s > 0. Palmgren's load moment is a power of the load. Without radial load, z therefore
+///           absorbs this error. The error is visible under a radial load and in effects that use
+///           ball loads.
 struct LoadCalibration {
   static constexpr std::string_view id = "load-calibration";
   static constexpr Form form = Form::rig;

@@ -16,9 +16,10 @@ namespace raceway::effects {
 ///   F_a -> F_a (1 + c (T - 20 °C))
 ///
 /// Source:   definition. Compensated cells drift by 0.002 to 0.05 % per kelvin. Heating from one
-///           side, or a housing that grows against the loading device, causes ten times as much.
-/// Domain:   loads not below zero. T is the temperature of the row (temperature_C), from which that
-///           of the cell may differ; 20 °C only moves z.
+///           side, or the expansion of the housing against the loading device, causes ten times
+///           this drift.
+/// Domain:   loads not below zero. T is the temperature of the row (temperature_C); the temperature
+///           of the cell may differ. The choice of 20 °C changes only z.
 struct LoadCellDrift {
   static constexpr std::string_view id = "load-cell-drift";
   static constexpr Form form = Form::rig;

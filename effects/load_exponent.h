@@ -14,10 +14,10 @@ namespace raceway::effects {
 ///
 ///   M = M1 ((P0/200 N)^e - 1),   with f1_load = F_b: M1 ((F_b/1000 N)^e - 1)
 ///
-/// so that y + e stands in place of y; M1 is unchanged at a load in the middle of what spindle
-/// bearings carry, 1000 N of F_b and the P0 of about the same thrust, which keeps e and z apart.
-/// Source:   y from 0.25 to 0.55 in place of 0.33, e of -0.08 to 0.22, are seen in tests
-///           [Palmgren1959, form of the law; range assumed].
+/// The exponent y of the law becomes y + e. M1 is unchanged at a medium load of spindle bearings:
+/// F_b = 1000 N, or the P0 of about the same thrust. This reference load separates e from z.
+/// Source:   tests show y from 0.25 to 0.55 instead of 0.33, so e is -0.08 to 0.22 [Palmgren1959,
+///           form of the law; range assumed].
 /// Domain:   every load; zero without load.
 struct LoadExponent {
   static constexpr std::string_view id = "load-exponent";

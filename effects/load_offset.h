@@ -12,8 +12,8 @@ namespace raceway::effects {
 ///
 ///   F_a -> F_a + c
 ///
-/// Source:   a spring set, a zero error of the load cell, a belt: definition.
-/// Domain:   the sum is not below zero.
+/// Source:   definition, for example of a spring set, a zero error of the load cell, or a belt.
+/// Domain:   F_a + c is not below zero.
 struct LoadOffset {
   static constexpr std::string_view id = "load-offset";
   static constexpr Form form = Form::rig;

@@ -11,11 +11,12 @@ namespace raceway::effects {
 ///
 ///   M = c (n/10 000 rpm)²
 ///
-/// Source:   inertia of a fluid that is pushed aside; the first term of the drag moment in the SKF
-///           catalogues, 0.4 V_M K_ball d_m^5 n², has this form. The published constants of both
-///           terms depend on the oil level; c replaces them.
-/// Domain:   every speed. With an oil bath; by SKF twice as much with an oil jet; the
-///           drops of oil-air and worked-in grease are not pushed aside by whole balls.
+/// Source:   inertia of a fluid that is pushed aside. The first term of the drag moment in the SKF
+///           catalogues, 0.4 V_M K_ball d_m^5 n², has this form. The published constants depend on
+///           the oil level; c replaces them.
+/// Domain:   every speed. Oil bath, and oil jet with twice the drag according to SKF. Not for
+///           oil-air and worked-in grease, because the balls do not push oil drops or such grease
+///           aside.
 struct LubricantDrag {
   static constexpr std::string_view id = "lubricant-drag";
   static constexpr std::string_view title = "drag of balls and cage in the lubricant";

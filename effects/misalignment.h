@@ -12,10 +12,10 @@ namespace raceway::effects {
 ///
 ///   θ_z -> θ_z + c
 ///
-/// Balls then meet different contact angles and loads round the ring; the equilibrium is solved at
-/// this tilt.
+/// The contact angles and loads of the balls then vary around the ring. The equilibrium is solved
+/// at this tilt.
 /// Source:   definition; 1 to 5 arcmin (0.3 to 1.5 mrad) are usual tolerances of housings.
-/// Domain:   small angles. The sign is immaterial without radial load.
+/// Domain:   small angles. Without radial load, the sign has no influence.
 struct Misalignment {
   static constexpr std::string_view id = "misalignment";
   static constexpr std::string_view title = "tilted inner ring";
@@ -34,7 +34,8 @@ struct Misalignment {
                                                    .plausible_lower = 0.1,
                                                    .plausible_upper = 1.5}};
   static constexpr std::array needs{Need::loads, Need::ball_load_law};
-  static constexpr bool friction_alone = true;  // the sets on a shaft are solved without tilt
+  // The equilibrium of the sets on a shaft is solved without tilt.
+  static constexpr bool friction_alone = true;
 
   static void condition(const ConditionInputs&, std::span<const double> values, Condition& c) {
     c.tilt += values[0] * mrad;

@@ -8,20 +8,20 @@
 
 namespace raceway::effects {
 
-/// Mounting of the sets other than entered: spring where rigid was entered, and the reverse.
+/// Mounting of the sets other than entered: spring instead of rigid, or rigid instead of spring.
 ///
 ///   s (F_r - F_0) = h K_r (d (x - e) - (δ_r - δ_r0))      seat of the rear set
 ///   s = (1 - c) s_entered + c s_other,   h = (1 - c) h_entered + c h_other
 ///
-/// with K_r the stiffness of the rear set as mounted; (s, h) is (K_r c_series, 1) where it is rigid
-/// and (1, 0) on a spring of constant force (see ArrangementDesign::other_mounting). In a rigid set
-/// c is the share of the preload's variation that a spring in series relieves, since rear set and
-/// seat together are as stiff as (1 - c) K_r; 0 is the set as entered, 1 a constant force. The
-/// force as mounted stays the model's throughout.
+/// K_r is the stiffness of the rear set as mounted. (s, h) is (K_r c_series, 1) for a rigid set and
+/// (1, 0) for a spring of constant force (see ArrangementDesign::other_mounting). In a rigid set, c
+/// is the share by which a spring in series reduces the variation of the preload, because rear set
+/// and seat together have the stiffness (1 - c) K_r. c = 0 is the set as entered, and c = 1 is a
+/// constant force. The mounted preload force always remains the value of the model.
 ///
 /// Source:   springs in series, derived.
-/// Domain:   0 <= c <= 1, sets at both ends. Values between are soft housings and springs with a
-///           rate; 1 is a wrong mounting card.
+/// Domain:   0 <= c <= 1, sets at both ends. Values between are flexible housings and springs with
+///           a stiffness. 1 means that the wrong mounting was entered.
 struct OtherMounting {
   static constexpr std::string_view id = "mounting";
   static constexpr Form form = Form::shaft;

@@ -12,11 +12,11 @@ namespace raceway::effects {
 ///
 ///   ν40 -> k ν40,   ν100 -> k ν100
 ///
-/// Source:   definition; between neighbours of the ISO grades (ISO 3448) lies a factor of 1.5, and
-///           an oil may be 10 % off the middle of its grade.
+/// Source:   definition. Adjacent ISO grades (ISO 3448) differ by a factor of 1.5, and an oil may
+///           deviate by 10 % from the middle of its grade.
 /// Domain:   every viscosity. Palmgren's viscous moment is proportional to ν^(2/3), so f0 absorbs
-///           this error except for slow and thin oil (ν n below 2000) and in other terms with
-///           viscosity.
+///           this error. Exceptions are low speed with thin oil (ν n below 2000) and other terms
+///           with viscosity.
 struct LubricantViscosity {
   static constexpr std::string_view id = "lubricant-viscosity";
   static constexpr std::string_view title = "the oil is of another grade than entered";
@@ -38,7 +38,7 @@ struct LubricantViscosity {
                                                    .plausible_upper = 2.2,
                                                    .neutral = 1.0}};
   static constexpr std::array<Need, 0> needs{};
-  static constexpr bool for_spindle = false;  // f0 absorbs it there
+  static constexpr bool for_spindle = false;  // f0 absorbs this error in a spindle
 
   static void entry(Entry& entry, std::span<const double> values) {
     entry.viscosity_40C *= values[0];
@@ -48,10 +48,10 @@ struct LubricantViscosity {
 
 /// Wrong viscosity index: the viscosity falls differently with temperature than entered.
 ///
-///   ν100 -> k ν100,   ν40 as it is
+///   ν100 -> k ν100,   ν40 unchanged
 ///
-/// Source:   definition. Oils of one grade differ in ν100 by some 20 %: a viscosity index of 95 or
-///           150 at 32 mm²/s means 5.4 or 6.1 mm²/s.
+/// Source:   definition. The ν100 of oils of one grade differs by some 20 %: at ν40 = 32 mm²/s, a
+///           viscosity index of 95 means ν100 = 5.4 mm²/s, and 150 means 6.1 mm²/s.
 /// Domain:   more than one temperature; k ν100 below ν40.
 struct ViscositySlope {
   static constexpr std::string_view id = "viscosity-slope";

@@ -15,9 +15,10 @@ namespace raceway::effects {
 ///
 ///   P -> k P
 ///
-/// Source:   definition. Makers grind their preload classes to about 20 %; a force set by the
-///           torque of a nut is less certain.
-/// Domain:   k > 0, sets preloaded by a force; not for an offset ground into the faces.
+/// Source:   definition. Preload classes have a tolerance of about 20 %. A force set by the
+///           tightening torque of a nut is less accurate.
+/// Domain:   k > 0. Only for sets preloaded by a force, not for an offset that is ground into the
+///           faces.
 struct PreloadCalibration {
   static constexpr std::string_view id = "preload-calibration";
   static constexpr Form form = Form::shaft;

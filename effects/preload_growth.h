@@ -8,13 +8,13 @@
 
 namespace raceway::effects {
 
-/// Friction at the forces of the warm sets instead of the cold ones.
+/// Friction with the forces of the warm sets instead of the forces of the cold sets.
 ///
 ///   P = (1 - s) P(cold) + s P(warm)
 ///
-/// Source:   loop of heat, expansion and preload (Bossmanns and Tu 1999); the share between two
-/// models is derived. Domain:   0 <= s <= 1, of a model with preload_feedback = false. 1 is the
-/// whole loop.
+/// Source:   loop of heat, expansion and preload (Bossmanns and Tu 1999); the share s between the
+///           two models is derived.
+/// Domain:   0 <= s <= 1, for a model with preload_feedback = false. s = 1 is the whole loop.
 struct PreloadGrowth {
   static constexpr Form form = Form::spindle;
   static constexpr std::string_view id = "preload-growth";

@@ -13,12 +13,13 @@ namespace raceway::effects {
 ///
 ///   exp(-K ν n (d + D) sqrt(K_Z / (2 (D - d))))      ν [mm²/s], n [rpm], d and D [mm], K_Z = 4.4
 ///
-/// with bore d and outer diameter D; see replenishment_factor() in friction/skf.h.
+/// d is the bore and D the outer diameter; see replenishment_factor() in friction/skf.h.
 /// Source:   [SKFGeneral, p. 91-101]: K = 3e-8 for an oil bath of low level or an oil jet, 6e-8 for
 ///           grease and oil-air.
-///           K_Z is of their single row angular contact bearings, see friction/skf.h.
-/// Domain:   speed >= 0. Not for an oil bath, which is assumed to flood the contacts. Enter a
-///           starved bath of low level as a jet, which has the same K.
+///           K_Z is the value for SKF single row angular contact bearings, see friction/skf.h.
+/// Domain:   speed >= 0. Not for an oil bath, because the model assumes that a bath floods the
+///           contacts. Enter a starved bath with a low oil level as an oil jet, which has the same
+///           K.
 struct ReplenishmentStarvation {
   static constexpr std::string_view id = "replenishment-starvation";
   static constexpr std::string_view title = "starvation: lubricant flows back too slowly";

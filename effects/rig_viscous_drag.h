@@ -8,13 +8,14 @@
 
 namespace raceway::effects {
 
-/// Drag of the rig's own hydrostatic or aerostatic support [N m].
+/// Drag of the hydrostatic or aerostatic support of the rig [N m].
 ///
 ///   M = c (n/10 000 rpm)
 ///
-/// Source:   shear of a film of constant height, η ω A r²/h, derived; its viscosity is taken as
-///           constant, since it does not have the temperature of the bearing.
-/// Domain:   every speed. A tare run without the bearing separates it from the bearing.
+/// Source:   shear of a film of constant height, η ω A r²/h, derived. The viscosity is assumed
+///           constant, because the support does not have the temperature of the bearing.
+/// Domain:   every speed. A tare run without the bearing separates this drag from the bearing
+///           friction.
 struct RigViscousDrag {
   static constexpr std::string_view id = "rig-viscous-drag";
   static constexpr std::string_view title = "viscous drag of the support of the rig";

@@ -13,9 +13,9 @@ namespace raceway::effects {
 ///
 ///   M = K (1 - s (T - 45 °C)),  not below zero
 ///
-/// Source:   constant in speed and load as the seal moment of [SKFGeneral, p. 91-101]; the straight
-///           fall with temperature is an assumption for rubber that softens and grease that thins.
-/// Domain:   every speed. With s = 0 it cannot be separated from a torque offset.
+/// Source:   independent of speed and load, like the seal moment of [SKFGeneral, p. 91-101]. The
+///           linear fall with temperature is an assumption, for softer rubber and thinner grease.
+/// Domain:   every speed. With s = 0, the data cannot separate this effect from a torque offset.
 struct SealFriction {
   static constexpr std::string_view id = "seal-friction";
   static constexpr std::string_view title = "rubbing seals";

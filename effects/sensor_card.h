@@ -8,11 +8,11 @@
 
 namespace raceway::effects {
 
-/// Names and possible size of a sensor fault on one channel. The laws, the same for every channel,
-/// are in sensor_offset.h, sensor_gain.h and sensor_drift.h.
+/// Names and possible size of a sensor fault on one channel. The laws are the same for every
+/// channel and are defined in sensor_offset.h, sensor_gain.h and sensor_drift.h.
 template <std::size_t confused>
 struct SensorCard {
-  const record::Channel& channel;  ///< measured by the sensor
+  const record::Channel& channel;  ///< channel that the sensor measures
   std::string_view id, title, mechanism, formula;
   std::string_view source = "definition";
   std::array<std::string_view, confused> confused_with;
@@ -22,7 +22,7 @@ struct SensorCard {
   std::string_view settled_by = {};
 };
 
-/// Members that an effect takes from its card.
+/// Members of an effect that come from its sensor card.
 template <const auto& card>
 struct SensorFault {
   static constexpr const record::Channel& channel = card.channel;

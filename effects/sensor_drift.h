@@ -11,9 +11,10 @@ namespace raceway::effects {
 ///
 ///   x_read = x + c (T - T0)/10 K
 ///
-/// Source:   definition. T0, the temperature at which the sensor was zeroed, is rarely recorded, so
-///           it is fitted within the temperatures of the record.
-/// Domain:   every reading; T is the temperature of the row (temperature_C), not of a ring.
+/// Source:   definition. T0 is the temperature at which the sensor was zeroed. It is rarely
+///           recorded, so it is fitted within the temperature range of the record.
+/// Domain:   every reading. T is the temperature of the row (temperature_C), not a ring
+///           temperature.
 template <const auto& card>
 struct SensorTemperatureDrift : SensorFault<card> {
   static constexpr std::array parameters{card.size, Parameter{.name = "zero_at_C",
@@ -36,8 +37,9 @@ struct SensorTemperatureDrift : SensorFault<card> {
 ///
 ///   x_read = x + c t/1 h
 ///
-/// Source:   definition. Points measured in random order separate it from speed and load.
-/// Domain:   a time of each row, by the clock of the file.
+/// Source:   definition. If the points are measured in random order, the data can separate the
+///           drift from speed and load.
+/// Domain:   needs the time of each row in the file.
 template <const auto& card>
 struct SensorTimeDrift : SensorFault<card> {
   static constexpr std::array needs{Need::time};
@@ -47,8 +49,8 @@ struct SensorTimeDrift : SensorFault<card> {
   }
 };
 
-/// Data sheets of torque sensors give 0.05 to 0.5 % of full scale per 10 K; the full scale goes
-/// with the torque of the bearing.
+/// Data sheets of torque sensors give 0.05 to 0.5 % of full scale per 10 K. The full scale is
+/// assumed proportional to the torque of the bearing.
 inline constexpr SensorCard<3> torque_temperature_drift{
     .channel = record::friction_torque,
     .id = "torque-temperature-drift",
@@ -86,7 +88,8 @@ inline constexpr SensorCard<1> torque_time_drift{
     .settled_by = "the first points once more at the end"};
 
 /// Eddy-current transducers drift by 0.02 to 0.05 % of full scale per kelvin [lit], 1 to 5 um per
-/// 10 K at 1 mm. Ring temperatures act through the equilibrium of the sets, not through this.
+/// 10 K at 1 mm. Ring temperatures act through the equilibrium of the sets, not through this
+/// effect.
 inline constexpr SensorCard<3> displacement_temperature_drift{
     .channel = record::axial_displacement,
     .id = "displacement-temperature-drift",

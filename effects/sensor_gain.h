@@ -9,9 +9,9 @@ namespace raceway::effects {
 
 /// Gain error of a sensor [SI unit of its channel].
 ///
-///   x_read = (1 + g) x        x counted from the zero of the channel's unit
+///   x_read = (1 + g) x        x counts from the zero of the unit of the channel
 ///
-/// Source:   definition. `standard` fixes the scale of the channel.
+/// Source:   definition. `standard` is the datum that fixes the scale of the channel.
 /// Domain:   every reading.
 template <const auto& card, Need standard>
 struct SensorGain : SensorFault<card> {
@@ -22,7 +22,7 @@ struct SensorGain : SensorFault<card> {
   }
 };
 
-/// Torque alone never shows it, because it acts like a common factor on all moments.
+/// Torque readings cannot show this error, because it multiplies all moments by the same factor.
 inline constexpr SensorCard<2> torque_gain{
     .channel = record::friction_torque,
     .id = "torque-gain",

@@ -22,7 +22,8 @@ struct SensorOffset : SensorFault<card> {
   }
 };
 
-/// Acts like seal-friction with slope zero; reversing the rotation separates them.
+/// The offset acts like seal-friction with slope zero. Measurements in both directions of rotation
+/// separate the two.
 inline constexpr SensorCard<3> torque_offset{
     .channel = record::friction_torque,
     .id = "torque-offset",
@@ -42,7 +43,8 @@ inline constexpr SensorCard<3> torque_offset{
     .size_power = 3.0,
     .settled_by = "the torque of the standing shaft, or in both directions of rotation"};
 
-/// Zero error of a transducer zeroed on a warm or turning shaft, or before it had settled.
+/// Zero error of a transducer that was zeroed on a warm or turning shaft, or before the readings
+/// had settled.
 inline constexpr SensorCard<3> displacement_offset{
     .channel = record::axial_displacement,
     .id = "displacement-offset",

@@ -8,20 +8,21 @@
 
 namespace raceway::effects {
 
-/// Axial contraction of the turning shaft between the front set and the place where its position is
-/// read [m].
+/// Axial contraction of the turning shaft between the front set and the point at which the position
+/// is measured [m].
 ///
 ///   u_read = u - c (n/10 000 rpm)²,   c = L ν ρ ω² (a² + b²)/(2 E) at 10 000 rpm
 ///
-/// with the length L of that part, inner and outer radius a and b. The tool side moves back,
-/// against positive u.
+/// L is the length of this part, and a and b are its inner and outer radius. The tool side moves
+/// back, against positive u.
 ///
-/// Source:   derived without the stress field: radial balance, d(r² σ_r)/dr = r (σ_r + σ_θ)
-///           - ρ ω² r³, from a to b, both free of pressure, gives the mean of σ_r + σ_θ over the
-///           section as ρ ω² (a² + b²)/2; without axial force the mean axial strain is -ν/E
-///           times it. Steel, a 15, b 35 mm, 10 000 rpm: 9 um per metre.
-/// Domain:   every speed, no lag. The part between the sets shortens by the same strain and loads
-///           them as a colder shaft would; this is neglected, because the model lacks the radii.
+/// Source:   derived without the stress field. The radial equilibrium is
+///           d(r² σ_r)/dr = r (σ_r + σ_θ) - ρ ω² r³. With no pressure at the radii a and b, its
+///           integral gives ρ ω² (a² + b²)/2 as the mean of σ_r + σ_θ over the section. Without
+///           axial force, the mean axial strain is -ν/E times this mean. Example: steel, a = 15 mm,
+///           b = 35 mm, 10 000 rpm: 9 um per metre.
+/// Domain:   every speed, no lag. The shaft between the sets shortens by the same strain and loads
+///           the sets like a colder shaft. The model neglects this, because it has no shaft radii.
 struct ShaftContraction {
   static constexpr std::string_view id = "shaft-contraction";
   static constexpr std::string_view title = "shortening of the shaft with speed";

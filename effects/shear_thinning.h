@@ -13,9 +13,9 @@ namespace raceway::effects {
 ///
 ///   (1 + (n/n_c)²)^-p
 ///
-/// Source:   the Carreau law of viscosity against shear rate, with the shear rate proportional to
-///           speed and combined exponents: p = (1 - m)/2 times the exponent with which the moment
-///           follows viscosity. Flow exponents m of 0.6 to 0.9 give p up to about 0.15.
+/// Source:   the Carreau law for viscosity as a function of shear rate, with a shear rate
+///           proportional to speed. p combines two exponents: it is (1 - m)/2 times the exponent of
+///           the viscosity in the moment. Flow exponents m of 0.6 to 0.9 give p up to about 0.15.
 /// Domain:   speed >= 0, n_c > 0.
 struct ShearThinning {
   static constexpr std::string_view id = "shear-thinning";

@@ -13,7 +13,7 @@ namespace raceway::effects {
 ///   M = μ Σ (3/8) Q a E(k) ω_s/ω      under outer control Z M_s ω_s/ω at the inner race
 ///
 /// Source:   [CaseStudy, eq. 23; Harris2006, vol. 2, ch. 5]; μ of 0.04 to 0.08 is usual.
-/// Domain:   converged equilibrium, else NaN; see unit_spin_friction() for standstill.
+/// Domain:   converged equilibrium, else NaN. For standstill see unit_spin_friction().
 /// Accuracy: as unit_spin_moment().
 struct SpinFriction {
   static constexpr std::string_view id = "spin-friction";

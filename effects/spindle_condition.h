@@ -4,29 +4,35 @@
 
 namespace raceway::effects {
 
-/// Changes of a spindle by effects: factors and sources. Several effects multiply their factors and
-/// add their sources.
+/// Changes that effects cause in a spindle: factors and heat sources. The factors of several
+/// effects are multiplied, and the sources are added.
 struct SpindleCondition {
-  double outer_seat_factor = 1.0;           ///< on the conductance of the outer seats [1]
-  double convection_factor = 1.0;           ///< on free convection of housing and end faces [1]
-  double bearing_conductance_factor = 1.0;  ///< on ball and lubricant conduction [1]
-  double flange_conductance_factor = 1.0;   ///< on the path into the machine [1]
-  /// Heat at 10 000 rpm [W], with the power 1 of the speed.
-  double motor_heat = 0.0;  ///< into the housing over the gap between the sets, and the shaft there
+  double outer_seat_factor = 1.0;  ///< factor on the conductance of the outer seats [1]
+  double convection_factor = 1.0;  ///< factor on the free convection of housing and end faces [1]
+  /// Factor on the conduction through balls and lubricant [1].
+  double bearing_conductance_factor = 1.0;
+  /// Factor on the conductance from the flange into the machine [1].
+  double flange_conductance_factor = 1.0;
+  /// Added heat at 10 000 rpm [W]. Motor and drive heat grow with the exponents below; the other
+  /// sources are proportional to speed.
+  double motor_heat = 0.0;  ///< into housing and shaft between the sets
   double drive_heat = 0.0;  ///< into the shaft behind the last bearing
-  double seal_heat = 0.0;  ///< into the shaft at the nose, between the housing's face and bearing 1
+  /// Heat into the shaft at the nose, between the face of the housing and bearing 1.
+  double seal_heat = 0.0;
   double front_bearing_heat = 0.0;  ///< into the raceways of the front set
   double rear_bearing_heat = 0.0;   ///< into the raceways of the rear set, or of rollers behind it
-  /// Powers of the speed of motor and drive heat [1].
+  /// Exponents of the speed for the added motor and drive heat [1].
   double motor_heat_exponent = 1.0, drive_heat_exponent = 1.0;
-  /// Conductance of a sleeve missing in the model, from the housing to the inlet (else the ambient)
-  /// [W/K].
+  /// Conductance of a cooled sleeve that the model lacks, from the housing to the coolant inlet, or
+  /// to the ambient without coolant [W/K].
   double sleeve_conductance = 0.0;
-  /// Extent of that sleeve: 0 between the sets, 1 over their bearings to the outermost faces [1].
+  /// Extent of that sleeve [1]. 0: only between the sets. 1: over the bearings up to their
+  /// outermost faces.
   double sleeve_reach = 1.0;
-  /// Rise of the machine at the flange [K], approached with a time constant [s].
+  /// Temperature rise of the machine at the flange [K], and its time constant [s].
   double structure_rise = 0.0, structure_time = 3600.0;
-  /// Share of the change from friction with the model's choice of preload to the other choice [1].
+  /// Preload used for the friction [1]. 0: preload selected in the model (cold or warm). 1: the
+  /// other one.
   double other_preload_feedback = 0.0;
   [[nodiscard]] bool operator==(const SpindleCondition&) const = default;
 };

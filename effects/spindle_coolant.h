@@ -8,14 +8,18 @@
 
 namespace raceway::effects {
 
-/// Cooled sleeve around a spindle, missing in the model [W/K].
+/// Cooled sleeve around a spindle that the model lacks [W/K].
 ///
-///   q = G (T_housing - T_in),   T_in of the inlet, of the ambient where the model has no coolant
+///   q = G (T_housing - T_in)
 ///
-/// spread over the length that it covers: between the sets and `reach` of their bearings.
+/// T_in is the inlet temperature, or the ambient temperature if the model has no coolant. The heat
+/// flow is distributed over the length of the sleeve: the space between the sets, and the share
+/// `reach` of the length of the bearings.
 ///
-/// Source:   a film towards a fluid of one temperature, definition. 2 l/min of water carry 140 W/K.
-/// Domain:   G >= 0. It does not know when a pump is off; a record of the pump separates it.
+/// Source:   definition, convection to a fluid of uniform temperature. 2 l/min of water carry
+///           140 W/K.
+/// Domain:   G >= 0. The effect also acts when the pump is off. A record of the pump state
+///           separates it from other effects.
 struct SleeveCoolant {
   static constexpr Form form = Form::spindle;
   static constexpr std::string_view id = "coolant";
@@ -46,7 +50,7 @@ struct SleeveCoolant {
 
   static void spindle(std::span<const double> values, SpindleCondition& c) {
     c.sleeve_conductance += values[0];
-    if (values[0] > 0.0) c.sleeve_reach = values[1];  // without a sleeve its reach has no meaning
+    if (values[0] > 0.0) c.sleeve_reach = values[1];  // `reach` has no meaning without a sleeve
   }
 };
 

@@ -9,10 +9,10 @@
 
 namespace raceway::effects {
 
-/// Names and possible size of an error in an entered conductance of a spindle.
+/// Names and possible size of the error of an entered spindle conductance.
 template <std::size_t confused>
 struct SpindleFactorCard {
-  double SpindleCondition::*factor;  ///< changed by the effect
+  double SpindleCondition::*factor;  ///< factor that the effect changes
   std::string_view id, title, mechanism, formula;
   std::array<std::string_view, confused> confused_with;
   Parameter size;
@@ -22,8 +22,9 @@ struct SpindleFactorCard {
 ///
 ///   G -> k G
 ///
-/// Source:   definition; correlations of films and contacts are accurate to a factor of 1.2 to 2.
-/// Domain:   0.02 <= k, so that no part of the spindle is cut off.
+/// Source:   definition; correlations for convection and contacts are accurate to a factor of 1.2
+///           to 2.
+/// Domain:   0.02 <= k, so that no part of the spindle is thermally isolated.
 template <const auto& card>
 struct SpindleFactor {
   static constexpr Form form = Form::spindle;
@@ -43,7 +44,7 @@ struct SpindleFactor {
   }
 };
 
-/// Hot outer rings reduce the preload; sensors in the housing hardly show it.
+/// Hot outer rings reduce the preload. Sensors in the housing hardly show the hot rings.
 inline constexpr SpindleFactorCard<4> seat_conductance{
     .factor = &SpindleCondition::outer_seat_factor,
     .id = "seat-conductance",
@@ -64,7 +65,7 @@ inline constexpr SpindleFactorCard<4> seat_conductance{
              .plausible_upper = 3.0,
              .neutral = 1.0}};
 
-/// Rotating parts have separate convection, which this effect does not change.
+/// Rotating parts have their own convection, which this effect does not change.
 inline constexpr SpindleFactorCard<4> convection_factor{
     .factor = &SpindleCondition::convection_factor,
     .id = "convection-factor",
@@ -84,7 +85,8 @@ inline constexpr SpindleFactorCard<4> convection_factor{
              .plausible_upper = 4.0,
              .neutral = 1.0}};
 
-/// Oil film, lubricant and rolling balls conduct an unknown multiple of dry contacts.
+/// Oil film, lubricant and rolling balls conduct several times more heat than dry contacts; the
+/// factor is unknown.
 inline constexpr SpindleFactorCard<4> bearing_conductance{
     .factor = &SpindleCondition::bearing_conductance_factor,
     .id = "bearing-conductance",

@@ -9,10 +9,10 @@
 
 namespace raceway::effects {
 
-/// Names and possible size of a heat source missing in the model.
+/// Names and possible size of a heat source that the model lacks.
 template <std::size_t confused>
 struct SpindleHeatCard {
-  double SpindleCondition::*heat;  ///< added by the effect
+  double SpindleCondition::*heat;  ///< heat that the effect adds
   std::string_view id, title, mechanism, source;
   std::array<std::string_view, confused> confused_with;
   Parameter size;
@@ -22,8 +22,9 @@ struct SpindleHeatCard {
 ///
 ///   q = W n/10 000 rpm
 ///
-/// Source:   a constant moment; losses in a rotor and air go with a higher power of the speed.
-/// Domain:   speed >= 0, zero at standstill. In addition to the model's motor and drive heat.
+/// Source:   a constant moment. Losses in a rotor and in air grow with a higher power of the speed.
+/// Domain:   speed >= 0, zero at standstill. The heat is added to the motor and drive heat of the
+///           model.
 template <const auto& card>
 struct SpindleHeat {
   static constexpr Form form = Form::spindle;
@@ -110,7 +111,7 @@ inline constexpr SpindleHeatCard<4> front_bearing_heat{
              .plausible_lower = 10.0,
              .plausible_upper = 1000.0}};
 
-/// Heats a roller bearing that stands behind the rear set, else the rear set.
+/// Heats the roller bearing behind the rear set, or the rear set if there is no roller bearing.
 inline constexpr SpindleHeatCard<4> rear_bearing_heat{
     .heat = &SpindleCondition::rear_bearing_heat,
     .id = "rear-bearing-heat",

@@ -8,12 +8,13 @@
 
 namespace raceway::effects {
 
-/// Drift of the machine's flange temperature from the entered or recorded one [K].
+/// Difference between the true and the entered or recorded temperature of the machine at the flange
+/// [K].
 ///
 ///   T_machine -> T_machine + R (1 - exp(-t/τ))
 ///
-/// Source:   a large body that approaches a new level, one time constant, definition.
-/// Domain:   t from the start of the record; R of either sign.
+/// Source:   definition: a large body approaches a new temperature with one time constant.
+/// Domain:   t is the time from the start of the record; R may have either sign.
 struct StructureTemperature {
   static constexpr Form form = Form::spindle;
   static constexpr std::string_view id = "structure-temperature";

@@ -12,14 +12,14 @@
 
 namespace raceway::effects {
 
-/// Friction of the rig's support bearings in the reading [N m].
+/// Friction of the support bearings of the rig, which the reading includes [N m].
 ///
 ///   M_read = M + c (s + (1 - s) (n/10 000 rpm)^(2/3))
 ///
-/// Source:   constant and viscous part of Palmgren's moment [Palmgren1959] at the load and the
-///           temperature of the support, taken as constant.
-/// Domain:   n >= 0, 0.1 <= s <= 0.7: one part alone equals torque-offset or resembles
-///           rig-viscous-drag.
+/// Source:   constant and viscous part of Palmgren's moment [Palmgren1959]. Load and temperature of
+///           the support bearings are assumed constant.
+/// Domain:   n >= 0, 0.1 <= s <= 0.7: a constant part only would equal torque-offset, and a viscous
+///           part only resembles rig-viscous-drag.
 struct SupportBearings {
   static constexpr std::string_view id = "support-bearings";
   static constexpr std::string_view title = "the reading includes the support bearings of the rig";

@@ -8,12 +8,12 @@
 
 namespace raceway::effects {
 
-/// Offset of a temperature sensor, or of the film temperature from it.
+/// Offset of a temperature sensor, or difference between the sensor and the film temperature.
 ///
 ///   T_read = T + c
 ///
-/// Source:   definition. Type K thermocouples are accurate to 1.5 K, with their instrument to 3 to
-///           5 K.
+/// Source:   definition. Type K thermocouples are accurate to 1.5 K; together with the instrument,
+///           to 3 to 5 K.
 /// Domain:   every temperature.
 struct TemperatureOffset {
   static constexpr std::string_view id = "temperature-offset";
@@ -43,12 +43,15 @@ struct TemperatureOffset {
   }
 };
 
-/// Temperature sensor away from the film, which reads a share of the film's rise.
+/// Temperature sensor far from the film, which measures only a share of the temperature rise of the
+/// film.
 ///
 ///   T_read = T_room + s (T - T_room)
 ///
-/// Source:   steady conduction from the film past the sensor to the room: shares of a resistance.
-/// Domain:   s > 0; T_room as stated for the rig, or the coldest row of the record.
+/// Source:   steady heat conduction from the film past the sensor to the room; s is a ratio of
+///           thermal resistances.
+/// Domain:   s > 0; T_room is the value stated for the rig, or the temperature of the coldest row
+///           of the record.
 struct TemperatureGain {
   static constexpr std::string_view id = "temperature-gain";
   static constexpr std::string_view title =

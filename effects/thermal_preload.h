@@ -8,13 +8,13 @@
 
 namespace raceway::effects {
 
-/// Law of both forms: the temperature difference of the rings raises the preload.
+/// Law of the forms rig and shaft: the temperature difference of the rings increases the preload.
 ///
 ///   x = c P,   P = (M1 + M0) ω of the base law at the load as entered or mounted
 ///
-/// Source:   steady heat flow: the difference in temperature of the rings is in proportion to the
-///           friction power (Stein and Tu 1994; Bossmanns and Tu 1999 have the whole loop). P is
-///           taken at the load without the effect, so that the loop does not diverge.
+/// Source:   steady heat flow: the temperature difference of the rings is proportional to the
+///           friction power (Stein and Tu 1994; Bossmanns and Tu 1999 describe the whole loop). P
+///           is computed at the load without the effect, so that the loop does not diverge.
 /// Domain:   speed >= 0.
 struct PreloadByOwnHeat {
   static constexpr std::string_view id = "thermal-preload";
@@ -26,11 +26,11 @@ struct PreloadByOwnHeat {
   static constexpr bool uses_power = true;
 };
 
-/// Axial load of a bearing on a rig that grows with its own heat [N].
+/// Increase of the axial load of a bearing on a rig, caused by its friction heat [N].
 ///
 ///   F_a -> F_a + c P,   P = (M1 + M0) ω at the entered load
 ///
-/// In a rigid set the load follows the difference in temperature; c = 0 with springs.
+/// In a rigid set, the load is proportional to the temperature difference. With springs, c = 0.
 struct ThermalPreload : PreloadByOwnHeat {
   static constexpr Form form = Form::rig;
   static constexpr std::string_view mechanism =
@@ -56,17 +56,18 @@ struct ThermalPreload : PreloadByOwnHeat {
   }
 };
 
-/// Radial growth of the inner raceway against the outer one by the bearing's own heat, in the sets
-/// of a shaft [m].
+/// Radial growth of the inner raceway relative to the outer one, caused by the friction heat of the
+/// bearing, in the sets of a shaft [m].
 ///
-///   g = c P,   P = (M1 + M0) ω at the preload's share of the bearing
+///   g = c P,   P = (M1 + M0) ω at the bearing's share of the preload
 ///
-/// Free expansion λ d_m/2 of 0.5 um/K and 0.01 to 0.1 K/W between the rings give 0.005 to 0.05
-/// um/W. With measured ring temperatures, whose expansion the equilibrium already includes, c is
-/// the remainder.
+/// A free expansion λ d_m/2 of 0.5 um/K and a resistance of 0.01 to 0.1 K/W between the rings give
+/// c = 0.005 to 0.05 um/W. If the ring temperatures are measured, the equilibrium already includes
+/// their expansion, and c is only the remainder.
 struct ShaftThermalPreload : PreloadByOwnHeat {
   static constexpr Form form = Form::shaft;
-  static constexpr bool for_spindle = false;  // its temperatures include it
+  // The temperatures of a spindle already include this growth.
+  static constexpr bool for_spindle = false;
   static constexpr std::string_view mechanism =
       "Friction warms the inner rings and the balls more than the outer rings. They cannot expand "
       "freely, so the preload rises with the friction power.";

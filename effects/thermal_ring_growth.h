@@ -8,14 +8,14 @@
 
 namespace raceway::effects {
 
-/// Law of both forms: the inner raceway grows relative to the outer one with the ring temperatures.
-/// Free expansion is λ (T_i - T_o) d_m/2 with the thermal expansion λ of the rings: 0.5 um/K at d_m
-/// 90 mm, steel.
+/// Law of the forms rig and shaft: the inner raceway grows relative to the outer one with the ring
+/// temperatures. The free expansion is λ (T_i - T_o) d_m/2 with the thermal expansion λ of the
+/// rings: 0.5 um/K for steel and d_m = 90 mm.
 struct GrowthByRingTemperatures {
   static constexpr std::string_view id = "thermal-ring-growth";
   static constexpr bool follows_heat = true;
 
-  /// T_i - T_o [K]; NaN where one was not recorded.
+  /// Returns T_i - T_o [K]; NaN if one of them was not recorded.
   static double difference(const Record& record) {
     return record.inner_ring_temperature - record.outer_ring_temperature;
   }
@@ -26,9 +26,10 @@ struct GrowthByRingTemperatures {
 ///
 ///   u = c λ (T_i - T_o) d_m/2        λ thermal expansion of the rings
 ///
-/// changes the contact angle, at an entered axial load, by cos α0 -> cos α0 + u/(B D).
+/// At an entered axial load, the growth changes the contact angle: cos α0 -> cos α0 + u/(B D).
 /// Source:   free thermal expansion, derived; c = 1 means unconstrained rings.
-/// Domain:   both ring temperatures measured. Balls at the temperature of the outer ring.
+/// Domain:   both ring temperatures are measured. The balls are assumed to have the temperature of
+///           the outer ring.
 struct ThermalRingGrowth : GrowthByRingTemperatures {
   static constexpr Form form = Form::rig;
   static constexpr std::string_view title = "rings with different temperatures";
@@ -54,21 +55,22 @@ struct ThermalRingGrowth : GrowthByRingTemperatures {
   }
 };
 
-/// Radial growth of the inner raceway against the outer one by ring temperatures, beyond the free
-/// expansion of the rings, in the sets of a shaft [m].
+/// Additional radial growth of the inner raceway relative to the outer one from the ring
+/// temperatures, beyond the free expansion of the rings, in the sets of a shaft [m].
 ///
 ///   g = c (T_i - T_o)
 ///
-/// The free expansion of rings and balls at the temperatures of a row, or of the model, is already
-/// in the equilibrium of the sets (bearing::thermal_shift), so c = 0 means unconstrained rings. c >
-/// 0: the housing constrains the outer ring, or sensors outside the rings read less than the
-/// raceways; c < 0: the shaft constrains the inner ring. -λ d_m/2 cancels the whole radial
-/// expansion.
+/// The equilibrium of the sets already includes the free expansion of rings and balls at the
+/// temperatures of a row or of the model (bearing::thermal_shift), so c = 0 means unconstrained
+/// rings. c > 0: the housing constrains the outer ring, or sensors outside the rings show a smaller
+/// difference than the raceways have. c < 0: the shaft constrains the inner ring. c = -λ d_m/2
+/// cancels the whole radial expansion.
 /// Source:   derived.
-/// Domain:   both ring temperatures known.
+/// Domain:   both ring temperatures are known.
 struct ShaftThermalRingGrowth : GrowthByRingTemperatures {
   static constexpr Form form = Form::shaft;
-  static constexpr bool for_spindle = false;  // its temperatures include it
+  // The temperatures of a spindle already include this growth.
+  static constexpr bool for_spindle = false;
   static constexpr std::string_view title = "rings that do not expand freely with temperature";
   static constexpr std::string_view mechanism =
       "The free expansion of rings at their measured temperatures is part of every prediction. A "

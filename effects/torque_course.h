@@ -10,16 +10,17 @@
 
 #include "effects/effect.h"
 
-// Faults of a torque sensor that depend on the course of the measurement.
+// Faults of a torque sensor that depend on the sequence of the measurements.
 namespace raceway::effects {
 
 /// Zero drift from the start of each day [N m].
 ///
 ///   M_read = M + c t/1 h
 ///
-/// Source:   definition: an amplifier that warms up, a sensor that is zeroed each morning.
-/// Domain:   a time of every row; t counts from the start of the day, or of each passage through
-///           the loads where the clock shows no pause (Record::since_start).
+/// Source:   definition, for example an amplifier that warms up or a sensor that is zeroed each
+///           morning.
+/// Domain:   needs the time of every row. t begins at the start of the day. If the record shows no
+///           pause, t begins at the start of each passage through the loads (Record::since_start).
 struct TorqueCreep {
   static constexpr std::string_view id = "torque-creep";
   static constexpr std::string_view title = "zero of the torque sensor creeps over each day";
@@ -53,12 +54,12 @@ struct TorqueCreep {
   }
 };
 
-/// Hysteresis of the reading with the direction of speed change [N m].
+/// Hysteresis of the reading, which depends on the direction of the speed change [N m].
 ///
-///   M_read = M + c/2  from below,   M - c/2  from above
+///   M_read = M + c/2  speed reached from below,   M - c/2  from above
 ///
-/// Source:   definition: a sensor with hysteresis, a support that sticks.
-/// Domain:   a time of every row; the first speed of a run counts as reached from below
+/// Source:   definition, for example a sensor with hysteresis or a support that sticks.
+/// Domain:   needs the time of every row. The first speed of a run counts as reached from below
 ///           (Record::direction).
 struct SpeedHysteresis {
   static constexpr std::string_view id = "speed-hysteresis";

@@ -12,12 +12,12 @@ namespace raceway::effects {
 ///
 ///   M = c (n/10 000 rpm)^1.8
 ///
-/// Moment per bearing. On a rig that coasts down it is the moment of all rotating parts, including
-/// a flywheel, and counts once, not per bearing.
+/// The moment is per bearing. In a coast-down, it is the moment of all rotating parts, including a
+/// flywheel, and counts once, not once per bearing.
 ///
 /// Source:   moment of a turning cylinder in a gap, C_f π ρ ω² R⁴ L with C_f ~ Re^-0.2 (Bilgen and
-///           Boulos, turbulent): the exponent 2 - 0.2; the size is left to c.
-/// Domain:   speed >= 0; below Re of about 10 000 the exponent nears 1.5.
+///           Boulos, turbulent). The exponent is therefore 2 - 0.2; c is fitted.
+/// Domain:   speed >= 0. Below Re of about 10 000, the exponent approaches 1.5.
 struct Windage {
   static constexpr std::string_view id = "windage";
   static constexpr std::string_view title = "air friction";

@@ -23,8 +23,9 @@ struct CostlyEnd {
   double settled = 1e-4;  ///< relative fall of the misfit that counts as no progress
   /// Fits with a larger misfit need no exact derivatives.
   double hopeless = std::numeric_limits<double>::infinity();
-  /// Stops as soon as exact or approximate derivatives predict a relative fall below `settled`, and
-  /// takes the last step without a prediction. This shows how far a fit would get.
+  /// True: the fit stops as soon as exact or approximate derivatives predict a relative fall below
+  /// `settled`. It takes the last step without a prediction. The result shows which misfit a full
+  /// fit would reach.
   bool rough = false;
 };
 
@@ -32,12 +33,12 @@ struct CostlyEnd {
 /// Levenberg and Marquardt. A parameter has a logarithmic scale if its bounds span more than a
 /// decade; otherwise its typical size is the scale. Derivatives are differences over a fiftieth or
 /// a fifth of the scale, so neither the tolerance of a simulation nor its step sizes disturb them.
-/// Between two sets of differences, a rank-one update keeps them current (Broyden 1965). A fit
-/// needs two predictions for each parameter plus four. Several threads must not use one object at
-/// once, because its methods share a buffer of readings.
+/// Between two sets of differences, a rank-one update corrects the derivatives (Broyden 1965). A
+/// fit needs two predictions for each parameter plus four. Several threads must not use one object
+/// at the same time, because its methods share a buffer of readings.
 class CostlyProblem {
  public:
-  /// Arguments are those of Separable.
+  /// The arguments are the same as for Separable.
   CostlyProblem(const Subject& subject, const Record& record,
                 const std::shared_ptr<const void>& prepared, const Means& means,
                 const std::vector<std::string>& names);
@@ -45,10 +46,11 @@ class CostlyProblem {
   [[nodiscard]] const std::vector<Parameter>& parameters() const { return parameters_; }
   [[nodiscard]] CostlyFit from(const Eigen::VectorXd& start, const CostlyEnd& end) const;
   /// Continues from `base`, a fit of the first of these parameters. The remaining parameters belong
-  /// to candidates. `sizes` are the indices of those that were neutral at the end of `base`;
-  /// `initial` contains values away from neutral. A fit that stalls at a bound or gains nothing
-  /// starts again from the start of `base` if that is far away, because parameters that were bent
-  /// to hide a candidate may block it.
+  /// to candidates. `sizes` are the indices of the candidate parameters that were neutral at the
+  /// end of `base`. `initial` contains values that are not neutral. If a fit stops at a bound or
+  /// gains nothing, it starts again from the start of `base`, if that point is far away. The
+  /// reason: in `base`, parameters may have moved to absorb the missing effect, and these values
+  /// may block the candidate.
   [[nodiscard]] CostlyFit beyond(const CostlyFit& base, const Eigen::VectorXd& initial,
                                  const std::vector<std::size_t>& sizes, const CostlyEnd& end) const;
   /// Continues a fit of these parameters.
@@ -58,22 +60,22 @@ class CostlyProblem {
   [[nodiscard]] SeparableFit at(const Eigen::VectorXd& values) const;
   /// Returns the derivatives of the means with respect to the scaled parameters.
   [[nodiscard]] Eigen::MatrixXd differences(const SeparableFit& here) const;
-  /// If `better` is given, it is replaced by the prediction made for the difference whenever that
-  /// fits better.
+  /// If `better` is given, it receives the prediction of a difference if that prediction fits
+  /// better.
   [[nodiscard]] Eigen::VectorXd difference(const SeparableFit& here, std::size_t parameter,
                                            double by, SeparableFit* better = nullptr) const;
   /// `slope` contains derivatives with respect to scaled parameters. `is_fresh` is true if they are
   /// differences at `best`.
   [[nodiscard]] CostlyFit descend(SeparableFit best, Eigen::MatrixXd slope, bool is_fresh,
                                   const CostlyEnd& end) const;
-  /// Switches the candidates on at the end of another fit and returns the first values with a
-  /// better fit.
+  /// Switches the candidates on at the end of another fit. Returns the first values with a better
+  /// fit.
   [[nodiscard]] CostlyFit with_candidates(const CostlyFit& base, const Eigen::VectorXd& initial,
                                           const std::vector<std::size_t>& sizes) const;
   [[nodiscard]] bool is_far(const CostlyFit& base) const;
   void find_bounds(SeparableFit& fit) const;
   [[nodiscard]] Eigen::MatrixXd on_scales(Eigen::MatrixXd slope, const Eigen::VectorXd& at) const;
-  /// Returns one unit of the scale in the unit of a parameter.
+  /// Returns one unit of the scale, in the unit of the parameter.
   [[nodiscard]] double unit_of(std::size_t parameter, double value) const;
   [[nodiscard]] double to_scale(std::size_t parameter, double value) const;
   [[nodiscard]] double from_scale(std::size_t parameter, double at) const;

@@ -6,7 +6,7 @@
 
 namespace raceway::fit {
 
-/// Covariance of parameters fitted together, in the units of the files.
+/// Covariance of parameters that were fitted together, in the units of the files.
 struct Covariance {
   std::vector<std::string> names;
   Eigen::VectorXd values;  ///< parameter values to which the matrix belongs

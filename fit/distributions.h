@@ -1,21 +1,21 @@
 #pragma once
 
-/// Returns probabilities of the usual tests. The functions are compiled once, because Boost.Math's
-/// distributions take seconds in every file that includes them.
+/// Returns probabilities of the usual tests. The functions are compiled only once, because the
+/// distributions of Boost.Math add seconds to the compilation of every file that includes them.
 ///
 /// Degrees of freedom are positive and need not be whole numbers. Each function throws
 /// std::domain_error for arguments outside its domain.
 namespace raceway::fit {
 
-/// Probability that χ² with these degrees of freedom exceeds x; x >= 0.
+/// Returns the probability that χ² with these degrees of freedom exceeds x; x >= 0.
 [[nodiscard]] double chi_squared_above(double degrees, double x);
-/// Probability that χ² with these degrees of freedom is below x; x >= 0.
+/// Returns the probability that χ² with these degrees of freedom is below x; x >= 0.
 [[nodiscard]] double chi_squared_below(double degrees, double x);
 
-/// Probability that F with these degrees of freedom exceeds x; x >= 0.
+/// Returns the probability that F with these degrees of freedom exceeds x; x >= 0.
 [[nodiscard]] double f_above(double degrees, double error_degrees, double x);
 
-/// Probability that Student's t with these degrees of freedom exceeds x.
+/// Returns the probability that Student's t with these degrees of freedom exceeds x.
 [[nodiscard]] double t_above(double degrees, double x);
 /// Returns the x that Student's t exceeds with probability p; 0 < p < 1.
 [[nodiscard]] double t_exceeded_with(double degrees, double p);

@@ -8,7 +8,7 @@ enum class FitStatus {
   not_run,
   converged,
   iteration_limit,
-  failed,         ///< the search stopped without success; the values are its last ones
+  failed,  ///< the search stopped without success; the values are the last values of the search
   nothing_to_fit  ///< no free parameter changes the data
 };
 

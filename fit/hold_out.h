@@ -14,17 +14,17 @@ namespace raceway::fit {
                                                            const Observations& observed);
 
 /// Returns held-out errors [SI]: each block is predicted from a refit to the other blocks. The
-/// refit is linearised at `fit`, which is exact for affine responses. It is weighted by `std` and
-/// keeps parameters at a bound fixed.
+/// refit is linearised at `fit`, which is exact for affine responses. The refit uses the weights
+/// from `std` and keeps parameters at a bound fixed.
 [[nodiscard]] Eigen::VectorXd held_out_errors(const Response& response, const ResponseFit& fit,
                                               const Eigen::VectorXd& measured,
                                               const Eigen::VectorXd& std, const Blocking& blocking);
 
-/// Held-out errors of one model compared with another.
+/// Comparison of the held-out errors of two models.
 struct HoldOut {
   std::string variable;
   std::vector<double> rmse_before{}, rmse_after{};  ///< held-out error of each channel [SI]
-  /// Mean fall of the squared error in units of the noise variance, with its 95 % interval from a
+  /// Mean fall of the squared error, in units of the noise variance, and its 95 % interval from a
   /// bootstrap of the blocks.
   double improvement = unset, lower = unset, upper = unset;
   [[nodiscard]] bool better() const { return improvement > 0.0; }

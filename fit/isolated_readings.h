@@ -12,7 +12,7 @@ namespace raceway::fit {
 
 /// Criteria for isolated readings, as distances from the neighbours.
 struct Isolation {
-  bool steady = true;       ///< also removes small jumps while speed and loads are steady
+  bool steady = true;       ///< true: also removes small jumps while speed and loads are steady
   double impossible = 3.0;  ///< limit at any speed, in multiples of the range of all other readings
 };
 
@@ -31,7 +31,7 @@ struct Isolated {
 };
 
 /// Removes isolated readings of the first measured channel: one or two successive rows that jump
-/// and return while speed and loads are steady. A chip that touches the probe causes such readings.
+/// and return while speed and loads are steady. Example: a chip touches the probe.
 ///
 /// Both neighbours must be on the same side of the reading. Their distance from it must be at least
 /// 6 robust standard deviations and three times their distance from each other. The robust standard
@@ -39,8 +39,8 @@ struct Isolated {
 /// neighbours. Its lower limit is 0.3 % of the range of the central 90 % of the readings. A rise
 /// after a standstill, a peak at a change of speed and a lasting jump are not isolated readings. At
 /// any speed, a reading is isolated if its distance from both neighbours exceeds `by.impossible`
-/// times the range of the readings, without the outermost hundredth at either end. Nothing is
-/// removed if more than a tenth of the readings would be.
+/// times the range of the readings, without the outermost hundredth at either end. If this rule
+/// would remove more than a tenth of the readings, none is removed.
 [[nodiscard]] Isolated without_isolated_readings(const record::Record& record);
 
 /// Removes isolated readings of another channel. If `predicted` gives a value for each row, the
@@ -62,8 +62,8 @@ struct PossibleRows {
 /// Removes impossible rows of a rig or shaft, at most a tenth: rows with a temperature below -60 or
 /// above 200 C, and rows with an extreme reading of the first measured channel. A reading is
 /// extreme if its distance from all others is three times their range while its inputs are within
-/// the range of the other rows. The range excludes the two readings, or the hundredth of the
-/// readings, at either end. Records with fewer than 15 rows are not changed.
+/// the range of the other rows. The range excludes two readings, or a hundredth of the readings, at
+/// either end. Records with fewer than 15 rows are not changed.
 [[nodiscard]] PossibleRows without_impossible_rows(const record::Record& record);
 
 }  // namespace raceway::fit

@@ -24,18 +24,18 @@ struct Surface {
   std::vector<std::vector<int>> terms{};  ///< exponents of all inputs, for each term
 };
 
-/// Columns of a regression that fits any missing effect, so that its residuals are noise. If there
-/// are too few rows for all columns, the first columns are used.
+/// Columns of a regression that fits any missing effect. The residuals of this regression are
+/// therefore noise. If there are too few rows for all columns, the first columns are used.
 struct Saturation {
   Surface surface{};
   std::vector<const Channel*> levels{};  ///< inputs with one free value for each level
   bool levels_before_candidates = false;
-  /// True if every candidate changes readings in proportion to its size, so that its scores
-  /// describe it completely.
+  /// True if every candidate changes the readings in proportion to its size. The scores then
+  /// describe a candidate completely.
   bool proportional = false;
 };
 
-/// Quantity by whose powers a law may be bent, with a value for each row.
+/// Quantity with a value for each row. A law may be bent by powers of this quantity.
 struct Factor {
   std::string name;            ///< readable name: "speed"
   std::vector<double> values;  ///< value of each row
@@ -67,22 +67,23 @@ struct Axis {
   bool told = true;              ///< true: appears in sentences; false: only in results
 };
 
-/// A fault that the record itself shows and that no parameter value corrects.
+/// A fault that the record itself shows. No parameter value corrects this fault.
 struct Fault {
   std::string id;          ///< id in Subject::catalogue()
-  bool certain = true;     ///< true: certain for every model; false: it must explain the residuals
+  bool certain = true;     ///< true: the fault is certain for every model; false: the fault must
+                           ///< explain the residuals
   std::string datum;       ///< description of the fault: "the sensor of ..."
   std::string correction;  ///< details of the fault
-  /// record without the fault, as far as it can be corrected
+  /// Record without the fault, as far as a correction is possible.
   std::shared_ptr<const Record> without{};
 };
 
-/// Rows that are held out together, block by block.
+/// Blocks of rows. All rows of one block are held out together.
 struct Blocking {
   std::string variable;      ///< Channel::variable of the held-out input
   std::vector<int> block{};  ///< block of each row
   int blocks = 0;
-  std::vector<std::string> untold{};  ///< inputs that vary only outside all blocks, as text
+  std::vector<std::string> untold{};  ///< names of the inputs that vary only outside all blocks
   bool ordered =
       false;  ///< true: blocks are ordered by an input, so the first and last are its extremes
 };
@@ -95,9 +96,10 @@ class Judged {
 
   // Content of a record.
   /// Returns the input that an effect of Subject::catalogue() needs and that the model or record
-  /// lacks; empty if none.
+  /// lacks; empty if nothing is missing.
   [[nodiscard]] virtual std::string lacks(const std::string& id, const Record& record) const;
-  /// Returns the levels without which parameters of the model act almost alike; empty if none.
+  /// Returns the missing levels. Without these levels, parameters of the model have almost the same
+  /// influence. Empty if none are missing.
   [[nodiscard]] virtual std::string lacks_levels(const std::string& id, const Record& record) const;
   /// Returns faults of the record. Default: none.
   [[nodiscard]] virtual std::vector<Fault> faults(const Record& record) const;
@@ -107,9 +109,10 @@ class Judged {
 
   // Noise and hold-out.
   /// Returns the columns of the saturated regression. Default: a polynomial of degree four in the
-  /// first varying input, and for every other input its square and its products with the first.
+  /// first varying input, and for every other input the square and the products with the first
+  /// input.
   [[nodiscard]] virtual Saturation saturation(const Record& record) const;
-  /// Returns inputs whose recorded values scatter about the true values. Default: none.
+  /// Returns the inputs whose recorded values scatter around the true values. Default: none.
   [[nodiscard]] virtual std::vector<const Channel*> scattering(const Record& record) const;
   /// Returns the factors by which the law of a candidate may be bent. Default: the inputs that
   /// vary.

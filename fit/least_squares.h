@@ -5,7 +5,7 @@
 
 namespace raceway::fit {
 
-/// Linear least-squares problem min |r - A d|², reduced to as many rows as it has columns.
+/// Linear least-squares problem min |r - A d|², reduced to as many rows as columns.
 class LeastSquares {
  public:
   LeastSquares(const Eigen::MatrixXd& a, const Eigen::VectorXd& r);

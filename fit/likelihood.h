@@ -14,9 +14,9 @@ namespace raceway::fit {
 /// Compare only fits to the same readings with the same S. Readings are in SI. In a unit of f SI
 /// units, -2 ln L is smaller by 2 N ln f.
 struct Likelihood {
-  int readings = 0;                ///< N, number of readings in all channels
-  int parameters = 0;              ///< k, number of fitted parameters, including those at a bound
-  double chi_square = unset;       ///< NaN if the noise is unknown [1]
+  int readings = 0;           ///< N, number of readings in all channels
+  int parameters = 0;         ///< k, number of fitted parameters, including parameters at a bound
+  double chi_square = unset;  ///< NaN if the noise is unknown [1]
   double log_determinant = unset;  ///< ln det(2 π S)
   /// -2 ln L of the readings. If only the size of the noise is unknown, the most likely size is
   /// used. NaN if the noise was fitted in another way, or if errors are correlated.
@@ -35,7 +35,8 @@ struct Likelihood {
 [[nodiscard]] double widening(double misfit, int degrees_of_freedom);
 
 /// Returns the likelihood of independent readings with equal weights and the most likely noise
-/// variance: -2 ln L = N (1 + ln(2 π s²)), s² = Σe²/N. As usual, k does not count the noise.
+/// variance: -2 ln L = N (1 + ln(2 π s²)), s² = Σe²/N. As usual, k does not include the variance of
+/// the noise.
 [[nodiscard]] Likelihood likelihood_of_alike(double rmse, int readings, int parameters);
 
 }  // namespace raceway::fit

@@ -24,14 +24,14 @@ enum class NoiseSource {
 struct Noise {
   double rms = unset;  ///< rms noise [SI]; NaN if unknown
   NoiseSource source = NoiseSource::none;
-  int degrees_of_freedom = 0;  ///< degrees of freedom of the repeats, also if the noise is declared
-  double repeats_rms = unset;  ///< noise from repeats alone [SI]; NaN without repeats
+  int degrees_of_freedom = 0;  ///< degrees of freedom of the repeats, even if the noise is declared
+  double repeats_rms = unset;  ///< noise from repeats only [SI]; NaN without repeats
 };
 
 /// Returns the noise of a measured channel: the rms of declared or regression standard deviations
-/// if every reading has one. Otherwise it is the scatter within repeats, if that has at least 3
-/// degrees of freedom. The misfit of a model is never used, because it would count missing physics
-/// as noise.
+/// if every reading has one. Otherwise the noise is the scatter within repeats, if the repeats have
+/// at least 3 degrees of freedom. The misfit of a model is never used, because missing physics
+/// would then appear as noise.
 [[nodiscard]] Noise estimate_noise(const record::Record& record, const record::Channel& measured);
 
 /// Readings that were repeated during one stop, for example by several approaches of a probe.
@@ -59,15 +59,15 @@ struct Repeatability {
                                           const record::Channel& measured);
 
 /// Returns the scatter of single readings [SI], from stops if there are any, otherwise from
-/// neighbouring readings. It is NaN if the readings are too far apart in time to separate noise
-/// from real motion.
+/// neighbouring readings. NaN if the readings are too far apart in time to separate noise from real
+/// motion.
 [[nodiscard]] double noise_of_neighbours(const record::Record& record,
                                          const record::Channel& measured);
 
-/// Returns an upper bound for the scatter of single readings far apart in time [SI], one in each
-/// stop. It uses the quarter of the readings closest to the line between their neighbours. This
-/// quarter shows only noise if the machine was at rest for a quarter of the time. NaN for fewer
-/// than 12 readings.
+/// Returns an upper bound for the scatter of readings that are far apart in time, with one reading
+/// in each stop [SI]. It uses the quarter of the readings closest to the line between their
+/// neighbours. This quarter shows only noise if the machine was at rest for a quarter of the time.
+/// NaN for fewer than 12 readings.
 [[nodiscard]] double noise_of_calm_readings(const record::Record& record,
                                             const record::Channel& measured);
 

@@ -19,7 +19,7 @@ namespace raceway::fit {
 /// described in Whitening. For means over dwells, a_i comes from the scatter within a dwell and is
 /// independent of its neighbours. Declared standard deviations replace the whole sum. The noise is
 /// estimated from the residuals of a saturated regression. The misfit of a physical model is never
-/// used, because it would count missing physics as noise.
+/// used, because missing physics would then appear as noise.
 struct NoiseModel {
   /// Standard deviation relative to the reading, at the largest value of the swept input [1].
   double relative = 0.0;
@@ -30,27 +30,29 @@ struct NoiseModel {
   double input = 0.0;              ///< rms of the part from scatter of an input [SI]
   double correlation = 0.0;        ///< φ of neighbours in time, at the median time step [1]
   double run_share = 0.0;  ///< share of the variance that is common to the rows of a run [1]
-  /// Size of offsets that all readings of a run share [SI]: their variance is `run_share` times its
-  /// square. It is 0 if the offset is proportional to the standard deviation of each reading.
+  /// Size of offsets that all readings of a run share [SI]. The variance of the offsets is
+  /// `run_share` times the square of this size. It is 0 if the offset is proportional to the
+  /// standard deviation of each reading.
   double run_unit = 0.0;
   double state_share = 0.0;  ///< share of the variance that is common to the pieces of a dwell [1]
   double degrees_of_freedom = unset;  ///< degrees of freedom of the variance
   Whitening whitening{};
-  /// Other shapes of the noise that the readings allow. A verdict must be valid for each of them.
+  /// Other shapes of the noise that the readings allow. A verdict must be valid for each of these
+  /// shapes.
   std::vector<Whitening> allowed{};
-  /// True if the data do not show the difference between runs, because runs and levels of the plan
-  /// coincide.
+  /// True if the data cannot show the difference between runs, because the setting also changes
+  /// with every change of run.
   bool unknown_runs = false;
   bool undeclared_blocks = false;  ///< `run_share` describes blocks that are not declared as runs
   bool as_declared = false;  ///< true: the declared standard deviations agree with the estimate
   std::vector<std::size_t> outliers{};  ///< readings with reduced weight; none is left out
-  /// Factor on the standard deviations of each joined record [1]; empty if all records scatter
-  /// alike.
+  /// Factor on the standard deviations of each joined record [1]; empty if all records have the
+  /// same scatter.
   std::vector<double> records{};
   double rms = unset;          ///< rms over the readings [SI]
   double median_step = unset;  ///< time step to which the correlation refers [s]
-  /// F statistic and p-value of repeats against the saturated regression; NaN below 8 degrees of
-  /// freedom.
+  /// F statistic and p-value of the repeats relative to the saturated regression; NaN below 8
+  /// degrees of freedom.
   double repeats_statistic = unset, repeats_p_value = unset;
 
   /// Multiplies all parts of the noise by a factor.
@@ -64,7 +66,7 @@ struct NoiseModel {
   [[nodiscard]] double growth_at(const Record& record, std::size_t row) const;
 };
 
-/// Parts of the noise model that can be switched off, to study their purpose.
+/// Parts of the noise model that can be switched off, to study their influence.
 struct NoiseOptions {
   bool correlation = true;
   bool runs = true;
@@ -77,7 +79,7 @@ struct NoiseOptions {
 struct ChannelReadings {
   Eigen::VectorXd measured{};  ///< SI
   Eigen::VectorXd std{};       ///< declared [SI]; empty unless every reading has one
-  bool known = false;          ///< true if `std` is practically known
+  bool known = false;          ///< true if `std` is practically exact
   /// Change of each reading when a scattering input changes by the width of a level [SI]; empty if
   /// no input scatters.
   Eigen::VectorXd slope{};
@@ -100,9 +102,9 @@ struct ChannelReadings {
 /// Estimates the noise from the saturated regression `columns` (SI, full rank) by restricted
 /// maximum likelihood. `size` is a typical size of each reading [SI, > 0]; it affects only the
 /// first weights. Readings beyond the scatter, as rare as 3.5 standard deviations of a known normal
-/// law, get less weight the further they are away, and add no degree of freedom. Growth of the
-/// scatter with the swept input is tested before a reading is called an outlier. Readings that
-/// gather at one level of a setting are not outliers.
+/// law, get a smaller weight the further away they are. They add no degree of freedom. The function
+/// tests for growth of the scatter with the swept input before it calls a reading an outlier.
+/// Readings that gather at one level of a setting are not outliers.
 [[nodiscard]] NoiseModel estimate_noise_model(const ChannelReadings& readings,
                                               const Eigen::MatrixXd& columns,
                                               const Eigen::VectorXd& size,
@@ -117,12 +119,13 @@ struct ChannelReadings {
 /// the error is smaller.
 [[nodiscard]] double beyond_noise(double error, double noise);
 
-/// Adds the model's own coarseness to the noise as scatter: `error` [SI], equal for every reading.
+/// Adds the coarseness of the model to the noise as scatter: `error` [SI] is equal for every
+/// reading.
 void add_model_error(NoiseModel& noise, const ChannelReadings& readings, double error);
 
 /// Returns known noise: a given standard deviation of every reading, with independent readings. Use
-/// it for readings from a regression that measured the scatter of far more samples than it returns
-/// readings.
+/// this function for readings that come from a regression. Such a regression determines the scatter
+/// from many more samples than readings.
 [[nodiscard]] NoiseModel known_noise_model(const ChannelReadings& readings);
 
 }  // namespace raceway::fit

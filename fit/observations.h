@@ -12,7 +12,7 @@ namespace raceway::fit {
 struct Observations {
   std::vector<Measured> channels{};
   std::vector<std::size_t> place{};  ///< index of each channel in Subject::measured()
-  /// first observation of each channel; the last entry is the total
+  /// First observation of each channel; the last entry is the total.
   std::vector<Eigen::Index> first{0};
   std::vector<std::size_t> row{};  ///< row of each observation in the record
   Eigen::VectorXd measured{};      ///< SI
@@ -39,8 +39,8 @@ struct Observations {
 [[nodiscard]] Observations observe(const std::vector<Measured>& channels, const Record& record,
                                    std::span<const double> predicted);
 
-/// Returns a typical size of each reading: its magnitude, at least `share` of the floor of its
-/// channel.
+/// Returns a typical size of each reading: the absolute value of the reading, but at least `share`
+/// times the floor of the channel (Measured::floor times the rms).
 [[nodiscard]] Eigen::VectorXd floored(const Observations& observed, const Eigen::VectorXd& readings,
                                       double share);
 

@@ -24,8 +24,8 @@ struct Screened {
   /// Change of the readings per `unit_size` at the neutral point [SI, not whitened]; one column for
   /// each trial value of the shapes.
   Eigen::MatrixXd scores{};
-  /// Change by the largest size seen in practice, if it is not a multiple of the scores; one column
-  /// or none.
+  /// Change of the readings for the largest size seen in practice, if this change is not a multiple
+  /// of the scores; one column or none.
   Eigen::MatrixXd most{};
   std::string not_testable{};  ///< reason why it cannot be tested, in one sentence; empty if it can
 
@@ -41,8 +41,9 @@ struct Problem {
   std::vector<std::size_t> rows{};           ///< index of each row in the original record
   std::vector<std::size_t> not_predicted{};  ///< rows of the original record without a prediction
   Observations observed{};
-  std::vector<std::string> base{};     ///< names of the free parameters of the model
-  std::vector<Screened> candidates{};  ///< sorted by id, so the given order has no influence
+  std::vector<std::string> base{};  ///< names of the free parameters of the model
+  /// Candidates sorted by id, so the order of the caller has no influence.
+  std::vector<Screened> candidates{};
   std::shared_ptr<const void> prepared{};
   /// Called before each prediction; if it returns true, the prediction throws Cancelled. May be
   /// empty.
@@ -60,15 +61,14 @@ struct Problem {
                                      const std::shared_ptr<const Record>& record,
                                      const Observations& observed);
 
-/// Returns the model with candidates switched on and the values of `fit`, whose parameters are in
-/// the order of response_with().
+/// Returns the model with candidates switched on and with the values of `fit`. The parameters of
+/// `fit` are in the order of response_with().
 [[nodiscard]] std::shared_ptr<const Subject> fitted_subject(const Problem& problem,
                                                             std::span<const Screened* const> on,
                                                             const Response& response,
                                                             const Eigen::VectorXd& values);
 
-/// Returns the candidates with these ids (all if empty) and the facts known about them without
-/// data.
+/// Returns the candidates with these ids (all if empty), with the information that needs no data.
 [[nodiscard]] std::vector<Screened> make_candidates(const Subject& subject,
                                                     std::span<const std::string> ids);
 

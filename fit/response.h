@@ -13,10 +13,11 @@
 
 namespace raceway::fit {
 
-/// Observations as a function of a few parameters: a black box with numerical derivatives.
+/// Observations as a function of a few parameters. The function is a black box with numerical
+/// derivatives.
 ///
-/// Many models are affine in their parameters. If points spread within the bounds confirm this to
-/// rounding, `constant + slope x` is stored and fits need no iteration.
+/// Many models are affine in their parameters. The program tests this at points within the bounds.
+/// If they agree to rounding, `constant + slope x` is stored, and fits need no iteration.
 struct Response {
   std::vector<Parameter> parameters{};  ///< fits begin at `start`
   /// Predicted observations [SI]; NaN for a missing prediction.
@@ -75,15 +76,15 @@ struct ResponseFit {
 
 /// Minimises |W (y - f(x))|² within the bounds. Affine responses are solved directly. Others use
 /// the method of Levenberg and Marquardt from each start, until two starts reach the best optimum
-/// (misfit within 1e-6). Otherwise the fit counts as not converged.
+/// (misfit within 1e-6). If no two starts agree, the fit counts as not converged.
 [[nodiscard]] ResponseFit fit_response(const Response& response, const Whitening& whitening,
                                        const Eigen::VectorXd& measured,
                                        const std::vector<Eigen::VectorXd>& starts);
 
-/// Runs one search from one start, for fits that are ranked before a few of them are repeated in
-/// full. It stops if a step promises a fall of the misfit below 0.05, or below 1e-4 of the misfit
-/// if that is larger. The fit counts as converged if it reaches this point. The response must not
-/// be affine.
+/// Runs one search from one start. Use this for a first ranking of many fits; a few of them are
+/// then repeated in full. It stops if a step promises a fall of the misfit below 0.05, or below
+/// 1e-4 of the misfit if that is larger. A fit that stops for this reason counts as converged. The
+/// response must not be affine.
 [[nodiscard]] ResponseFit coarse_fit(const Response& response, const Whitening& whitening,
                                      const Eigen::VectorXd& measured, const Eigen::VectorXd& start);
 

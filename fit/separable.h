@@ -32,7 +32,8 @@ struct Means {
 /// rows.
 [[nodiscard]] Means means_of(const Subject& subject, const Record& record, double width);
 
-/// Fit of parameters that are linear in the readings and of parameters that are not.
+/// Fit of linear parameters and of other parameters. The readings are linear functions of the
+/// linear parameters.
 struct SeparableFit {
   bool converged = false;
   int iterations = 0;
@@ -54,11 +55,11 @@ struct SeparableFit {
 /// is the variance of a weighted mean. Parameters that the means determine better than the prior
 /// follow the means; the others stay at the prior. Results that a bending parameter does not change
 /// (Predictor::bends()) are stored between evaluations. Several threads must not use one object at
-/// once, because they would share the stored results.
+/// the same time, because they would share the stored results.
 class Separable {
  public:
-  /// `record` and `prepared` are those of Subject::predictor(). All arguments must live longer than
-  /// this object. `prior_weight` is the w above; 0 switches the priors off.
+  /// `record` and `prepared` are the arguments of Subject::predictor(). All arguments must live
+  /// longer than this object. `prior_weight` is w; 0 switches the priors off.
   Separable(const Subject& subject, const Record& record,
             const std::shared_ptr<const void>& prepared, const Means& means,
             const std::vector<std::string>& names, double prior_weight = 0.0);
@@ -88,7 +89,7 @@ class Separable {
 
  private:
   /// Readings with all linear parameters at zero, and readings per unit of each linear parameter.
-  /// If `values` is not empty, all members are valid for these values and without the held-out
+  /// If `values` is not empty, all members are valid for these values and exclude the held-out
   /// block.
   struct Basis {
     Eigen::VectorXd values;
@@ -99,7 +100,7 @@ class Separable {
     Eigen::MatrixXd weighted, normal;  // weighted columns of length 1, and their products
     Eigen::VectorXd length;
   };
-  /// A prior as an additional reading: the value divided by its std.
+  /// A prior as an additional reading: the value divided by the std of the prior.
   struct PriorReading {
     Eigen::Index parameter = 0;
     double per_unit = unset;

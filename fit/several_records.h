@@ -9,8 +9,8 @@
 
 namespace raceway::fit {
 
-/// One model for several joined records (record::joined()). Parameters named as own, such as the
-/// oil and the temperature of a day, have a value in each record. All other parameters and every
+/// One model for several joined records (record::joined()). Own parameters, such as the oil and the
+/// temperature of a day, have a separate value in each record. All other parameters and every
 /// candidate are common to all records. The loop treats it as one subject with one record.
 ///
 /// An own parameter is called "name@record", for example "f0@monday", and replaces the shared
@@ -18,14 +18,14 @@ namespace raceway::fit {
 /// size for each record if their scatter differs (NoiseModel::records).
 class SeveralRecords : public Subject {
  public:
-  /// `record` is a joined record. `own` lists parameters of the model that become free for each
-  /// record, even if the model holds them. Throws like find_parameters().
+  /// `record` is a joined record. `own` lists parameters that become free for each record, even if
+  /// they are fixed in the model. Throws like find_parameters().
   SeveralRecords(std::shared_ptr<const Subject> model, const Record& record,
                  std::vector<std::string> own);
 
   /// Returns the names of the records, in their order.
   [[nodiscard]] const std::vector<std::string>& records() const { return records_; }
-  /// Returns the names of the parameters with a value in each record.
+  /// Returns the names of the own parameters.
   [[nodiscard]] const std::vector<std::string>& own() const { return own_; }
   /// Returns the original model, in which own parameters have their original values.
   [[nodiscard]] const Subject& shared() const { return *model_; }
@@ -36,8 +36,8 @@ class SeveralRecords : public Subject {
   [[nodiscard]] std::string name_in(std::size_t record, const std::string& name) const;
 
   /// Adds data that may differ between records, such as the oil (Candidate::of_each_record), to the
-  /// own parameters. Returns null if there are no such data, or if the records do not determine
-  /// them.
+  /// own parameters. Returns null if no datum may differ, or if the records do not determine these
+  /// data.
   [[nodiscard]] std::unique_ptr<SeveralRecords> with_data_of_each_record(
       const Record& record) const;
 
@@ -80,8 +80,8 @@ class SeveralRecords : public Subject {
   [[nodiscard]] std::vector<Factor> factors(const Record& record) const override;
   [[nodiscard]] std::optional<Formula> formula(const Record& record) const override;
   /// Returns the blockings of the model. With three or more records, whole records are also held
-  /// out. With own parameters, no block may contain a whole record, because nothing else determines
-  /// the values of that record.
+  /// out. With own parameters, no block may contain a whole record, because other records do not
+  /// determine the own parameters of that record.
   [[nodiscard]] std::vector<Blocking> blockings(const Record& record) const override;
   [[nodiscard]] std::string doubt(const Record& record,
                                   std::span<const double> predicted) const override;
@@ -92,7 +92,7 @@ class SeveralRecords : public Subject {
       const std::vector<std::string>& not_testable) const override;
 
  private:
-  /// Index of an own parameter and its record.
+  /// Index of an own parameter, and index of its record.
   struct Place {
     std::size_t own, record;
   };

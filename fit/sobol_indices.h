@@ -25,8 +25,8 @@ class SobolDesign {
 
   [[nodiscard]] std::size_t inputs() const { return inputs_; }
   [[nodiscard]] std::size_t samples() const { return samples_; }
-  /// Returns the number of function evaluations. They run sample by sample, each with A, B, AB_1,
-  /// AB_2 and so on.
+  /// Returns the number of function evaluations. The evaluations run sample by sample. Each sample
+  /// has the points A, B, AB_1, AB_2 and so on.
   [[nodiscard]] std::size_t evaluations() const { return samples_ * (inputs_ + 2); }
   /// Writes the point of one evaluation: one number in [0, 1) for each input.
   void point(std::size_t evaluation, std::span<double> point) const;
@@ -38,13 +38,14 @@ class SobolDesign {
 
 /// Shares of the variance of one function [1]. Each error is half the width of a 95 % interval.
 struct SobolIndex {
-  double first = unset, first_error = unset;  ///< share of this input alone
-  /// share including all interactions with other inputs
+  double first = unset, first_error = unset;  ///< share of this input without interactions
+  /// Share including all interactions with other inputs.
   double total = unset, total_error = unset;
 };
 
 struct SobolIndices {
-  std::size_t complete = 0;  ///< samples with finite values only; other samples are not used
+  /// Number of samples with only finite values. Other samples are not used.
+  std::size_t complete = 0;
   double mean = unset, std = unset;  ///< over A and B
   std::vector<SobolIndex> inputs;    ///< NaN if the function is constant or has no values
 };
@@ -55,8 +56,8 @@ struct SobolIndices {
 ///   ST_i = mean((f_A - f_AB_i)²) / (2 V)       V: variance of f over A and B
 ///
 /// Errors are 1.96 times the scatter over 200 bootstrap resamplings of the samples. The bootstrap
-/// assumes independent samples. Sobol' points are more even than that, so the errors are slightly
-/// too large.
+/// assumes independent samples. Sobol' points are more even than independent samples, so the errors
+/// are slightly too large.
 ///
 /// Source:   S_i [Saltelli2010, table 2 (b)]; ST_i [Jansen1999], [Saltelli2010, table 2 (f)];
 ///           bootstrap of indices [Archer1997].

@@ -10,9 +10,9 @@
 #include "record/parameter.h"
 #include "record/record.h"
 
-/// The loop: Interface of the loop: the error of a model against measurements, the missing effect,
-/// and the gain from adding it. The loop handles records, channels and parameters without knowing
-/// their physical meaning.
+/// Interface of the loop. The loop finds the error of a model against measurements, the missing
+/// effect, and the gain from this effect. It handles records, channels and parameters without
+/// knowing their physical meaning.
 namespace raceway::fit {
 
 using record::Bound;
@@ -20,23 +20,23 @@ using record::Interval;
 using record::NamedValue;
 using record::Parameter;
 
-/// A channel that a subject predicts, with prior knowledge about its readings.
+/// A channel that a subject predicts, and prior knowledge about the readings of this channel.
 struct Measured {
   const Channel* channel = nullptr;
-  /// Share of the rms of all readings below which errors no longer shrink with the reading. It is 1
-  /// for a sensor whose scatter does not depend on the reading.
+  /// Share of the rms of all readings. Below this share, errors do not become smaller with the
+  /// reading. It is 1 for a sensor whose scatter does not depend on the reading.
   double floor = 1.0;
-  /// Largest relative scatter of such a sensor at equal settings. More scatter comes from an input
+  /// Largest relative scatter of the sensor at equal settings. Larger scatter comes from an input
   /// that was not recorded. NaN if unknown.
   double most_scatter = unset;
-  /// Coarseness of the model itself [SI]. Residuals up to this size count as noise or, for a model
-  /// that only approximates, as tolerated.
+  /// Coarseness of the model itself [SI]. Residuals up to this size count as noise. For a model
+  /// that only approximates, they count as within the tolerance.
   double model_error = 0.0;
   /// Standard deviation of a single reading, if the model declares it [SI].
   double std = unset;
   /// Initial state of the simulation in the words of the results ("rest"); empty if there is none.
   std::string_view begins = {};
-  /// True if the residuals stay correlated in time with any effect added (see
+  /// True if the residuals remain correlated in time, whatever effect is added (see
   /// Subject::approximates()). Tests against noise are then meaningless.
   bool approximate = false;
   /// True if the zero of the readings has no meaning. Errors are then given relative to their mean.
@@ -45,18 +45,18 @@ struct Measured {
   double tolerance = unset;
 };
 
-/// Predicts the readings of one record repeatedly, with different parameter values. It owns a copy
-/// of the model and stores results that a parameter does not change. Rows may be independent or
-/// form one simulation over time.
+/// Predicts the readings of one record repeatedly, with different parameter values. A predictor
+/// owns a copy of the model and stores results that a parameter does not change. Rows may be
+/// independent or form one simulation over time.
 class Predictor {
  public:
   virtual ~Predictor() = default;
   /// Writes the readings of every measured channel at every row, channel by channel [SI]. Missing
   /// readings are NaN; all are NaN for parameter values that the model rejects.
   virtual void readings(std::span<const double> values, std::span<double> out) = 0;
-  /// Returns false only if `parameter` certainly does not change the readings per unit of the
-  /// linear parameter `of`, at any values. `none` stands for the readings with all linear
-  /// parameters at zero. Both are indices of the names given to predictor(). Default: true.
+  /// Returns false only if it is certain that `parameter` never changes the readings per unit of
+  /// the linear parameter `of`. `none` stands for the readings with all linear parameters at zero.
+  /// Both are indices of the names given to predictor(). Default: true.
   [[nodiscard]] virtual bool bends(std::size_t parameter, std::size_t of) {
     (void)parameter, (void)of;
     return true;
@@ -68,27 +68,29 @@ class Predictor {
 struct Candidate {
   std::string id;
   std::vector<Parameter> parameters{};  ///< parameters, named "id.name"
-  std::size_t size = 0;  ///< index of the parameter that is its size; at `neutral` it has no effect
-  /// true: corrects the law of the subject itself; tried before physical effects
+  /// Index of the parameter that is the size. At `neutral`, the candidate has no effect.
+  std::size_t size = 0;
+  /// True: corrects the law of the subject itself; tried before physical effects.
   bool base_law = false;
   bool of_the_user = false;  ///< true: the user defined it, and its size is unknown
   bool empirical = false;    ///< true: a shape without a physical law; it only describes the misfit
   bool of_each_record = false;  ///< true: a datum that may differ between several records
   bool of_time = false;         ///< true: depends on the time of a row
   /// Allowed values of each parameter, rising. An empty list, or an empty entry for one parameter,
-  /// allows all values within its bounds. In a model that only approximates, such a parameter is
-  /// the place of the preceding linear parameter. Places after the first are used only as needed.
+  /// allows all values within its bounds. In a model that only approximates, a parameter with a
+  /// list is the place of the preceding linear parameter. Places after the first are used only if
+  /// they are needed.
   std::vector<std::vector<double>> only{};
-  /// True if the candidate only cleans this record and does not apply to other records.
+  /// True if the candidate only corrects this record and does not apply to other records.
   bool of_reading = false;
-  /// True if the column that drives it is part of its name. Two candidates of this kind are then
-  /// two explanations.
+  /// True if the driving column is part of the name of the candidate. Two candidates of one kind
+  /// are then two different explanations.
   bool by_column = false;
   /// Name of the datum that is wrong if this candidate explains a misfit ("the oil card"); empty
   /// for a missing effect.
   std::string datum{};
-  /// Place where this kind of candidate acts, in a subject with several such places: {"channel",
-  /// "ambient"}.
+  /// Place where the candidate acts, in a subject with several places for this kind of candidate:
+  /// {"channel", "ambient"}.
   std::vector<std::pair<std::string, std::string>> acts_on{};
 
   /// Returns the name of a parameter without the id.
@@ -102,7 +104,7 @@ struct Shape {
   std::string key;  ///< key in the file
   std::string formula;
   std::vector<Parameter> coefficients;
-  std::string statement;           ///< sign of the shape and the place where it is largest
+  std::string statement;           ///< sign of the shape, and where the shape is largest
   double explained_share = unset;  ///< share of the squared misfit beyond the noise [1]
   double gain = unset;             ///< fall of -2 ln L against the model without the shape
 };
@@ -116,7 +118,7 @@ struct OtherBase {
   /// Subject with this base model and its usual parameters free; null if data are missing (see
   /// `lacks`).
   std::shared_ptr<const Subject> subject{};
-  std::string lacks{};  ///< data that it needs and the subject lacks
+  std::string lacks{};  ///< data that this base model needs and that the subject lacks
 };
 
 /// Interface of a model for the loop: its predictions, its parameters, and candidates for missing
@@ -125,29 +127,30 @@ class Subject : public Judged {
  public:
   // Predictions.
   [[nodiscard]] virtual std::vector<Measured> measured() const = 0;
-  /// Throws std::invalid_argument if the record does not belong to this kind of model.
+  /// Throws std::invalid_argument if the record is not suitable for this kind of model.
   virtual void require(const Record& record) const = 0;
   /// Returns true if a reading depends on earlier rows. Rows are then neither sorted nor left out
   /// before the prediction.
   [[nodiscard]] virtual bool has_memory() const { return false; }
   /// Returns true if the model only approximates: its residual is always larger than the sensor
-  /// noise and correlated in time, whatever effect is added. Such a model is fitted to all rows
-  /// with equal weight, and judged by its error on held-out parts of the record.
+  /// noise and correlated in time, whatever effect is added. The fit gives all rows equal weight,
+  /// and the verdict uses the error on held-out parts of the record.
   [[nodiscard]] virtual bool approximates() const { return false; }
   /// Returns true if a prediction is so slow that a fit can afford dozens of them, not thousands.
   /// The fit then uses one start, few derivatives, and linearised held-out errors. Only subjects
   /// that approximate may return true.
   [[nodiscard]] virtual bool is_costly() const { return false; }
-  /// Data that predictors of one record may share.
+  /// Returns data that the predictors of one record may share.
   [[nodiscard]] virtual std::shared_ptr<const void> prepare(const Record& record) const;
-  /// Creates a predictor for these values of the named parameters. `prepared` may be null. It and
-  /// the record must live longer than the predictor.
+  /// Creates a predictor for these values of the named parameters. `prepared` may be null.
+  /// `prepared` and the record must live longer than the predictor.
   [[nodiscard]] virtual std::unique_ptr<Predictor> predictor(
       const Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const = 0;
 
-  /// Returns a copy that has taken information from the whole record, for example its coldest row;
-  /// null if it needs none. It is called once, before rows are left out. Default: null.
+  /// Returns a copy with information from the whole record, for example the temperature of the
+  /// coldest row; null if the subject needs none. The loop calls this function once, before it
+  /// removes rows. Default: null.
   [[nodiscard]] virtual std::unique_ptr<Subject> informed_by(const Record& record) const;
 
   // Parameters.
@@ -166,16 +169,16 @@ class Subject : public Judged {
   /// names.
   [[nodiscard]] virtual std::unique_ptr<Subject> with_candidates(
       std::span<const std::string> ids) const = 0;
-  /// Returns a copy in which candidates with a free parameter are switched off. The record must
-  /// still determine them, so they become candidates again. The result is null if there are none.
-  /// Default: null.
+  /// Returns a copy in which candidates with a free parameter are switched off. They become
+  /// candidates again, because the record must still determine them. The result is null if there
+  /// are none. Default: null.
   [[nodiscard]] virtual std::unique_ptr<Subject> without_free_candidates() const;
   /// Returns a copy with a shape as an additional candidate with this id, switched off. Its
   /// parameters start at the values of the shape. The result is null if the model supports no
   /// formula. Default: null.
   [[nodiscard]] virtual std::unique_ptr<Subject> with_shape(const std::string& id,
                                                             const Shape& shape) const;
-  /// Returns base models that may replace its own base model. Default: none.
+  /// Returns base models that may replace the base model of the subject. Default: none.
   [[nodiscard]] virtual std::vector<OtherBase> other_bases() const;
   /// Explains in one sentence why an id of catalogue() cannot act in this model, for any record.
   /// The text is empty if the effect can act. Default: empty.
@@ -185,7 +188,7 @@ class Subject : public Judged {
   [[nodiscard]] virtual std::string correction(const std::string& id,
                                                std::span<const double> values) const;
 
-  /// Default: none for a subject with memory, otherwise the axes of Judged.
+  /// Default: none if readings depend on earlier rows, otherwise the axes of Judged.
   [[nodiscard]] std::vector<Axis> axes(const Record& record) const override;
 };
 

@@ -9,15 +9,15 @@ namespace raceway::fit {
 /// readings.
 struct RowOrder {
   /// Time since the previous row, in units of the median step [1]. It is infinite for the first row
-  /// and wherever the correlation starts anew.
+  /// and for every row that is not correlated with the previous row.
   std::vector<double> step;
   std::vector<bool> new_run;    ///< the row and its predecessor belong to different runs
   std::vector<bool> new_state;  ///< the row and its predecessor belong to different dwells
-  /// True if the row begins a block that may be an undeclared run; empty if there are no such
-  /// blocks.
+  /// True if the row begins a block that may be an undeclared run. The vector is empty if there are
+  /// no such blocks.
   std::vector<bool> new_block;
-  /// True if in each such block the swept input (the first setting) moves in one direction while
-  /// another setting has a level that no other block has.
+  /// True if in each of these blocks the swept input (the first setting) moves in one direction,
+  /// and another setting has a level that no other block has.
   bool own_levels = false;
   double median_step = 1.0;  ///< unit of the steps [s]
   bool has_time = false;     ///< true if the steps are real times
@@ -32,7 +32,7 @@ struct RowOrder {
 /// Each reading has the standard deviation s [SI]. The noise is a first-order autoregression along
 /// time, plus offsets common to the rows of a run and of a dwell. If a run offset is proportional
 /// to s, r = 1. If it is equal for all readings of the run, like a zero that is set before the run,
-/// r_i = u/s_i; the variance of a reading then differs from s². A reading may have a white part
+/// r_i = u/s_i. The variance of a reading then differs from s². A reading may have a white part
 /// that is independent of its neighbours. Then c s replaces s, and s² (1 - c²) is added to its own
 /// variance. The result consists of the innovations of the Kalman filter with these states, divided
 /// by their standard deviations. It is exact and needs time and memory proportional to the number
@@ -58,7 +58,7 @@ class Whitening {
  private:
   struct Step {
     double decay;  // decay of the autoregressive state since the previous row
-    bool new_run;  // true if the run offset starts anew
+    bool new_run;  // true if a new run offset begins
     double gain_ar, gain_run;
     bool new_state = true;
     double gain_state = 0.0, common = 1.0;

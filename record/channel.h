@@ -14,17 +14,17 @@ namespace raceway::record {
 /// Role of a column.
 enum class Role {
   setting,    ///< set by the operator; may explain a reading
-  recorded,   ///< recorded in addition; may explain a reading
+  recorded,   ///< recorded but not set; may explain a reading
   measured,   ///< predicted by a model
   deviation,  ///< standard deviation of a measured channel
   time,
   run,   ///< index of the run of a row
   part,  ///< index of the original record of a row, after several were joined
-  kept   ///< recorded under its own name; not used as an explanation
+  kept   ///< recorded under a name unknown to the program; explains no reading
 };
 
 /// A quantity that a column can contain. All code that reads, shows or sorts columns uses this
-/// description, so a new quantity needs only one line in the table below.
+/// description. A new quantity therefore needs only one line in the table below.
 struct Channel {
   std::string_view name;             ///< name of the column with its unit at the end: "speed_rpm"
   std::string_view variable = name;  ///< name without unit, as in results: "speed"
@@ -34,18 +34,19 @@ struct Channel {
   double offset = 0.0;
   double lower = 0.0, upper = 0.0;  ///< closed range of a cell in the unit of the column
   Role role = Role::setting;
-  /// Values closer than this belong to one level: a share of the largest value if `ratio` is set,
-  /// otherwise in SI.
+  /// Values with a smaller difference belong to one level. The step is a share of the largest value
+  /// if `ratio` is set, otherwise it is in SI.
   double step = 0.0;
-  bool ratio = false;               ///< true: differences are relative to the size of the values
-  std::string_view kind = {};       ///< channels of one kind are compared with the largest of them
-  std::string_view place = {};      ///< name of a position on it: "rpm", "N axial load"
+  bool ratio = false;  ///< true: differences are relative to the size of the values
+  /// Channels of one kind are compared with the largest value of that kind.
+  std::string_view kind = {};
+  std::string_view place = {};      ///< text after a value of the channel: "rpm", "N axial load"
   std::string_view of = {};         ///< measured channel to which a deviation belongs
   std::string_view direction = {};  ///< meaning of the sign of a measured channel
 
   [[nodiscard]] constexpr double to_SI(double value) const { return value * factor + offset; }
   [[nodiscard]] constexpr double in_unit(double si) const { return (si - offset) / factor; }
-  /// Returns the unit as in column names and keys: "Nmm".
+  /// Returns the unit in the form of column names and keys: "Nmm".
   [[nodiscard]] constexpr std::string_view key_unit() const {
     return name.size() > variable.size() ? name.substr(variable.size() + 1) : std::string_view();
   }

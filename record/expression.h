@@ -13,11 +13,11 @@ struct FormulaError : std::invalid_argument {
   FormulaError(const std::string& what, std::size_t where, std::string which)
       : std::invalid_argument(what), position(where), unknown_name(std::move(which)) {}
   std::size_t position;      ///< position as a byte in the formula
-  std::string unknown_name;  ///< empty unless the error is an unknown name
+  std::string unknown_name;  ///< the unknown name; empty for other errors
 };
 
 /// A user-defined formula with operators and functions of muParser. Several threads may evaluate it
-/// at once.
+/// at the same time.
 class Expression {
  public:
   /// Throws FormulaError for an invalid formula and for an unknown name.
@@ -27,8 +27,8 @@ class Expression {
   [[nodiscard]] const std::string& text() const { return text_; }
   /// Returns the indices of the names that the formula uses, rising.
   [[nodiscard]] const std::vector<std::size_t>& used() const { return used_; }
-  /// Evaluates the formula for values of the used names, in their order; NaN if the result is not a
-  /// number.
+  /// Evaluates the formula. `values` are the values of the used names, in the order of these names.
+  /// The result may be NaN.
   [[nodiscard]] double operator()(std::span<const double> values) const;
 
  private:

@@ -12,7 +12,7 @@ namespace raceway::record {
 /// more than `width`. NaN values are skipped.
 [[nodiscard]] std::vector<double> level_starts(std::span<const double> values, double width);
 
-/// Returns the index of the level of a value from the starts of all levels.
+/// Returns the index of the level of a value. `starts` are the lowest values of all levels.
 [[nodiscard]] std::size_t level_of(double value, std::span<const double> starts);
 
 /// Returns the step of a channel for these values [SI].

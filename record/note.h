@@ -18,15 +18,15 @@ struct Place {
 
 enum class NoteKind {
   note,     ///< for information
-  doubt,    ///< an input that may be wrong
-  warning,  ///< a result that is doubtful
+  doubt,    ///< a doubt about an input that may be wrong
+  warning,  ///< a warning about a doubtful result
 };
 
 [[nodiscard]] std::string_view name(NoteKind kind);
 
 struct Note;
 
-/// Kind of a note. Programs should identify a note by the name of its code, not by its text.
+/// Kind of a note. Programs should identify a note by the name of the code, not by the text.
 struct NoteCode {
   std::string_view name;
   NoteKind kind;

@@ -18,8 +18,7 @@ struct NumberCard {
   double plausible_lower = lower, plausible_upper = upper;  ///< range seen in practice
   /// Value at which the effect has no influence; NaN for a parameter that only changes its shape.
   double neutral = 0.0;
-  /// True for a temperature that must occur in the record: a fit keeps it within the temperatures
-  /// of the record.
+  /// True for a temperature that a fit keeps within the temperatures of the record.
   bool of_the_record = false;
 };
 
@@ -41,12 +40,12 @@ struct Prior {
 struct Parameter {
   std::string name;  ///< readable name: "f0", "my-effect.c"
   std::string unit;  ///< "1" if dimensionless
-  /// Addresses in the model file: "friction.f0", "effect.2.c" of the third effect. A parameter that
-  /// represents several equal values has several addresses.
+  /// Addresses in the model file: "friction.f0", or "effect.2.c" for the third effect. A parameter
+  /// that represents several equal values has several addresses.
   std::vector<std::string> addresses{};
   double start = unset;                 ///< value in the model and start of a fit
   double value = unset;                 ///< fitted value; the start if not fitted
-  double initial = unset;               ///< default value of its law
+  double initial = unset;               ///< default value in the law
   double lower = unset, upper = unset;  ///< closed bounds
   double plausible_lower = unset, plausible_upper = unset;  ///< range seen in practice
   double neutral = unset;  ///< value without influence; NaN for a shape
@@ -57,13 +56,13 @@ struct Parameter {
   double std = unset;   ///< standard error; NaN at a bound and if the data do not determine it
   Interval interval{};  ///< 95 % interval by profile likelihood, if requested
   Bound at_bound = Bound::none;
-  /// false: the data do not determine it, or not separately from another one
+  /// False: the data do not determine it, or not separately from another one.
   bool identifiable = true;
   Prior prior{};  ///< prior for models that only approximate
-  /// True if it stays at its start because another parameter acts alike, or at its prior because
-  /// the record does not determine it.
+  /// True if the parameter stays at its start because another parameter has the same influence.
+  /// Also true if it stays at its prior because the record does not determine it.
   bool held = false;
-  bool plausible = true;  ///< true if within the widened range seen in practice
+  bool plausible = true;  ///< true if the value is within the widened range seen in practice
 };
 
 /// A value with the name of its parameter.
@@ -72,8 +71,8 @@ struct NamedValue {
   double value = unset;
 };
 
-/// Returns a typical size of a parameter that starts at `start`, which scales fits to numbers of
-/// order one.
+/// Returns a typical size of a parameter that starts at `start`. Fits divide the parameter by this
+/// size, so that its values are of order one.
 [[nodiscard]] double typical_size(double start, double initial, double lower, double upper);
 
 }  // namespace raceway::record

@@ -14,8 +14,8 @@ namespace raceway::record {
 struct Column {
   const Channel* channel = nullptr;
   std::vector<double> values;  ///< [SI]; NaN without a reading
-  /// True if the deviation comes from a regression over many more samples than rows; it then counts
-  /// as known.
+  /// True if the deviation comes from a regression over many more samples than rows. The deviation
+  /// then counts as known.
   bool known = false;
 };
 
@@ -25,11 +25,13 @@ struct Part {
   std::string source;  ///< file name, for messages
 };
 
-/// Rows between which a setting of a time record is valid: a speed, a load, or the coolant.
+/// Rows between which a setting of a time record is valid. Settings are speeds, loads and the
+/// coolant.
 enum class SettingsHold {
-  sampled,    ///< from its row to the next; its reading was taken with it
-  from_row,   ///< from its row to the next; its reading was taken just before it
-  until_row,  ///< from the previous row to its own
+  sampled,   ///< valid from its row to the next; the reading in the row was taken with this setting
+  from_row,  ///< valid from its row to the next; the reading in the row was taken just before the
+             ///< change
+  until_row,  ///< valid from the previous row to its own row
 };
 
 /// Measured data: columns over rows. Rows are identified by their index; line numbers of the file
@@ -39,10 +41,10 @@ struct Record {
   std::vector<Column> columns{};    ///< columns of equal length
   std::vector<std::string> runs{};  ///< names of the runs; the column `run` contains their indices
   std::vector<int> lines{};         ///< line of each row in the file; empty if there is no file
-  std::vector<Note> notes{};        ///< notes of the reader for the user
+  std::vector<Note> notes{};        ///< notes of the file reader for the user
   /// True if all readings share one unknown factor.
   bool up_to_a_factor = false;
-  SettingsHold settings_hold = SettingsHold::sampled;  ///< for a time record
+  SettingsHold settings_hold = SettingsHold::sampled;  ///< only for a time record
   /// Parts of a record from joined(), with indices in the column `part`; otherwise empty.
   std::vector<Part> parts{};
 
@@ -66,17 +68,17 @@ struct Record {
   /// length differs from the others.
   Column& set(const Channel& channel, std::vector<double> values);
 
-  /// Returns true if rows differ on a channel by more than its step, absolute or relative to the
-  /// largest.
+  /// Returns true if the values of a channel differ by more than its step, absolute or relative to
+  /// the largest value.
   [[nodiscard]] bool varies(const Channel& channel) const;
   /// Returns the deviation of a measured channel; null if the record has none.
   [[nodiscard]] const Column* deviation_of(const Channel& measured) const;
-  /// Returns true if every row has a value on that channel.
+  /// Returns true if every row has a value of that channel.
   [[nodiscard]] bool complete(const Channel& channel) const;
 
-  /// Returns these rows, in this order.
+  /// Returns a record with these rows, in this order.
   [[nodiscard]] Record picked(std::span<const std::size_t> rows) const;
-  /// Returns the columns without rows.
+  /// Returns a record with the columns and without rows.
   [[nodiscard]] Record without_rows() const;
 
   /// Returns "line 12" of a file, or "row 3" counted from 1; for a part "line 12 of monday".
@@ -85,13 +87,13 @@ struct Record {
   [[nodiscard]] int line(std::size_t row) const;
 };
 
-/// Joins records of one kind, ordered by their sources and independent of their order in the
-/// argument. The result has all rows, record by record, all columns of any record (NaN if a record
-/// lacks one), and separate runs for each record. A part has the name of its source without folder
-/// and extension, or with the folder if names would be equal. A deviation counts as known only if
-/// it is known in all records. Notes of all records are kept. Throws std::invalid_argument for
-/// fewer than two records, for two records of one source, and for a record whose readings have an
-/// unknown factor.
+/// Joins records of one kind. Their order in the result is the order of their sources and does not
+/// depend on the argument. The result has all rows, record by record, and separate runs for each
+/// record. It has all columns of any record, with NaN if a record lacks a column. A part has the
+/// name of its source without folder and extension. If names would be equal, they include the
+/// folder. A deviation counts as known only if it is known in all records. The result keeps the
+/// notes of all records. Throws std::invalid_argument for fewer than two records, for two records
+/// of one source, and for a record whose readings have an unknown factor.
 [[nodiscard]] Record joined(std::vector<Record> records);
 
 }  // namespace raceway::record

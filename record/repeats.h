@@ -11,13 +11,15 @@ using RepeatGroup = std::vector<std::size_t>;
 
 /// Tolerances within which two rows belong to the same point, for all inputs.
 struct SamePoint {
-  double relative = 1e-3;    ///< for inputs that are compared by ratio [1]
-  double temperature = 0.1;  ///< for other inputs [K]; 0.3 % of a viscosity
+  double relative = 1e-3;  ///< relative tolerance for inputs that are compared by ratio [1]
+  /// Tolerance for other inputs [K]; it corresponds to 0.3 % of a viscosity.
+  double temperature = 0.1;
 };
 
-/// Returns groups of two or more rows at the same point, among `rows` (all rows if empty). If the
-/// speed falls continuously, all rows differ and there are no groups. Rows of different joined
-/// records never form a group, because differences between days are not scatter.
+/// Returns groups of two or more rows at the same point. Only `rows` are used, or all rows if
+/// `rows` is empty. If the speed falls continuously, all rows differ, so there are no groups. Rows
+/// of different joined records never form a group, because differences between days are not
+/// scatter.
 [[nodiscard]] std::vector<RepeatGroup> find_repeats(const Record& record,
                                                     const SamePoint& same = {},
                                                     std::span<const std::size_t> rows = {});

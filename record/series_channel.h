@@ -18,7 +18,7 @@ enum class Course {
 /// NAME_temperature_C, NAME_feed_m_min, NAME_speed_rpm, coolant_on, setup_id, displacement_NAME_um
 /// and _urad, offset_NAME_um and _urad, NAME_position_mm, NAME_current_A, NAME_voltage_V, NAME in
 /// W, N, Nm, l_min, bar or percent, and from the table time_s, speed_rpm, run_id. Several threads
-/// may call it at once.
+/// may call this function at the same time.
 [[nodiscard]] const Channel* series_channel(std::string_view name);
 
 [[nodiscard]] Course course_of(const Channel& channel);
@@ -27,19 +27,20 @@ enum class Course {
 /// inputs act with their sign.
 [[nodiscard]] bool acts_by_amount(const Channel& channel);
 [[nodiscard]] bool is_position(const Channel& channel);
-/// Kind of offset_NAME_um, the offset that a control applied during the record. The reader
-/// subtracts it from the displacement, and the record does not contain it.
+/// Kind of offset_NAME_um, the offset that a control applied during the record. The file reader
+/// subtracts this offset from the displacement, so the record does not contain the column.
 inline constexpr std::string_view offset_kind = "offset";
 
 /// Returns the channel of one transducer, a length with the name NAME_um. Files have this column
-/// only if a model combines several transducers and names it.
+/// only if a model combines several transducers and names the column.
 [[nodiscard]] const Channel* transducer_channel(std::string_view name);
 
 /// Returns true for a displacement that is an angle.
 [[nodiscard]] bool is_angle(const Channel& channel);
-/// Converts the unit in a name or a sentence to that of a displacement: unchanged for a length; for
-/// an angle every "um" becomes "urad". Thus "gain_um_K" becomes gain_urad_K and "1.2 um/K" becomes
-/// 1.2 urad/K. Both units are a millionth of the SI unit, so numbers do not change.
+/// Converts the unit in a name or a sentence to the unit of a displacement. For a length, the text
+/// is unchanged. For an angle, every "um" becomes "urad": "gain_um_K" becomes "gain_urad_K", and
+/// "1.2 um/K" becomes "1.2 urad/K". Both units are a millionth of the SI unit, so numbers do not
+/// change.
 [[nodiscard]] std::string in_unit_of(const Channel& displacement, std::string_view text);
 
 /// Returns true for an ambient temperature: the name contains the word "ambient", "room" or "air".

@@ -39,10 +39,10 @@ struct Approximation {
   /// Both rms errors for each channel of Subject::measured(), in units of its tolerance; NaN for a
   /// channel without means.
   std::vector<double> channel_rms{}, channel_held_out{};
-  /// Variance of a weighted mean, which sets the weight of priors; 0 without priors.
+  /// Variance of a weighted mean, which determines the weight of priors; 0 without priors.
   double prior_weight = 0.0;
-  /// Parameters that stay at their priors, because the record does not determine them. They are not
-  /// among `names`.
+  /// Parameters that stay at their priors, because the record does not determine them. `names` does
+  /// not contain them.
   std::vector<record::Parameter> stays{};
   /// Stored only for costly models: derivatives of the means with respect to the values, and the
   /// start of the fit.
@@ -54,16 +54,16 @@ struct ApproximationOptions {
   std::vector<Eigen::VectorXd> starts{};  ///< starts in addition to the start of the subject
   int random_starts = 24;
   int polished = 3;    ///< number of best starts that are refined
-  bool rough = false;  ///< costly models: stop as soon as the fall of the misfit is known
+  bool rough = false;  ///< true: a fit of a costly model stops when the fall of the misfit is known
   std::function<bool()> cancelled{};
 };
 
 /// Fits the named parameters from several starts.
 ///
 /// Parameters with a prior are fitted from the prior, after a fit of all others. The variance of
-/// the means, including the autocorrelation of the residual, is estimated again from each fit until
-/// it settles. If the record reduces the variance of a prior by less than a tenth, the parameter
-/// stays at the prior.
+/// the means includes the autocorrelation of the residual. It is estimated again after each fit
+/// until it no longer changes. If the record reduces the variance of a prior by less than a tenth,
+/// the parameter stays at the prior.
 [[nodiscard]] Approximation approximate(std::shared_ptr<const fit::Subject> subject,
                                         const Recorded& recorded,
                                         const std::vector<std::string>& names,
@@ -72,7 +72,7 @@ struct ApproximationOptions {
 /// Returns the note that a parameter stays at its prior.
 [[nodiscard]] record::Note stays_note(const record::Parameter& parameter);
 
-/// Throws std::invalid_argument if no start has a prediction for every reading.
+/// Throws std::invalid_argument if no start gives a prediction for every reading.
 void require_fit(const Approximation& approximation);
 
 /// Fits a model with candidates switched on, starting from the fit without them.
@@ -83,17 +83,17 @@ void require_fit(const Approximation& approximation);
 /// Continues a rough fit of a costly model to its end.
 [[nodiscard]] Approximation finished(const Approximation& rough, const Recorded& recorded);
 
-/// Computes the error on each block from a fit to all other blocks. The simulation still runs
+/// Computes the error on each block from a fit to all other blocks. The simulation always runs
 /// through all rows.
 void hold_out(Approximation& approximation, const Recorded& recorded);
 
-/// Repeats the fit on single rows (means, for very long records) without a ridge, starting from its
-/// result. `rows` receives the fitted data.
+/// Repeats the fit on single rows without a ridge, starting from the previous result. For very long
+/// records, it uses means instead of single rows. `rows` receives the fitted data.
 [[nodiscard]] Approximation refined(const Approximation& approximation, const Recorded& recorded,
                                     Recorded& rows);
 
-/// Standard errors of all parameters, widened for the autocorrelation of the residuals and by the
-/// model's declared error.
+/// Standard errors of all parameters. They are widened for the autocorrelation of the residuals and
+/// by the declared error of the model.
 struct ApproximationErrors {
   Eigen::MatrixXd covariance{};
   double condition = unset;         ///< condition number of the columns, each scaled to unit length

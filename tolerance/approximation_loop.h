@@ -10,8 +10,8 @@
 
 /// Runs the loop for models that only approximate (Subject::approximates()). The question is
 /// whether the missing effect exceeds the tolerance of the user on held-out parts of the record.
-/// The residual of such a model always exceeds the sensor noise and is correlated in time, so a
-/// test against noise would never pass. Call these functions through loop/loop.h.
+/// The residual of these models always exceeds the sensor noise and is correlated in time, so a
+/// model would never pass a test against noise. Use these functions through loop/loop.h.
 namespace raceway::tolerance {
 
 /// Diagnoses a model on means over a minute or more:
@@ -20,10 +20,10 @@ namespace raceway::tolerance {
 ///   each candidate -> one within the tolerance, together with all close to it
 ///   a fault that the record itself shows, if no single candidate is within the tolerance
 ///   pairs, if no single candidate is within -> a pair that gains a further fifth
-///   otherwise: like the candidate that explains half of the mean square, or not in the catalogue
+///   otherwise: effect-like (a candidate explains half of the mean square) or not-in-catalogue
 ///
-/// An error counts as within the tolerance if it exceeds it by less than 1.645 of its standard
-/// error, 1/sqrt(2 T/30 min).
+/// An error counts as within the tolerance if it exceeds the tolerance by less than 1.645 standard
+/// errors. The relative standard error is 1/sqrt(2 T/30 min).
 ///
 /// A candidate is close to the best one if its held-out error is at most a fifth larger, or if
 /// lambda = T/(30 min) (r²/best² - 1) is below 20. It must also remove at least half as much of the

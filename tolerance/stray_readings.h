@@ -7,7 +7,7 @@
 
 namespace raceway::tolerance {
 
-/// A record without readings that no model could explain, and notes on these readings.
+/// A record without the readings that no model could explain, and notes on the removed readings.
 struct WithoutStrays {
   std::shared_ptr<const record::Record> record{};
   std::vector<record::Note> notes{};  ///< notes with the lines of these readings
@@ -15,8 +15,8 @@ struct WithoutStrays {
 
 /// Removes readings whose residual jumps and returns (fit/isolated_readings.h), for example because
 /// chips touch a probe that measures every few minutes. The model is refitted without these
-/// readings, at most three times, as long as the fit shows further ones. The record is unchanged
-/// for costly models and for models that cannot be fitted.
+/// readings. If the new fit shows further readings of this kind, the step is repeated, at most
+/// three times. The record is unchanged for costly models and for models that cannot be fitted.
 [[nodiscard]] WithoutStrays without_strays(const fit::Subject& subject,
                                            const record::Record& record);
 

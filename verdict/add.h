@@ -15,8 +15,9 @@ namespace raceway::verdict {
 /// Improvement of one measured channel when the effects are switched on.
 struct ChannelGain {
   Comparison before{}, after{};  ///< errors in sample; both models are refitted to the same rows
-  fit::NoiseModel noise{};       ///< noise that weighs the readings, in the order of the errors
-  double tolerance = unset;      ///< tolerance in SI units; NaN if not given
+  /// Noise that weights the readings. Readings are in the order of the errors.
+  fit::NoiseModel noise{};
+  double tolerance = unset;  ///< tolerance in SI units; NaN if not given
   /// Held-out errors of both fits [SI]. If a tolerance is given, they cover the measured range
   /// only.
   double rmse_held_out_before = unset, rmse_held_out_after = unset;
@@ -30,9 +31,10 @@ struct AddResult {
   Calibration calibration;
   std::vector<ChannelGain> channels{};
   std::vector<fit::HoldOut> hold_out{};  ///< blocks of rows that neither fit used
-  std::vector<fit::Refit> refits{};  ///< refits of a model that only approximates: before, after
-  fit::Likelihood before{};  ///< likelihood of the model without the effects, under the same noise
-  double gain = unset;       ///< RankedEffect::gain for all the effects together
+  /// Refits before and after, for a model that only approximates.
+  std::vector<fit::Refit> refits{};
+  fit::Likelihood before{};  ///< likelihood of the model without the effects, with the same noise
+  double gain = unset;       ///< RankedEffect::gain for all effects together
   bool refused = false;      ///< true if held-out rows do not improve or the fit did not converge
   std::string reason{};      ///< reason for the rejection in one sentence; empty if accepted
   std::vector<record::Note> messages{};
@@ -42,13 +44,13 @@ struct AddResult {
 /// standard errors agree with those of diagnose().
 ///
 /// The id "shape" adds the empirical shape that a diagnosis finds for the missing effect. The id of
-/// an OtherBase replaces the base model by this other one, calibrated; it must be the only id. Both
-/// are judged like effects.
+/// an OtherBase replaces the base model by the calibrated other base model. Such an id must be the
+/// only id. Shapes and base models are judged like effects.
 ///
-/// Refused: The result is rejected in three cases: the error does not improve on blocks of held-out
-/// rows (it must improve in two of the blockings and get significantly worse in none); chance could
-/// explain the fall of -2 ln L; or a single effect leaves structure although another effect
-/// explains the data to the noise.
+/// The result is rejected in three cases. First: the error on blocks of held-out rows does not
+/// improve. It must improve in two of the blockings and become significantly worse in none. Second:
+/// chance could explain the fall of -2 ln L. Third: a single effect leaves structure in the
+/// residuals, although another effect explains the data up to the noise.
 ///
 /// Throws std::invalid_argument without an effect, for an unknown effect (with the nearest ids),
 /// for an effect that the model already has, for an effect whose inputs the data lack (with their

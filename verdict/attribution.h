@@ -16,17 +16,17 @@ struct Explanation {
   std::vector<std::size_t> members{};  ///< indices into Problem::candidates, rising
   fit::Response response{};            ///< response of the extended model; empty for a bent law
   fit::ResponseFit fit{};
-  /// base parameters, then the parameters of the candidates
+  /// Base parameters, then the parameters of the candidates.
   std::vector<record::Parameter> parameters{};
   double gain = unset;  ///< fall of -2 ln L against the base model, minus ln N for each free shape
-  bool ran_away = false;  ///< true if the fit diverged and the size left its plausible bounds
+  bool ran_away = false;  ///< true if the fit diverged and the size is outside its plausible bounds
   /// Start values of the full fit if this fit is coarse; empty after a full fit.
   std::vector<Eigen::VectorXd> starts{};
-  Gate recheck{};  ///< gate on the residuals, with the remaining catalogue
+  Gate recheck{};  ///< gate on the residuals, with the other effects of the catalogue
   bool rechecked = false;
-  double least_loss = unset;  ///< rise of -2 ln L without the weakest of several candidates
+  double least_loss = unset;  ///< rise of -2 ln L if the weakest of several candidates is removed
   bool elastic = false;       ///< true if exponents bend the law
-  /// Exponent of every factor of the subject, by name; 0 if the factor does not vary.
+  /// Exponent of each factor of the subject, by name; 0 for a factor that does not vary.
   std::vector<record::NamedValue> exponents{};
   std::size_t free_exponents = 0;  ///< number of free exponents
   /// Returns true if an exponent reached its bound.
@@ -42,10 +42,10 @@ class Attribution {
   /// Returns the first column and the number of columns of a candidate among the scores of the
   /// gate.
   [[nodiscard]] std::pair<Eigen::Index, Eigen::Index> score_range(std::size_t candidate) const;
-  /// Returns the length of each score after projection of the base parameters [1]: the smallest
-  /// value over all noise shapes that the readings allow.
+  /// Returns the length of each score after the base parameters are projected off [1]. The length
+  /// is the smallest value over all noise shapes that the readings allow.
   [[nodiscard]] Eigen::VectorXd least_lengths() const;
-  /// Returns the length at which a score raises the alarm of the gate in 99 of 100 cases.
+  /// Returns the length at which the gate detects a score in 99 of 100 cases.
   [[nodiscard]] double length_found() const;
   /// Returns the largest visibility of the candidate's scores.
   [[nodiscard]] double visibility(std::size_t candidate) const;
@@ -53,20 +53,20 @@ class Attribution {
   /// Refits one or several candidates from at least two starts.
   [[nodiscard]] Explanation refit(const std::vector<std::size_t>& members,
                                   const std::vector<Eigen::VectorXd>& extra_starts = {}) const;
-  /// Returns every testable and visible candidate on its own; best first.
+  /// Returns a refitted explanation for each testable and visible candidate; best first.
   [[nodiscard]] std::vector<Explanation> singles() const;
-  /// Returns refitted pairs that may beat the best single candidate; best first. All pairs are
-  /// rated by their linearised gain. Pairs close to the best one are refitted, most of them
-  /// coarsely: see refine().
+  /// Returns refitted pairs that may have a larger gain than the best single candidate; best first.
+  /// All pairs are rated by their linearised gain. Pairs close to the best one are refitted, most
+  /// of them only coarsely: see refine().
   [[nodiscard]] std::vector<Explanation> pairs(const std::vector<Explanation>& singles,
                                                const std::function<bool()>& cancelled) const;
-  /// Returns triples that may beat the best pair; best first. They combine the best pairs with one
-  /// more candidate and are refitted like pairs.
+  /// Returns triples that may have a larger gain than the best pair; best first. A triple is one of
+  /// the best pairs with one more candidate. Triples are refitted like pairs.
   [[nodiscard]] std::vector<Explanation> triples(const std::vector<Explanation>& pairs,
                                                  const std::vector<Explanation>& singles,
                                                  const std::function<bool()>& cancelled) const;
-  /// Repeats coarse fits as full fits if their gain may come within `reach` of the best gain. It
-  /// also repeats the pairs that triples() starts from. The list is then sorted, best first.
+  /// Repeats coarse fits as full fits if their gain may be within `reach` of the best gain. The
+  /// pairs from which triples() starts are also repeated. The list is then sorted, best first.
   void refine(std::vector<Explanation>& list, double reach) const;
   /// Bends the law of one candidate by powers of the subject's factors, with exponents within
   /// +-0.2.
@@ -86,8 +86,8 @@ class Attribution {
   /// Returns the negative linearised gains of pairs, best first.
   [[nodiscard]] std::vector<std::pair<double, Members>> weigh_pairs(
       const std::vector<Explanation>& singles) const;
-  /// Adds one candidate and starts from the full and from half the sizes of all candidates. The fit
-  /// is coarse, unless a coarse fit is worse than both given ones.
+  /// Adds one candidate. The fit starts from the full sizes and from half the sizes of all
+  /// candidates. The fit is coarse, unless a coarse fit is worse than both given fits.
   [[nodiscard]] Explanation refit_together(const Explanation& first,
                                            const Explanation& single) const;
   /// Returns true for a candidate that corrects a datum.

@@ -28,13 +28,13 @@ struct Calibration {
   Eigen::MatrixXd correlation{};  ///< correlation of the estimates; NaN without a standard error
   int rows = 0;                   ///< used
   std::vector<std::size_t> rows_not_predicted{};  ///< rows of the record that were not used
-  int degrees_of_freedom = 0;  ///< number of readings minus number of parameters that moved
+  int degrees_of_freedom = 0;  ///< number of readings minus number of fitted parameters
   /// χ²/degrees of freedom for the noise of the data [1]; NaN if the noise is unknown.
   double reduced_chi_square = unset;
   fit::Likelihood likelihood{};
   /// Factor that widens standard errors and intervals [1]; NaN if there are none.
   double error_factor = unset;
-  /// profile interval of each parameter, if requested
+  /// Profile interval of each parameter, if requested.
   std::vector<fit::ProfileInterval> profile{};
   std::vector<ChannelError> channels{};
   int iterations = 0;
@@ -48,7 +48,7 @@ struct Calibration {
 };
 
 struct CalibrateOptions {
-  /// true adds the profile intervals of the parameters, Calibration::profile
+  /// True: adds the profile intervals of the parameters, Calibration::profile.
   bool profile = false;
 };
 
@@ -56,34 +56,34 @@ struct CalibrateOptions {
 ///
 ///   minimise |W (y - f(x))|²
 ///
-/// The weights W come from the noise that diagnose() and add() use too, so all three give the same
-/// value of a parameter. If the data do not determine their noise (few rows, no scatter), the
-/// declared standard deviations are the weights. A common scatter is added if the misfit exceeds
-/// them [PauleMandel1982]. Without declared deviations, all readings have equal weight. Rows that
-/// cannot be predicted are left out and listed.
+/// The weights W come from the same noise as in diagnose() and add(), so all three functions give
+/// the same value of a parameter. If the data do not determine the noise (few rows, no scatter),
+/// the weights come from the declared standard deviations. If the misfit exceeds these standard
+/// deviations, a common scatter is added [PauleMandel1982]. Without declared deviations, all
+/// readings have equal weight. Rows without a prediction are left out and listed.
 ///
 /// Standard errors follow from the linearised problem, sqrt(diag (JᵀWᵀWJ)^-1). They are widened by
 /// sqrt(χ²/degrees of freedom) if the misfit exceeds the noise significantly (1 %). They do not
 /// include the bias from a missing effect. Profile-likelihood intervals use the same noise and the
-/// same factor: they end where -2 ln L rises by 3.84 times its square.
+/// same factor. They end where the rise of -2 ln L is 3.84 times the square of this factor.
 ///
-/// If the data cannot separate a parameter from earlier parameters in the list, it is held at its
-/// start value, and all parameters of the group are marked not identifiable. A parameter is also
-/// held at its start value if its fitted standard error exceeds the range of its bounds, because
-/// such a value has no meaning. Throws std::invalid_argument for a record of another kind of
-/// subject, for an unknown parameter, and for fewer readings than parameters. Models that only
-/// approximate need loop/loop.h instead.
+/// If the data cannot separate a parameter from earlier parameters in the list, the fit keeps the
+/// parameter at its start value and marks all parameters of the group as not identifiable. The fit
+/// also keeps a parameter at its start value if the fitted standard error exceeds the range of the
+/// bounds, because such a fitted value has no meaning. Throws std::invalid_argument for a record
+/// that does not suit this kind of subject, for an unknown parameter, and for fewer readings than
+/// parameters. Models that only approximate need loop/loop.h instead.
 [[nodiscard]] Calibration calibrate_by_noise(const fit::Subject& subject,
                                              const record::Record& record,
                                              const CalibrateOptions& options = {});
 
-/// Returns the covariance of the parameters with a standard error. Names and values are those of
+/// Returns the covariance of the parameters that have a standard error. Names and values come from
 /// the calibration. The result is empty if no parameter has a standard error.
 [[nodiscard]] std::optional<fit::Covariance> covariance_of(const Calibration& calibration);
 
 /// Builds a calibration from an existing fit of the free parameters `response.parameters`: values,
-/// errors and correlation. `before` contains the readings predicted without the fit; `whitening` is
-/// the noise of the data.
+/// errors and correlation. `before` contains the readings predicted before the fit. `whitening`
+/// describes the noise of the data.
 [[nodiscard]] Calibration calibration_of(std::shared_ptr<const fit::Subject> fitted,
                                          const fit::Response& response, const fit::ResponseFit& fit,
                                          const fit::Observations& observed,

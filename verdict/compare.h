@@ -11,11 +11,11 @@
 
 namespace raceway::verdict {
 
-/// Error within one range of one input, or in one run. If the data have few levels of the input,
-/// each range is one level.
+/// Error within one range of one input, or in one run. If the data have only few levels of the
+/// input, each range is one level.
 struct ErrorRange {
   const record::Channel* channel = nullptr;
-  /// smallest and largest value in the range [SI]; index of the run
+  /// Smallest and largest value in the range [SI]; index of the run.
   double from = unset, to = unset;
   std::string run{};  ///< run_id, or name of a record or group; empty for ranges of an input
   int rows = 0;
@@ -44,15 +44,15 @@ struct LackOfFit {
   double statistic = unset;
   double p_value = unset;
   int degrees_of_freedom = 0;  ///< number of rows (or groups of repeats) minus fitted parameters
-  /// degrees of freedom of the pure error; 0 if the noise is declared
+  /// Degrees of freedom of the pure error; 0 if the noise is declared.
   int noise_degrees_of_freedom = 0;
 };
 
-/// Correlation between errors of neighbouring rows along the swept input; it needs no estimate of
-/// the noise. Rows are sorted by run and all other settings, then by the swept setting (or by time
-/// if there is none). The correlation is the mean product of neighbouring errors over their mean
-/// square. For pure noise it is about normal with variance 1/pairs. The p-value is one-sided. Noise
-/// that drifts along a run also increases the correlation.
+/// Correlation between the errors of neighbouring rows along the swept input. No estimate of the
+/// noise is needed. Rows are sorted by run and all other settings, then by the swept setting (or by
+/// time if there is none). The correlation is the mean product of neighbouring errors over their
+/// mean square. For pure noise, the correlation is approximately normal with variance 1/pairs. The
+/// p-value is one-sided. Noise that drifts along a run also increases the correlation.
 struct Pattern {
   const record::Channel* along = nullptr;
   double correlation = unset;  ///< in [-1, 1]; NaN with fewer than 8 pairs
@@ -71,13 +71,12 @@ struct Comparison {
   const record::Channel* channel = nullptr;
   int rows = 0;                                                     ///< compared
   double rmse = unset, mae = unset, max_abs = unset, bias = unset;  ///< SI
-  /// 100 (1 - |y - ŷ| / |y - mean y|) in Euclidean norms: 100 is perfect, 0 is as good as the mean,
-  /// and a negative value is worse than the mean. NaN if all readings are equal.
+  /// 100 (1 - |y - ŷ| / |y - mean y|) in Euclidean norms: 100 is a perfect prediction, 0 is as good
+  /// as the mean, and a negative value is worse than the mean. NaN if all readings are equal.
   double fit_percent = unset;
   fit::Noise noise{};
   /// Noise that a diagnosis would assume if the noise is unknown [SI]; see
-  /// estimate_unknown_noise(). It is NaN if it was not requested or if the data do not determine
-  /// it.
+  /// estimate_unknown_noise(). NaN if not requested, or if the data do not determine the noise.
   double estimated_noise = unset;
   LackOfFit lack_of_fit{};
   Pattern pattern{};
@@ -91,17 +90,18 @@ struct Comparison {
   std::vector<RowError> worst{};      ///< the five worst rows, worst first
   std::vector<RowError> errors{};     ///< all compared rows, in the order of the data
   std::vector<std::size_t> rows_not_predicted{};  ///< rows with a reading but without a prediction
-  std::string statement{};  ///< one sentence: size of the error, structure or noise, and place
+  std::string statement{};  ///< one sentence: size and place of the error, structure or noise
 };
 
-/// Returns the noise of a measured channel: as the model declares it. For a model that only
-/// approximates it is estimated from neighbours in time, otherwise by estimate_noise().
+/// Returns the noise of a measured channel: the noise that the model declares, if any. Otherwise
+/// the noise is estimated, by estimate_noise(), or from neighbours in time for a model that only
+/// approximates.
 [[nodiscard]] fit::Noise noise_of(const record::Record& record, const fit::Measured& measured);
 
 /// Compares a model with every measured channel of the record. `fitted_parameters` is the number of
-/// model parameters fitted to these data, which reduce the degrees of freedom of the test. Use 0 in
-/// doubt, which makes the test milder. Throws std::invalid_argument if the model and the record
-/// cannot be compared: a record of another kind of subject, no rows, or no predicted row.
+/// model parameters that were fitted to these data. They reduce the degrees of freedom of the test.
+/// If you do not know the number, use 0, which makes the test milder. Throws std::invalid_argument
+/// if the record does not suit this kind of subject, has no rows, or has no predicted row.
 [[nodiscard]] std::vector<Comparison> compare(const fit::Subject& subject,
                                               const record::Record& record,
                                               int fitted_parameters = 0);
@@ -117,8 +117,8 @@ void add_groups(Comparison& comparison, const record::Channel& kind,
                 const std::vector<std::string>& group);
 
 /// Fills Comparison::estimated_noise and the standard deviations of rows whose noise is unknown.
-/// The values come from a saturated regression, as in a diagnosis. The verdict on structure or
-/// noise does not change.
+/// The values come from a saturated regression, as in a diagnosis. They do not change the verdict
+/// on structure or noise.
 void estimate_unknown_noise(const fit::Subject& subject, const record::Record& record,
                             std::vector<Comparison>& comparisons);
 

@@ -14,11 +14,11 @@ namespace raceway::verdict {
 struct DiagnoseOptions {
   /// Ids of the effects that may be missing; empty means all candidates of the subject.
   std::vector<std::string> candidates{};
-  /// number of candidates tried earlier on these data, for the multiple-testing correction
+  /// Number of candidates tried earlier on these data, for the multiple-testing correction.
   int tried_before = 0;
   int most_rows = most_rows_of_a_fit;
   bool pairs = true;
-  /// Also tries the subject's other base models if no candidate explains the misfit.
+  /// True: also tries the other base models of the subject if no candidate explains the misfit.
   bool other_bases = true;
   fit::NoiseOptions noise{};
   std::function<void(double share, std::string_view step)> progress{};
@@ -34,23 +34,24 @@ struct DiagnoseOptions {
 ///   residuals
 ///   -> blocked hold-out, plausible size -> next measurements
 ///
-/// The gate has a level of 1 %. An effect is admitted if -2 ln L falls by more than ln N + 2 ln m.
-/// It is named together with all effects within 6 of the best one.
+/// The gate has a level of 1 %. An effect is accepted if -2 ln L falls by more than ln N + 2 ln m,
+/// with N readings and m tried candidates. The verdict names it together with all effects whose
+/// -2 ln L is within 6 of the best one.
 ///
-/// If no candidate explains the misfit, or if one only acts like it, the other base models
-/// (Subject::other_bases()) are calibrated to the readings and compared like candidates. The
-/// verdict always refers to the given model.
+/// The other base models (Subject::other_bases()) are calibrated to the readings and compared like
+/// candidates in two cases: no candidate explains the misfit, or one candidate fits only with
+/// another law or an implausible size. The verdict always refers to the given model.
 ///
 /// Fewer than 15 rows do not determine their noise. With 8 to 14 rows, the declared noise is used,
 /// and only candidates with one parameter are tried, one at a time.
 ///
 /// If a channel has a tolerance (Measured::tolerance), the question is whether a missing effect
 /// matters on held-out blocks within the measured range. Nothing is missing if the refitted model
-/// stays within the tolerance there. An effect explains the data if it brings the error within the
-/// tolerance; effects whose error is at most a fifth larger are named too. Two effects explain the
-/// data if no single one does and the pair reduces the error by a further fifth. Throws
-/// std::invalid_argument if the data do not support a verdict, and Cancelled. Models that only
-/// approximate need loop/loop.h instead.
+/// stays within the tolerance on these blocks. An effect explains the data if it brings the error
+/// within the tolerance. Effects whose error is at most a fifth larger are also named. Two effects
+/// explain the data if no single effect does and the pair reduces the error by a further fifth.
+/// Throws std::invalid_argument if the data do not support a verdict, and Cancelled if the caller
+/// cancels. Models that only approximate need loop/loop.h instead.
 [[nodiscard]] Diagnosis diagnose_by_noise(const fit::Subject& subject, const record::Record& record,
                                           const DiagnoseOptions& options = {});
 

@@ -18,11 +18,11 @@
 namespace raceway::verdict {
 
 enum class Verdict {
-  nothing_missing,  ///< the data show no missing effect, or none that matters
+  nothing_missing,  ///< the data show no missing effect, or no important one
   effect,           ///< the misfit is consistent with one effect
   ambiguous,        ///< the misfit fits several effects that the data cannot separate
-  several_effects,  ///< several effects are missing at once
-  effect_like,      ///< the misfit acts like an effect, but with another law or an implausible size
+  several_effects,  ///< several effects are missing together
+  effect_like,      ///< the misfit resembles an effect, but with another law or an implausible size
   not_in_catalogue  ///< an effect is missing, and no candidate explains it
 };
 
@@ -52,17 +52,17 @@ struct RankedEffect {
   bool by_column = false;  ///< Candidate::by_column
   bool in_verdict = false;
   /// Fall of -2 ln L when the effect is added, minus ln N for each free shape. If the verdict is
-  /// `several_effects` and includes this effect, the gain is that of the whole set.
+  /// `several_effects` and includes this effect, it is the gain of the whole set.
   double gain = unset;
   fit::Likelihood likelihood{};                 ///< likelihood of the model that `gain` refers to
   std::vector<double> rmse{};                   ///< error of each channel in sample [SI]
   std::vector<double> rmse_held_out{};          ///< held-out error of each channel [SI]
   std::vector<record::Parameter> parameters{};  ///< parameters of the effect, named without its id
   std::size_t size = 0;  ///< index of the parameter that gives the effect its size
-  /// Base parameters without the effect (start) and with it (value). The difference is the part of
-  /// the effect that they had absorbed.
+  /// Base parameters without the effect (start) and with the effect (value). The difference is the
+  /// part of the effect that the base parameters had absorbed.
   std::vector<record::Parameter> base{};
-  /// ids of effects or names of base parameters
+  /// Ids of effects or names of base parameters.
   std::vector<std::string> indistinguishable_from{};
   /// p of the gate with this effect switched on; NaN if not tested
   double remaining_p_value = unset;
@@ -96,10 +96,10 @@ struct EffectShare {
 
 /// Readings that a set of effects predicts, and their contributions, in the order of EffectShare.
 struct ExplainedReadings {
-  /// prediction with the effects on and the base parameters refitted [SI]
+  /// Prediction with the effects on and the base parameters refitted [SI].
   std::vector<double> total{};
   std::vector<double> base{};  ///< prediction of the same model with the effects off [SI]
-  /// for each effect, the total minus the prediction without it
+  /// For each effect, the total minus the prediction without it.
   std::vector<EffectShare> effects{};
 };
 
@@ -111,18 +111,18 @@ struct DetectableSize {
   double size = unset;              ///< smallest size of that parameter
   double share_of_reading = unset;  ///< rms of the effect at this size over rms of the readings [1]
   std::string most_alike{};  ///< effect that is hardest to separate from this one; empty if none
-  double told_apart_from = unset;  ///< size above which the two can be separated
+  double told_apart_from = unset;  ///< size above which the data separate the two effects
 };
 
 struct NotTestable {
   std::string id;
-  /// missing data, parameters with the same action, or a reason that excludes it
+  /// Missing data, parameters with the same influence, or a reason that excludes the effect.
   std::string reason;
 };
 
 /// Pattern of the residuals over time that no effect of the catalogue explains.
 struct Course {
-  /// start and end of the times with the largest residuals [s]
+  /// Start and end of the times with the largest residuals [s].
   std::vector<std::pair<double, double>> when{};
   double period = unset;         ///< period of the pattern [s]; NaN if it does not repeat
   double time_constant = unset;  ///< correlation time of the residuals [s]
@@ -134,16 +134,16 @@ struct SuggestedMeasurement {
   std::string words;  ///< description of the point
   int repeats = 2;
   std::string separates{};  ///< ids, e.g. "this-effect / that-effect"
-  /// difference between the two effects at this point, before any refit [1]
+  /// Difference between the two effects at this point, before any refit [1].
   double difference_in_sigma = unset;
 };
 
-/// Another base model, calibrated to the same readings in place of the given base model.
+/// Another base model, calibrated to the same readings instead of the given base model.
 struct OtherBaseTried {
   std::string id;     ///< OtherBase::id
   std::string words;  ///< OtherBase::words
-  /// Fall of -2 ln L against the given model without effects, minus ln N for each additional free
-  /// parameter.
+  /// Fall of -2 ln L relative to the given model without effects, minus ln N for each additional
+  /// free parameter.
   double gain = unset;
   fit::Likelihood likelihood{};
   std::vector<double> rmse{};           ///< error of each channel in sample [SI]
@@ -165,43 +165,44 @@ struct Diagnosis {
   std::vector<std::vector<std::string>>
       sets;                  ///< sets of effects whose gain is close to the best, best first
   std::vector<SetFit> fits;  ///< fits of these sets; empty for a model that only approximates
-  /// likelihood of the refitted model without effects, under the estimated noise
+  /// Likelihood of the refitted model without effects, with the estimated noise.
   fit::Likelihood likelihood;
   Correlation correlation;  ///< correlation for the best set, or for the model without effects
-  /// Readings of the verdict's best set, if there is one, then of every ranked single effect.
+  /// Readings of the best set of the verdict, if there is one, then of every ranked single effect.
   std::vector<ExplainedReadings> explained;
   bool verdict_is_explained = false;  ///< true if `explained` begins with the verdict's best set
-  /// Refits of a model that only approximates: first alone, then with the verdict's best set.
+  /// Refits of a model that only approximates: first without effects, then with the best set of the
+  /// verdict.
   std::vector<fit::Refit> refits;
   std::vector<DetectableSize> would_have_been_found;
   std::vector<NotTestable> not_testable;
-  /// groups of effects that act alike on these data (|cos| > 0.98)
+  /// Groups of effects with the same influence on these data (|cos| > 0.98).
   std::vector<std::vector<std::string>> aliases;
   std::vector<SuggestedMeasurement> suggested_measurements;
-  /// settings available for a measurement, in the order of a suggested point
+  /// Settings available for a measurement, in the order of a suggested point.
   std::vector<fit::Axis> axes;
   double predicted_separation = unset, separation_by_repetition = unset;
-  /// further quantities to record that would separate the effects
+  /// Further quantities to record that would separate the effects.
   std::vector<std::string> records_needed;
   std::optional<fit::Shape> shape;
   std::optional<Course> course;
-  /// Base parameters without the verdict's effects (start) and with them (value). The two are equal
-  /// if the verdict names no effect.
+  /// Base parameters without the effects of the verdict (start) and with these effects (value). The
+  /// two are equal if the verdict names no effect.
   std::vector<record::Parameter> base;
   /// hold-out results of the verdict's best set against the base model
   std::vector<fit::HoldOut> hold_out;
-  double needed_gain = unset;                   ///< gain that admits an effect, ln N + 2 ln m
+  double needed_gain = unset;                   ///< gain that an effect needs, ln N + 2 ln m
   int candidates_tried = 0;                     ///< m, including candidates tried earlier
   int rows = 0;                                 ///< used
   std::vector<std::size_t> outliers;            ///< rows with reduced weight
   std::vector<std::size_t> rows_not_predicted;  ///< rows
   /// Other base models, best first. They are tried if no candidate explains the misfit.
   std::vector<OtherBaseTried> other_bases{};
-  /// Diagnosis with the best of these as the base model, single candidates only. Null if none of
-  /// them is worth it.
+  /// Diagnosis with the best of these models as the base model, with single candidates only. Null
+  /// if no other base model is good enough.
   std::shared_ptr<const Diagnosis> given_other_base{};
-  /// True if a tolerance is given and the refitted model meets it without effects. The list names
-  /// significant effects that reduce the held-out error but do not matter.
+  /// True if a tolerance is given and the refitted model meets this tolerance without effects. The
+  /// list names significant effects that reduce the held-out error but are not important.
   bool within_tolerance = false;
   std::vector<std::string> significant_but_immaterial;
   std::vector<record::Note> messages;  ///< messages for the user

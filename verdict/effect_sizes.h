@@ -29,19 +29,20 @@ namespace raceway::verdict {
 [[nodiscard]] record::Interval size_interval(const Evidence& evidence, const Explanation& e,
                                              std::size_t member);
 
-/// Returns the probability that offsets of blocks of rows, set at random, follow one candidate as
-/// closely as these do: P(F(1, B - 2) >= G (B - 2) / R) for B blocks. G is the gain of the
-/// candidate, and R is the square that it leaves and that one offset for each block explains. The
-/// probability is 0 if the candidate is also seen within blocks, and NaN without blocks that may be
-/// undeclared runs (RowOrder::new_block).
+/// Returns the probability that random offsets of blocks of rows follow one candidate as closely as
+/// the observed offsets: P(F(1, B - 2) >= G (B - 2) / R) for B blocks. G is the gain of the
+/// candidate. R is the part of the remaining sum of squares that one offset for each block
+/// explains. The probability is 0 if the candidate is also visible within blocks. It is NaN without
+/// blocks that may be undeclared runs (RowOrder::new_block).
 [[nodiscard]] double chance_of_block_offsets(const Evidence& evidence, const Explanation& e,
                                              std::size_t member);
 
-/// Returns the base parameters without the explanation (start) and with it (value).
+/// Returns the base parameters without the explanation (start) and with the explanation (value).
 [[nodiscard]] std::vector<record::Parameter> base_with(const Evidence& evidence,
                                                        const Explanation& e);
 
-/// Returns the base parameters of the model without effects, with the errors of calibrate().
+/// Returns the base parameters of the model without effects, with the standard errors of
+/// calibrate().
 [[nodiscard]] std::vector<record::Parameter> base_alone(const Evidence& evidence);
 
 /// Returns the likelihood of the readings for a fit of the base model or of an explanation.
@@ -60,14 +61,15 @@ namespace raceway::verdict {
                                            const fit::ResponseFit& fit,
                                            const std::vector<fit::Blocking>& blockings);
 
-/// Returns held-out errors within the measured range. The outermost blocks of an ordered blocking
-/// would be extrapolated, so they count with their error in the fit.
+/// Returns held-out errors within the measured range. For the outermost blocks of an ordered
+/// blocking, the held-out prediction would be an extrapolation. The error in the fit is therefore
+/// used for these blocks.
 [[nodiscard]] std::vector<double> held_out_within_range(
     const Evidence& evidence, const fit::Response& response, const fit::ResponseFit& fit,
     const std::vector<fit::Blocking>& blockings);
 
-/// Returns the readings of an explanation and its contributions, by observation. The law must not
-/// be bent.
+/// Returns the readings of an explanation and the contributions of its effects, by observation. The
+/// law must not be bent.
 [[nodiscard]] ExplainedReadings explained_readings(const Evidence& evidence, const Explanation& e);
 
 }  // namespace raceway::verdict

@@ -10,8 +10,9 @@ namespace raceway::verdict {
 /// Noise of one channel that a diagnosis would assume.
 struct EstimatedNoise {
   const record::Channel* channel = nullptr;
-  double rms = unset;       ///< rms noise over the readings used [SI]
-  std::vector<double> std;  ///< by row of the record [SI]; unused rows take it from their reading
+  double rms = unset;  ///< rms noise over the readings used [SI]
+  /// Standard deviations by row of the record [SI]. For unused rows, they come from the reading.
+  std::vector<double> std;
 };
 
 /// Estimates the noise (NoiseModel) of each channel of a diagnosis, for data without declared noise

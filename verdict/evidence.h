@@ -10,24 +10,25 @@
 
 namespace raceway::verdict {
 
-/// larger records are reduced to this number of randomly chosen rows
+/// a larger record is reduced to this number of randomly chosen rows
 constexpr int most_rows_of_a_fit = 4000;
 
 /// Model, data, candidates and noise, prepared for a diagnosis.
 struct Evidence {
   fit::Problem problem{};
   fit::Saturation saturation{};
-  /// free parameters that change no reading; they are not in the base
+  /// Free parameters that change no reading; they are not parameters of the base model.
   std::vector<std::string> idle{};
-  Eigen::VectorXd size{};                 ///< typical size of each reading from the base model
-  std::vector<fit::NoiseModel> noise{};   ///< noise of each measured channel
-  fit::Whitening whitening{};             ///< weights by the noise of all channels together
-  std::vector<fit::Whitening> allowed{};  ///< weights by other noise shapes, one channel at a time
-  double degrees_of_freedom = unset;      ///< degrees of freedom of all channels
-  fit::Response response{};               ///< response of the base model
-  fit::ResponseFit base{};                ///< base model refitted with this noise
+  Eigen::VectorXd size{};                ///< typical size of each reading from the base model
+  std::vector<fit::NoiseModel> noise{};  ///< noise of each measured channel
+  fit::Whitening whitening{};            ///< weights from the noise of all channels together
+  /// Weights from other noise shapes, one channel at a time.
+  std::vector<fit::Whitening> allowed{};
+  double degrees_of_freedom = unset;  ///< degrees of freedom of all channels
+  fit::Response response{};           ///< response of the base model
+  fit::ResponseFit base{};            ///< base model refitted with this noise
   std::size_t rows_in_record = 0;
-  /// true if the rows are too few to determine their noise; the declared noise is used
+  /// True if there are too few rows to determine the noise; the declared noise is then used.
   bool few_rows = false;
   std::string hint{};  ///< Judged::doubt()
   std::vector<record::Note> notes{};
@@ -44,7 +45,7 @@ struct EvidenceOptions {
   int most_rows = most_rows_of_a_fit;
   fit::NoiseOptions noise{};
   bool screened = true;               ///< false if only the noise and the base model are needed
-  std::function<bool()> cancelled{};  ///< cancels the work; see Problem
+  std::function<bool()> cancelled{};  ///< if it returns true, the work is cancelled; see Problem
 };
 
 /// Checks the data, estimates the noise from a saturated regression and refits the base model. Uses

@@ -10,11 +10,12 @@ namespace raceway::verdict {
 
 /// Standard normal numbers for the null distribution of the largest score. They are drawn at first
 /// use and are identical for all gates of a diagnosis, and for all diagnoses with the same number
-/// of scores. The first call of p_value() draws them, so several threads must not call it at once.
+/// of scores. The first call of p_value() draws the numbers, so several threads must not call
+/// p_value() at the same time.
 class NullDraws {
  public:
   explicit NullDraws(Eigen::Index scores, int draws = 10000) : scores_(scores), draws_(draws) {}
-  /// Returns the share of draws from N(0, C) whose largest score (over a χ scale) reaches
+  /// Returns the share of draws from N(0, C) whose largest score, divided by a χ scale, reaches
   /// `observed`.
   [[nodiscard]] double p_value(const Eigen::MatrixXd& correlation,
                                const std::vector<bool>& one_sided, double degrees_of_freedom,
@@ -39,22 +40,24 @@ struct Gate {
   double largest_score = unset;  ///< largest score in standard deviations
   int largest = -1;              ///< column of that score
   double score_p_value = 1.0;
-  /// Largest p over the other noise shapes that the readings allow; 0 if these were not tested.
+  /// Largest p over the other noise shapes that the readings allow; 0 if these shapes were not
+  /// tested.
   double allowed_p_value = 0.0;
   Eigen::VectorXd scores;  ///< score of each column; 0 if the column is not visible
-  /// share of a column that remains after projection of the tangent [1]
+  /// Share of a column that remains after the tangent is projected off [1].
   Eigen::VectorXd visibility;
-  Eigen::MatrixXd projected;  ///< columns after projection of the tangent, not normalised
+  Eigen::MatrixXd projected;  ///< columns after the tangent is projected off, not normalised
 
   /// Returns p of both tests together (Bonferroni); the largest value over all noise shapes.
   [[nodiscard]] double p_value() const;
   [[nodiscard]] bool alarm() const { return p_value() < alarm_level; }
 };
 
-constexpr double invisible = 0.02;  ///< below this visibility, the tangent hides a score
+/// The tangent hides a score whose visibility is below this value.
+constexpr double invisible = 0.02;
 
-/// Opens the gate. All arguments are whitened. `one_sided` marks columns of which only a positive
-/// amount is physical.
+/// Applies the gate. All arguments are whitened. `one_sided` marks columns for which only a
+/// positive amount is physical.
 [[nodiscard]] Gate open_gate(const Eigen::MatrixXd& tangent, const Eigen::VectorXd& residual,
                              const Eigen::MatrixXd& surface, const Eigen::MatrixXd& scores,
                              const std::vector<bool>& one_sided, double degrees_of_freedom,

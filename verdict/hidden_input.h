@@ -13,7 +13,7 @@ struct HiddenInput {
   const record::Channel* channel = nullptr;
   double scatter = unset;         ///< relative standard deviation at equal points [1]
   std::size_t low = 0, high = 0;  ///< rows with the largest difference at one point
-  /// share of the variance that is common to the rows of a run; NaN without runs
+  /// Share of the variance that is common to the rows of a run; NaN without runs.
   double run_share = unset;
   double run_p_value = unset;  ///< probability of such a share by chance; NaN without runs
   /// Returns true if the level changes from run to run and not from row to row.
@@ -23,9 +23,9 @@ struct HiddenInput {
 /// Compares rows whose settings agree within 2 % and whose temperatures agree within 1 K. Few laws
 /// change by more than 5 % over such a range. A hidden input is reported if both the pooled and a
 /// robust standard deviation exceed Measured::most_scatter. Single wrong readings therefore do not
-/// trigger it. An analysis of variance of the logarithms tests whether the differences follow the
-/// runs. The result is empty if the test is impossible: fewer than 8 degrees of freedom, rows with
-/// a time (run-in makes readings differ at equal points), or a reading that is not positive.
+/// cause a report. An analysis of variance of the logarithms tests whether the differences follow
+/// the runs. The result is empty if the test is impossible: fewer than 8 degrees of freedom, rows
+/// with a time (run-in makes readings differ at equal points), or a reading that is not positive.
 [[nodiscard]] std::optional<HiddenInput> find_hidden_input(const record::Record& record,
                                                            const fit::Measured& measured);
 

@@ -9,13 +9,13 @@
 namespace raceway::verdict {
 
 /// Finds parameters that the data cannot separate, neither at the start of a fit nor away from it.
-/// It holds all but the first of each group, marks them and adds a message. `lacks` is
-/// Subject::lacks() on these data.
+/// It fixes all parameters of a group except the first one, marks them and adds a message. `lacks`
+/// is Subject::lacks() on these data.
 void hold_dependent(const fit::Response& response, const fit::Whitening& whitening,
                     const std::function<std::string(const std::string& parameter)>& lacks,
                     Calibration& result);
 
-/// Returns the message on a parameter that is held because the data lack `needed`.
+/// Returns the message about a parameter that is fixed because the data lack `needed`.
 [[nodiscard]] std::string not_identifiable(const record::Parameter& held,
                                            const std::string& needed);
 

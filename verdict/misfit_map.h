@@ -25,7 +25,7 @@ struct MisfitCell {
 ///
 ///   standard error of the mean of m rows = sqrt(Σ s_i²) / m
 ///
-/// This formula assumes independent rows. Noise that drifts makes cells look more significant than
+/// This formula assumes independent rows. With drifting noise, cells look more significant than
 /// they are.
 struct MisfitMap {
   const record::Channel* across_channel = nullptr;

@@ -10,15 +10,15 @@ namespace raceway::verdict {
 struct NextPoints {
   std::vector<SuggestedMeasurement> points;
   std::vector<fit::Axis> axes;  ///< axes of the points
-  /// Squared misfit over variance that the wrong explanation of the worst pair would keep after a
-  /// refit: with these points, and with as many repeats of existing rows.
+  /// Squared misfit over variance that would remain for the wrong explanation of the worst pair
+  /// after a refit: with these points, and with an equal number of repeats of existing rows.
   double predicted_separation = unset, separation_by_repetition = unset;
 };
 
-/// Returns points on the subject's axes that best separate rival explanations. The design is
-/// T-optimal for the worst pair. Greedy choice and exchange continue until the predicted separation
-/// reaches 20 or `most` points, including repeats, are used. The result is empty if the subject has
-/// no axes.
+/// Returns the points on the axes of the subject that best separate rival explanations. The design
+/// is T-optimal for the worst pair. The search chooses and exchanges points one by one. It stops if
+/// the predicted separation reaches 20 or if `most` points, including repeats, are used. The result
+/// is empty if the subject has no axes.
 [[nodiscard]] NextPoints next_points(const Evidence& evidence,
                                      const std::vector<const Explanation*>& rivals, int most = 12);
 

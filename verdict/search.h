@@ -18,12 +18,13 @@ struct Finding {
     single,     ///< one candidate explains the misfit
     several,    ///< two or three candidates together
     bent,       ///< one candidate with a bent law
-    base_laws,  ///< both corrections of the base law together, with a lower threshold than a pair
+    base_laws,  ///< both corrections of the base law together; their threshold is lower than for
+                ///< other pairs
     partly      ///< one candidate explains most of the misfit but misses the tolerance
   };
   Kind kind = Kind::none;
   std::vector<const Explanation*> set{};  ///< explanations, best first
-  /// Pairs with a wrong datum that fit as well as the pairs of effects in the set.
+  /// Pairs that contain a wrong datum and fit as well as the pairs of effects in the set.
   std::vector<const Explanation*> with_data{};
 };
 
@@ -37,14 +38,14 @@ struct SearchLimits {
 };
 
 /// Searches for an explanation of a misfit: single candidates, both corrections of the base law,
-/// pairs, triples and bent laws, in this order, until the residuals are noise. With a tolerance,
-/// the search ends when the held-out error is within it.
+/// pairs, triples and bent laws, in this order, until the residuals are noise. If there is a
+/// tolerance, the search ends when the held-out error is within the tolerance.
 class Search {
  public:
   Search(const Evidence& evidence, const Attribution& attribution,
          const std::vector<fit::Blocking>& blockings, SearchLimits limits);
 
-  /// Refits every candidate alone.
+  /// Refits every candidate separately.
   void refit_singles();
   [[nodiscard]] const std::vector<Explanation>& singles() const { return singles_; }
   /// Searches until the remaining misfit is noise.
@@ -52,8 +53,8 @@ class Search {
   /// Searches until the held-out error is within the tolerance.
   [[nodiscard]] Finding explain_within_tolerance();
 
-  /// Returns pairs that fit well although neither effect is proven. The search fills this list and
-  /// shape().
+  /// Returns pairs that fit well, although neither of the two effects is proven. The search fills
+  /// this list and shape().
   [[nodiscard]] const std::vector<std::vector<std::string>>& weak_pairs() const {
     return weak_pairs_;
   }
@@ -62,8 +63,8 @@ class Search {
   [[nodiscard]] bool is_physics(const Explanation& e) const;
   [[nodiscard]] bool is_physics_alone(const Explanation& e) const;
   [[nodiscard]] std::vector<std::string> ids_of(const Explanation& e) const;
-  /// Returns true if the explanation raises the rms residual. Residuals are weighed by the noise of
-  /// each channel, without outliers.
+  /// Returns true if the explanation raises the rms residual. Residuals are weighted by the noise
+  /// of each channel, without outliers.
   [[nodiscard]] bool raises_the_error(const Explanation& e) const;
   /// Returns true if the explanation lowers this rms residual by at least `share`.
   [[nodiscard]] bool lowers_the_error(const Explanation& e, double share) const;
@@ -101,7 +102,7 @@ class Search {
   std::optional<fit::Shape> shape_;
 };
 
-constexpr double within_reach = 6.0;  ///< largest distance from the best set, in -2 ln L
-constexpr double passed = 0.01;       ///< smallest p of the gate that counts as passed
+constexpr double within_reach = 6.0;  ///< largest difference from the best set, in -2 ln L
+constexpr double passed = 0.01;       ///< smallest p with which the gate is passed
 
 }  // namespace raceway::verdict

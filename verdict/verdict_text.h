@@ -21,15 +21,15 @@ namespace raceway::verdict {
 [[nodiscard]] std::string reading_text(const record::Channel& channel, double value,
                                        int digits = 3);
 
-/// Returns the sentence of `nothing_missing`: effects that would have been found, and effects that
-/// could not.
+/// Returns the sentence for `nothing_missing`: effects that would have been found, and effects that
+/// could not have been found.
 [[nodiscard]] std::string nothing_missing_text(const Diagnosis& d);
 /// Returns the sentence for a missing effect that does not matter within the tolerance.
 [[nodiscard]] std::string within_tolerance_text(const Diagnosis& d);
-/// Returns the error before and after, in sample and on held-out blocks.
+/// Returns the error without and with the effects, in sample and on held-out blocks.
 [[nodiscard]] std::string error_text(const Diagnosis& d);
-/// Returns the shifts of the base parameters without the effects of the verdict, from 1 %; empty if
-/// there are none.
+/// Returns the shifts of the base parameters when the effects of the verdict are left out. Only
+/// shifts of 1 % or more are included; empty if there are none.
 [[nodiscard]] std::string shift_text(const Diagnosis& d);
 /// Returns the first suggested measurement; empty if there is none.
 [[nodiscard]] std::string measure_text(const Diagnosis& d);

@@ -10,14 +10,14 @@
 /// Selects the parts of a model that learning.h learns.
 namespace raceway::correction {
 
-/// A learned quantity of a model, as an unknown with a weight at every row.
+/// A quantity of a model that is learned: an unknown with a weight at every row.
 struct LearntPart {
   Unknown unknown{};
-  std::vector<double> weights{};  ///< weights: contribution of a gain [m], or response of a lag [1]
+  std::vector<double> weights{};  ///< contribution that a gain scales [m], or response of a lag [1]
   std::string name{};   ///< name of the contribution that the gain scales, or channel of the lag
   bool is_lag = false;  ///< true for a lag that the model lacks
   double time_constant = unset;  ///< time constant of the lag [s]
-  double gain = unset;  ///< gain of the lag if the unknown is 1 [1], per SI unit of the input
+  double gain = unset;  ///< gain of the lag [1] per SI unit of the input, for an unknown of 1
 };
 
 /// Returns the gains of all contributions of the model and the missing lags of its inputs. Lags are
@@ -25,7 +25,8 @@ struct LearntPart {
 [[nodiscard]] std::vector<LearntPart> learnt_parts(const Model& model, const Series& series,
                                                    const LearningOptions& options, double misfit);
 
-/// Returns the unknowns for the zero, its rate, and the residual of the model with its memories.
+/// Returns the unknowns for the zero, for the rate of the zero, and for the residual of the model
+/// with its memories.
 [[nodiscard]] std::vector<Unknown> zero_and_misfits(const Model& model, double misfit);
 
 /// Returns the model with the learned zero and parts.

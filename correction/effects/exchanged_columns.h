@@ -5,7 +5,8 @@
 namespace raceway::correction {
 
 /// Two temperature columns have exchanged names, because a plug or a header was exchanged. The
-/// model is fitted with each pair of columns exchanged if one of them drives it.
+/// effect exchanges two columns and fits the model again. It tries each pair in which the model
+/// uses at least one column.
 struct ExchangedColumns final : EffectKind {
   static constexpr EffectCard exchanged_card{
       .id = "exchanged-columns",

@@ -10,10 +10,11 @@
 
 namespace raceway::correction {
 
-/// A recorded column that the model does not use: a lag of it. A position is not a heat source, so
-/// the column itself is used. A temperature counts relative to the reference of the model's
-/// channels if they have a common one. A position can also define a window in which an additional
-/// lag of a channel's input acts. Some windows of the recorded range of the position are tried.
+/// A recorded column that the model does not use. The effect is a lag of this column. A position is
+/// not a heat source, so its column acts without a lag. If the channels of the model have a common
+/// reference, a temperature is taken relative to this reference. A position can also define a
+/// window in which an additional lag of the input of a channel acts. Some windows of the recorded
+/// range of the position are tried.
 struct RecordedInput final : EffectKind {
   static constexpr EffectCard recorded_card{
       .id = "input",
@@ -52,7 +53,7 @@ struct RecordedInput final : EffectKind {
     return list;
   }
 
-  /// A file without a time constant uses the column itself.
+  /// Without a time constant in the file, the column acts without a lag.
   [[nodiscard]] bool may_end_before(std::size_t number) const override { return number == 1; }
 
   [[nodiscard]] Input input(const Effect& e, const Model& m) const override {
@@ -73,9 +74,9 @@ struct RecordedInput final : EffectKind {
  private:
   static constexpr double endless = std::numeric_limits<double>::infinity();
 
-  /// Windows: proportional to the position along the axis; its upper half; each third. The lower
-  /// half needs no window, because it is the channel minus the upper half. Edges are round numbers
-  /// in the unit of the column.
+  /// Windows: proportional to the position along the axis; upper half of the axis; each third. The
+  /// lower half needs no window, because it is the channel minus the upper half. Edges are round
+  /// numbers in the unit of the column.
   static std::array<Window, 5> windows_of(const Channel& position, const Interval& range) {
     const double low = position.in_unit(range.lower), width = position.in_unit(range.upper) - low;
     const double grain = std::pow(10.0, std::floor(std::log10(width)) - 2.0);

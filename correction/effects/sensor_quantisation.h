@@ -4,8 +4,9 @@
 
 namespace raceway::correction {
 
-/// The displacement steps with the last digit of a sensor. The record itself shows it: the residual
-/// steps back with that digit, by at most the amount that the feedthrough explains.
+/// The displacement steps with the last digit of a sensor. The record itself shows this effect: at
+/// each change of that digit, the residual steps back by at most the amount that the feedthrough
+/// explains.
 struct SensorQuantisation final : EffectKind {
   static constexpr EffectCard quantisation_card{
       .id = "sensor-quantisation",

@@ -10,14 +10,14 @@
 /// Declares the search for estimate_noise_model().
 namespace raceway::fit {
 
-/// Searches for the noise of one channel, part by part.
+/// Estimates the noise of one channel, one part after the other.
 class NoiseSearch {
  public:
-  /// degrees of freedom that count as known noise
+  /// Degrees of freedom from which the noise counts as known.
   static constexpr double as_good_as_known = 1000.0;
 
-  /// Shares of the variance: proportional to the reading, and from the scatter of an input. The
-  /// remainder is absolute.
+  /// Shares of the variance: a part proportional to the reading, and a part from the scatter of an
+  /// input. The rest of the variance is absolute.
   struct Shares {
     double relative = 1.0, input = 0.0;
     [[nodiscard]] double absolute() const { return std::max(0.0, 1.0 - relative - input); }
@@ -36,8 +36,8 @@ class NoiseSearch {
   NoiseModel run();
 
  private:
-  /// Least-squares regression with orthogonal columns: residual, and freedom that remains in each
-  /// row.
+  /// Least-squares regression with orthogonal columns: residual, and remaining degrees of freedom
+  /// of each row.
   struct Regression {
     Eigen::VectorXd fitted;    ///< whitened
     Eigen::VectorXd residual;  ///< whitened
@@ -50,31 +50,35 @@ class NoiseSearch {
   static Eigen::VectorXd of_rms_one(const Eigen::VectorXd& v);
 
   [[nodiscard]] double misfit(double phi, double run_share, const Shares& shares) const;
-  /// Returns the share of each standard deviation that neighbours can have in common. It excludes
-  /// scatter within a dwell and scatter of an input; single rows have no excluded part.
+  /// Returns the share of each standard deviation that neighbours can have in common. This share
+  /// excludes the scatter within a dwell and the scatter of an input. For single rows, nothing is
+  /// excluded.
   [[nodiscard]] Eigen::VectorXd common(const Shares& shares, const Parts& parts) const;
-  /// Returns the size of a reading, including the growth of the noise over the swept input.
+  /// Returns the size of a reading, including the growth of the noise with the swept input.
   [[nodiscard]] Eigen::VectorXd grown(const Eigen::VectorXd& reading) const;
   /// Factor by which each standard deviation exceeds the sum of its parts.
   [[nodiscard]] Eigen::VectorXd stretched() const { return widening_.cwiseProduct(by_record_); }
   [[nodiscard]] std::vector<Shares> all_shares() const;
   double find_shares() { return find_shares(all_shares()); }
   [[nodiscard]] static double cost(const Shares& shares);
-  /// Finds the best of these shares for the current memory. Returns its -2 ln L including the cost
-  /// of its parts.
+  /// Finds the best of these shares for the current memory. Returns the -2 ln L of this share,
+  /// including the cost of the parts.
   double find_shares(const std::vector<Shares>& list);
   /// Finds the growth of the relative part with the swept input. Each growth has its own doubtful
-  /// readings, and each doubtful reading costs as much as its rarity.
+  /// readings. Each doubtful reading adds a cost to -2 ln L, which depends on the rarity of this
+  /// reading.
   void find_growth();
-  /// Quick test: fits logarithms of the residuals of the saturated regression over the logarithm of
-  /// the swept input. ln |z| of a normal variable has a standard deviation of 1.11.
+  /// Quick test: fits the logarithms of the residuals of the saturated regression as a function of
+  /// the logarithm of the swept input. ln |z| of a normal variable has a standard deviation of
+  /// 1.11.
   [[nodiscard]] bool seems_to_grow() const;
   /// Readings that gather at one level of a setting are not outliers, because the rig scatters more
   /// at that level.
   void spare_levels();
-  /// Marks first suspects by a regression with few columns: outliers cannot pull its fit towards
-  /// them, as they can with half as many columns as rows. It starts from least absolute deviations
-  /// and reweights by Tukey's biweight. find_outliers() removes unfounded suspects.
+  /// Marks readings that may be outliers, with a regression of few columns. Outliers cannot pull
+  /// this regression towards them. With half as many columns as rows, they could. The regression
+  /// starts from least absolute deviations and reweights by Tukey's biweight. find_outliers() later
+  /// removes the wrong suspects.
   void suspect_outliers();
   void find_outliers();
   /// Finds the size of the scatter in each joined record, because days and sensors differ. All
@@ -83,14 +87,14 @@ class NoiseSearch {
   /// Finds correlation and run offsets together, because each can look like the other. Run offsets
   /// are either proportional to the noise of each reading or equal for all readings of a run.
   void find_memory();
-  /// Finds the best correlation and run share for the current other parts.
+  /// Finds the best correlation and run share, with the other parts fixed.
   void search_memory(bool timed, bool runs);
   /// Returns -2 ln L including the cost of memory and parts.
   [[nodiscard]] double value() const;
   /// Returns Whitening::run_unit for these standard deviations.
   [[nodiscard]] double run_unit(const Eigen::VectorXd& std) const;
-  /// Finds the common offset of the pieces of one dwell. It competes with the correlation between
-  /// neighbours, so both are searched together.
+  /// Finds the common offset of the pieces of one dwell. The offset competes with the correlation
+  /// between neighbours, so the search varies both together.
   void find_states();
   /// Finds offsets of blocks of rows that are not declared as runs.
   void find_blocks();
@@ -98,7 +102,7 @@ class NoiseSearch {
   [[nodiscard]] Whitening scaled(double phi, double run_share, const Shares& shares,
                                  double& factor) const;
   void set_scale();
-  /// Keeps declared standard deviations that the readings do not contradict.
+  /// Keeps the declared standard deviations if the readings do not contradict them.
   void honour_declared(double& factor);
   /// Finds noise shapes with a likelihood close to the best. Each part of the noise is moved to
   /// both ends of the range that the readings allow, and memory is removed if the readings allow

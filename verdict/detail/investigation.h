@@ -18,13 +18,13 @@ class Investigation {
   Investigation(const fit::Subject& subject, const record::Record& record,
                 const DiagnoseOptions& options);
 
-  /// Finds the effects that the data can show and the error of the refitted model.
+  /// Finds the effects that the data can show, and the error of the refitted model.
   void look();
   /// Returns true if the error of the refitted model exceeds the noise or the tolerance.
   [[nodiscard]] bool is_anything_missing() const;
   /// Finds effects that explain the misfit.
   void attribute();
-  /// Checks the explanation on held-out rows and checks whether its sizes are plausible.
+  /// Checks the explanation on held-out rows, and checks whether the sizes are plausible.
   void confirm();
   /// Compares other base models if no candidate explains the misfit.
   void try_other_bases();

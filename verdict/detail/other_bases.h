@@ -12,8 +12,8 @@ namespace raceway::verdict {
 struct CalibratedBase {
   fit::OtherBase base{};
   /// Explanation without candidates. Its parameters are the free parameters of the other base
-  /// model. Its gain is the fall of -2 ln L against the given, refitted model, minus ln N for each
-  /// additional free parameter.
+  /// model. The gain is the fall of -2 ln L relative to the given model after a refit, minus ln N
+  /// for each additional free parameter.
   Explanation explanation{};
   std::string not_testable{};  ///< reason if the base model cannot be tested; empty if it can
 };
@@ -24,7 +24,7 @@ struct CalibratedBase {
 /// last.
 [[nodiscard]] std::vector<CalibratedBase> calibrate_other_bases(const Evidence& evidence);
 
-/// Returns the model with this base model and its calibrated values.
+/// Returns the subject with this base model and the calibrated values.
 [[nodiscard]] std::shared_ptr<const fit::Subject> fitted_subject(const CalibratedBase& found);
 
 }  // namespace raceway::verdict

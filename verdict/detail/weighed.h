@@ -15,12 +15,12 @@ struct Weighed {
   fit::Problem problem{};
   fit::Whitening whitening{};
   bool noise_known = false;
-  /// weights come only from declared deviations, which may be smaller than the noise
+  /// The weights come only from declared deviations, which may be smaller than the noise.
   bool as_declared = false;
   bool by_misfit = false;  ///< an additional common scatter accounts for the remaining misfit
 };
 
-/// Returns the evidence of a diagnosis; empty if the data do not support one.
+/// Returns the evidence of a diagnosis; empty if the data do not support a diagnosis.
 [[nodiscard]] std::optional<Evidence> evidence_of(const fit::Subject& subject,
                                                   const record::Record& record);
 
