@@ -22,11 +22,11 @@ class MessageText : public session::Messages {
   std::string text_;
 };
 
-/// Text buffer of the caller, empty until text is stored.
+/// Text buffer of the caller. It is empty until a text is stored.
 class Reply {
  public:
   Reply(char* text, std::size_t size) noexcept;
-  /// Stores the text up to the size of the buffer, cut between UTF-8 characters, with a final 0.
+  /// Stores the text with a final 0. A text that is too long is cut between two UTF-8 characters.
   void put(std::string_view text) noexcept;
 
  private:
@@ -34,11 +34,12 @@ class Reply {
   std::size_t size_;
 };
 
-/// Stores the message of the current exception in the reply, as the command prints it. Only for use
-/// in a `catch`.
+/// Stores the message of the current exception in the reply, in the words of the command. Call it
+/// only in a `catch` block.
 void explain(Reply& reply) noexcept;
 
-/// Returns the result of `work`; `failed` if it throws, with the message in the reply.
+/// Returns the result of `work`. If `work` throws, returns `failed` and stores the message in the
+/// reply.
 template <typename Result, typename Work>
 [[nodiscard]] Result guarded(Reply& reply, Result failed, const Work& work) noexcept {
   try {

@@ -9,7 +9,7 @@
 #include "files/model_file.h"
 #include "session/source.h"
 
-/// Object behind the caller's pointer. It is immutable, so threads may share it.
+/// Object behind the pointer of the caller. The object never changes, so threads may share it.
 struct raceway_model {
   raceway::files::ModelFile file;
   std::string messages;
@@ -18,10 +18,10 @@ struct raceway_model {
 
 namespace raceway::c {
 
-/// Reads a model as `solve` and `table` do. Throws text::InputError. The caller owns it.
+/// Reads a model as `solve` and `table` do. Throws text::InputError. The caller owns the model.
 [[nodiscard]] raceway_model* open_handle(const session::Source& source);
 
-/// Code of raceway.h (RACEWAY_...) for a status of the solver.
+/// Returns the code of raceway.h (RACEWAY_...) for a status of the solver.
 [[nodiscard]] int status_number(bearing::SolveStatus status);
 
 /// Reads names of columns. An empty list means all. Throws text::InputError for an unknown name.

@@ -1,13 +1,13 @@
 /// Friction of spindle bearings for C, Fortran, MATLAB, Octave, LabVIEW and Modelica. Models are
 /// read from TOML (docs/files.md). States and results are plain arrays.
 ///
-/// Units:    in the names, as in files: rpm, N, C, N mm.
-/// Returns:  0 done, 1 wrong input, 2 some states without a result, like the command raceway.
+/// Units:    each name contains its unit, as in files: rpm, N, C, N mm.
+/// Returns:  0 done, 1 wrong input, 2 some states have no result, as for the command raceway.
 /// Messages: a function with `message` and `message_size` writes its message there, in UTF-8 with a
-///           final 0. The message is the error in the words of the command; or notes and warnings
-///           on one line each ("note: ...", "warning: ..."); or empty. Text that does not fit is
-///           cut off, never within a character. NULL or a size of 0: no text.
-/// Threads:  any number of threads may call the functions at once, also with the same model,
+///           final 0. The message is either the error in the words of the command, or notes and
+///           warnings on one line each ("note: ...", "warning: ..."), or empty. Text that does not
+///           fit is cut off between two characters. NULL or a size of 0: no text.
+/// Threads:  several threads may call the functions at the same time, even with the same model,
 ///           because a model does not change. Call raceway_free() once, after all other calls.
 /// Errors:   no function throws, prints or ends the program. If memory runs out, it returns 1 or
 ///           NULL.
@@ -26,8 +26,8 @@
 extern "C" {
 #endif
 
-/// A loaded model: a bearing on a rig, the bearing sets of a shaft, or a spindle. The sets of a
-/// spindle are solved as for a shaft.
+/// A loaded model: a bearing on a rig, the bearing sets of a shaft, or a spindle. The bearing sets
+/// of a spindle are solved like the sets of a shaft.
 typedef struct raceway_model raceway_model;
 
 /// Return values of the functions.
@@ -43,11 +43,11 @@ enum {
   RACEWAY_STATUS_NOT_RUN = 5
 };
 
-/// Returns the version of the library, such as "0.2.0". Static: do not free it.
+/// Returns the version of the library, such as "0.2.0". The text is static: do not free it.
 RACEWAY_API const char* raceway_version(void);
 
 /// Returns the name of a status as in tables and JSON, such as "no_equilibrium"; "unknown" for
-/// other numbers. Static: do not free it.
+/// other numbers. The text is static: do not free it.
 RACEWAY_API const char* raceway_status_name(int status);
 
 /// Reads a model from the text of a model file. `source_name` is the name of the file in messages;
@@ -63,44 +63,44 @@ RACEWAY_API raceway_model* raceway_create(const char* toml_text, const char* sou
 RACEWAY_API raceway_model* raceway_create_from_file(const char* path, char* message,
                                                     size_t message_size);
 
-/// Frees a model. Do not use the model afterwards. NULL does nothing.
+/// Frees a model. Do not use the model afterwards. A call with NULL does nothing.
 RACEWAY_API void raceway_free(raceway_model* model);
 
 /// Returns the notes from reading the model, such as the number of defaults and doubtful values, in
-/// the format of `message`. They are valid as long as the model. Empty for NULL.
+/// the format of `message`. The text is valid as long as the model; it is empty for NULL.
 RACEWAY_API const char* raceway_messages(const raceway_model* model);
 
 /// Returns the number of result columns of raceway_solve() and raceway_table(); 0 for NULL.
 RACEWAY_API size_t raceway_column_count(const raceway_model* model);
 
 /// Returns the name of a column with its unit, such as "power_loss_W"; NULL for a column that does
-/// not exist. Columns count from 0. The first is "friction_torque_Nmm", for a shaft the total of
-/// all its bearings. The name is valid as long as the model.
+/// not exist. The first column has index 0 and is "friction_torque_Nmm". For a shaft, this is the
+/// sum of all bearings. The name is valid as long as the model.
 RACEWAY_API const char* raceway_column_name(const raceway_model* model, size_t column);
 
 /// Returns the index of the column with this name; -1 if there is none.
 RACEWAY_API int raceway_column_index(const raceway_model* model, const char* name);
 
-/// Solves `count` states of a bearing or of a shaft, in parallel on all cores. The number of
-/// threads and the other states change no digit.
+/// Solves `count` states of a bearing or of a shaft, in parallel on all cores. The results of a
+/// state do not depend on the number of threads or on the other states.
 ///
-/// speed_rpm ... temperature_C  the states. NULL: the model's own value, as in the command without
-///           that flag. speed_rpm is required. Axial loads of a shaft are external, positive
-///           towards the tool. A shaft takes no radial load.
+/// speed_rpm ... temperature_C  the states. NULL: the value of the model, as for the command
+///           without this flag. speed_rpm is required. Axial loads of a shaft are external loads,
+///           positive towards the tool. Radial loads are not allowed for a shaft.
 /// strides   4 numbers in the order of these arrays: the distance from one state to the next in
 ///           doubles. 1: an array of `count` numbers. 0: one number for all states. Negative: the
-///           array is not given, for languages without NULL. strides = NULL: all are 1.
+///           array is not given; for languages without NULL. strides = NULL: all strides are 1.
 /// columns   `column_count` columns to compute, from raceway_column_index(). NULL or a count
-///           of 0: all, in their order.
-/// values    [count x columns], one column after the other: state i of the j-th wanted column
-///           is values[j * count + i], in Fortran and MATLAB values(i, j). NaN without a result.
-/// status    [count] numbers for raceway_status_name(). NULL: not wanted.
+///           of 0: all columns, in their order.
+/// values    [count x columns], one column after the other: state i of the j-th given column is
+///           values[j * count + i], in Fortran and MATLAB values(i, j). NaN if there is no result.
+/// status    [count] numbers for raceway_status_name(). NULL: not needed.
 ///
-/// Returns RACEWAY_DONE. Returns RACEWAY_WRONG_INPUT, with nothing written, for a NULL that is not
-/// allowed, a number out of range (the message gives its index from 0), no axial load, or more than
-/// 1e8 states. Returns RACEWAY_NOT_CONVERGED if a status is not RACEWAY_STATUS_CONVERGED. All other
-/// states then have their results. A law that needs no balls has a torque even if the balls have no
-/// equilibrium.
+/// Returns RACEWAY_DONE if all states have a result. Returns RACEWAY_WRONG_INPUT and writes nothing
+/// for a NULL that is not allowed, a number out of range (the message gives its index from 0), a
+/// missing axial load, or more than 1e8 states. Returns RACEWAY_NOT_CONVERGED if a status is not
+/// RACEWAY_STATUS_CONVERGED. All other states then have their results. If the friction law does not
+/// need the balls, a state has a torque even if the balls have no equilibrium.
 RACEWAY_API int raceway_solve(const raceway_model* model, size_t count, const double* speed_rpm,
                               const double* axial_load_N, const double* radial_load_N,
                               const double* temperature_C, const int* strides, const int* columns,
@@ -110,12 +110,12 @@ RACEWAY_API int raceway_solve(const raceway_model* model, size_t count, const do
 /// Computes a Stribeck table: raceway_solve() at all points of a grid, with the numbers and in the
 /// order of `raceway table --format plain`.
 ///
-/// speed_rpm ... temperature_C  the axes, each with its number of values. A count of 0: the single
+/// speed_rpm ... temperature_C  the axes, each with its number of values. A number of 0: the single
 ///           value of the model. speed_rpm is required.
-/// values    [speeds x axial loads x radial loads x temperatures x columns], the speed runs
+/// values    [speeds x axial loads x radial loads x temperatures x columns]. The speed varies
 ///           fastest. The point of speed s, axial load a, radial load r and temperature t is
-///           i = ((t * radial_loads + r) * axial_loads + a) * speeds + s. Its j-th wanted column is
-///           values[j * points + i], in Fortran and MATLAB values(s, a, r, t, j).
+///           i = ((t * radial_loads + r) * axial_loads + a) * speeds + s. The j-th given column of
+///           this point is values[j * points + i], in Fortran and MATLAB values(s, a, r, t, j).
 /// status    [points] or NULL.
 ///
 /// Columns, return values and errors are as in raceway_solve().
@@ -132,8 +132,8 @@ RACEWAY_API int raceway_table(const raceway_model* model, const double* speed_rp
 /// is then several times faster than raceway_solve().
 ///
 /// States, strides, return values and errors are as in raceway_solve(). `readings_Nmm` [count],
-/// `status` [count] or NULL. Two models are also wrong input: a shaft, and a model with an effect
-/// whose input a state does not have, such as a time.
+/// `status` [count] or NULL. A shaft is also wrong input, and so is a model with an effect that
+/// needs an input that states do not have, such as a time.
 RACEWAY_API int raceway_predict(const raceway_model* model, size_t count, const double* speed_rpm,
                                 const double* axial_load_N, const double* radial_load_N,
                                 const double* temperature_C, const int* strides,

@@ -8,8 +8,9 @@
 
 namespace raceway::cli {
 
-/// Values of a flag, growing: "100,300,900", "0:12000:250" (from:to:step), or both:
-/// "0,100:500:100". Throws text::InputError. The range is only for ask_about_thousands().
+/// Returns the rising values of a flag: "100,300,900", "0:12000:250" (from:to:step), or both:
+/// "0,100:500:100". Throws text::InputError for other texts. The range is used only for
+/// ask_about_thousands().
 [[nodiscard]] std::vector<double> axis(const std::string& text, const NumberRange& range,
                                        const std::string& flag);
 
@@ -20,7 +21,7 @@ struct AxisFlags {
 
   /// Declares the flags; `speed_help` is the help text of the speed.
   void declare(CLI::App& command, const std::string& speed_help);
-  /// Values of each flag; empty if a flag is not given.
+  /// Returns the values of each flag; empty if a flag is not given.
   [[nodiscard]] session::AskedAxes asked() const;
 };
 

@@ -15,12 +15,13 @@ struct BandFlag {
 
   /// Declares the flag.
   void declare(CLI::App& command);
-  /// Returns nothing if no band was requested. Throws text::InputError for a model without a
+  /// Returns nothing if no band was requested. Throws text::InputError if the model has no
   /// covariance of its values.
   [[nodiscard]] std::optional<model::Band> of(const files::ModelFile& file) const;
 };
 
-/// Returns "+- 0.23" for a half width [SI] and the factor of its unit.
+/// Returns a text such as "+- 0.23" for a half width [SI]. `unit` is the factor of the unit of the
+/// text.
 [[nodiscard]] std::string band_text(double half_width, double unit = 1.0);
 
 }  // namespace raceway::cli

@@ -6,8 +6,8 @@
 
 namespace raceway::cli {
 
-/// Runs `raceway calibrate` without measurements: fits the groove conformity, which makers do not
-/// print, to the printed axial rigidities. `model`: model file with [bearing] catalogue, or a
+/// Runs `raceway calibrate` without measurements: fits the groove conformity to the axial
+/// rigidities that the manufacturer prints. `model` is a model file with [bearing] catalogue, or a
 /// designation of the catalogue. Returns the exit status.
 int calibrate_conformity(const std::string& model, const OutputFlags& flags, bool json);
 

@@ -8,10 +8,10 @@
 
 namespace raceway::cli {
 
-/// Prints the errors of one model against each measured channel.
+/// Prints the errors of one model for each measured channel.
 void print_comparison(const std::string& model, const std::vector<verdict::Comparison>& comparisons,
                       const record::Record& data);
-/// Prints the errors of several models, one ladder for each channel of the first.
+/// Prints the errors of several models as one ladder for each channel of the first model.
 void print_ladders(const std::vector<std::string>& models,
                    const std::vector<std::vector<verdict::Comparison>>& comparisons);
 

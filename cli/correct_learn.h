@@ -17,12 +17,12 @@ struct LearnFlags {
 
   /// Declares the flags.
   void declare(CLI::App& command);
-  /// Checks the flags before reading files. Throws text::InputError: a flag without --learn, an
-  /// invalid duration, a file that cannot be written.
+  /// Checks the flags before reading files. Throws text::InputError for a flag without --learn, an
+  /// invalid duration, and a file that cannot be written.
   void check(text::IfExists if_exists) const;
 };
 
-/// Runs `correct --learn` after its files are read.
+/// Runs `correct --learn` after the files were read.
 void run_learning(session::SeriesQuestion asked, const LearnFlags& flags,
                   const ResultFlags& results);
 

@@ -12,20 +12,20 @@ namespace raceway::cli {
 /// Form of the tables that a command writes: `--format csv`, `plain` or `excel`, `--separator` and
 /// `--decimal-mark`.
 ///
-/// The latter two have their header in the first line. The comments, with the model, go into a
-/// second file: run.csv and run_comments.txt.
+/// `plain` and `excel` have the header in the first line. They write the comments and the model to
+/// a second file: run.csv and run_comments.txt.
 struct CsvStyle {
   std::string format = "csv", separator, decimal_mark;
 
-  /// Declares the flags. `others`: further names that --format takes, with their `help`.
+  /// Declares the flags. `others` are further names that --format accepts, with their `help`.
   void declare(CLI::App& command, const std::vector<std::string>& others = {},
                const std::string& help = {});
-  /// Throws text::InputError for marks without --format excel, or two that are the same.
+  /// Throws text::InputError for marks without --format excel, and if both marks are the same.
   void check() const;
-  /// Throws text::InputError where put() would.
+  /// Throws text::InputError if put() would fail.
   void require_writable(const std::string& path, text::IfExists if_exists) const;
-  /// Writes to stdout for "-", else to a file, and prints "run.csv written, WHAT". Does nothing for
-  /// an empty name.
+  /// Writes to stdout if `path` is "-". Otherwise writes a file and prints "run.csv written, WHAT".
+  /// Does nothing if `path` is empty.
   void put(const std::string& path, const std::string& csv, text::IfExists if_exists,
            std::string_view what) const;
 

@@ -3,20 +3,20 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-/// Shell completions and man pages, generated from the declared commands and flags, so that they
-/// are always complete.
+/// Writers of shell completions and man pages. All texts are generated from the declared commands
+/// and flags, so they are always complete.
 namespace raceway::cli {
 
-/// A completion for bash: commands, flags, files, ids of effects.
+/// Returns a completion for bash with commands, flags, files and ids of effects.
 [[nodiscard]] std::string bash_completion(const CLI::App& app);
 
-/// A completion for zsh, with the help text of every flag.
+/// Returns a completion for zsh with the help text of every flag.
 [[nodiscard]] std::string zsh_completion(const CLI::App& app);
 
-/// The page raceway(1), which lists the commands.
+/// Returns the page raceway(1), which lists the commands.
 [[nodiscard]] std::string man_page(const CLI::App& app);
 
-/// The page raceway-COMMAND(1) of one of them.
+/// Returns the page raceway-COMMAND(1) of one command.
 [[nodiscard]] std::string man_page_of_command(const CLI::App& command);
 
 }  // namespace raceway::cli

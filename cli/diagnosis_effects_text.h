@@ -10,11 +10,11 @@ namespace raceway::cli {
 
 inline constexpr int error_digits = 3;
 
-/// Returns the error of one channel; "-" if it has none.
+/// Returns the error of one channel; "-" if there is none.
 [[nodiscard]] std::string channel_error(const std::vector<double>& errors, std::size_t k,
                                         const verdict::Diagnosis& d);
 
-/// Returns a table of the `most` best effects, one line each, and the number of further ones.
+/// Returns a table of at most `most` effects, best first, and the number of further effects.
 [[nodiscard]] std::string effects_text(const verdict::Diagnosis& d, std::size_t most);
 /// Prints the tested effects, best first: errors, gain, size.
 void print_effects(const verdict::Diagnosis& d);

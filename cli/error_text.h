@@ -9,21 +9,22 @@
 
 namespace raceway::cli {
 
-/// Returns the unit of errors on a channel, for people: K for temperatures.
+/// Returns the unit of errors of a channel for readers: K for temperatures.
 [[nodiscard]] inline std::string error_unit(const record::Channel& channel) {
   return std::string(verdict::unit_of_difference(channel));
 }
 
-/// Converts an error [SI] to that unit; the text omits the unit.
+/// Converts an error [SI] to this unit. The text does not contain the unit.
 [[nodiscard]] inline std::string error_text(double error, const record::Channel& channel,
                                             int digits = 4) {
   return number(error / channel.factor, digits);
 }
 
-/// Returns the noise of the data of a comparison with its source, or why it is not known.
+/// Returns the noise of the data of a comparison and the source of this noise, or the reason why
+/// the noise is not known.
 [[nodiscard]] std::string noise_text(const verdict::Comparison& comparison);
 
-/// Number of channels from which the errors are printed as one table.
+/// If a record has at least this number of channels, their errors are printed as one table.
 inline constexpr std::size_t many_channels = 3;
 
 }  // namespace raceway::cli

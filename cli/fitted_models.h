@@ -9,11 +9,11 @@
 
 namespace raceway::cli {
 
-/// Model files written by a fit: one, or FILE-RECORD.toml for each record if records have values of
-/// their own.
+/// Model files written by a fit: one file, or FILE-RECORD.toml for each record if parameters are
+/// fitted separately for each record.
 class FittedModels {
  public:
-  /// Without an output no file is written.
+  /// No file is written if the flags name no output.
   explicit FittedModels(const OutputFlags& flags)
       : output_(flags.output), if_exists_(flags.if_exists()) {}
 
@@ -21,7 +21,7 @@ class FittedModels {
   void require_writable(const fit::Subject& subject) const;
   /// Writes the models in `calibration` and reports each file.
   void write(const session::LoopQuestion& asked, const verdict::Calibration& calibration) const;
-  /// Names for messages: "a.toml" or "a-monday.toml and a-friday.toml".
+  /// Returns the file names for messages: "a.toml" or "a-monday.toml and a-friday.toml".
   [[nodiscard]] std::string names(const fit::Subject& subject) const;
 
  private:

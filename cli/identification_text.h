@@ -11,11 +11,11 @@
 
 namespace raceway::cli {
 
-/// Unit of a table of several displacements: above its columns if they share one unit, else after
-/// each number.
+/// Unit of a table of several displacements. The unit is above the columns if all displacements
+/// have the same unit. Otherwise it follows each number.
 class CommonUnit {
  public:
-  /// `results`: each with its `displacement`.
+  /// Each of the `results` has a member `displacement`.
   template <typename Results>
   explicit CommonUnit(const Results& results) {
     const auto unit_of = [](const auto& one) { return one.displacement->unit; };
@@ -34,16 +34,16 @@ class CommonUnit {
   std::string head_{};
 };
 
-/// The line of trust.
+/// Prints the line on the trust in a correction.
 void print_trust(const record::Channel& displacement, const correction::Trust& trust);
 
-/// Prints errors that papers state in addition to RMS and fit: mean absolute, peak to peak,
-/// reduction of the largest. Prints nothing without readings.
+/// Prints the error measures that papers use in addition to RMS and fit: mean absolute error,
+/// peak-to-peak error and reduction of the largest error. Prints nothing if there are no readings.
 void print_more_errors(const record::Channel& displacement, const correction::Metrics& m);
 
-/// Prints the result of an identification: lags, gains and the remaining error.
+/// Prints the result of an identification: lags, gains and the error of the model.
 void print_identification(const correction::Identification& found, const record::Record& record);
-/// Prints a baseline that is shown and not written to a file.
+/// Prints a baseline model, which is not written to a file.
 void print_baseline(const record::Channel& displacement, const correction::ArxBaseline& found,
                     const record::Record& record);
 

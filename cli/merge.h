@@ -9,11 +9,12 @@
 
 namespace raceway::cli {
 
-/// Parses the part of a table in `--slab i/N`: "2/4" is the second of four. Throws
+/// Parses the value of `--slab i/N`: "2/4" is the second of four parts of a table. Throws
 /// text::InputError.
 [[nodiscard]] friction::TableSlab slab_of(const std::string& text);
 
-/// Joins the files of `table --slab` to the table of a single run, for `table --merge`.
+/// Joins the files of `table --slab` to one table, for `table --merge`. The table is the same as
+/// from a single run.
 void merge_slabs(const std::vector<std::string>& slabs, const std::string& output,
                  const CsvStyle& csv, text::IfExists if_exists);
 

@@ -6,24 +6,25 @@
 #include "record/note.h"
 #include "session/messages.h"
 
-/// Messages of a run, one function for each kind. All output to stderr, and a JSON document on
-/// stdout, goes through these.
+/// Messages of a run, one function for each kind. All output to stderr and every JSON document on
+/// stdout uses these functions.
 namespace raceway::cli {
 
-/// Silences say(), tell() and warn() from now on, for `--quiet`. Errors stay.
+/// Switches off the output of say(), tell() and warn(), for `--quiet`. Errors are still printed.
 void set_quiet(bool quiet);
 
-/// Prints every note and warning from now on. Otherwise at most three of one code are printed.
+/// Makes the program print every note and warning. By default, it prints at most three messages
+/// with the same code.
 void show_every_message();
 
-/// Prints how many notes and warnings of each code were not printed.
+/// Prints the number of notes and warnings of each code that were not printed.
 void count_hidden_messages();
 
 /// Returns true if progress bars are shown: stderr is a terminal and --quiet is not set.
 [[nodiscard]] bool shows_progress();
 
-/// Reports a completed action, as `my.toml written`. It follows all earlier output on stdout; so do
-/// the other messages.
+/// Reports a completed action, such as `my.toml written`. This message and all other messages
+/// appear after all earlier output on stdout.
 void say(const std::string& line);
 
 /// Prints each message after `note: `, or after `warning: ` for a doubt or a warning.
@@ -35,18 +36,18 @@ void tell(const std::vector<std::string>& notes);
 void warn(const std::string& warning);
 void warn(const std::vector<std::string>& warnings);
 
-/// Receives the messages of a session and prints them as tell() does. Files that a session reads
-/// may not be outputs.
+/// Returns the receiver of the messages of a session. It prints them like tell(). It also rejects
+/// files that a session reads and that are outputs of the same run.
 [[nodiscard]] session::Messages& messages();
 
-/// Prints the reason why there is no result, also with --quiet.
+/// Prints the reason why there is no result, even with --quiet.
 void complain(const std::string& line);
 
 /// Stores the JSON document of this run. It is printed after all other work of the command, so that
 /// no error follows it.
 void put_document(std::string json);
 
-/// Takes the JSON document of this run; empty if there is none.
+/// Returns the JSON document of this run and clears it; empty if there is none.
 [[nodiscard]] std::string take_document();
 
 }  // namespace raceway::cli

@@ -23,13 +23,13 @@ using text::temperature_range;
 CLI::Option* add_number(CLI::App& command, const std::string& flag, double& value,
                         const NumberRange& range, const std::string& help);
 
-/// Throws text::InputError for numbers that can be read in two ways. 1.200 is 1.2 in English and
-/// 1200 in German. The function accepts it if 1200 is outside the range.
+/// Throws text::InputError for numbers that have two possible meanings. For example, 1.200 is 1.2
+/// in English and 1200 in German. The function accepts 1.200 if 1200 is outside the range.
 void ask_about_thousands(std::span<const std::string_view> numbers, const NumberRange& range,
                          const std::string& flag);
 
-/// A flag that takes a length, in mm unless a unit follows: "70", "70mm", "2.7559in"; `value` is in
-/// m.
+/// Declares a flag with a length: "70", "70mm", "2.7559in". The unit is mm if none is given.
+/// `value` is in m.
 CLI::Option* add_length(CLI::App& command, const std::string& flag, double& value,
                         const NumberRange& range, const std::string& help);
 

@@ -19,20 +19,21 @@ namespace raceway::cli {
 struct OutputFlags {
   std::string output;
   bool force = false;
-  std::string force_flag = "--force";  ///< `--replace` of a command whose `--force` is a load
+  std::string force_flag = "--force";  ///< `--replace` if `--force` of the command is a load
 
   /// Declares `-o`.
   CLI::Option* declare_output(CLI::App& command, const std::string& help);
   /// Declares `--force`.
   void declare_force(CLI::App& command, const std::string& help = "replace the file if it exists");
-  /// Behaviour for an existing file.
+  /// Returns the behaviour for an existing file.
   [[nodiscard]] text::IfExists if_exists() const;
   [[nodiscard]] bool to_file() const { return !output.empty() && output != "-"; }
-  /// Throws text::InputError if the file cannot be written, before the long calculation.
+  /// Throws text::InputError if the file cannot be written. Call it before a long calculation.
   void require_writable() const;
-  /// Throws text::InputError for `-o -`, because stdout `shows` something else.
+  /// Throws text::InputError for `-o -`. `shows` names the output that the command prints to
+  /// stdout.
   void refuse_stdout(const std::string& command, const std::string& shows) const;
-  /// Writes a model with the files that it names, and prints "my.toml written". Does nothing
+  /// Writes a model and the files that the model names, and prints "my.toml written". Does nothing
   /// without a file.
   void put_model(const std::string& text, const std::vector<files::NamedFile>& named) const;
   /// Writes the text and prints "my.toml written, WHAT". Prints the text if there is no file.
@@ -46,7 +47,7 @@ struct ResultFlags : OutputFlags {
   ReportFlag report;
 
   /// Declares `--format`, `--separator`, `--decimal-mark`, `--force`, `--json` and `--report`.
-  /// `forms`: further names that --format takes, with their `help`.
+  /// `forms` are further names that --format accepts, with their `help`.
   void declare_results(CLI::App& command, const std::vector<std::string>& forms = {},
                        const std::string& help = {});
   /// Throws text::InputError if table and document would both go to stdout, or if a file cannot be

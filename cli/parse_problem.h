@@ -11,9 +11,9 @@ struct FlagProblem {
   std::string flag, what;  ///< `what` names the flag too
 };
 
-/// Finds an error in the flags of a command: unknown (with the nearest name), given twice, or
-/// without its value. Call it before parsing, which would first complain about what is missing
-/// because of a misspelt flag.
+/// Finds an error in the flags of a command: a flag is unknown (with a similar name), is given
+/// twice, or has no value. Call it before parsing. The parser would report a missing flag if this
+/// flag is misspelt.
 [[nodiscard]] std::optional<FlagProblem> flag_problem(const CLI::App& command,
                                                       std::span<char* const> arguments);
 

@@ -8,14 +8,15 @@
 /// Process control: standard streams, signals, time limit.
 namespace raceway::cli {
 
-/// Prepares the process; call it first. A closed standard stream then fails, instead of being
-/// replaced by the next file that is opened. On a stop signal (Ctrl-C, kill, a closed terminal) the
-/// process removes half-written files, lists the kept ones on stderr, and ends by that signal. A
-/// file size limit is an error like a full disk.
+/// Prepares the process. Call it before all other functions. Output to a closed standard stream
+/// then fails; without this call, the next opened file would take the place of the stream. On a
+/// stop signal (Ctrl-C, kill, a closed terminal), the process removes unfinished files, lists the
+/// complete files on stderr, and ends with this signal. A file size limit gives an error like a
+/// full disk.
 void start_process();
 
-/// Raises a flag at the first Ctrl-C, instead of ending the process, and after `seconds`, during
-/// its lifetime.
+/// Sets a flag at the first Ctrl-C or after `seconds`, as long as this object exists. The first
+/// Ctrl-C then does not end the process.
 class InterruptFlag {
  public:
   explicit InterruptFlag(double seconds);
@@ -34,8 +35,8 @@ class InterruptFlag {
 /// Writes to stderr, without terminal control characters. A failed write is ignored.
 void write_message(std::string_view text);
 
-/// Flushes stdout, so that a full disk or a closed pipe shows at the end. Returns the error, or an
-/// empty text.
+/// Flushes stdout at the end of a run, to detect a full disk or a closed pipe. Returns the error
+/// message, or an empty text.
 [[nodiscard]] std::string stdout_problem();
 
 /// Returns the same message for a known error number.

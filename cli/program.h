@@ -8,7 +8,7 @@
 
 namespace raceway::cli {
 
-/// Exception that ends a run before it has a result.
+/// Exception that ends a run before there is a result.
 struct Refusal {
   std::string message;
   text::Place place = {};

@@ -12,7 +12,8 @@ namespace raceway::cli {
 [[nodiscard]] std::string progress_line(double share, double elapsed, std::string_view step,
                                         std::size_t width);
 
-/// Progress bar on stderr during long work, removed at the end. Create it only if shows_progress().
+/// Progress bar on stderr during a long calculation. It disappears at the end. Create it only if
+/// shows_progress().
 class Progress {
  public:
   Progress();
@@ -20,7 +21,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Share of the work done; 1 when all work, including files, is done.
+  /// Shows the finished share of the work; 1 means that all work is done, including files.
   void show(double share, std::string_view step = {});
 
  private:

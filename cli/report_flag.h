@@ -14,9 +14,9 @@ struct ReportFlag {
 
   /// Declares the flag.
   void declare(CLI::App& command);
-  /// Throws if the page cannot be written, before the long calculation.
+  /// Throws if the page cannot be written. Call it before a long calculation.
   void check(text::IfExists if_exists) const;
-  /// Writes the page if it was requested, and reports it.
+  /// Writes the page if it was requested, and prints a message.
   void write(const std::function<std::string()>& page, text::IfExists if_exists) const;
 };
 

@@ -4,21 +4,21 @@
 #include <string>
 #include <vector>
 
-/// The files of a run. No command overwrites its inputs, nor writes two outputs to one file.
+/// Files of a run. No command overwrites an input or writes two outputs to the same file.
 namespace raceway::cli {
 
-/// Takes the files from a parsed command line: --output, --report, --plot, --save, --correction,
-/// --end-state and --field are written, every other argument that names a file is read, and so is
-/// standard input. Throws text::InputError if an output is also an input, by any path, or two
-/// outputs are the same file. `calibrate` and `add` may write onto their own MODEL. An argument
-/// with a control character is refused, too.
+/// Finds the inputs and outputs in a parsed command line. The files of --output, --report, --plot,
+/// --save, --correction, --end-state and --field are outputs. Every other argument that names a
+/// file is an input, and so is standard input. Throws text::InputError if an output is also an
+/// input, even by another path, if two outputs are the same file, and for an argument with a
+/// control character. `calibrate` and `add` may replace their own MODEL.
 void check_files(const CLI::App& command);
 
-/// Checks outputs with names known only during the run. Call it after check_files().
+/// Checks outputs whose names are known only during the run. Call it after check_files().
 void check_outputs(const std::vector<std::string>& outputs);
 
-/// Checks a file that a model names and that is read too. Throws text::InputError if it is an
-/// output. Call it after check_files().
+/// Checks a file that a model names and that the run reads. Throws text::InputError if the file is
+/// also an output. Call it after check_files().
 void add_input(const std::string& file);
 
 }  // namespace raceway::cli

@@ -16,14 +16,16 @@ struct StepCorrectionFlags {
   std::string file, programme, law = "curve", lags = "auto";
 
   void declare(CLI::App& command);
-  /// Throws text::InputError for flags that exclude each other; `has_model`: of the command.
+  /// Throws text::InputError for flags that exclude each other. `has_model` states whether the
+  /// command has a model.
   void check(bool has_model) const;
-  /// Throws text::InputError if write() would.
+  /// Throws text::InputError if write() would fail.
   void require_writable(text::IfExists if_exists,
                         const std::vector<std::string>& load_channels) const;
-  /// Writes the model and its tables, if requested.
+  /// Writes the correction and its tables, if they were requested.
   void write(const session::SpindleSteps& steps, bool replace) const;
-  /// Compares the written correction with the simulation over the programme, if there is one.
+  /// Compares the written correction with the simulation over the programme, if a programme was
+  /// given.
   [[nodiscard]] std::optional<results::Superposition> superposition(
       const session::SpindleSteps& steps) const;
 };

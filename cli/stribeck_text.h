@@ -5,8 +5,8 @@
 
 namespace raceway::cli {
 
-/// Prints a Stribeck table: speed down, axial load across, a block for each radial load and
-/// temperature.
+/// Prints a Stribeck table with the speeds as rows and the axial loads as columns, in one block for
+/// each radial load and temperature.
 void print_table(const model::Model& model, const friction::StribeckTable& table);
 
 }  // namespace raceway::cli

@@ -6,18 +6,19 @@
 /// Bars and colours for tables on a terminal.
 namespace raceway::cli {
 
-/// A bar of '#' whose length shows value / full, at most `width` characters; a positive value shows
-/// at least one. A `mark` up to `full`, a noise floor or a threshold, is a '|' in or beyond the
-/// bar. A `second` mark, the tolerance, is a ':' that covers it.
+/// Returns a bar of '#' whose length shows value / full, with at most `width` characters. A
+/// positive value has at least one '#'. A `mark` up to `full`, such as a noise floor or a
+/// threshold, is a '|' in the bar or beyond it. A `second` mark, for the tolerance, is a ':' and
+/// replaces a '|' at the same place.
 [[nodiscard]] std::string bar(double value, double full, std::size_t width, double mark = -1.0,
                               double second = -1.0);
 
-/// True if stdout is a terminal with colours: NO_COLOR is not set, TERM is not dumb.
+/// Returns true if stdout is a terminal with colours: NO_COLOR is not set, and TERM is not "dumb".
 [[nodiscard]] bool colours();
 
 enum class Colour { good, bad, strong };
 
-/// The text in a colour, if stdout takes colours; otherwise the text.
+/// Returns the text in a colour if stdout shows colours; otherwise the text unchanged.
 [[nodiscard]] std::string in_colour(std::string_view text, Colour colour);
 
 }  // namespace raceway::cli

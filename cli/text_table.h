@@ -8,15 +8,15 @@
 
 namespace raceway::cli {
 
-/// A plain table for people: columns of text, right-aligned, header and unit line on top. Columns
-/// that do not fit the width are set below, behind the first column again.
+/// A plain table for readers: right-aligned columns of text below a header and a line of units.
+/// Columns that do not fit the width follow in a second block, which repeats the first column.
 class TextTable {
  public:
   struct Column {
     std::string name;
     std::string unit;
     bool left = false;   ///< left-aligned, for words
-    bool wraps = false;  ///< for the last column: its words fill the remaining width
+    bool wraps = false;  ///< for the last column: the text fills the remaining width
   };
   explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
@@ -31,16 +31,18 @@ class TextTable {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// Breaks text into lines of at most `width` characters; only a longer word exceeds it.
+/// Breaks text into lines of at most `width` characters. Only a word that is longer than `width`
+/// gives a longer line.
 [[nodiscard]] std::vector<std::string> filled(std::string_view words, std::size_t width);
 
 using text::number;
 
-/// Returns a value with as many decimals as number() gives `scale`, so that both can be compared;
-/// never "-0.0". `sign` writes + before positive values.
+/// Returns a value with the same number of decimals as number() gives for `scale`, so that a reader
+/// can compare both. Never returns "-0.0". `sign` adds + before positive values.
 [[nodiscard]] std::string beside(double value, double scale, int digits, bool sign);
 
-/// Columns of the terminal on stdout, or on another stream; 80 where it is none.
+/// Returns the number of columns of the terminal on stdout or on another stream; 80 if the stream
+/// is not a terminal.
 [[nodiscard]] std::size_t terminal_width(int stream = 1);
 
 }  // namespace raceway::cli

@@ -7,28 +7,31 @@
 #include "correction/model.h"
 #include "record/record.h"
 
-/// Check record for the program of a plan: rows of a record and the result of `correct` for them.
+/// Makes the check record for the program of a plan. It has rows of a record and the results of
+/// `correct` for these rows.
 namespace raceway::control {
 
-/// Returns a check record from a measured record: its first run, at most `most_rows` rows.
+/// Returns a check record from the first run of a measured record, with at most `most_rows` rows.
 ///
-/// Inputs are limited to the ranges of the models, because a control deliberately deviates beyond
-/// them. The check ends where a power leaves its range. It has no rows if fewer than two remain.
+/// Inputs are limited to the ranges of the models, because the program of a control intentionally
+/// differs from `correct` outside these ranges. The check ends at the first row in which a power
+/// leaves its range. It has no rows if fewer than two rows remain.
 [[nodiscard]] ControlCheck check_of(const ControlPlan& plan,
                                     const std::vector<correction::Model>& models,
                                     const record::Record& record, std::size_t most_rows = 1000);
 
-/// Returns a synthetic check record within the ranges: warming up, cooling down, speeds and feeds
-/// in blocks, a coolant that switches and a gap, long enough for the slowest section.
+/// Returns a synthetic check record within the ranges: warm-up, cool-down, blocks of speeds and
+/// feeds, a coolant that switches on and off, and a gap in time. The record is long enough for the
+/// slowest section.
 [[nodiscard]] ControlCheck made_up_check(const ControlPlan& plan,
                                          const std::vector<correction::Model>& models);
 
-/// Returns one sentence for each sensor whose last digit in the record moves an axis at once by
-/// half a micrometre or more, without smoothing.
+/// Returns one sentence for each sensor without smoothing whose last digit in the record moves an
+/// axis immediately by half a micrometre or more.
 [[nodiscard]] std::vector<std::string> coarse_sensors(const ControlPlan& plan,
                                                       const record::Record& record);
 
-/// Applies allow_to_stand() to every sensor of a record; returns one sentence for each change.
+/// Applies allow_to_stand() to every sensor of a record. Returns one sentence for each change.
 [[nodiscard]] std::vector<std::string> allow_still_sensors(ControlPlan& plan,
                                                            const record::Record& record);
 

@@ -8,14 +8,14 @@
 
 /// Corrections as programs and tables that run without raceway.
 ///
-/// All programs give the same numbers as `correct` and have flags of the same meaning: see
-/// docs/control.md. `name` is the file name without extension, as an identifier.
+/// All programs give the same numbers as `correct`. Their flags have the same meaning in all
+/// formats: see docs/control.md. `name` is the file name without extension, as an identifier.
 namespace raceway::control {
 
-/// Returns a file for Python 2.7 and 3 that needs only the standard library.
+/// Returns a program for Python 2.7 and 3. It needs only the standard library.
 [[nodiscard]] std::string control_python(const ControlPlan& plan);
 
-/// Returns one C99 header that needs only math.h, in double or float.
+/// Returns a C99 header, for double or float. It needs only math.h.
 [[nodiscard]] std::string control_c(const ControlPlan& plan, std::string_view name);
 
 /// Returns a component of LinuxCNC's HAL in Python.
@@ -29,7 +29,7 @@ namespace raceway::control {
 [[nodiscard]] std::string control_hal_shutdown(const ControlPlan& plan, std::string_view name,
                                                std::string_view program);
 
-/// Returns one number per row, with its unit and its part.
+/// Returns a table with one number per row, with its unit and its part.
 [[nodiscard]] std::string control_csv(const ControlPlan& plan);
 
 }  // namespace raceway::control

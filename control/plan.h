@@ -9,17 +9,17 @@
 #include "correction/control_settings.h"
 #include "correction/model.h"
 
-/// Corrections as numbers for a control, the source of every format of `export`.
+/// Corrections as numbers for a control. Every format of `export` is written from these numbers.
 ///
-/// Units are the units of the files throughout: um (of an angle urad in its place), C, K, W, rpm,
-/// m/min, s, N mm. Every slow part is a sum of parallel sections. Each section has a state that
-/// follows its target by
+/// All numbers are in the units of files: um (urad for an angle), C, K, W, rpm, m/min, s, N mm.
+/// Every slow part is a sum of parallel sections. Each section has a state s that follows its
+/// target by
 ///
 ///   s += (1 - exp(-dt/tau)) (target - s),   dt the time since the last call, as measured
 ///
-/// Inputs that vary linearly between two samples, as temperatures, use the exact ramp step.
-/// Polynomials with poles of lags become sections; others run as difference equations with a fixed
-/// interval between calls.
+/// Inputs that vary linearly between two samples, such as temperatures, use the exact step for a
+/// ramp. Polynomials with poles of lags become sections; other polynomials run as difference
+/// equations with a fixed interval between calls.
 namespace raceway::control {
 
 inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
@@ -30,16 +30,16 @@ struct ControlInput {
   std::string identifier{};  ///< unique name for languages without hyphens
   std::string unit{};        ///< "C"
   bool temperature = false;
-  bool by_amount = true;  ///< acts by magnitude: speeds, feeds, coolant
+  bool by_amount = true;  ///< the absolute value is used: speeds, feeds, coolant
   /// Range of the input in the data of the fit; NaN if not known.
   double lowest = unset, highest = unset;
   /// Plausible range, largest rate [1/s] and longest standstill [s]; NaN: not checked.
   double plausible_low = unset, plausible_high = unset, fastest_per_s = unset, stuck_s = unset;
-  double smoothing_s = 0.0;  ///< time constant for its instant parts
+  double smoothing_s = 0.0;  ///< time constant of smoothing for instant parts [s]
 };
 
 /// Joint range of the inputs in the data of the fit: |weights (x - mean)| is at most `farthest`.
-/// All but temperatures enter by their absolute value.
+/// All inputs except temperatures enter with their absolute value.
 struct ControlTogether {
   std::vector<std::size_t> inputs{};
   std::vector<double> mean{};
@@ -47,22 +47,23 @@ struct ControlTogether {
   double farthest = unset;
 };
 
-/// Friction torque of a spindle, linear between its points, constant beyond them. A load enters by
-/// magnitude if its axis has no negative value.
+/// Friction torque of a spindle, linear between its points, constant beyond them. The absolute
+/// value of a load is used if the load axis has no negative value.
 struct ControlTable {
   std::string file{};
   /// Increasing values, at least one per axis; exactly one if no input of the drive reads the axis.
   std::vector<double> speed_rpm{}, axial_load_N{}, radial_load_N{}, temperature_C{};
-  std::vector<double> torque_Nmm{};  ///< in this order, speed runs fastest
+  std::vector<double> torque_Nmm{};  ///< in the order of the axes; the speed varies fastest
 };
 
 /// Input u of a part.
 struct ControlDrive {
   enum class Kind {
-    rise,   ///< mean of temperatures less their first ones, and less the rise of the reference [K]
+    rise,   ///< mean rise of temperatures from their first values, minus the rise of the reference
+            ///< [K]
     size,   ///< mean of inputs, speeds to a power: x (x/1000)^(exponent - 1)
     power,  ///< torque of a table times the speed [W]
-    motor   ///< exp(-n/n0) while it turns, else 0
+    motor   ///< exp(-n/n0) while the motor turns, else 0
   } kind = Kind::size;
   std::vector<std::size_t> inputs{};  ///< inputs of rise and size
   std::size_t reference = nowhere;    ///< reference temperature of a rise
@@ -74,31 +75,31 @@ struct ControlDrive {
   double decay_rpm = unset;                ///< n0 of a motor
   double lowest = unset, highest = unset;  ///< range of a power, as for an input
   std::string unit{};                      ///< "K"
-  /// Share of the drive's parts at this input: 0 outside of the outer points, 1 between the inner
-  /// ones, linear between.
+  /// Input of the window. The window is the share of the parts of the drive: 0 outside the outer
+  /// points, 1 between the inner points, and linear between an outer and an inner point.
   std::size_t window = nowhere;
   double window_from = unset, window_full_from = unset, window_full_to = unset, window_to = unset;
-  bool window_of_drive = false;  ///< the window multiplies u; else the displacement of the parts
+  bool window_of_drive = false;  ///< true: the window multiplies u, else the displacement
 };
 
-/// A lag of its drive.
+/// A lag whose input is a drive.
 struct ControlSection {
   std::string channel{};
   std::size_t drive = nowhere;
   double gain = unset;  ///< [um] per unit of the drive
   double time_constant_s = unset;
-  bool straight = false;  ///< u is linear between samples; else constant until the next
-  double direct = 0.0;    ///< share of gain u that acts at once, for a sensor that lags
-  double off_gain = 1.0, off_time_constant = 1.0;  ///< ratios where coolant_on is 0
+  bool straight = false;  ///< true: u is linear between samples; false: constant
+  double direct = 0.0;    ///< share of gain u without lag, for a sensor that lags
+  double off_gain = 1.0, off_time_constant = 1.0;  ///< ratios if coolant_on is 0
   double speed_factor = 0.0, gain_power = 1.0;     ///< tau f, K f^g, f = 1/(1 + s n/10 000 rpm)
-  double falling = 1.0;                            ///< ratio of tau where the target is nearer 0
+  double falling = 1.0;                            ///< ratio of tau if the target is nearer to 0
 };
 
 /// A function of the drive: a line, a power law, or a table that is constant beyond its ends.
 struct ControlCurve {
   enum class Kind { line, power_law, table } kind = Kind::line;
   double factor = 0.0;  ///< slope of a line
-  double other = 0.0;   ///< a line's value at 0, a power law's exponent
+  double other = 0.0;   ///< value of a line at 0, or exponent of a power law
   std::vector<double> input{}, value{};
 };
 
@@ -108,8 +109,8 @@ struct ControlElement {
   std::size_t drive = nowhere;
   double scale = 1.0;
   ControlCurve gain_um{}, time_constant_s{};
-  /// Range of the drive, in its unit: from `from` on and below `limit`; outside it the section
-  /// stands still. -1e30 and infinite mean no bound.
+  /// Range of the drive, in its unit: `from` <= drive < `limit`. Outside this range, the section
+  /// does not change. -1e30 and infinity mean no bound.
   double from = 0.0, limit = unset;
 };
 
@@ -124,7 +125,8 @@ struct ControlFeedthrough {
 ///
 ///   y(k) = sum numerator(i) u(k-i) - sum denominator(i) y(k-i),   denominator(0) = 1
 ///
-/// Advances in calls that come `sampling_s` after the call before, and stands still in others.
+/// The equation advances in a call that follows `sampling_s` after the previous call. In other
+/// calls, it does not change.
 struct ControlEquation {
   std::string channel{};
   std::size_t drive = nowhere;
@@ -134,7 +136,8 @@ struct ControlEquation {
       denominator{};  ///< [um] per unit of the drive; [1], of equal length
 };
 
-/// Largest deviation of an interval between two calls from the sampling, as a share of it.
+/// Largest deviation of the interval between two calls from the sampling interval, as a share of
+/// the sampling interval.
 inline constexpr double interval_tolerance = 0.05;
 
 /// Instant part: A n^(1 - B exp(-C n)).
@@ -145,16 +148,16 @@ struct ControlKinematic {
 /// One displacement.
 struct ControlAxis {
   std::string column{};      ///< "displacement_z_um"
-  std::string identifier{};  ///< as of an input
+  std::string identifier{};  ///< as in ControlInput
   std::string name{};        ///< name of the model
-  std::string letter{};      ///< axis that it moves: "z"; empty if not given
+  std::string letter{};      ///< machine axis that it moves: "z"; empty if not given
   double sign = -1.0, limit_um = 100.0, slew_um_s = 1.0;
   double unit_um = 1.0;  ///< unit of the output
-  bool counts = false;   ///< output in whole numbers of it
+  bool counts = false;   ///< true: the output is a whole number of these units
   std::string output{};  ///< "offset_z_um", "offset_z_mm", "offset_z_counts", "offset_b_urad"
-  bool angle = false;    ///< urad instead of um in all of its numbers
+  bool angle = false;    ///< true: urad in place of um in all numbers
   double offset_um = 0.0;
-  /// Trust in its model, in the words of correction::name(), and the reason; empty if not known.
+  /// Trust in the model in the words of correction::name(), and the reason; empty if not known.
   std::string trust{}, trust_because{};
   std::vector<ControlSection> sections{};
   std::vector<ControlElement> elements{};
@@ -163,7 +166,8 @@ struct ControlAxis {
   std::vector<ControlKinematic> kinematics{};
 };
 
-/// A record with the result of `correct`, stored with the numbers to check the program.
+/// A record with the results of `correct`. The program contains it, so that a user can check the
+/// program.
 struct ControlCheck {
   struct Row {
     double time_s = unset;
@@ -178,57 +182,60 @@ struct ControlPlan {
   std::vector<ControlInput> inputs{};
   std::size_t speed = nowhere,
               coolant = nowhere;            ///< indices of the inputs with a special role
-  std::vector<ControlTogether> together{};  ///< one for each model that states it
+  std::vector<ControlTogether> together{};  ///< one for each model with a joint range
   std::vector<ControlTable> tables{};
   std::vector<ControlDrive> drives{};
   std::vector<ControlAxis> axes{};
   ControlCheck check{};
   correction::ControlSettings settings{};  ///< settings for all inputs and axes
-  /// Parts of the models that are missing in the plan or differ, a sentence each.
+  /// One sentence for each part of the models that is missing in the plan or differs from the
+  /// model.
   std::vector<std::string> notes{};
-  /// Physically implausible properties of its parts, one sentence each.
+  /// One sentence for each physically implausible property of a part.
   std::vector<std::string> warnings{};
 };
 
-/// Returns the input of a column; its range and its checks are not set.
+/// Returns the input of a column. The range and the checks of the input are not set.
 [[nodiscard]] ControlInput input_of(const record::Channel& channel);
 
 /// Returns the index of the input of a column, or `nowhere`.
 [[nodiscard]] std::size_t place_of(const ControlPlan& plan, std::string_view column);
 
-/// Makes a plan. Throws InputError for parts that no control can run: polynomials that never decay,
-/// polynomials with two samplings, a user-made formula.
+/// Makes a plan. Throws InputError for parts that a control cannot run: polynomials that never
+/// decay, polynomials with different sampling intervals, and a user-made formula.
 [[nodiscard]] ControlPlan control_plan(const std::vector<correction::Model>& models,
                                        const correction::ControlSettings& settings,
                                        const std::string& source);
 
-/// Merges equal drives and tables, in the order in which axes use them, and gives inputs and
-/// displacements names valid in the target languages.
+/// Merges equal drives and tables and sorts them in the order in which axes use them. Gives inputs
+/// and displacements names that are valid in the target languages.
 void in_order(ControlPlan& plan);
 
-/// Extends the time until a sensor counts as stuck, if a working sensor stood still for longer:
-/// half as long again, in whole 10 minutes, one day at most; only a temperature for which
-/// `settings` leave stuck_s to its default. Returns a sentence, empty where nothing changed.
-/// `where`: it stood still, "in drift.csv".
+/// Increases stuck_s, the time after which a sensor counts as stuck, if a working sensor was
+/// constant for `still_s`. The new time is 1.5 times `still_s`, rounded up to 10 minutes, at most
+/// one day. This applies only to a temperature for which `settings` have the default of stuck_s.
+/// Returns a sentence on the change; empty if nothing changed. `where` names the record in which
+/// the sensor was constant.
 [[nodiscard]] std::string allow_to_stand(ControlInput& input, double still_s,
                                          const correction::ControlSettings& settings,
                                          const std::string& where);
 
-/// Unit of the displacement of an axis: "um", or "urad".
+/// Returns the unit of the displacement of an axis: "um" or "urad".
 [[nodiscard]] constexpr std::string_view unit_of(const ControlAxis& axis) {
   return axis.angle ? "urad" : "um";
 }
 
-/// Text on the trust of an axis; empty if not known.
+/// Returns the text on the trust in the model of an axis; empty if not known.
 [[nodiscard]] std::string trust_line(const ControlAxis& axis);
 
-/// Offsets of every axis in whole counts, for LinuxCNC.
+/// Makes every axis give its offset in whole counts, for LinuxCNC.
 void count_in_whole_numbers(ControlPlan& plan);
 
-/// Interval between two calls required by the equations of a plan [s]; NaN without equations.
+/// Returns the interval between two calls that the equations of a plan need [s]; NaN if there are
+/// no equations.
 [[nodiscard]] double sampling_of(const ControlPlan& plan);
 
-/// Indices of the inputs used by an axis, increasing.
+/// Returns the indices of the inputs that an axis uses, in increasing order.
 [[nodiscard]] std::vector<std::size_t> used_inputs(const ControlPlan& plan,
                                                    const ControlAxis& axis);
 

@@ -10,10 +10,10 @@ namespace raceway::control {
 /// Returns true for a table of coefficients that control_csv() wrote.
 [[nodiscard]] bool is_control_table(std::string_view text);
 
-/// Reads the plan from such a table, also with edited numbers; `source` is the name in messages.
-/// Writing it again reproduces every number.
+/// Reads the plan from a table of coefficients. The numbers in the table may be edited. `source` is
+/// the name in messages. If the plan is written again, every number is the same.
 ///
-/// Throws InputError naming file, line, part, name, value and allowed range.
+/// Throws InputError with file, line, part, name, value and allowed range.
 [[nodiscard]] ControlPlan read_control_table(std::string text, const std::string& source);
 
 }  // namespace raceway::control

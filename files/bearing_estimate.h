@@ -15,62 +15,64 @@ struct BearingOutline {
   std::string designation{};
   double bore = unset;             ///< [m]
   double outer_diameter = unset;   ///< [m]
-  double width = unset;            ///< [m]; NaN where it is not known
+  double width = unset;            ///< [m]; NaN if not known
   std::string dimension_series{};  ///< series of ISO 15, "10"; empty if unknown
-  double contact_angle = unset;    ///< [rad]; by the designation, else 15 deg
+  double contact_angle = unset;    ///< [rad]; from the designation, otherwise 15 deg
   int ball_count = 0;              ///< 0: not known
   std::string ball_material = "steel";
 };
 
-/// A number estimated from ratios in the rows of a catalogue, with their least and largest values.
+/// An estimated number with its lower and upper value. They come from ratios in the rows of a
+/// catalogue.
 struct Estimate {
   double value = unset;
   double lower = unset, upper = unset;
 };
 
 struct EstimatedBearing {
-  BearingOutline outline;                              ///< with data from its designation
+  BearingOutline outline;                              ///< with data from the designation
   Estimate ball_diameter, pitch_diameter, conformity;  ///< [m], [m], [1]
-  Estimate ball_count;                                 ///< as given, if it was given
+  Estimate ball_count;                                 ///< the given count, if there is one
   Estimate static_load_rating;                         ///< [N]
   std::size_t rows = 0;      ///< number of catalogue rows used for the ratios
-  bool like_section = true;  ///< those rows have a similar section; else all rows
-  bool like_series = true;   ///< a row has its dimension series
+  bool like_section = true;  ///< false: too few such rows, all rows are used
+  bool like_series = true;   ///< false: no row has the dimension series of the bearing
 };
 
-/// Returns angle and balls from the designation (files/designation.h), and bore, outer diameter and
-/// width of its size from ISO 15 (files/boundary_dimensions.h); these are empty for other sizes.
-/// Throws InputError for a bearing of another type.
+/// Returns the contact angle and the ball material from the designation (files/designation.h), and
+/// bore, outer diameter and width from ISO 15 (files/boundary_dimensions.h). The dimensions are NaN
+/// for a size outside that table. Throws InputError for a bearing of another type.
 [[nodiscard]] BearingOutline outline_of(std::string_view designation);
 
-/// Estimates inner geometry from rows of similar section, or from all rows if those are few:
+/// Estimates the inner geometry from catalogue rows of similar section. If there are too few such
+/// rows, it uses all rows.
 ///
 ///   d_m = (d + D)/2,   D_w = k (D - d)/2,   Z = φ π d_m / D_w,   C0 = c Z D_w² cos α
 ///
-/// with the median of k, φ and c, a known Z giving D_w = φ π d_m / Z; D_w is rounded to 1/32 inch,
-/// the steps of ball sizes. Makers do not print conformities: 0.52, with 0.517 to 0.54, which make
-/// the printed rigidities of GMN's pairs (raceway calibrate BEARING). Throws InputError where bore
-/// or outer diameter is missing or they make no ring.
+/// k, φ and c are medians. If Z is known, D_w = φ π d_m / Z. D_w is rounded to 1/32 inch, the step
+/// of ball sizes. Manufacturers do not print the conformity. The estimate is 0.52, with the range
+/// 0.517 to 0.54 that reproduces the printed rigidities of GMN's pairs (raceway calibrate BEARING).
+/// Throws InputError if bore or outer diameter is missing or if they do not form a ring.
 [[nodiscard]] EstimatedBearing estimated_bearing(const BearingOutline& outline,
                                                  const std::vector<CatalogueBearing>& rows);
 
 /// Converts the estimates to a row of a catalogue.
 [[nodiscard]] CatalogueBearing row_of(const EstimatedBearing& bearing);
 
-/// Row of a bearing named by a designation.
+/// Catalogue row or estimated row of a bearing with a given designation.
 struct NamedRow {
   CatalogueBearing row;
-  bool is_estimated = false;   ///< not in a catalogue
+  bool is_estimated = false;   ///< true: the bearing is in no catalogue
   bool ceramic_balls = false;  ///< from its designation
   bool states_angle = true;    ///< false: 15 deg is assumed
 };
-/// Returns the row of the catalogue, else the estimate from its designation. Throws InputError as
-/// find_bearing() for an unknown size, and as outline_of().
+/// Returns the row of the catalogue, or the estimate from the designation if there is none. Throws
+/// InputError like find_bearing() for an unknown size, and like outline_of().
 [[nodiscard]] NamedRow bearing_called(std::string_view name,
                                       const std::vector<CatalogueBearing>& rows);
 
 /// Returns a commented model with the spread of every estimated key: one bearing on a rig, or three
-/// in a spindle; `oil`: its ISO VG grade.
+/// in a spindle. `oil` is the ISO VG grade of the oil.
 [[nodiscard]] std::string estimated_model_text(
     const EstimatedBearing& bearing, friction::FrictionLaw law = friction::FrictionLaw::palmgren,
     bool of_spindle = false, const std::string& oil = {});

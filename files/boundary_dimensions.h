@@ -11,8 +11,8 @@ struct BoundaryDimensions {
 };
 
 /// Returns the dimensions of a size: dimension series "18", "19", "10", "02" or "03" (width series,
-/// diameter series) and bore code, "14" for 70 mm. Nothing outside of the table, whose bores end at
-/// 200 mm (series 03: 120 mm).
+/// diameter series) and bore code, "14" for 70 mm. Returns nothing for a size outside the table.
+/// The largest bore of the table is 200 mm (series 03: 120 mm).
 ///
 /// Source:   ISO 15, from secondary sources: series 10 and 19 to 130 mm by NTN-SNR (ULTAGE, 7000
 ///           and 7900) and [GMN4000], series 02 to 100 mm by GB/T 276. The other sizes were not
@@ -20,8 +20,8 @@ struct BoundaryDimensions {
 [[nodiscard]] std::optional<BoundaryDimensions> boundary_dimensions(
     std::string_view dimension_series, std::string_view bore_code);
 
-/// Bore code of a bore in millimetres: "14" of 70, "00" to "03" of 10, 12, 15 and 17; empty for
-/// another one.
+/// Returns the bore code of a bore in millimetres: "14" for 70, "00" to "03" for 10, 12, 15 and 17;
+/// empty for a bore without a code.
 [[nodiscard]] std::string_view bore_code_of(int bore_mm);
 
 }  // namespace raceway::files

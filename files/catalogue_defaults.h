@@ -2,7 +2,7 @@
 
 namespace raceway::files {
 
-// Defaults for values missing in makers' catalogues.
+// Defaults for values that catalogues of manufacturers do not give.
 inline constexpr double catalogue_conformity = 0.52;
 inline constexpr double catalogue_f0 = 1.5, catalogue_z = 0.001, catalogue_y = 0.33;
 

@@ -17,7 +17,7 @@ namespace raceway::files {
 
 /// Conversion of a cell to SI.
 struct CellUnit {
-  const text::Unit* unit = nullptr;  ///< null: the channel's own
+  const text::Unit* unit = nullptr;  ///< null: the unit of the channel
   double factor = 1.0;               ///< the user's factor, applied first: -1 changes the sign
 
   [[nodiscard]] double to_SI(const record::Channel& channel, double cell) const {
@@ -28,54 +28,55 @@ struct CellUnit {
   }
 };
 
-/// A channel as identified by its name in a file.
+/// A channel identified by a column name in a file.
 struct NamedChannel {
   const record::Channel* channel;
   const text::Unit* unit =
-      nullptr;  ///< null where it is the channel's own, or the channel has none
+      nullptr;  ///< null: the unit is the unit of the channel, or the channel has no unit
 };
 
-/// Unit of a channel in the table of units; null without a unit (a run, a count).
+/// Returns the unit of a channel from the table of units; null for a channel without a unit (a run,
+/// a count).
 [[nodiscard]] const text::Unit* unit_of(const record::Channel& channel);
 
-/// Returns the channel with this name, also in another unit of its kind: "friction_torque_Nm",
-/// "speed [1/min]".
+/// Returns the channel with this name. The name may have another unit of the same dimension:
+/// "friction_torque_Nm", "speed [1/min]".
 [[nodiscard]] std::optional<NamedChannel> named_channel(
     std::string_view name, std::span<const record::Channel* const> channels);
 
-/// As above, for a quantity of records over time: "front_bearing_temperature_K", "displacement_z
-/// [mm]".
+/// Works like named_channel(), for a quantity of records over time: "front_bearing_temperature_K",
+/// "displacement_z [mm]".
 [[nodiscard]] std::optional<NamedChannel> named_series_channel(std::string_view name);
 
-/// As above, for a record of a spindle, whose temperatures are measured except in its
-/// surroundings.
+/// Works like named_channel(), for a record of a spindle. All temperatures of a spindle are
+/// measured, except those of the surroundings.
 [[nodiscard]] std::optional<NamedChannel> named_spindle_channel(std::string_view name);
 
-/// One line of [columns]: the source of one of our columns.
+/// One line of [columns]: the source of one column of raceway.
 struct ColumnRule {
-  std::string key;                   ///< as it stands there: "friction_torque_Nmm"
+  std::string key;                   ///< as written in [columns]: "friction_torque_Nmm"
   const record::Channel* channel;    ///< channel that the key names
-  const text::Unit* key_unit;        ///< unit at the end of the key, null for the channel's own
-  std::string header{};              ///< header of their column; empty for a constant
+  const text::Unit* key_unit;        ///< unit at the end of the key; null: the unit of the channel
+  std::string header{};              ///< header of the user's column; empty for a constant
   std::optional<double> constant{};  ///< for all rows, in the unit of the key
-  const text::Unit* unit = nullptr;  ///< unit of their column, if the rule states it
-  bool excel_date = false;           ///< their numbers are days since 1900, as Excel has them
-  double factor = 1.0;               ///< their numbers are multiplied by it
-  text::Place place{};               ///< in the map
+  const text::Unit* unit = nullptr;  ///< unit of the user's column, if the rule states it
+  bool excel_date = false;           ///< the numbers are days since 1900, as in Excel
+  double factor = 1.0;               ///< factor that multiplies the numbers
+  text::Place place{};               ///< place of the rule in the file
 };
 
 /// One line of [transducers]: a displacement as a sum of readings of transducers.
 struct Combination {
   struct Term {
     const record::Channel* transducer;
-    double factor;  ///< [m/m], of an angle [rad/m]
+    double factor;  ///< [m/m], for an angle [rad/m]
   };
   const record::Channel* displacement;
   std::vector<Term> terms{};
   text::Place place{};
 };
 
-/// The table [columns] of a model, or of a file of its own, and its [transducers].
+/// The tables [columns] and [transducers], from a model or from a separate file.
 struct ColumnMap {
   std::string source{};
   std::vector<ColumnRule> rules{};
@@ -96,15 +97,15 @@ struct ReadOptions {
   std::optional<rig::TorqueSensor> sensor{};
   bool drop_nan = false;    ///< rows with a missing number are omitted and reported
   bool over_time = false;   ///< columns of records over time
-  bool of_spindle = false;  ///< and, among these, columns of a spindle's
-  bool of_several = false;  ///< columns of the map may stand in another file of the same record
+  bool of_spindle = false;  ///< columns of records of a spindle over time
+  bool of_several = false;  ///< columns of the map may be in another file of the same record
 };
 
-/// All channels that a file may have: of a record, a fall between two speeds, a torque sensor and
-/// its calibration.
+/// Returns all channels that a file may have: channels of a record, of a fall between two speeds,
+/// of a torque sensor and of its calibration.
 [[nodiscard]] std::span<const record::Channel* const> file_channels();
 
-/// Reads a file with only [columns], [transducers] or both. Throws InputError as read_model().
+/// Reads a file with only [columns], [transducers] or both. Throws InputError like read_model().
 [[nodiscard]] ColumnMap read_column_map(const std::string& path);
 [[nodiscard]] ColumnMap parse_column_map(std::string_view text, const std::string& source);
 

@@ -19,35 +19,35 @@ struct CorrectionFile {
   std::string text;                       ///< text of the file, for editing
   std::vector<UsedDefault> defaults{};    ///< every default that was used
   std::vector<record::Note> notes{};      ///< further notes for the user
-  ColumnMap columns{};                    ///< columns of its measurements
-  correction::ControlSettings control{};  ///< settings of its control, [export]
-  std::vector<NamedFile> files{};         ///< files that it names, as they were read
+  ColumnMap columns{};                    ///< columns of the measurements
+  correction::ControlSettings control{};  ///< settings of the control from [export]
+  std::vector<NamedFile> files{};         ///< files that the correction names, as they were read
 };
 
-/// Reads [correction] (keys with their units: raceway keys) into SI. Files that it names are looked
-/// for in its folder.
+/// Reads [correction] (keys with their units: raceway keys) into SI. File names in the correction
+/// are relative to its folder.
 ///
-/// Throws InputError naming file, line, key, value and allowed range.
+/// Throws InputError with file, line, key, value and allowed range.
 [[nodiscard]] CorrectionFile read_correction(const std::string& path);
 
-/// Parses [correction] from text; `source` is the name in messages, and file names are relative to
-/// it. Files in `held` are not read again.
+/// Parses [correction] from text; `source` is the name in messages. File names are relative to the
+/// folder of `source`. Files in `held` are not read again.
 [[nodiscard]] CorrectionFile parse_correction(std::string text, const std::string& source,
                                               std::vector<NamedFile> held = {});
 
-/// The table [correction.prior] of a model; empty without priors.
+/// Returns the table [correction.prior] of a model; empty without priors.
 [[nodiscard]] std::string prior_text(const correction::Model& model);
 
-/// Returns the line of a window in a channel or an effect.
+/// Returns the line that states a window in a channel or an effect.
 [[nodiscard]] std::string window_text(const correction::Window& window);
 
-/// Returns a file of these models alone: channels of columns, offsets, tolerances and ranges.
-/// `comment`: its first line.
+/// Returns a file with only these models: their channels with columns, offsets, tolerances and
+/// ranges. `comment` is the first line of the file.
 [[nodiscard]] std::string new_corrections(const std::vector<correction::Model>& models,
                                           const std::string& comment);
 
-/// Returns the text with the numbers, sections, channels, effects and ranges of these models, which
-/// come from the file or extend it; comments and all else are kept.
+/// Returns the text with the numbers, sections, channels, effects and ranges of these models. The
+/// models come from the file or extend its models. Comments and everything else stay unchanged.
 [[nodiscard]] std::string with_corrections(const CorrectionFile& file,
                                            const std::vector<correction::Model>& models);
 

@@ -8,22 +8,24 @@
 
 namespace raceway::files {
 
-/// A correction file made from several.
+/// A correction file made from several correction files.
 struct JoinedCorrection {
   std::string text;
-  std::vector<NamedFile> files{};     ///< files named in it, if there is no path to find them
+  std::vector<NamedFile> files{};     ///< files named in the text, if no path leads to them
   std::vector<record::Note> notes{};  ///< notes on omitted parts
 };
 
-/// Sums corrections of one displacement: the file has all their channels, laws and effects, as they
-/// are written. Offsets are added; a range in several files becomes their intersection. Parameters
-/// that a file fits stay free. So do those with a prior; delay elements and laws of step responses
-/// that no fit has touched get one (correction/prior.h), and numbers that a record gave have theirs
-/// from its covariance: a record of the whole machine seldom tells the parts from each other. Names
-/// of files are relative to `path`.
+/// Sums corrections of one displacement. The joined file has all their channels, laws and effects
+/// unchanged. Offsets are added. A range that several files give becomes the intersection of these
+/// ranges. Parameters that a file fits stay free, and so do parameters with a prior. Parameters
+/// fitted to a record get a prior from their covariance. Delay elements and laws from step
+/// responses that were never fitted get the priors of correction/prior.h. The priors are needed
+/// because a record of the whole machine seldom separates the parts. Names of files are relative to
+/// `path`.
 ///
-/// Throws InputError: fewer than two files, one with several displacements or another one, two
-/// channels of one name, two laws of instant displacement, ranges that have nothing in common.
+/// Throws InputError for fewer than two files, for a file with several displacements or with
+/// another displacement, for two channels with the same name, for two laws of kinematic
+/// displacement, and for ranges without a common part.
 [[nodiscard]] JoinedCorrection join_corrections(std::span<const CorrectionFile> files,
                                                 const std::string& path);
 

@@ -9,21 +9,22 @@
 
 namespace raceway::files {
 
-/// Data in a bearing's designation, in the systems of SKF, SNFA, FAG, Barden, NSK, NTN and GMN.
+/// Data in the designation of a bearing, for the designation systems of SKF, SNFA, FAG, Barden,
+/// NSK, NTN and GMN.
 ///
-/// Most names have the digits of ISO's system, 7014. Those of SNFA (VEX 70), NTN's fast series
-/// (HSE014), Barden (114HC) and NSK's robust series (70BNR10) have forms of their own. Makers use
-/// the same letters for the same angles, with exceptions that are rows of the table in
-/// designation.cpp: E is 25 deg behind "B7014-" of FAG and "S 6014 " of GMN, and a design of SKF
-/// behind C or AC. Cage, seals and precision are ignored.
+/// Most designations contain the digits of the ISO system, such as 7014. SNFA (VEX 70), the
+/// high-speed series of NTN (HSE014), Barden (114HC) and the robust series of NSK (70BNR10) use
+/// other forms. Manufacturers use the same letters for the same angles. The exceptions are rows of
+/// the table in designation.cpp: E is 25 deg after "B7014-" of FAG and "S 6014 " of GMN, and a
+/// design variant of SKF after C or AC. Cage, seals and precision are ignored.
 ///
 /// Source: SKF, Super-precision bearings, 13383, and for the series of SNFA 06939 (HB, HX) and
 /// 06981 (E 200); Schaeffler, Super Precision Bearings, SP 1; Barden, MRO Catalog C8A, p. 4; NSK,
 /// Super Precision Bearings, E1254; NTN, Precision Rolling Bearings, 2260, p. 56, and ULTAGE, 7000
-/// and 7900; GMN, High Precision Ball Bearings, 4001. Read in copies of their text: Barden's page,
-/// NTN's pages, titles of SKF. Not seen: the other prints; the codes of angle, balls and preload of
-/// NSK, NTN and FAG were compared with tables of dealers, the digits of angles of SNFA with
-/// nothing.
+/// and 7900; GMN, High Precision Ball Bearings, 4001. Copies of the text were read for the pages of
+/// Barden and NTN and for the titles of SKF. The other catalogues were not read. The codes for
+/// angle, balls and preload of NSK, NTN and FAG were compared with tables of dealers. The angle
+/// digits of SNFA were not checked.
 struct Designation {
   std::string series{};          ///< as written: "70", "719", "VEX", GMN "60", "619"
   std::string dimensions{};      ///< dimension series of ISO 15: "10", "19"; empty where unknown
@@ -31,21 +32,21 @@ struct Designation {
   double contact_angle = unset;  ///< [rad]; NaN if not stated
   std::string angle_code{};      ///< "AC"
   bool ceramic_balls = false;
-  std::string ball_code{};    ///< "HC": what says so
+  std::string ball_code{};    ///< code of ceramic balls: "HC"
   std::string preload{};      ///< "light", "medium", "heavy", "extra light"
   std::string arrangement{};  ///< "DB", "DF", "DT"
-  std::string other_type{};   ///< "a cylindrical roller bearing": no angular contact
+  std::string other_type{};   ///< no angular contact: "a cylindrical roller bearing"
 
-  /// Size of a bearing: "6014" for "B7014-C"; empty if not known.
+  /// Returns the size of the bearing: "6014" for "B7014-C"; empty if not known.
   [[nodiscard]] std::string size() const;
-  /// Boundary dimensions of that size by ISO 15.
+  /// Returns the boundary dimensions of the size from ISO 15.
   [[nodiscard]] std::optional<BoundaryDimensions> boundary() const;
 };
 
-/// Parses a designation. Never throws: unknown data stay empty.
+/// Parses a designation. Never throws; unknown data stay empty.
 [[nodiscard]] Designation read_designation(std::string_view text);
 
-/// Throws InputError for a bearing of another type, by name.
+/// Throws InputError if the designation names a bearing without angular contact.
 void require_angular_contact(std::string_view designation);
 
 }  // namespace raceway::files

@@ -20,10 +20,11 @@ struct DisplacementCurve {
 
 /// Reads `speed_rpm`, `axial_displacement_um` and, if present, `std_um` from a CSV of `raceway
 /// displacement` or of a rig; "-" is standard input. Other columns are not read. Rows without a
-/// displacement are not read either if their column `status` gives the reason. `notes` lists both.
+/// displacement are not read if their column `status` gives the reason. `notes` lists the columns
+/// and rows that were not read.
 ///
-/// Throws InputError like read_csv(), for a missing column, and, in one message, for every other
-/// cell that is empty, no number or impossible.
+/// Throws InputError like read_csv(), for a missing column, and for every other cell that is empty,
+/// not a number or impossible. One message lists all these cells.
 [[nodiscard]] DisplacementCurve read_displacement_curve(const Source& source,
                                                         const ReadOptions& options = {});
 

@@ -18,13 +18,14 @@ struct Doubt {
   /// A column that may be in a different unit.
   struct Guess {
     const record::Channel* channel;
-    std::string_view unit;  ///< as files have it: "kgf"
+    std::string_view unit;  ///< as written in files: "kgf"
   };
   std::string text;
   std::vector<Guess> units{};  ///< empty if the question is not about a unit
 };
 
-/// Returns the doubt about a temperature from `from` to `to` [C] that looks like K or F.
+/// Returns the doubt about a temperature channel with the range `from` to `to` [C], which looks
+/// like K or F.
 [[nodiscard]] Doubt other_temperature(const record::Channel& channel, double from, double to,
                                       std::string_view unit);
 
@@ -32,9 +33,9 @@ struct Doubt {
 [[nodiscard]] record::Record in_other_unit(record::Record data, const record::Channel& channel,
                                            const text::Unit& unit);
 
-/// Throws InputError for doubts about units of columns of `source` that [columns] does not answer.
-/// The message has each question and the line of [columns] that answers it. Returns all other
-/// doubts as warnings.
+/// Throws InputError if [columns] does not settle a doubt about the unit of a column of `source`.
+/// The message has each question and the line of [columns] that answers it. All other doubts are
+/// returned as warnings.
 [[nodiscard]] std::vector<record::Note> asked_about(const std::vector<Doubt>& doubts,
                                                     const Source& source,
                                                     const ReadOptions& options);

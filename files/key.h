@@ -18,7 +18,7 @@ namespace raceway::files {
 struct Form {
   std::string_view kind;                ///< "number", "text", "true or false", "list" or "table"
   double lower = unset, upper = unset;  ///< closed range of a number, in `unit`
-  std::string_view unit{};              ///< "" where dimensionless
+  std::string_view unit{};              ///< "" if dimensionless
   std::string_view words{};  ///< allowed texts, "rigid|spring"; "" if any text is allowed
   bool whole = false;        ///< a whole number
 
@@ -35,10 +35,10 @@ struct Form {
 
 struct Required {};
 
-/// Value of a key that is missing in the file.
+/// Default of a key, for a file without this key.
 struct Default {
-  double value = unset;      ///< value of a number, in its unit; `unset` alone: no default
-  std::string_view words{};  ///< one of the words of its form, or the origin of the default
+  double value = unset;      ///< value of a number, in its unit; `unset`, no words: no default
+  std::string_view words{};  ///< one of the words of the form, or the origin of the default
   bool required = false;     ///< no default: the key is required in its table
 
   constexpr Default() = default;
@@ -51,7 +51,7 @@ struct Default {
 };
 
 struct Key {
-  std::string_view name;  ///< with its unit; a part in capitals is chosen by the user
+  std::string_view name;  ///< name with unit; the user chooses the part in capitals
   Form form;
   Default fallback;
   std::string_view meaning;
@@ -65,12 +65,12 @@ struct Key {
   }
 };
 
-/// Keys of one table, or the part of them that one reader reads.
+/// Keys of one table, or the keys of this table that one reader reads.
 struct KeyTable {
-  /// "bearing", "correction.channel"; a part in capitals is chosen by the user.
+  /// "bearing", "correction.channel"; the user chooses a part in capitals.
   std::string_view name;
   std::span<const Key> keys;
-  std::string_view only{};  ///< restriction, "of a spindle", "law skf"; "" without one
+  std::string_view only{};  ///< restriction, "of a spindle", "law skf"; "" if none
 };
 
 // Helpers for writing tables of keys.

@@ -20,14 +20,15 @@ struct ListedKey {
   [[nodiscard]] std::string fallback() const;
 };
 
-/// Tables of the reader in files/correction_file.h.
+/// Returns the tables of the reader in files/correction_file.h.
 [[nodiscard]] std::vector<KeyTable> correction_tables();
 
-/// Every key of model files, table by table. Numbers of effects are in their catalogues.
+/// Returns every key of model files, table by table. The keys for the numbers of effects are in the
+/// catalogues of effects.
 [[nodiscard]] std::vector<ListedKey> model_keys();
 
-/// `keys [{table, key, kind, unit, from, to, whole_number, required, choices, default, only,
-/// meaning}]`.
+/// Returns the document `keys [{table, key, kind, unit, from, to, whole_number, required, choices,
+/// default, only, meaning}]`.
 [[nodiscard]] std::string model_keys_json(std::span<const ListedKey> keys);
 
 }  // namespace raceway::files

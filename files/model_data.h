@@ -12,7 +12,7 @@
 
 namespace raceway::files {
 
-/// A number of a model, as in its file.
+/// A number of a model, as written in the file.
 struct ModelDatum {
   enum class Origin { file, by_default, catalogue };
 
@@ -22,28 +22,28 @@ struct ModelDatum {
   double value;  ///< in the unit of its name
   Origin origin = Origin::file;
   bool whole = false;   ///< a count
-  bool marked = false;  ///< marked as a guess in its file
+  bool marked = false;  ///< true: the file marks the value as a guess
 };
 
-/// All numbers that a model uses: numbers of its file, defaults, and numbers of the bearing
-/// selected by [bearing] catalogue.
+/// All numbers that a model uses: numbers in the file, defaults, and numbers of the bearing that
+/// [bearing] catalogue selects.
 ///
 /// Some numbers are not included: a default that follows from other numbers (a bore from pitch
 /// circle and balls); numbers that no prediction uses, such as [calibration] and [columns]; and
 /// choices, such as the settings of [solver] and the number of bearings in a set.
 class ModelData {
  public:
-  /// Throws InputError as read_model().
+  /// Throws InputError like read_model().
   explicit ModelData(const ModelFile& file);
 
   [[nodiscard]] const std::vector<ModelDatum>& data() const { return data_; }
 
   /// Returns the index of the datum with this name. The name needs no table if only one table has
-  /// the key. Throws InputError with the nearest names.
+  /// the key. For an unknown name, throws InputError with similar names.
   [[nodiscard]] std::size_t find(std::string_view name) const;
 
-  /// Returns the model with other values of these data (by index). Throws InputError for invalid
-  /// values, like the reader of a file. Several threads may call it at once.
+  /// Returns the model with new values of these data, given by index. Throws InputError for invalid
+  /// values, like the reader of a file. Several threads may call this function at the same time.
   [[nodiscard]] ModelFile with(std::span<const std::pair<std::size_t, double>> changes) const;
 
  private:
@@ -61,12 +61,12 @@ struct SpreadText {
 /// Parses "ball_diameter_mm=0.01,lubricant.viscosity_40C_mm2_s=10%". Throws InputError.
 [[nodiscard]] std::vector<SpreadText> parse_spreads(const std::string& list);
 
-/// Reads spreads from a file with the keys of a model. A value is the spread of that number, or a
-/// text such as "10%". Throws InputError.
+/// Reads spreads from a file with the keys of a model. A value is the spread of the number with
+/// this key, or a text such as "10%". Throws InputError.
 [[nodiscard]] std::vector<SpreadText> read_spreads(const std::string& path);
 
-/// Returns the spread in the unit of a number with this value. Throws InputError for a spread that
-/// is no number, negative, or a percentage of zero.
+/// Returns the spread in the unit of a number with this value. Throws InputError if the spread is
+/// not a number, is negative, or is a percentage of zero.
 [[nodiscard]] double spread_of(const SpreadText& spread, double value);
 
 }  // namespace raceway::files

@@ -31,10 +31,10 @@ struct ModelFile {
   std::vector<UsedDefault> defaults;
   /// Further notes, one line each, without the file's name.
   std::vector<record::Note> notes = {};
-  ColumnMap columns = {};  ///< columns of its measurements
-  /// Sensor that measures its torque, if the file names one.
+  ColumnMap columns = {};  ///< columns of the measurements
+  /// Torque sensor, if the file names one.
   std::optional<rig::TorqueSensor> sensor = {};
-  std::vector<NamedFile> files = {};  ///< files named in it, as read
+  std::vector<NamedFile> files = {};  ///< files named in the model, as they were read
 };
 
 /// Reads a TOML model (keys with their units: raceway keys) into SI.
@@ -55,42 +55,44 @@ struct KeyValue {
   /// [[effect]].
   std::string key;
   double value;
-  /// New comment behind the value; empty: the present comment stays. A table in braces gets no
-  /// comment.
+  /// New comment after the value. If it is empty, the present comment stays. A table in braces gets
+  /// no comment.
   std::string comment = {};
 };
 
 /// Returns the text with these values. Comments, order and blanks stay. A missing key with a
-/// default is added to its table. The values read back exactly. Throws InputError if the text is no
-/// TOML or has no such [[effect]], and std::invalid_argument for a value that is not finite.
+/// default is added to its table. Reading the text gives the values exactly. Throws InputError if
+/// the text is not TOML or lacks the [[effect]], and std::invalid_argument for a value that is not
+/// finite.
 [[nodiscard]] std::string with_values(std::string_view text, std::span<const KeyValue> changes);
 
-/// Returns the text with this effect as a new [[effect]] at its end. Nothing else changes. The
-/// effect reads back exactly. Throws std::invalid_argument for a value that is not finite.
+/// Returns the text with this effect as a new [[effect]] at its end. Nothing else changes. Reading
+/// the text gives the effect exactly. Throws std::invalid_argument for a value that is not finite.
 [[nodiscard]] std::string with_effect(std::string_view text, const effects::Effect& effect);
 
 /// Returns the text of a file with the numbers of `fitted`: every number of model::parameters() at
 /// all its addresses, the effects that the file lacks, and the covariance of the fitted numbers.
-/// Nothing else changes. A changed number has the 15 digits that results show. Throws like
-/// with_values(), InputError if the file has its covariance in braces, and std::invalid_argument
-/// for the covariance of a parameter that the model lacks.
+/// Nothing else changes. A changed number has 15 digits, as in results. Throws like with_values().
+/// Also throws InputError if the covariance in the file is a table in braces, and
+/// std::invalid_argument if the covariance has a parameter that the model lacks.
 [[nodiscard]] std::string with_model(const ModelFile& file, const model::Model& fitted);
 
-/// Returns a commented model of a catalogue bearing, with every default of its law written out.
+/// Returns a commented model of a catalogue bearing, with every default of the friction law.
 [[nodiscard]] std::string new_model_text(
     const CatalogueBearing& row, friction::FrictionLaw law = friction::FrictionLaw::palmgren);
 
 /// Contents and comments of a new model.
 struct ModelRemarks {
-  std::string title{};  ///< title for a rig; empty: that every default is written out
+  std::string title{};  ///< title for a rig; empty: states that the file has every default
   std::string ball_material = "steel";
-  /// Remarks by key, instead of the usual ones.
+  /// Remarks by key, in place of the usual remarks.
   std::vector<std::pair<std::string_view, std::string>> of_key{};
   friction::FrictionLaw law = friction::FrictionLaw::palmgren;
-  bool of_spindle = false;  ///< a spindle on three such bearings instead of a rig
+  bool of_spindle = false;  ///< true: a spindle with three of these bearings; false: a rig
   std::string oil{};        ///< ISO VG grade of the oil; empty: a thin spindle oil
 };
-/// Returns a commented model like new_model_text(). A bearing outside the catalogues has no maker.
+/// Returns a commented model like new_model_text(). A bearing that is in no catalogue has no
+/// manufacturer.
 [[nodiscard]] std::string model_text(const CatalogueBearing& row, const ModelRemarks& remarks);
 
 }  // namespace raceway::files

@@ -8,19 +8,19 @@ namespace raceway::files {
 
 /// A file named by a model, as it was when the model was opened.
 struct NamedFile {
-  std::string name;  ///< as the model names it: relative to its folder, or from the root
-  std::string path;  ///< from the root
+  std::string name;  ///< name in the model: relative to the folder of the model, or absolute
+  std::string path;  ///< absolute path
   std::string text;  ///< content of the file
 };
 
-/// Files named by a model. Each is read once.
+/// Files named by a model. Each file is read once.
 class NamedFiles {
  public:
-  /// `model` is the file of the model. Names are relative to its folder. Files of `held` are not
+  /// `model` is the file of the model. Names are relative to its folder. Files in `held` are not
   /// read again.
   explicit NamedFiles(const std::string& model, std::vector<NamedFile> held = {});
 
-  /// Throws InputError as read_text().
+  /// Returns the file with this name. Throws InputError like read_text().
   [[nodiscard]] const NamedFile& read(const std::string& name);
   /// Returns the name of the file for messages.
   [[nodiscard]] std::string shown(const std::string& name) const;

@@ -11,20 +11,21 @@ namespace raceway::files {
 
 struct NewCorrection {
   std::string text;                   ///< contents of a model file
-  std::vector<record::Note> notes{};  ///< notes on its record and on assumptions
+  std::vector<record::Note> notes{};  ///< notes on the record and on assumptions
 };
 
 /// Makes a first model file for the displacements of a record over time. The file has one channel
-/// for each temperature that varies by more than 0.5 K. Without such a temperature it has one
-/// channel for the speed. With more than four temperatures it has no channel, but a comment with
-/// the command for a bank of lags.
+/// for each temperature that varies by more than 0.5 K. If there is no such temperature, the file
+/// has one channel for the speed. If there are more than four, it has no channel. A comment in the
+/// file then gives the command for a bank of lags.
 ///
 /// Assumed values are marked: the tolerance is a tenth of the range of the displacement, a time
 /// constant is a tenth of the record, and each channel gets an equal share of the range as its
-/// gain. Headers of other programs become [columns], as in suggested_columns(). The columns of
-/// `options` do not change. Units that look wrong give notes only, because the file has no result.
+/// gain. Headers of other programs become [columns], as in suggested_columns(). The columns in
+/// `options` do not change. A doubtful unit gives only a note and no error, because this file
+/// contains no results.
 ///
-/// Throws InputError as read_series(), and for a record without a displacement.
+/// Throws InputError like read_series(), and for a record without a displacement.
 [[nodiscard]] NewCorrection new_correction(const Source& record, const ReadOptions& options);
 
 }  // namespace raceway::files

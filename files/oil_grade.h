@@ -9,7 +9,7 @@ namespace raceway::files {
 
 /// Kinematic viscosities of a mineral oil.
 struct OilGrade {
-  int grade = 0;            ///< its ISO VG, the viscosity at 40 C by ISO 3448 [mm2/s]
+  int grade = 0;            ///< ISO VG grade: viscosity at 40 C by ISO 3448 [mm2/s]
   double at_100_C = unset;  ///< viscosity at 100 C for viscosity index 100, by ISO 2909 [mm2/s]
 };
 
@@ -18,7 +18,7 @@ struct OilGrade {
 [[nodiscard]] OilGrade oil_grade(std::string_view words);
 
 /// Returns the table [lubricant] of a new model: viscosities of the oil, or of a thin spindle oil
-/// if `oil` is empty. Throws as oil_grade().
+/// if `oil` is empty. Throws like oil_grade().
 [[nodiscard]] std::string lubricant_lines(std::string_view oil);
 
 }  // namespace raceway::files

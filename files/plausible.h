@@ -12,8 +12,9 @@ namespace raceway::files {
 /// Checks a temperature in C that would be usual in K.
 [[nodiscard]] std::string looks_like_kelvin(std::string_view name, double temperature_C);
 
-/// Checks for lengths in inches: the balls fill little of their circle, or the rating is far too
-/// high for them, and both would be usual in inches.
+/// Checks for lengths in inches. Two values are tested: the share of the pitch circle that the
+/// balls fill, and the rating compared with the size of the balls. Lengths look like inches if the
+/// share is far too low or the rating is far too high, and if this value would be usual in inches.
 [[nodiscard]] std::string looks_like_inches(const bearing::BearingGeometry& geometry);
 
 }  // namespace raceway::files

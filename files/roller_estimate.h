@@ -12,12 +12,13 @@ namespace raceway::files {
 /// Returns true for a designation of a cylindrical roller bearing: N1012, NU 210, NN3014.
 [[nodiscard]] bool names_rollers(std::string_view designation);
 
-/// A cylindrical roller bearing of series N10. Makers do not print its rollers.
+/// A cylindrical roller bearing of series N10. Manufacturers do not print the roller dimensions of
+/// this series.
 struct EstimatedRollers {
   std::string designation{};
   bearing::RollerGeometry geometry{};
-  /// Numbers of a maker from which the rollers follow: diameter E of the outer raceway [m], C and
-  /// C0 [N]. NaN if the rollers follow from the boundary dimensions alone.
+  /// Numbers of the manufacturer from which the rollers are estimated: diameter E of the outer
+  /// raceway [m], C and C0 [N]. NaN if the rollers are estimated only from the boundary dimensions.
   double outer_raceway = unset, dynamic_rating = unset, static_rating = unset;
 
   [[nodiscard]] bool printed() const { return !std::isnan(outer_raceway); }

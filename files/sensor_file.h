@@ -20,13 +20,14 @@ struct SensorReadings {
 };
 
 /// Reads `reference_Nm` and `signal_V` from a CSV; "-" is standard input. The signal may also be
-/// `torque_signal_V`, as in a record. Other columns are not read, and `notes` says so. Throws
-/// InputError like read_csv(), for a missing column, and for every cell that is empty, no number or
-/// impossible.
+/// `torque_signal_V`, as in a record. Other columns are not read, and `notes` lists them. Throws
+/// InputError like read_csv(), for a missing column, and for every cell that is empty, not a number
+/// or impossible.
 [[nodiscard]] SensorReadings read_sensor_readings(const Source& source,
                                                   const ReadOptions& options = {});
 
-/// Returns the table [torque_sensor] for a model or a separate file; it reads back.
+/// Returns the table [torque_sensor] for a model or a separate file. The program can read this
+/// table.
 [[nodiscard]] std::string torque_sensor_text(const rig::SensorCalibration& calibration,
                                              std::string_view source);
 

@@ -11,10 +11,10 @@ namespace raceway::files {
 
 /// Returns doubts about the units of a record over time.
 ///
-/// Time:          steps of two hours or more look like ms, us or ns. A record shorter than a time
-///                constant of `models` looks like minutes, hours or days on two conditions. In that
-///                unit it is longer than the time constant, and the lags of the model explain the
-///                readings much better.
+/// Time:          steps of two hours or more look like ms, us or ns. A record that is shorter
+///                than a time constant of `models` looks like minutes, hours or days under two
+///                conditions: in this unit the record is longer than the time constant, and the
+///                lags of the model explain the readings much better.
 /// Temperatures:  values between 220 and 470 C look like kelvin. Values look like Fahrenheit if no
 ///                sensor was ever colder than 59 C, or the surroundings never colder than 50 C. A
 ///                single sensor looks like Fahrenheit if its coldest reading, converted, equals the
@@ -24,10 +24,10 @@ namespace raceway::files {
 [[nodiscard]] std::vector<Doubt> series_doubts(const record::Record& data,
                                                const std::vector<correction::Model>& models);
 
-/// Returns doubts about the units of a record of a spindle: also another unit of the time or the
-/// speed, if the simulation explains the readings only in that unit. The time may be in min, h or d
-/// if the record is shorter than 4 hours, and in ms if it is longer than 10 days. The speed may be
-/// in 1/s, rad/s or krpm if it stays below n d_m = 3e5 mm/min.
+/// Returns doubts about the units of a record of a spindle. They include another unit of the time
+/// or the speed, if the simulation explains the readings only in this unit. The time may be in min,
+/// h or d if the record is shorter than 4 hours, and in ms if it is longer than 10 days. The speed
+/// may be in 1/s, rad/s or krpm if it stays below n d_m = 3e5 mm/min.
 [[nodiscard]] std::vector<Doubt> series_doubts(const record::Record& data,
                                                const model::ModelSubject& spindle);
 

@@ -10,15 +10,15 @@
 namespace raceway::files {
 
 /// Reads a record over time (columns with their units: docs/files.md) into SI: time_s or dates,
-/// inputs of the machine, and displacements. Other columns are reported and ignored.
+/// inputs of the machine, and displacements. Other columns are ignored, and a note lists them.
 ///
 /// An empty cell in a displacement means no reading. Inputs are filled between their readings
 /// (files/detail/filled_inputs.h). Only the displacements in `wanted` are kept; all of them if
 /// `wanted` is empty.
 ///
-/// Throws InputError if time_s is missing, or falls or stands still within a run; if a column of
-/// `needed` is missing; if a column looks misspelt; and, in one message, for all cells that are
-/// empty, no numbers or impossible.
+/// Throws InputError if time_s is missing or does not rise within a run, if a column of `needed` is
+/// missing, if a column name looks misspelt, and for cells that are empty, not numbers or
+/// impossible. One message lists all these cells.
 [[nodiscard]] record::Record read_series(const Source& source,
                                          const std::vector<const record::Channel*>& wanted,
                                          const std::vector<const record::Channel*>& needed,

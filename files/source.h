@@ -10,14 +10,14 @@
 
 namespace raceway::files {
 
-/// A file, or its replacement: a text, or the columns of a table.
+/// A file, or data that replace a file: a text, or the columns of a table.
 struct Source {
   std::string name;                         ///< path of the file, or a name for messages
-  std::shared_ptr<const std::string> text;  ///< null: contents of the file
-  /// Columns of measurements; null: read from text or file.
+  std::shared_ptr<const std::string> text;  ///< null: the text is read from the file
+  /// Columns of measurements; null: they are read from the text or the file.
   std::shared_ptr<const text::CsvTable> table;
-  /// Files that a model names, as they were when the model was read. Other files are read from
-  /// disk.
+  /// Files that a model names, with the contents that they had when the model was read. Other files
+  /// are read from disk.
   std::vector<NamedFile> files{};
   /// Further parts of a record over time, each with its own rows and clock.
   std::vector<Source> beside{};

@@ -11,8 +11,9 @@ namespace raceway::files {
 /// speed_rpm, the inputs that record::spindle_channel() knows, the sensors of the model and
 /// axial_displacement_um. Other columns are named in a note and ignored.
 ///
-/// An empty cell of a measured column counts as not read. In all other columns it is an error.
-/// Throws like read_series(), and for a column that looks like a misspelt sensor.
+/// An empty cell of a measured column means that there is no reading. An empty cell in any other
+/// column is an error. Throws like read_series(), and for a column whose name looks like a misspelt
+/// sensor.
 [[nodiscard]] record::Record read_spindle_record(const Source& source,
                                                  const model::Spindle& spindle,
                                                  const ReadOptions& options = {});

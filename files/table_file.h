@@ -13,24 +13,24 @@ namespace raceway::files {
 struct TableFile {
   friction::StribeckTable table;
   std::string source;      ///< file name, for messages
-  std::string model_text;  ///< TOML of its model; empty if the file has none
+  std::string model_text;  ///< TOML text of the model; empty if the file has none
 };
 
-/// Returns a Stribeck table as CSV: `#` lines with title, version and the model's text (each line
-/// behind `#| `), then speed_rpm, axial_load_N, radial_load_N, temperature_C, friction_torque_Nmm,
-/// the table's columns and the status. Points without a value have empty cells. In a slab, a `#`
-/// line gives the number of points and a fingerprint of the whole grid.
+/// Returns a Stribeck table as CSV: `#` lines with title, version and the text of the model (each
+/// line after `#| `), then speed_rpm, axial_load_N, radial_load_N, temperature_C,
+/// friction_torque_Nmm, the table's columns and the status. Points without a value have empty
+/// cells. In a slab, a `#` line gives the number of points and a fingerprint of the whole grid.
 ///
 /// The further columns are converted from SI to the unit at the end of their names (_Nmm, _deg,
-/// _um, ...). A column without a unit is dimensionless. Accuracy: 12 digits. All threads write
-/// rows, and their number changes no byte. One thread at a time calls `progress` with the finished
-/// share.
+/// _um, ...). A column without a unit is dimensionless. Accuracy: 12 digits. Several threads write
+/// rows. The text is the same for any number of threads. Only one thread at a time calls
+/// `progress`, with the finished share.
 [[nodiscard]] std::string table_text(const friction::StribeckTable& table, std::string_view title,
                                      std::string_view model_text,
                                      const std::function<void(double)>& progress = {});
 
 /// Reads a table written by table_text(). The order of rows does not matter. Throws InputError like
-/// read_csv(), for cells that are no numbers, for points of the grid that are missing or occur
+/// read_csv(), for cells that are not numbers, for points of the grid that are missing or occur
 /// twice, and for a slab.
 [[nodiscard]] TableFile read_table(const std::string& path);
 
@@ -40,9 +40,10 @@ struct SlabText {
   std::string text;
 };
 
-/// Joins slabs to their table, byte for byte the result of table_text() for the whole grid. Throws
-/// InputError for a file that is no slab, for slabs of different tables (model, version, grid or
-/// columns), for a slab that is missing or occurs twice, and for too few or too many rows.
+/// Joins slabs to one table. The result equals the result of table_text() for the whole grid, byte
+/// for byte. Throws InputError for a file that is not a slab, for slabs of different tables (model,
+/// version, grid or columns), for a slab that is missing or occurs twice, and for too few or too
+/// many rows.
 [[nodiscard]] std::string merged_table_text(const std::vector<SlabText>& slabs);
 
 /// Parses a table from text; `source` is the name in messages.

@@ -8,16 +8,16 @@
 
 namespace raceway::files {
 
-/// A value assumed by a model: the default of a missing key, or a value marked as a guess.
+/// A value that a model assumes: the default of a missing key, or a value marked as a guess.
 struct UsedDefault {
   enum class Origin {
-    marked,     ///< value in the file that the comment `why` marks
-    key,        ///< default of its key
+    marked,     ///< value in the file, marked by the comment `why`
+    key,        ///< default of the key
     catalogue,  ///< value of the bearing that the file names
-    derived,    ///< value that follows from others, as `why` says
+    derived,    ///< value calculated from other values, as stated in `why`
   };
   std::string table, key;  ///< `effect[0]` is the first effect
-  std::string value;       ///< as the file would have it, or in words
+  std::string value;       ///< as it would be written in the file, or in words
   Origin origin = Origin::key;
   std::string why = {};  ///< reason for the reader; empty for Origin::key
 

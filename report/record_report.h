@@ -14,23 +14,24 @@
 #include "verdict/compare.h"
 #include "verdict/diagnosis.h"
 
-/// The page of a record over time: measured and predicted values with the inputs below, the
+/// Page of a record over time: measured and predicted values with the inputs below, the
 /// contribution of each channel, the residual, step responses, and the error of each model or
 /// effect.
 namespace raceway::report {
 
-/// A correction as drawn, or a spindle with each measured channel.
+/// A correction, or a spindle with each measured channel, for the pictures.
 struct DrawnModel {
-  std::string name{};                             ///< name for people
+  std::string name{};                             ///< name for readers
   std::shared_ptr<const fit::Subject> subject{};  ///< a correction is aligned with the record
   std::vector<fit::HeldOutReading> held_out{};    ///< readings that a fit held out
-  std::vector<files::UsedDefault> defaults{};     ///< that its file used
-  std::vector<double> tolerances{};               ///< for a spindle: of each measured channel [SI]
+  std::vector<files::UsedDefault> defaults{};     ///< defaults that the model file used
+  std::vector<double> tolerances{};  ///< for a spindle: tolerance of each measured channel [SI]
 };
 
-/// The page around the document that `command` prints with `--json`. Models of one channel share
-/// its readings; the eight parts follow the first model of each channel. `facts` describe
-/// spindles, `changes` the differences from each of them to the next.
+/// Returns the page with the document that `command` prints with `--json`. Models of the same
+/// channel share the readings of this channel. The page shows the eight held-out parts for the
+/// first model of each channel. `facts` describe spindles. `changes` are the differences from each
+/// spindle to the next.
 [[nodiscard]] std::string record_report(const std::string& command, const std::string& results,
                                         const record::Record& record,
                                         const std::vector<DrawnModel>& models,

@@ -18,30 +18,31 @@
 #include "verdict/compare.h"
 #include "verdict/diagnosis.h"
 
-/// Results as one HTML page with pictures that needs no network. It holds the document that
-/// `--json` prints, the rows behind the pictures, and the script that draws them (report/page/).
-/// Equal results give equal bytes. With several measured channels, the page draws the first
-/// one.
+/// Writes results as one HTML page with pictures. The page needs no network. It contains the
+/// document that `--json` prints, the data of the pictures, and the script that draws the pictures
+/// (report/page/). Equal results give equal bytes. If there are several measured channels, the page
+/// draws the first one.
 namespace raceway::report {
 
-/// False in a program built with -DRACEWAY_REPORT=OFF; the functions below then throw InputError.
+/// Returns false in a program that was built with -DRACEWAY_REPORT=OFF. The functions below then
+/// throw InputError.
 [[nodiscard]] bool report_available();
 
-/// A model with its law, factors, oil and defaults, which the page names.
+/// A model whose law, factors, oil and defaults the page shows.
 struct ModelOfPage {
   std::string file;
-  model::Model model;  ///< as it was used
+  model::Model model;  ///< the model that was used
   std::vector<files::UsedDefault> defaults;
 };
 
-/// Page of models in the order of their creation, with comparisons of their measured channels.
-/// `facts` may be empty, here and below.
+/// Returns the page of models in the order of their creation, with comparisons of their measured
+/// channels. `facts` may be empty, here and in the functions below.
 [[nodiscard]] std::string comparison_report(
     const std::vector<std::string>& model_files, const std::vector<model::Model>& models,
     const std::vector<std::vector<verdict::Comparison>>& comparisons, const record::Record& record,
     const std::vector<ModelOfPage>& facts = {});
 
-/// Page of a diagnosis. `subject` is the diagnosed model.
+/// Returns the page of a diagnosis. `subject` is the diagnosed model.
 [[nodiscard]] std::string diagnosis_report(const std::string& model_file,
                                            const fit::Subject& subject,
                                            const record::Record& record,
@@ -52,10 +53,12 @@ struct ModelOfPage {
                                      const verdict::AddResult& result,
                                      const std::vector<ModelOfPage>& facts = {});
 
-/// Points of a bearing with their predicted equilibrium, drawn in addition to the curves.
+/// Operating points of a bearing with their predicted equilibrium. The page draws them in addition
+/// to the curves.
 using BearingStates = std::vector<std::pair<bearing::OperatingPoint, model::FrictionPrediction>>;
 
-/// `measured` may be null. Its friction torque is the sum over all bearings of the rig.
+/// Returns the page of a table. `measured` may be null. The measured friction torque is the sum of
+/// all bearings of the rig.
 [[nodiscard]] std::string table_report(const std::string& model_file, const model::Model& model,
                                        const friction::StribeckTable& table,
                                        const BearingStates& states, const record::Record* measured,
@@ -68,15 +71,17 @@ struct LawOfReport {
   std::string statement;  ///< fit quality of the law, or the reason for no fit
 };
 
-/// `warnings`: texts of the command on the bearings, on speeds without equilibrium and on exceeded
-/// limits, which `findings` has as data.
+/// Returns the page of displacement over speed. `warnings` are the texts of the command on
+/// bearings, on speeds without equilibrium and on exceeded limits. `findings` contains the exceeded
+/// limits as data.
 [[nodiscard]] std::string displacement_report(
     const std::string& model_file, const model::Model& model,
     std::span<const shaft::ShaftPoint> points, std::span<const shaft::ShaftPrediction> predictions,
     const LawOfReport& law, const std::vector<std::string>& warnings,
     const std::vector<ModelOfPage>& facts = {}, const model::Findings& findings = {});
 
-/// Returns the page around a document: JSON as text, without any `<` that could end the data early.
+/// Returns the page that contains a document. The function escapes `<` in the JSON text of the
+/// document, because `<` could end the data too early.
 [[nodiscard]] std::string report_page(const std::string& document);
 
 }  // namespace raceway::report

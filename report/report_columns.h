@@ -6,28 +6,29 @@
 
 namespace raceway::report {
 
-/// Rows of numbers for the pictures of a report, column by column, as compact JSON: seven digits,
-/// a column of one value as that value, null where a number is not known.
+/// Rows of numbers for the pictures of a report, column by column, as compact JSON. Numbers have
+/// seven digits. A column with the same value in all rows is written as this value. Unknown numbers
+/// are null.
 ///
-/// A file with more than `most_rows` rows or `most_numbers` numbers is thinned: rows at equal
-/// distances stay, and the rows of keep().
+/// If there are more than `most_rows` rows or `most_numbers` numbers, rows are omitted. Rows at
+/// equal distances and the rows of keep() stay.
 class ReportColumns {
  public:
   explicit ReportColumns(std::size_t rows) : rows_(rows) {}
 
   /// Adds `values` of all rows, in the unit at the end of `name`.
   void add(std::string name, std::vector<double> values);
-  /// Keeps these rows too if others are omitted.
+  /// Keeps this row if rows are omitted.
   void keep(std::size_t row) { wanted_.push_back(row); }
-  /// Keeps the rows with the highest and lowest `values` in each of 500 stretches.
+  /// Keeps the rows with the highest and lowest `values` in each of 500 sections of equal length.
   void keep_extremes(const std::vector<double>& values);
-  /// Adds the column and keeps its extremes, for a curve over time.
+  /// Adds a column for a curve over time and keeps the rows with its extremes.
   void add_course(std::string name, std::vector<double> values) {
     keep_extremes(values);
     add(std::move(name), std::move(values));
   }
 
-  /// `{"total": rows, "rows": those kept, "columns": [{"name": ..., "values": [...]}]}`
+  /// Returns `{"total": rows, "rows": kept rows, "columns": [{"name": ..., "values": [...]}]}`.
   [[nodiscard]] std::string json() const;
 
   static constexpr std::size_t most_rows = 100000, most_numbers = 1500000;

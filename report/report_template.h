@@ -4,8 +4,8 @@
 
 namespace raceway::report {
 
-/// Page of report/page/, bundled at build time, with a mark for the document. Empty in a program
-/// built with -DRACEWAY_REPORT=OFF.
+/// Returns the page of report/page/, bundled at build time, with a placeholder for the document.
+/// The text is empty in a program that was built with -DRACEWAY_REPORT=OFF.
 [[nodiscard]] std::string_view report_template();
 
 }  // namespace raceway::report

@@ -19,8 +19,7 @@ struct DrawnField {
   std::vector<spindle::FieldCell> cells;
 };
 
-/// `results`: the output of `--json` without its rows, which are in `drawn`. `mesh_text`: the text
-/// of the command on the cells.
+/// Returns the page of a run. `mesh_text` is the text of the command on the mesh error.
 [[nodiscard]] std::string spindle_run_report(
     const ModelOfPage& model, const std::string& programme, std::size_t rows_asked,
     const spindle::Run& run, const spindle::DrawnRun& drawn, std::span<const DrawnField> fields,

@@ -9,9 +9,9 @@
 
 namespace raceway::report {
 
-/// The page of `raceway step-response`. `source`: origin of the steps; `facts` are empty where they
-/// were read without a model. `error` of the correction over `programme`, null where none was asked
-/// for.
+/// Returns the page of `raceway step-response`. `source` is the origin of the steps. `facts` are
+/// empty if the steps were read without a model. `error` is the error of the correction over
+/// `programme`; null if it was not requested.
 [[nodiscard]] std::string step_report(const std::string& source,
                                       const spindle::StepResponses& responses,
                                       const spindle::PowerLaws& laws,

@@ -5,8 +5,8 @@
 
 namespace raceway::results {
 
-/// Uncertainty of result rows from fitted parameters: half widths of 95 % bands (model::Band), for
-/// the columns to which they belong.
+/// Uncertainty of result rows from fitted parameters: half widths of 95 % bands (model::Band), with
+/// the names of their columns.
 struct BandOfResult {
   std::vector<std::string> parameters;  ///< names of the fitted parameters
   std::vector<std::string> names;       ///< names with unit: "friction_torque_band_Nmm"

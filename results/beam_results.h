@@ -18,7 +18,7 @@
 /// (docs/files.md). Values without an equilibrium are empty or null.
 namespace raceway::results {
 
-/// Modes at one speed, and the sets that support the shaft there.
+/// Modes at one speed, and the bearing sets that support the shaft at this speed.
 struct ModesAtSpeed {
   double speed = unset;  ///< [rad/s]
   spindle::SetsAtSpeed sets;
@@ -46,15 +46,15 @@ struct Crossing {
 };
 
 /// Returns the intersections of every mode with the excitations once and twice per revolution, and
-/// with the frequencies of cage, outer and inner race of every bearing. They are interpolated
-/// linearly between the speeds and rise in speed. Standing modes count alternately as backward and
-/// forward.
+/// with the frequencies of cage, outer and inner race of every bearing. The intersections are
+/// interpolated linearly between the speeds and are in order of rising speed. Modes without a whirl
+/// direction (standing) count alternately as backward and forward.
 [[nodiscard]] std::vector<Crossing> crossings(const std::vector<ModesAtSpeed>& speeds);
 
 /// Returns a Campbell diagram with the columns speed_rpm, mode, frequency_Hz, whirl, damping_ratio
 /// (as entered, otherwise empty), front_force_N, rear_force_N, stiffness of each side and each
-/// bearing, frequencies of each bearing, with an unbalance the path of the nose, and status. It has
-/// one row for each mode, and one row without a mode for a speed without modes.
+/// bearing, frequencies of each bearing, the path of the nose if there is an unbalance, and status.
+/// The diagram has one row for each mode, and one row without a mode for a speed without modes.
 [[nodiscard]] std::string campbell_text(const bearing::Arrangement& arrangement,
                                         const std::vector<ModesAtSpeed>& speeds,
                                         std::string_view source, std::string_view model_text);
@@ -72,11 +72,11 @@ struct Crossing {
 
 /// Result for the shaft under a force.
 struct DeflectionResult {
-  double speed = 0.0, force = unset, at = 0.0;  ///< units [rad/s], [N], [m]
+  double speed = 0.0, force = unset, at = 0.0;  ///< [rad/s], [N], [m]
   bool axial = false;
   double axial_force = 0.0;  ///< in addition to a radial force, positive towards the tool [N]
-  /// Moment in the plane of the radial force, at its place, positive like this force further
-  /// forward [N m].
+  /// Moment in the plane of the radial force and at the same place. It is positive in the direction
+  /// of the moment that the force has if it acts further forward [N m].
   double moment = 0.0;
   spindle::SetsAtSpeed sets;   ///< state without the force
   spindle::LoadedShaft shaft;  ///< state under the force; not run if the sets have no equilibrium

@@ -34,7 +34,7 @@ struct Validation {
     const std::string& model_file, const record::Record& record,
     const std::vector<std::pair<const record::Channel*, correction::ArxBaseline>>& found);
 
-/// Returns the errors of a comparison by the definitions of papers.
+/// Returns the errors of a comparison with the definitions that papers use.
 [[nodiscard]] correction::Metrics metrics_of(const verdict::Comparison& comparison);
 
 /// Result of a correction on a record.
@@ -47,14 +47,14 @@ struct Corrected {
   correction::Beyond beyond{};
   std::vector<double> band{};  ///< half width of the band [m]; empty if unknown
   double noise = unset;        ///< noise of a single reading [m]
-  /// Share of the readings within the band widened by their noise, after subtracting one constant
-  /// as in the metrics.
+  /// Share of the readings within the band plus the noise of the readings, after subtracting one
+  /// constant as in the metrics.
   double readings_in_band = unset;
   correction::Trust trust{};
 };
 
 /// Returns the columns time_s, predicted_um, band_low_um and band_high_um (if the band is known),
-/// the contribution of each channel, and residual_um where there is a reading. For several
+/// the contribution of each channel, and residual_um for rows with a reading. For several
 /// displacements, the names are predicted_COLUMN and CHANNEL_COLUMN. The columns of an angle have
 /// urad in place of um.
 [[nodiscard]] std::string corrected_text(const record::Record& record,

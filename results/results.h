@@ -25,15 +25,16 @@
 #include "verdict/compare.h"
 
 /// Writes results as JSON documents with two blanks of indentation and units in the keys
-/// (docs/files.md). Unknown values and values without an equilibrium are null; numbers have 15
+/// (docs/files.md). Unknown values and values without an equilibrium are null. Numbers have 15
 /// digits.
 ///
 /// If a record has several measured channels, a document of fit results shows the first one, and
 /// `channels` lists all.
 namespace raceway::results {
 
-/// `band` has one row; if it is null, the document contains no band. `findings` appear in the
-/// member `judgement`, as in all documents with findings.
+/// Returns the document of `raceway solve --json`. `band` has one row. If it is null, the document
+/// contains no band. `findings` appear in the member `judgement`, as in all documents with
+/// findings.
 [[nodiscard]] std::string solve_json(const model::Model& model,
                                      const bearing::OperatingPoint& point,
                                      const bearing::BearingEquilibrium& equilibrium,
@@ -42,25 +43,27 @@ namespace raceway::results {
                                      const BandOfResult* band = nullptr,
                                      const model::Findings& findings = {});
 
-/// The table contains the columns of the band; `band` gives its parameters and may be null.
+/// Returns a table as a document. The table contains the columns of the band. `band` gives the
+/// fitted parameters behind the band and may be null.
 [[nodiscard]] std::string table_json(const model::Model& model,
                                      const friction::StribeckTable& table,
                                      const BandOfResult* band = nullptr,
                                      const model::Findings& findings = {});
 
-/// `record` is the record of the fit.
+/// Returns the document of a fit. `record` is the record of the fit.
 [[nodiscard]] std::string calibration_json(const verdict::Calibration& calibration,
                                            const record::Record& record);
 
-/// Returns one document for one model; for several `{"models": [...]}` in the given order. It
-/// contains the comparison of each measured channel for each model, and for corrections the
-/// departures of the record from the range of the fit.
+/// Returns one document for one model, and `{"models": [...]}` in the given order for several
+/// models. The document contains the comparison of each measured channel for each model. For
+/// corrections, it also lists the parts of the record outside the range of the fit.
 [[nodiscard]] std::string comparison_json(
     const std::vector<std::string>& model_files,
     const std::vector<std::vector<verdict::Comparison>>& comparisons, const record::Record& record,
     const std::vector<correction::Beyond>& beyond = {});
 
-/// `defaults` of the model and `notes` on the data are readable texts.
+/// Returns the document of a check. `defaults` of the model and `notes` on the data are texts for
+/// readers.
 [[nodiscard]] std::string check_json(const std::string& model_name, const loop::Check& check,
                                      const std::vector<files::UsedDefault>& defaults,
                                      const std::vector<record::Note>& notes,
@@ -77,7 +80,7 @@ namespace raceway::results {
 
 [[nodiscard]] std::string bearings_json(const std::vector<files::CatalogueBearing>& rows);
 
-/// Returns the page of one effect, or `{"effects": [...]}` for all.
+/// Returns the data of one effect, or `{"effects": [...]}` for all effects.
 [[nodiscard]] std::string effect_json(const effects::Description& effect);
 [[nodiscard]] std::string effects_json(std::span<const effects::Description> effects,
                                        std::span<const correction::EffectCard> of_records);

@@ -9,8 +9,7 @@
 #include "files/model_data.h"
 #include "fit/sobol_indices.h"
 
-/// Contains the sensitivity of predictions to the data of a model; values are in the units of their
-/// names.
+/// Sensitivity of predictions to the data of a model. Values have the units in their names.
 namespace raceway::results {
 
 /// A datum of the model or of the question that was varied.
@@ -27,12 +26,13 @@ struct VariedDatum {
 /// Influence of one datum on one prediction with all other data fixed.
 struct LocalSensitivity {
   double derivative = unset;
-  double derivative_error = unset;   ///< difference between the two steps after extrapolation
+  double derivative_error = unset;   ///< difference from the derivative with step h/2
   double change = unset;             ///< derivative times spread
   double low = unset, high = unset;  ///< predictions at value - spread and at value + spread
   double share = unset;              ///< share of the sum of squared changes [1]
   double elasticity = unset;         ///< change in percent per percent [1]
-  /// True if the slopes on the two sides differ, or if the two steps disagree.
+  /// `kink`: the slopes on the two sides differ. `steps_disagree`: the two steps give different
+  /// slopes.
   bool kink = false, steps_disagree = false;
   bool one_sided = false;  ///< true if the model accepts values on one side only
 };
@@ -46,7 +46,7 @@ struct PredictionSensitivity {
   std::vector<std::size_t> order = {};       ///< indices of the data, largest change first
   /// Sobol' indices of the data in Sensitivity::sampled, if requested.
   std::optional<fit::SobolIndices> global = {};
-  /// statements on questions that the samples do not answer
+  /// statements on questions that the samples cannot answer
   std::vector<std::string> cannot_tell = {};
 };
 
@@ -61,9 +61,9 @@ struct Sensitivity {
   std::size_t samples = 0, evaluations = 0;
   std::uint64_t seed = 0;
   std::vector<std::size_t> sampled = {};  ///< indices of the sampled data
-  /// Data with the reason why they are not sampled: the model rejects part of their spread.
+  /// Data that are not sampled, each with the reason: the model rejects part of the spread.
   std::vector<std::pair<std::string, std::string>> not_sampled = {};
-  /// Number of evaluations with a missing prediction, and the data of the first of them.
+  /// Number of evaluations with a missing prediction, and the data of the first such evaluation.
   std::size_t failed = 0;
   std::string why_failed = {};
   std::vector<double> first_failed = {};

@@ -30,24 +30,24 @@ struct DisplacementColumn {
     const bearing::Arrangement& arrangement);
 
 /// Returns the shaft position over speed as CSV: `#` lines with title, version and model text, then
-/// speed_rpm, axial_displacement_um, front_force_N, rear_force_N, axial_stiffness_N_um,
-/// friction_torque_Nmm, power_loss_W, columns of every bearing, columns of the band and the status.
-/// Values have 12 digits. `band` has as many rows as there are points, or is null.
+/// the columns speed_rpm, axial_displacement_um, front_force_N, rear_force_N, axial_stiffness_N_um,
+/// friction_torque_Nmm, power_loss_W, the columns of every bearing, the columns of the band and the
+/// status. Values have 12 digits. `band` has one row for each point, or is null.
 [[nodiscard]] std::string displacement_text(const model::Model& model,
                                             std::span<const shaft::ShaftPoint> points,
                                             std::span<const shaft::ShaftPrediction> predictions,
                                             std::string_view model_text,
                                             const BandOfResult* band = nullptr);
 
-/// Returns the shaft position over speed as JSON: {"rows": [...]}, with the standstill values at
-/// its head.
+/// Returns the shaft position over speed as JSON: {"rows": [...]}, with the standstill values
+/// before the rows.
 [[nodiscard]] std::string displacement_json(const model::Model& model,
                                             std::span<const shaft::ShaftPoint> points,
                                             std::span<const shaft::ShaftPrediction> predictions,
                                             const BandOfResult* band = nullptr,
                                             const model::Findings& findings = {});
 
-/// Returns one of these rows, with all digits of friction and heat of its bearings.
+/// Returns one such row as a document, with friction and heat of the bearings in full precision.
 [[nodiscard]] std::string shaft_solve_json(const model::Model& model,
                                            const shaft::ShaftPoint& point,
                                            const shaft::ShaftPrediction& prediction,

@@ -11,7 +11,8 @@
 #include "spindle/film.h"
 #include "spindle/spindle.h"
 
-/// Writes results of a spindle simulation as CSV and JSON; keys and columns carry their units.
+/// Writes results of a spindle simulation as CSV and JSON; names of keys and columns contain their
+/// units.
 namespace raceway::results {
 
 /// Difference between results with the chosen cells and with other cells.
@@ -19,7 +20,7 @@ struct MeshEstimate {
   std::size_t cells = 0, other_cells = 0;
   double speed = unset;  ///< speed of the compared steady state [rad/s]
   double displacement = unset,
-         inner_ring_rise = unset;  ///< minus the value with the other cells [m], [K]
+         inner_ring_rise = unset;  ///< chosen cells minus the other cells [m], [K]
   double front_force = unset;      ///< [N]
   [[nodiscard]] bool known() const { return other_cells > 0; }
 };
@@ -27,7 +28,7 @@ struct MeshEstimate {
 /// A default value of a model, and the influence of its usual spread on the nose.
 struct Assumption {
   std::string name;                  ///< "bearing.lubricant_conductance_W_K"
-  double value = unset;              ///< in the unit of its name
+  double value = unset;              ///< in the unit of the name
   double spread = unset;             ///< in either direction
   double low = unset, high = unset;  ///< displacement at value - spread and + spread [m]; NaN: none
 };
@@ -47,13 +48,14 @@ struct SteadyState {
   spindle::Moment moment;
   spindle::Report report;
   double axial_stiffness = unset;  ///< axial stiffness of the warm sets [N/m]
-  /// Values of each bearing, front set first; empty if there are none.
+  /// Values of each bearing, front set first; empty if there are no values.
   std::vector<bearing::BearingInSet> bearings = {};
-  /// Flow of each circuit in the order of model::Spindle::channels(); empty if it does not flow.
+  /// Flow of each circuit in the order of model::Spindle::channels(); empty if the coolant of the
+  /// circuit does not flow.
   std::vector<std::optional<spindle::ChannelFlow>> channels = {};
-  /// in the order of Moment::bearings; empty for a network
+  /// seats in the order of Moment::bearings; empty for a network
   std::vector<spindle::SeatsOfBearing> seats = {};
-  std::vector<spindle::SurfaceState> surfaces = {};  ///< joints and surfaces without the seats
+  std::vector<spindle::SurfaceState> surfaces = {};  ///< joints and surfaces, without the seats
   std::vector<spindle::ShaftPlace> shaft = {};       ///< from the nose to the rear end
   std::vector<spindle::SectionStress> stress = {};   ///< stress of shaft and rings
 };
@@ -62,7 +64,7 @@ struct SteadyState {
 [[nodiscard]] const spindle::SectionStress* largest_stress(
     std::span<const spindle::SectionStress> sections);
 
-/// A column of a run with its value in the unit of its name.
+/// A column of a run, with the value in the unit of the column name.
 struct RunColumn {
   std::string name;
   double value;
@@ -96,7 +98,7 @@ struct RunColumn {
 [[nodiscard]] std::string spindle_field_text(std::span<const spindle::FieldCell> cells,
                                              std::string_view name);
 
-/// Returns temperatures from which a simulation can continue.
+/// Returns the temperatures of a spindle as a saved state. A simulation can start from this state.
 [[nodiscard]] std::string spindle_state_json(const model::Model& model,
                                              const spindle::State& state);
 /// Throws InputError if the file is not JSON, if it is not a state of a spindle, or if a value is

@@ -15,7 +15,7 @@ namespace raceway::results {
 enum class StepLaw {
   curve,  ///< table through all points, with K(0) = 0
   power,  ///< K = a P^b, T = c P^d
-  line    ///< published form: a chord
+  line    ///< published form: a straight line
 };
 
 /// Power loss of a spindle at a speed.
@@ -37,10 +37,11 @@ struct StepCorrectionParts {
 [[nodiscard]] std::string load_channel(spindle::Stepped stepped, double speed);
 
 /// Returns a model with delay elements driven by the friction power at the speed. Each stepped load
-/// has two channels for each of its speeds. Its instant part is weighted by a share of the speed: 1
-/// at that speed, 0 at the neighbouring speeds, linear between, and 1 beyond the first and last
-/// speed. Its thermal part is a delay element whose input is the load times that share, which falls
-/// to 0 at standstill.
+/// has two channels for each of its speeds: an instant part and a thermal part. The instant part is
+/// weighted by a share that depends on the speed. The share is 1 at the speed of the channel and 0
+/// at the neighbouring speeds, with linear interpolation between them. Beyond the first and the
+/// last speed it is 1. The thermal part is a delay element whose input is the load times this
+/// share. For the thermal part, the share falls to 0 at standstill.
 ///
 /// Throws std::invalid_argument without a step response, without a power above 0, and for a law or
 /// lags that the step responses do not determine.
@@ -53,13 +54,13 @@ struct StepCorrection {
   std::vector<std::pair<std::string, std::string>> tables = {};
 };
 
-/// Returns the text of such a model. Tables are in the folder of `path`, and their names begin with
-/// its name: c_friction.csv for c.toml.
+/// Returns the text of such a model. Tables are in the folder of `path`. Their names begin with the
+/// name of the model file: c_friction.csv for c.toml.
 [[nodiscard]] StepCorrection step_correction(const correction::Model& model,
                                              const std::string& path);
 
-/// Returns the paths of all tables that step_correction() may write for `path`, including those for
-/// channels of loads.
+/// Returns the paths of all tables that step_correction() may write for `path`, including the
+/// tables for load channels.
 [[nodiscard]] std::vector<std::string> step_correction_tables(
     const std::string& path, const std::vector<std::string>& load_channels = {});
 

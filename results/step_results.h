@@ -20,7 +20,7 @@ namespace raceway::results {
                                               std::string_view source, std::string_view model_text);
 
 /// Returns the step responses with the laws K(P) and T(P) as JSON. `notes` are texts for the user.
-/// `error` is the error of the correction; null if not requested.
+/// `error` is the error of the correction; null if it was not requested.
 [[nodiscard]] std::string step_responses_json(const spindle::StepResponses& responses,
                                               const spindle::PowerLaws& laws,
                                               const std::vector<record::Note>& notes,

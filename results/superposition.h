@@ -11,7 +11,8 @@
 
 namespace raceway::results {
 
-/// Difference between a correction and the full simulation from which its step responses come.
+/// Difference between a correction from step responses and the full simulation that gave these step
+/// responses.
 struct Superposition {
   std::size_t rows = 0;
   double rms = unset;                      ///< rms of correction minus simulation [m]
@@ -19,23 +20,23 @@ struct Superposition {
   double time_of_largest = unset;          ///< [s]
   double lowest = unset, highest = unset;  ///< range of the simulated displacement [m]
   spindle::Report report = {};
-  /// Row by row: Values row by row: [s], [rad/s], [m].
+  /// Values row by row: [s], [rad/s], [m].
   std::vector<double> time = {}, speed = {}, simulated = {}, corrected = {};
 };
 
 /// Runs correction and simulation over a programme: a record with time, speed and optional axial
-/// and radial loads. Without a column, the load is zero. `inputs` contains all other inputs of the
-/// simulation. Both start at rest at ambient temperature. Throws std::invalid_argument for a model
-/// that is not a spindle and for a record that lacks a column. Throws fit::Cancelled if `cancelled`
-/// is set during the calculation.
+/// and radial loads. If a load has no column, it is zero. `inputs` contains all other inputs of the
+/// simulation. Correction and simulation both start at rest at ambient temperature. Throws
+/// std::invalid_argument for a model that is not a spindle and for a record that lacks a column.
+/// Throws fit::Cancelled if `cancelled` is set during the calculation.
 [[nodiscard]] Superposition superposition(const model::Model& model,
                                           const correction::Model& correction,
                                           const record::Record& programme,
                                           const spindle::Inputs& inputs = {},
                                           const std::atomic<bool>* cancelled = nullptr);
 
-/// Returns a programme with half hours at shares of the fastest speed [rad/s] and rests, a sequence
-/// that no step response contains.
+/// Returns a programme with half-hour intervals at fractions of the highest speed [rad/s] and at
+/// standstill. No step response contains this sequence.
 [[nodiscard]] record::Record trial_programme(double fastest);
 
 /// Returns "0.42 um rms, 1.9 um at most (after 3.20 h), of a travel of 57.3 um".

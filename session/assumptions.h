@@ -8,9 +8,9 @@
 /// Ranks the assumed numbers of a spindle by their influence on its steady state.
 namespace raceway::session {
 
-/// Returns the five assumed numbers that move the nose most: numbers that the file leaves to their
-/// defaults, and numbers but dimensions that it marks as a guess. The function changes each by its
-/// usual spread, one at a time, as sensitivity() does. The result is empty for a network and for a
+/// Returns the five assumed numbers that move the nose most. Assumed numbers are defaults, and
+/// numbers that the file marks as a guess, except dimensions. The function changes one number at a
+/// time by its usual spread, like sensitivity(). The result is empty for a network and for a
 /// spindle without a steady state.
 ///
 /// Source:   the spreads are judgements: films and contacts are known to a factor of 1.5 to 2, fits

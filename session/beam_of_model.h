@@ -24,15 +24,15 @@ struct BeamOfModel {
 /// name of the file.
 [[nodiscard]] BeamOfModel beam_of(const files::ModelFile& file, double load_place);
 
-/// Bends the shaft on all its bearings under the belt and nose loads of the inputs. A further load
-/// may act at one node of the beam.
+/// Computes the bent shaft on all its bearings under the belt and nose loads in the inputs. A
+/// further load may act at one node of the beam.
 [[nodiscard]] spindle::LoadedShaft bend(const model::Model& model, const BeamOfModel& b,
                                         const spindle::SetsAtSpeed& sets,
                                         const spindle::Inputs& inputs,
                                         const spindle::ShaftLoad* further = nullptr);
 
-/// Returns the tangent stiffness of all bearings: the sets from SetsAtSpeed, and the roller
-/// bearings at the bent shaft.
+/// Returns the tangent stiffness of all bearings. The stiffness of the sets comes from SetsAtSpeed.
+/// The stiffness of the roller bearings is the stiffness at the bent shaft.
 [[nodiscard]] std::vector<spindle::Spring> springs_of(
     const BeamOfModel& b, const spindle::SetsAtSpeed& sets,
     const std::optional<spindle::LoadedShaft>& bent);
@@ -41,8 +41,8 @@ struct BeamOfModel {
 /// bends it.
 [[nodiscard]] bool bends(const model::Spindle& spindle);
 
-/// Explains why switching off the coolant changes nothing. The text is empty if it does change the
-/// result.
+/// Returns the reason why switching off the coolant has no effect. The text is empty if it has an
+/// effect.
 [[nodiscard]] std::string unused_coolant_off(const model::Model& model, bool coolant_on, bool warm);
 
 /// Returns the conditions of the sets: the external load of the model and, for a warm spindle, its

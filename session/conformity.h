@@ -9,8 +9,8 @@
 
 namespace raceway::session {
 
-/// Groove conformity of a catalogue bearing, which makers do not print, fitted to the printed axial
-/// rigidities of its preload classes.
+/// Groove conformity of a catalogue bearing, fitted to the printed axial rigidities of its preload
+/// classes. Manufacturers do not print the conformity.
 struct CatalogueConformity {
   std::string bearing{};  ///< full name of the catalogue row
   shaft::ConformityFit fit{};
@@ -18,9 +18,9 @@ struct CatalogueConformity {
   std::vector<files::NamedFile> files{};  ///< files that the model names
 
   [[nodiscard]] bool found() const;
-  /// Returns the reason if no conformity has the printed rigidities.
+  /// Returns the reason if no conformity gives the printed rigidities.
   [[nodiscard]] std::string problem() const;
-  /// Warns if one conformity does not explain all classes.
+  /// Returns a warning if one conformity does not explain all preload classes.
   [[nodiscard]] std::vector<std::string> warnings() const;
   [[nodiscard]] std::string json() const;
 };

@@ -9,13 +9,13 @@
 
 namespace raceway::session {
 
-/// Summarises film and friction in one line: "full film (lambda 15.7), rolling of the oil is 98 %
-/// of the torque of the contacts".
+/// Returns one line on film and friction: "full film (lambda 15.7), rolling of the oil is 98 % of
+/// the torque of the contacts".
 [[nodiscard]] std::string judgement(const friction::contact::ContactResult& result);
 
-/// Explains why balls of another material change the torque of the contact law. The comparison is
-/// the same bearing with steel balls at the same point. The text is empty for steel balls, for
-/// other laws, and at points without equilibrium.
+/// Returns the reason why balls of another material change the torque of the contact law. The text
+/// compares the bearing with the same bearing with steel balls at the same point. The text is empty
+/// for steel balls, for other laws, and at points without equilibrium.
 [[nodiscard]] std::string balls_statement(const model::Model& model,
                                           const bearing::OperatingPoint& point);
 

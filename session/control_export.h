@@ -22,25 +22,27 @@ struct ControlExport {
 /// a valid component name.
 void require_control_name(const std::string& format, const std::string& output);
 
-/// HAL files that belong to the component.
+/// HAL files of the component.
 struct HalFiles {
   std::string start{}, shutdown{};
 };
 [[nodiscard]] HalFiles hal_files(const std::string& output);
 
 /// Opens a model file for a control and adds a check record: `record`, or a synthetic record if
-/// none is given. An exported table is read together with the record that it contains.
+/// none is given. `model` may also be an exported table. The check record then comes from the
+/// table.
 ///
 /// Throws text::InputError like the readers, and for a table that is given together with a record.
 [[nodiscard]] control::ControlPlan open_plan(Messages& messages, const Source& model,
                                              const Source* record = nullptr);
 
-/// Rejects a plan if a displacement must not be used or if the plan predicts nothing. Throws
-/// text::InputError with the reason and the flag that exports it anyway (--accept-untrusted).
+/// Throws text::InputError if the correction of a displacement is not to be used, or if the plan
+/// predicts nothing. The message gives the reason and the flag that allows the export
+/// (--accept-untrusted).
 void require_trust(const control::ControlPlan& plan);
 
-/// `format` is python, c, csv or linuxcnc. `output` is the file name, which C and HAL use as the
-/// name of the component; it is empty or "-" if there is no file.
+/// Exports a plan. `format` is python, c, csv or linuxcnc. `output` is the file name, which C and
+/// HAL use as the name of the component; it is empty or "-" if there is no file.
 [[nodiscard]] ControlExport export_plan(control::ControlPlan plan, const std::string& format,
                                         const std::string& output);
 

@@ -21,14 +21,14 @@ namespace raceway::session {
 [[nodiscard]] files::CorrectionFile open_corrections(Messages& messages, const Source& file,
                                                      Defaults defaults = Defaults::count);
 
-/// Joins several corrections of one displacement to their sum, as a file at `path`: see
-/// files::join_corrections(). Notes list the parts that the sum leaves out.
+/// Joins several corrections of one displacement to one file at `path`, which is their sum: see
+/// files::join_corrections(). Notes list the parts that the sum omits.
 [[nodiscard]] files::CorrectionFile join(Messages& messages, const std::vector<Source>& parts,
                                          const std::string& path);
 
 /// Reads a time record for all of these models and adds notes on it. Only readings within the
-/// period are used. Isolated readings that jump and return are left out, unless the readings arrive
-/// `one_by_one`: the program then cannot know the next reading.
+/// period are used. Isolated readings that jump and return are omitted. If the readings arrive
+/// `one_by_one`, they are kept, because the program cannot know the next reading.
 [[nodiscard]] record::Record open_series(Messages& messages, const Source& data,
                                          const std::vector<correction::Model>& models,
                                          const files::ReadOptions& options,
@@ -47,15 +47,15 @@ struct SeriesQuestion {
 /// Throws text::InputError if the record has no column of the displacement.
 void require_readings(const correction::Model& model, const record::Record& record);
 
-/// Checks a record before a model is fitted to it. Warns of sensors of the model that stick, jump
-/// or never vary. The warnings are also in the notes of the record, and so in the JSON results.
-/// Throws text::InputError if a power leaves the range of a delay element.
+/// Checks a record before a model is fitted to it. Warns of sensors of the model that are stuck,
+/// jump or never vary. The warnings are also in the notes of the record, and so in the JSON
+/// results. Throws text::InputError if a power leaves the range of a delay element.
 void prepare_fit(Messages& messages, const correction::Model& model, const std::string& source,
                  record::Record& record);
 
 /// Returns notes on extrapolation when a model runs on a record: inputs outside their range,
-/// combinations of inputs outside the joint range, and power beyond the friction table. Each note
-/// gives the start and the number of rows.
+/// combinations of inputs outside the joint range, and powers outside the friction table. Each note
+/// gives the first row and the number of rows.
 [[nodiscard]] std::vector<std::string> range_notes(const correction::Model& model,
                                                    const correction::Series& series,
                                                    const correction::Beyond& beyond);

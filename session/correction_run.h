@@ -23,7 +23,7 @@ struct CorrectionRun {
   [[nodiscard]] std::string page() const;
 };
 
-/// Runs the corrections on the record. Throws text::InputError if the record does not allow it.
+/// Runs the corrections on the record. Throws text::InputError if the record is not suitable.
 [[nodiscard]] CorrectionRun correct(SeriesQuestion asked);
 
 /// Settings for learning from the readings of a record. Durations are texts with a unit ("4h"); an
@@ -45,12 +45,12 @@ struct LearningRun {
   [[nodiscard]] std::string json() const;
   /// Returns the rows as CSV.
   [[nodiscard]] std::string csv() const;
-  /// Returns the model file with zero and gains as learned at the end of the record.
+  /// Returns the model file with the zero and the gains that were learned by the end of the record.
   [[nodiscard]] std::string text() const;
 };
 
-/// Runs the corrections and learns from the readings. Throws text::InputError if the record does
-/// not allow it.
+/// Runs the corrections and learns from the readings. Throws text::InputError if the record is not
+/// suitable.
 [[nodiscard]] LearningRun learn(SeriesQuestion asked, const LearningChoices& choices);
 
 }  // namespace raceway::session

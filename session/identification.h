@@ -19,9 +19,10 @@ namespace raceway::session {
 /// Command-line options of `raceway identify` in addition to model and record.
 struct IdentifyChoices {
   std::string order = "1:3";  ///< number of sections of each channel, "2", or a range, "1:3"
-  /// columns allowed as inputs; "all": every column that varies
+  /// columns that may be inputs; "all": every column that varies
   std::vector<std::string> inputs{};
-  /// time constants of a bank [s]; "auto" chooses them; empty: sections
+  /// time constants of a bank [s]; "auto": the program chooses them; empty: sections instead of a
+  /// bank
   std::vector<std::string> lags{};
   std::string baseline{};  ///< "regression", "arx" or empty
   std::function<void(double share, std::string_view step)> progress{};
@@ -37,12 +38,13 @@ struct Identified {
   SeriesQuestion asked{};
   std::string baseline{};  ///< "regression" or empty
   std::vector<correction::Identification> found{};
-  /// Errors on a record that no fit used; empty without validate(). Warnings are on that record.
+  /// Errors on a record that no fit used, and warnings on this record. Both are empty before
+  /// validate().
   std::vector<results::Validation> validations{};
   std::vector<record::Note> validation_warnings{};
 
-  /// Validates the models on another record, which from then on is the evidence for the trust in
-  /// them: see correction/trust.h.
+  /// Validates the models on another record. This record is then the evidence for the trust in the
+  /// models: see correction/trust.h.
   void validate(Messages& messages, const Source& other, const Reading& reading);
   [[nodiscard]] std::string json() const;
   /// Returns the model file with the identified numbers. For a baseline, it returns a file of the

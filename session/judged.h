@@ -14,22 +14,22 @@
 #include "session/wording.h"
 #include "shaft/shaft_prediction.h"
 
-/// Applies model::Judge to every answer of the command, Python and C, and rejects questions outside
-/// the physical range of a bearing.
+/// Applies model::Judge to every answer of the command and of the Python and C interfaces, and
+/// rejects questions outside the physical range of a bearing.
 namespace raceway::session {
 
-/// Judges the mounted model: the pressure of the preload and the fits of the rings. The reader of
-/// models has already rejected a preload that steel cannot carry.
+/// Judges the mounted model: the contact pressure from the preload and the fits of the rings. The
+/// reader of models rejects a preload that steel cannot carry before this function is called.
 [[nodiscard]] model::Findings judge_mounted(const files::ModelFile& file);
 
-/// Returns notes on the share of the inner-ring fit that the mounted preload contains, if the
-/// spindle model gives this fit in two places. A warning says if the two values differ.
+/// Returns notes on the part of the inner-ring fit that the mounted preload contains, if the
+/// spindle model gives this fit in two places. If the two values differ, the result has a warning.
 [[nodiscard]] std::vector<record::Note> fit_notes(const model::Model& model);
 
 /// Returns the warnings among the findings as notes.
 [[nodiscard]] std::vector<record::Note> warnings_said(const model::Findings& findings);
 
-/// Returns findings as notes: a limit of running bearings becomes a warning.
+/// Returns findings as notes. A limit of running bearings becomes a warning.
 [[nodiscard]] std::vector<record::Note> said_of(const model::Findings& findings);
 
 /// Judges the sets of a shaft.
@@ -64,8 +64,8 @@ class JudgedColumns {
 [[nodiscard]] model::Findings judge(const model::Model& model,
                                     std::span<const results::SteadyState> states);
 
-/// Judges a spindle that runs through a speed programme. The programme stores no contacts, so each
-/// bearing is solved once more under its largest force.
+/// Judges a spindle over a speed programme. The results of the programme contain no contacts, so
+/// each bearing is solved again under its largest force.
 [[nodiscard]] model::Findings judge(const model::Model& model,
                                     std::span<const spindle::ProfileRow> profile,
                                     const spindle::Run& run);
@@ -74,8 +74,8 @@ class JudgedColumns {
 [[nodiscard]] model::Findings judge(const model::Model& model, const bearing::Arrangement& mounted,
                                     const results::DeflectionResult& result, Wording wording);
 
-/// Returns a note that states beyond the friction table of a spindle are not counted, for answers
-/// that do not keep the states of bearings. Other laws give no note.
+/// Returns a note for answers that do not keep the states of the bearings: the states outside the
+/// friction table of the spindle are not counted. Models with other friction laws give no note.
 [[nodiscard]] std::vector<record::Note> states_not_counted(const model::Model& model);
 
 /// Judges speeds only [rad/s].
@@ -85,14 +85,14 @@ class JudgedColumns {
 /// Judges the rows of a record by their speeds and lubricant temperatures.
 [[nodiscard]] model::Findings judge(const model::Model& model, const record::Record& record);
 
-/// Throws text::InputError for a speed at which the ring bursts, or for a lubricant temperature at
-/// which the lubricant is solid. The message gives `name`, the value with its unit, the possible
-/// range and the reason. NaN is accepted.
+/// Throws text::InputError for a speed at which the ring bursts, or for a temperature at which the
+/// lubricant is solid. The message gives `name`, the value with its unit, the possible range and
+/// the reason. NaN is allowed.
 void require_possible_speed(const model::Model& model, double speed, const std::string& name);
 void require_possible_temperature(const model::Model& model, double temperature,
                                   const std::string& name);
-/// Checks all rows of a record and reports errors with file and line. It also rejects coolant water
-/// at temperatures of ice or steam.
+/// Checks all rows of a record and reports errors with file and line. Coolant water at a
+/// temperature of ice or steam is an error, too.
 void require_possible(const model::Model& model, const record::Record& record);
 
 }  // namespace raceway::session

@@ -6,8 +6,8 @@
 
 namespace raceway::session {
 
-/// Describes the quality of a fitted law in one or two sentences. `table` is the place of the
-/// monotone table that replaces a law with a poor fit.
+/// Describes the quality of a fitted law in one or two sentences. `table` names the monotone table
+/// to use if the fit is poor.
 [[nodiscard]] std::string law_statement(const shaft::KinematicLawFit& fit,
                                         const std::string& table);
 

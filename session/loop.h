@@ -14,9 +14,9 @@
 #include "verdict/calibrate.h"
 #include "verdict/diagnose.h"
 
-/// Runs the loop for the command, Python and C++ programs: compares a model with measurements,
-/// finds the missing effect, and gives the gain from adding it. The functions accept every kind of
-/// model file.
+/// Runs the loop for the command and for Python and C++ programs. The loop compares a model with
+/// measurements, finds the missing effect, and states how much this effect improves the model. The
+/// functions accept every kind of model file.
 namespace raceway::session {
 
 /// A model with its measurements, ready for a fit.
@@ -34,7 +34,7 @@ struct LoopQuestion {
                                const std::vector<Source>& data, const LoopOptions& options);
 
 /// Fits the model to the record. Throws like the functions of fit, and text::InputError if the data
-/// do not allow the question. `effects` contains the names that the user typed.
+/// are not suitable for the question. `effects` contains the names that the user typed.
 [[nodiscard]] verdict::Calibration calibrate(const LoopQuestion& asked,
                                              const verdict::CalibrateOptions& options = {});
 [[nodiscard]] verdict::Diagnosis diagnose(const LoopQuestion& asked,
@@ -53,7 +53,7 @@ struct LoopQuestion {
 [[nodiscard]] FittedTexts fitted_texts(const LoopQuestion& asked,
                                        const verdict::Calibration& found);
 
-/// Models compared with one record, in the order given.
+/// Models compared with one record, in the given order.
 struct ComparedModels {
   record::Record data{};
   Names names{};  ///< file name of each model
@@ -66,10 +66,10 @@ struct ComparedModels {
   [[nodiscard]] std::string page() const;
 };
 
-/// Compares several models with the same rows. The column map and the sensor of the first model are
-/// used to read the data. The parameters named in `how`, and the parameters that each record has
-/// for itself, are fitted first. Throws text::InputError, for example if the models are of
-/// different kinds.
+/// Compares several models with the same rows. The data are read with the column map and the sensor
+/// of the first model. The parameters in `how`, and the parameters that are separate for each
+/// record, are fitted first. Throws text::InputError, for example if the models are of different
+/// kinds.
 [[nodiscard]] ComparedModels compare(Messages& messages, const std::vector<Source>& models,
                                      const std::vector<Source>& data, const CompareOptions& how,
                                      const LoopOptions& options);

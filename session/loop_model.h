@@ -40,11 +40,12 @@ struct LoopOptions {
   Names per_record{};  ///< parameters that are fitted separately for each record
   bool rows = false;   ///< true keeps each row of a logger; false averages the rows of a dwell
   Tolerance tolerance{};
-  /// A column that identifies the wanted part of a file with several parts.
+  /// Column that selects one part of a file with several parts.
   std::string channel{};
   Part part = Part::any;
   Defaults defaults = Defaults::count;
-  /// Changes the model at this place of the file after reading; may be empty.
+  /// Function that changes a model after reading, called with the model and its position in the
+  /// file; may be empty.
   std::function<void(files::ModelFile&, std::size_t)> amend{};
 };
 
@@ -55,12 +56,12 @@ struct CompareOptions {
   std::string zero = "mean";
 };
 
-/// Model files of a fit: one file, or one for each record if the records have parameters of their
-/// own.
+/// Model files of a fit: one file, or one for each record if parameters are fitted separately for
+/// each record.
 struct FittedTexts {
   Names records{};  ///< names of the records; empty if one model covers all of them
   std::vector<std::string> texts{};
-  /// Names of corrected data for which the file contains no covariance.
+  /// Names of corrected data without a covariance in the file.
   Names corrected_data{};
   /// Effects in the model that a file cannot express, with their parameters.
   struct OwnEffect {
@@ -74,7 +75,7 @@ struct FittedTexts {
 struct ComparedModel {
   std::shared_ptr<const fit::Subject> subject{};
   std::vector<verdict::Comparison> errors{};  ///< comparison of each measured channel
-  /// for a correction: the inputs outside its training data
+  /// for a correction: the inputs outside the training data
   std::optional<correction::Beyond> beyond{};
   report::DrawnModel drawn{};
   /// facts for the report page of all models that are not corrections
@@ -98,12 +99,13 @@ class LoopModel {
   virtual ~LoopModel() = default;
 
   [[nodiscard]] const About& about() const { return about_; }
-  /// The subject of a record, as the file has it.
+  /// Returns the model as written in the file, as a subject for this record.
   [[nodiscard]] virtual std::shared_ptr<const fit::Subject> as_written(
       const record::Record& data) const = 0;
 
-  /// Reads measurements for this model and the models compared with it, and adds notes on the data.
-  /// Several files are joined to one record. Throws text::InputError for data that cannot be read.
+  /// Reads measurements for this model and for the models in `compared_with`, and adds notes on the
+  /// data. Several files are joined to one record. Throws text::InputError for data that cannot be
+  /// read.
   [[nodiscard]] virtual record::Record read(Messages& messages, const std::vector<Source>& data,
                                             const Reading& reading,
                                             const LoopModels& compared_with = {}) const = 0;
@@ -145,11 +147,12 @@ class LoopModel {
   About about_;
 };
 
-/// Describes a file with all its parts. Throws text::InputError like the readers.
+/// Returns the description of a file with all its parts. Throws text::InputError like the readers.
 [[nodiscard]] LoopModel::About describe(Messages& messages, const Source& file,
                                         const LoopOptions& options);
 
-/// Names of the records with parameters of their own; empty if one model covers all records.
+/// Returns the names of the records with separate parameters; empty if one model covers all
+/// records.
 [[nodiscard]] Names records_apart(const fit::Subject& subject);
 
 /// Fits a model to a record before a comparison. `names` lists the parameters to fit. Throws
@@ -158,14 +161,14 @@ class LoopModel {
                                             const record::Record& data, const Names& names);
 
 /// Opens the requested part of a file, the `place`-th if there are several, and adds notes on it.
-/// Throws text::InputError like the readers and Tolerance, and if a file has several parts and none
-/// is chosen.
+/// Throws text::InputError like the readers and Tolerance, and if the file has several parts and
+/// the options select none.
 [[nodiscard]] std::unique_ptr<LoopModel> open_loop_model(Messages& messages, const Source& file,
                                                          const LoopOptions& options,
                                                          std::size_t place = 0);
 
-/// Opens a file for a question with the same answer for all its corrections. It uses the first
-/// correction.
+/// Opens the first correction of a file, for a question whose answer is the same for all
+/// corrections of the file.
 [[nodiscard]] std::unique_ptr<LoopModel> open_any_correction(Messages& messages, const Source& file,
                                                              LoopOptions options);
 

@@ -12,7 +12,7 @@ class Messages {
  public:
   virtual ~Messages() = default;
   virtual void hear(const record::Note& note) = 0;
-  /// Reports a file that a model file names and that is read as well.
+  /// Reports a file that a model file names and that the session reads.
   virtual void reads(const std::string&) {}
 
   void say(const record::Note& note) { hear(note); }

@@ -28,7 +28,7 @@ struct NewModel {
 [[nodiscard]] std::string new_model_text(Messages& messages, const NewModel& wanted);
 
 /// Returns a commented correction model for the displacements of a time record, with a channel for
-/// each temperature (files/new_correction.h). Suspicious readings in the record give warnings.
+/// each temperature (files/new_correction.h). Implausible readings in the record give warnings.
 /// Throws text::InputError like the reader, and for a record without a displacement.
 [[nodiscard]] std::string new_correction_text(Messages& messages, const Source& data,
                                               const Reading& reading);

@@ -16,8 +16,8 @@ namespace raceway::session {
 /// Kinds of model that a command accepts.
 enum class Accepts { rig, rig_or_shaft, shaft };
 
-/// Selects whether a note gives the number of default values in a model. Use `keep` for a command
-/// that lists the defaults, and for a second opening of the same model.
+/// `count` adds a note with the number of default values in a model. `keep` adds no such note: use
+/// it for a command that lists the defaults, and if the same model is opened again.
 enum class Defaults { count, keep };
 
 /// Sends notes on a file as messages. Each text begins with the name of the file.
@@ -32,8 +32,8 @@ void say_of(Messages& messages, const std::string& source, std::vector<record::N
 /// Returns facts about a model for a report page, with the numbers that were used.
 [[nodiscard]] report::ModelOfPage of_page(const files::ModelFile& file, const model::Model& used);
 
-/// Warns if the file gives data of bearing or solver that the friction law does not use, so that
-/// they change no digit of the friction torque.
+/// Warns if the file gives data of the bearing or the solver that the friction law does not use.
+/// Such data have no effect on the friction torque.
 void warn_of_ignored_data(Messages& messages, const files::ModelFile& file);
 
 /// Reads measurements for a model. A coast-down is converted to torque. Notes and doubts appear as
@@ -43,14 +43,14 @@ void warn_of_ignored_data(Messages& messages, const files::ModelFile& file);
                                        const files::ReadOptions& options);
 
 /// Reads one or several files and joins them to one record, otherwise like open_data(). Each file
-/// must fit the subject of the model. `model` is the file name in messages.
+/// must be suitable for the subject of the model. `model` is the file name in messages.
 [[nodiscard]] record::Record open_records(Messages& messages, const std::vector<Source>& data,
                                           const std::string& model,
                                           const model::ModelSubject& subject,
                                           const files::ReadOptions& options);
 
-/// Rethrows an error of `fit` about the data as text::InputError, with the name of the model in
-/// front.
+/// Throws an error of `fit` about the data again as text::InputError, with the name of the model
+/// before the message.
 [[noreturn]] void refuse_data(const std::string& model, const record::Record& data,
                               const std::invalid_argument& error);
 

@@ -11,12 +11,12 @@
 #include "session/wording.h"
 #include "shaft/shaft_prediction.h"
 
-/// Builds the operating points of a question: default values from the model, range checks, and
-/// loads that a shaft accepts. All numbers are in the units of files.
+/// Builds the operating points of a question: takes missing values from the model, and checks
+/// ranges and the loads of a shaft. All numbers are in the units of files.
 namespace raceway::session {
 
-/// NaN takes the value from the model: axial load (on a shaft the external axial load), radial load
-/// and temperature of the rig.
+/// Operating point of a question. NaN stands for the value of the model: axial load (on a shaft the
+/// external axial load), radial load and temperature of the rig.
 struct AskedPoint {
   double speed_rpm = unset, axial_load_N = unset, radial_load_N = unset, temperature_C = unset,
          moment_y_Nmm = unset, moment_z_Nmm = unset;
@@ -46,7 +46,7 @@ void require_loads(Messages& messages, const files::ModelFile& file, const Given
                                                       const files::ModelFile& file,
                                                       const AskedPoint& asked, Wording wording);
 
-/// Axes of a table, each rising. An empty axis takes the one value of the model.
+/// Axes of a table, each with rising values. An empty axis has the single value of the model.
 struct AskedAxes {
   std::vector<double> speed_rpm{}, axial_load_N{}, radial_load_N{}, temperature_C{};
 };

@@ -15,15 +15,15 @@ struct Reading {
   std::string columns_text{};  ///< text of the column map, used instead of its file
   bool drop_nan = false;
   std::vector<std::string> beside{};  ///< further files of the same time record
-  Period period{};                    ///< period of readings; only where time records are read
+  Period period{};                    ///< period of readings; only for time records
   bool one_by_one = false;  ///< true: readings arrive one by one and later ones are unknown
 
-  /// Returns the files of a question together with the files of --beside. Throws text::InputError
-  /// if the question names several records.
+  /// Returns the files of a question, joined with the files of --beside. Throws text::InputError if
+  /// the question names several records.
   [[nodiscard]] std::vector<Source> sources(std::vector<Source> data) const;
-  /// Returns the options for reading measurements: by the map of the flag, otherwise by [columns]
-  /// of the model. Throws text::InputError if a period is given, because the rows of a friction rig
-  /// are not a time series.
+  /// Returns the options for reading measurements: with the column map of the flag, otherwise with
+  /// [columns] of the model. Throws text::InputError if a period is given, because the rows of a
+  /// friction rig are not a time series.
   [[nodiscard]] files::ReadOptions options(const files::ModelFile& model) const;
   [[nodiscard]] files::ReadOptions options(const files::ColumnMap& of_model) const;
   /// Returns the options for reading without a model.

@@ -19,13 +19,13 @@ struct SensitivityQuestion {
   /// Predictions as words ("torque") or column names. Empty means the torque of a bearing and the
   /// displacement of a shaft or spindle.
   std::vector<std::string> predictions{};
-  /// States: Operating points: all combinations of these values. Speeds are required; other empty
-  ///         lists take the value of the model.
+  /// Operating points: all combinations of these values. Speeds are required. For another list that
+  /// is empty, the value of the model is used.
   std::vector<double> speeds_rpm{}, axial_loads_N{}, radial_loads_N{}, temperatures_C{};
-  bool steady = false;  ///< steady state of the whole spindle at its speed
+  bool steady = false;  ///< true: steady state of the whole spindle at each speed
   bool coolant_on = true;
-  /// Loads, ambient and coolant of a steady state. Their speed is not used. If `inputs` is empty,
-  /// the model gives the loads, ambient and coolant.
+  /// Loads, ambient and coolant of a steady state. The speed in `inputs` is not used. If `inputs`
+  /// is empty, loads, ambient and coolant come from the model.
   std::optional<spindle::Inputs> inputs{};
   std::vector<files::SpreadText> spreads{};
   /// Names of the data to vary; the name of a table includes all its data. Empty means all data.
@@ -33,7 +33,7 @@ struct SensitivityQuestion {
   std::size_t samples = 0;  ///< number of samples for the global indices; 0: no indices
   std::uint64_t seed = 1;
   Wording wording = Wording::flags;
-  /// Changes the model after reading, for questions that its file cannot express.
+  /// Function that changes the model after reading, for questions that a model file cannot express.
   std::function<void(files::ModelFile&)> amend{};
   const std::atomic<bool>* cancelled = nullptr;
   std::function<void(double)> progress{};  ///< receives the finished share
@@ -47,25 +47,26 @@ struct SensitivityQuestion {
 /// Sobol' indices.
 ///
 /// The derivative is the central difference at two steps, h and h/2, extrapolated: (4 D(h/2) -
-/// D(h))/3. It is one-sided if the model accepts no value on the other side. The step h is 0.1 % of
-/// the datum, or 0.1 K for a temperature. It is ten times larger for a spindle, whose steady state
-/// is found by iteration. A count has a step of 1 without a second step.
+/// D(h))/3. The difference is one-sided if the model rejects values on the other side. The step h
+/// is 0.1 % of the datum, or 0.1 K for a temperature. For a spindle, the step is ten times larger,
+/// because the steady state is found by iteration. A count has a step of 1 without a second step.
 ///
-/// Spreads: Spreads come from the question. Otherwise, the spread of a fitted number is sqrt(3)
-/// times its standard error, which is half the width of a uniform distribution with that standard
-/// deviation. All other data use 1 % of the value, 1 K for a temperature and 1 for a count. Global
-/// samples are uniform between value - spread and value + spread and independent of each other.
+/// The spreads come from the question. Otherwise, the spread of a fitted number is sqrt(3) times
+/// its standard error. This is half the width of a uniform distribution whose standard deviation is
+/// the standard error. All other data use 1 % of the value, 1 K for a temperature and 1 for a
+/// count. Global samples are uniform between value - spread and value + spread and independent of
+/// each other.
 ///
-/// Points are solved on all cores. Neither their number nor their order changes a digit. Throws
-/// text::InputError for an invalid question. Throws fit::Cancelled if `cancelled` is set during the
-/// calculation.
+/// Points are solved on all cores. The results do not depend on the number of cores or on the order
+/// of the points. Throws text::InputError for an invalid question. Throws fit::Cancelled if
+/// `cancelled` is set during the calculation.
 [[nodiscard]] results::Sensitivity sensitivity(Messages& messages, const files::ModelFile& file,
                                                const SensitivityQuestion& question);
 
-/// Describes a state: "speed_rpm 6000, axial_load_N 300".
+/// Returns the text of a state: "speed_rpm 6000, axial_load_N 300".
 [[nodiscard]] std::string words_of_state(const results::Sensitivity& s, std::size_t state);
 
-/// Returns one line for each prediction without a value.
+/// Returns one warning for each prediction without a value.
 [[nodiscard]] std::vector<std::string> sensitivity_warnings(const results::Sensitivity& s);
 
 }  // namespace raceway::session

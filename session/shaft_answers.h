@@ -12,12 +12,12 @@ namespace raceway::session {
 
 /// Returns warnings on bearings of a shaft that lose their inner contacts or fall below their
 /// minimum load. Each warning gives the range of speeds, interpolated between the points. The
-/// points must rise in speed.
+/// points must be in order of rising speed.
 [[nodiscard]] std::vector<std::string> shaft_warnings(
     const model::Model& model, std::span<const shaft::ShaftPoint> points,
     std::span<const shaft::ShaftPrediction> predictions);
 
-/// Explains why a point has not converged.
+/// Returns the reason why a point has not converged.
 [[nodiscard]] std::string shaft_problem(const model::Model& model,
                                         const shaft::ShaftPrediction& prediction);
 

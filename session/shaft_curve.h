@@ -13,8 +13,8 @@
 
 namespace raceway::session {
 
-/// Position of a shaft at several speeds. The object refers to its model file, which must live
-/// longer.
+/// Position of a shaft at several speeds. The object has a reference to the model file, which must
+/// live longer than the object.
 class ShaftCurve {
  public:
   ShaftCurve(const files::ModelFile& file, std::vector<shaft::ShaftPoint> points,
@@ -28,8 +28,8 @@ class ShaftCurve {
   [[nodiscard]] const results::BandOfResult* band() const { return band_ ? &*band_ : nullptr; }
   /// Returns true if every speed has a position and a torque.
   [[nodiscard]] bool converged() const;
-  /// Warns of limits that are exceeded at the worst speed, of unloaded bearings, and of speeds
-  /// without a value.
+  /// Returns warnings of exceeded limits, each at the worst speed, of unloaded bearings, and of
+  /// speeds without a value.
   [[nodiscard]] std::vector<record::Note> warnings() const;
 
   [[nodiscard]] std::string json() const;

@@ -15,10 +15,10 @@ namespace raceway::session {
 /// Results for one bearing at one operating point.
 struct PointAnswer {
   bearing::SolveStatus status = bearing::SolveStatus::not_run;
-  /// Friction results. Like all results, they are unset if the point has no equilibrium.
+  /// Friction results. All results are unset if the point has no equilibrium.
   model::FrictionPrediction friction{};
-  /// Ball equilibrium with a report on how the solve ended. The equilibrium of cylindrical rollers
-  /// is in `friction`.
+  /// Ball equilibrium with a report of the solver. The equilibrium of cylindrical rollers is in
+  /// `friction`.
   bearing::BearingEquilibrium equilibrium{};
   friction::HeatSplit heat{};
   std::string why{};  ///< reason if the solve did not converge
@@ -26,7 +26,8 @@ struct PointAnswer {
   [[nodiscard]] bool converged() const { return status == bearing::SolveStatus::converged; }
 };
 
-/// Explains a point without equilibrium: either none exists for certain, or the solver found none.
+/// Returns the reason for a point without equilibrium: either there is certainly no equilibrium, or
+/// the solver did not find one.
 [[nodiscard]] std::string words_of_absence(const bearing::SolveReport& report,
                                            const bearing::OperatingPoint& point);
 
@@ -42,8 +43,8 @@ struct PointAnswer {
 [[nodiscard]] model::Findings judge(const model::Model& model, const bearing::OperatingPoint& point,
                                     const PointAnswer& answer);
 
-/// Returns notes on a converged answer: its findings and balls that may skid. Limits of running
-/// bearings are warnings, and so is a contact ellipse that the shoulder cuts.
+/// Returns notes on a converged answer: the findings, and balls that may skid. Exceeded limits of
+/// running bearings and contact ellipses that reach over the shoulder are warnings.
 [[nodiscard]] std::vector<record::Note> notes_on_point(const model::Model& model,
                                                        const bearing::OperatingPoint& point,
                                                        const PointAnswer& answer);

@@ -13,8 +13,9 @@
 
 namespace raceway::session {
 
-/// Array of the caller, read in place. Each dimension gives the bytes from one number to the next;
-/// 0 means that one number is used for all. Without data, the model gives the value.
+/// Array of the caller, read in place. Each stride is the number of bytes from one number to the
+/// next; 0 means that one number is used for all states. If there are no data, the value of the
+/// model is used.
 struct NumberArray {
   const char* data = nullptr;
   std::vector<std::ptrdiff_t> strides{};
@@ -34,7 +35,7 @@ struct StateArrays {
 /// Results of states, in the order of their arrays with the last dimension fastest.
 struct SolvedStates {
   std::vector<std::string> columns;  ///< names with their units; friction_torque_Nmm is the first
-  std::vector<double> values;        ///< values column by column; NaN where a value is missing
+  std::vector<double> values;        ///< values column by column; NaN for a missing value
   std::vector<bearing::SolveStatus> status;
 };
 
@@ -42,23 +43,24 @@ struct SolvedStates {
 [[nodiscard]] std::vector<std::string> state_columns(const model::Model& model);
 
 /// Solves a bearing or the sets on a shaft at many states on all cores. On a shaft, axial loads are
-/// external loads. Neither the number of threads nor the other states change a digit.
+/// external loads. The results of a state do not depend on the number of threads or on the other
+/// states.
 ///
-/// `columns` lists the requested columns; empty means all. With a `band` of the model, its columns
-/// (band_columns()) follow. The model gives loads and temperatures that are not passed. Throws
-/// text::InputError for a missing speed or load, for a number out of its range (with its place in
-/// the array), for an unknown column, and for radial loads or moments on a shaft. Throws Cancelled
-/// if `cancelled` is set during the calculation. Memory: the returned arrays and one block per
-/// thread.
+/// `columns` lists the requested columns; empty means all. If `band` is given, the columns of the
+/// band follow (band_columns()). Loads and temperatures that are not given come from the model.
+/// Throws text::InputError for a missing speed or load, for a number out of its range (with its
+/// place in the array), for an unknown column, and for radial loads or moments on a shaft. Throws
+/// Cancelled if `cancelled` is set during the calculation. Memory: the returned arrays and one
+/// block per thread.
 [[nodiscard]] SolvedStates solve_states(Messages& messages, const files::ModelFile& file,
                                         const StateArrays& states,
                                         const std::vector<std::string>& columns = {},
                                         const std::atomic<bool>* cancelled = nullptr,
                                         const model::Band* band = nullptr);
 
-/// Solves a single state and returns all columns with notes, with the 15 digits that `raceway
-/// solve` shows. Many states use a faster solver for several points at once; docs/speed.md gives
-/// the difference. Throws like solve_states(), and for more than one state.
+/// Solves a single state and returns all columns with notes, with the same 15 digits as `raceway
+/// solve`. solve_states() uses a faster solver for several points together; docs/speed.md gives the
+/// difference. Throws like solve_states(), and for more than one state.
 [[nodiscard]] SolvedStates solve_state(Messages& messages, const files::ModelFile& file,
                                        const StateArrays& states,
                                        const model::Band* band = nullptr);
@@ -68,16 +70,17 @@ struct SolvedStates {
 [[nodiscard]] bearing::OperatingPoint single_state(Messages& messages, const files::ModelFile& file,
                                                    const StateArrays& states);
 
-/// Predicted readings of a rig: the friction torque of all its bearings as the sensor shows it.
+/// Predicted readings of a rig: the friction torque of all bearings, with the effects on the
+/// sensor.
 struct PredictedStates {
-  std::vector<double> reading_Nmm;           ///< NaN where the state has no reading
+  std::vector<double> reading_Nmm;           ///< NaN for a state without a reading
   std::vector<bearing::SolveStatus> status;  ///< `not_finite` if only the reading is not a number
 };
 
-/// Predicts the readings of a rig at many states. It computes no other columns and solves for the
-/// balls only if the model needs them. Arguments and results are otherwise as in solve_states().
-/// Throws text::InputError also for a shaft, and for an effect that needs a time or a ring
-/// temperature, which states do not contain.
+/// Predicts the readings of a rig at many states. The function computes no other columns. It solves
+/// the balls only if the model needs them. Arguments and results are otherwise as in
+/// solve_states(). Also throws text::InputError for a shaft, and for an effect that needs a time or
+/// a ring temperature, because states do not contain these inputs.
 [[nodiscard]] PredictedStates predict_states(Messages& messages, const files::ModelFile& file,
                                              const StateArrays& states);
 

@@ -21,13 +21,13 @@ struct DeflectionQuestion {
   bool axial = false;  ///< true: the force is axial; false: it is radial
   /// axial force in addition to a radial force, positive towards the tool [N]
   double axial_force = 0.0;
-  /// moment at the force; positive like a force further forward, at the tool [N m]
+  /// moment at the force [N m]; positive like the moment of a force further forward, at the tool
   double moment = 0.0;
-  double at = 0.0;         ///< distance of the force behind the nose face [m]
+  double at = 0.0;         ///< distance of the force from the nose face, to the rear [m]
   double speed = 0.0;      ///< [rad/s]
   bool warm = false;       ///< true: uses the preload of the warm spindle at steady state
   bool coolant_on = true;  ///< coolant of the warm spindle
-  Wording wording = Wording::arguments;          ///< naming of arguments in error messages
+  Wording wording = Wording::arguments;          ///< names of arguments in error messages
   const std::atomic<bool>* cancelled = nullptr;  ///< cancels like Simulator::stop_on()
 };
 
@@ -44,7 +44,7 @@ struct SpindleDeflection {
 
   [[nodiscard]] bool converged() const { return result.converged(); }
   [[nodiscard]] std::vector<std::string> notes() const;
-  /// Returns the reason if there is no result, or the limits that it exceeds.
+  /// Returns the reason if there is no result, otherwise the limits that the result exceeds.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string json() const;
   [[nodiscard]] std::string csv() const;

@@ -33,7 +33,7 @@ struct SpindleModes {
 
   [[nodiscard]] bool converged() const;
   [[nodiscard]] std::vector<std::string> notes() const;
-  /// Names the speeds without modes with the reason, and the limits that speeds exceed.
+  /// Returns the speeds without modes with the reason, and the limits that are exceeded.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string json() const;
   [[nodiscard]] std::string csv() const;

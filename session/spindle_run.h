@@ -20,7 +20,7 @@ struct RunQuestion {
   Reading reading{};
   /// initial temperatures; without them, all parts start at ambient temperature
   std::optional<Source> start{};
-  /// ambient of every row [K]; NaN: the column of the row, otherwise the model
+  /// ambient temperature of every row [K]; NaN: value from the programme, otherwise from the model
   double ambient_temperature = unset;
   bool coolant_on = true;    ///< false switches the coolant off in every row
   bool mesh = true;          ///< true adds an estimate of the mesh error
@@ -48,7 +48,7 @@ struct SpindleRun {
     return run.moments.size() - (run.has_end ? 1 : 0);
   }
   [[nodiscard]] std::vector<std::string> notes() const { return model::notes_of(findings); }
-  /// Gives the place and reason of an early end, and the limits that the run exceeds.
+  /// Returns the place and the reason of an early end, and the limits that the run exceeds.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string json(bool with_assumptions = true) const;
   [[nodiscard]] std::string csv() const;
@@ -57,9 +57,9 @@ struct SpindleRun {
   [[nodiscard]] std::string field_csv() const;
 };
 
-/// Simulates a spindle. Throws text::InputError if the model is not a spindle, if the programme
-/// lacks time or speed, contains several runs or begins before 0 s, and if the initial state
-/// belongs to another spindle.
+/// Simulates a spindle. Throws text::InputError if the model is not a spindle, if the programme has
+/// no time or no speed, contains several runs or begins before 0 s, or if the initial state belongs
+/// to another spindle.
 [[nodiscard]] SpindleRun simulate_spindle(Messages& messages, const files::ModelFile& file,
                                           const RunQuestion& question);
 

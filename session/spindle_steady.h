@@ -18,13 +18,13 @@ void require_spindle(const files::ModelFile& file);
 /// mounted or meshed.
 [[nodiscard]] spindle::Simulator simulator_of(const files::ModelFile& file);
 
-/// Estimates the mesh error: compares the steady state with the cells of the model and with the
-/// next finer cells. The finest mesh is compared with the next coarser one. The estimate is empty
-/// for a network and if either state does not exist.
+/// Estimates the mesh error by comparing two steady states: with the mesh of the model and with the
+/// next finer mesh. The finest mesh is compared with the next coarser mesh. The estimate is empty
+/// for a network, and if one of the two states does not exist.
 [[nodiscard]] results::MeshEstimate mesh_estimate(const model::Model& model,
                                                   const spindle::Inputs& inputs,
                                                   const std::atomic<bool>* cancelled = nullptr);
-/// Describes the mesh error in one line.
+/// Returns the mesh error as one line of text.
 [[nodiscard]] std::string words(const results::MeshEstimate& mesh);
 
 struct SteadyQuestion {
@@ -34,7 +34,7 @@ struct SteadyQuestion {
   /// load at the nose, positive towards the tool [N]; NaN: value of the model
   double axial_load = unset;
   double radial_load = 0.0;    ///< load at the nose in the direction of y [N]
-  double moment = 0.0;         ///< moment at the nose, positive like a force further forward [N m]
+  double moment = 0.0;         ///< moment at the nose [N m], positive like a force further forward
   double belt_force = unset;   ///< [N]; NaN: value of the model
   double motor_power = unset;  ///< electrical input of the motor [W], for heat formulas
   bool assumptions = false;    ///< true adds the default values with the largest influence
@@ -55,8 +55,8 @@ struct SteadySpindle {
 
   [[nodiscard]] bool converged() const;
   [[nodiscard]] std::vector<std::string> notes() const;
-  /// Names the speeds without a steady state with the reason, and the limits that the others
-  /// exceed.
+  /// Returns the speeds without a steady state with the reason, and the limits that are exceeded at
+  /// the other speeds.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string json(bool with_assumptions = true) const;
   [[nodiscard]] std::string csv() const;

@@ -30,11 +30,11 @@ struct StepQuestion {
   std::vector<double> load_speeds{};  ///< [rad/s], rising
   double duration = 4 * 3600.0;       ///< duration of each step [s]
   bool coolant_on = true;
-  Wording wording = Wording::arguments;          ///< naming of arguments in errors and notes
+  Wording wording = Wording::arguments;          ///< names of arguments in errors and notes
   const std::atomic<bool>* cancelled = nullptr;  ///< cancels like Simulator::stop_on()
 };
 
-/// Step responses of a spindle, simulated or read, with the common laws K(P) and T(P).
+/// Step responses of a spindle, simulated or read, with the laws K(P) and T(P) for all of them.
 struct SpindleSteps {
   std::optional<files::ModelFile> file{};  ///< empty if the responses were read without a model
   std::string source{};                    ///< description of the origin
@@ -47,25 +47,26 @@ struct SpindleSteps {
 
   [[nodiscard]] const model::Model* model() const { return file ? &file->model : nullptr; }
   [[nodiscard]] bool converged() const;
-  /// Returns the number of step responses of speeds and loads.
+  /// Returns the number of step responses to speeds and to loads.
   [[nodiscard]] std::size_t count() const;
-  /// Names the steps without a response with the reason.
+  /// Returns the steps without a response, with the reason.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string csv() const;
-  /// `error` is the error of a correction over a programme; null if it was not requested.
+  /// Returns the step responses as JSON. `error` is the error of a correction over a programme;
+  /// null if it was not requested.
   [[nodiscard]] std::string json(const results::Superposition* error = nullptr) const;
   [[nodiscard]] std::string page(const results::Superposition* error = nullptr,
                                  const std::string& programme = {}) const;
 };
 
-/// Simulates the steps. Throws text::InputError without a speed above 0, for too many speeds, and
-/// for speeds of loads without a load. Throws std::invalid_argument if the model is not a spindle.
+/// Simulates the steps. Throws text::InputError if no speed is above 0, for too many speeds, and
+/// for `load_speeds` without a load. Throws std::invalid_argument if the model is not a spindle.
 [[nodiscard]] SpindleSteps simulated_steps(Messages& messages, const files::ModelFile& file,
                                            const StepQuestion& question);
 
 /// Returns step responses from imported load cases; `file` may be null. For a case with only a
-/// speed, the model gives the power at the lubricant temperature [C]; NaN means the temperature of
-/// its rig.
+/// speed, the power comes from the model at the lubricant temperature [C]; NaN means the rig
+/// temperature of the model.
 [[nodiscard]] SpindleSteps imported_steps(const std::vector<files::LoadCase>& cases,
                                           const std::string& source, const files::ModelFile* file,
                                           double temperature_C);
@@ -74,12 +75,12 @@ struct SpindleSteps {
 struct StepCorrectionQuestion {
   std::string law = "curve";             ///< form of K and T: "curve", "power" or "line"
   std::string lags = "auto";             ///< number of delay elements: "one", "two" or "auto"
-  Wording wording = Wording::arguments;  ///< naming of arguments in notes
+  Wording wording = Wording::arguments;  ///< names of arguments in notes
   const std::atomic<bool>* cancelled = nullptr;  ///< cancels like Simulator::stop_on()
 };
 
-/// Returns the correction that the step responses determine. Throws std::invalid_argument if they
-/// do not determine one.
+/// Returns the correction from the step responses. Throws std::invalid_argument if the step
+/// responses do not determine a correction.
 [[nodiscard]] correction::Model correction_of_steps(Messages& messages, const SpindleSteps& steps,
                                                     const StepCorrectionQuestion& question);
 

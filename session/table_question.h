@@ -21,7 +21,7 @@ namespace raceway::session {
 struct TableQuestion {
   AskedAxes axes{};
   friction::TableSlab slab{};
-  std::optional<model::Band> band{};  ///< adds the half widths of torque and loss
+  std::optional<model::Band> band{};  ///< if given, adds the half widths of torque and loss
   Wording wording = Wording::arguments;
 };
 
@@ -41,7 +41,8 @@ struct TableAnswer {
   model::Findings findings{};
 
   [[nodiscard]] std::string json(const model::Model& model) const;
-  /// `format` is csv (with the model in its head), plain or modelica.
+  /// Returns the table as text. `format` is csv (with the model at the beginning), plain or
+  /// modelica.
   [[nodiscard]] std::string text(const files::ModelFile& file, const std::string& format,
                                  const std::function<void(double)>& progress = {}) const;
   /// Returns notes for the user.
@@ -59,8 +60,8 @@ struct TableAnswer {
                                      const std::function<void(double)>& progress = {},
                                      const std::atomic<bool>* cancelled = nullptr);
 
-/// Describes the points without equilibrium, with the reason and the first point, as lines of text.
-/// A torque without equilibrium is valid if the law needs no balls.
+/// Lines of text on the points without equilibrium, with the reason and the first such point. A
+/// torque without equilibrium is valid if the law does not need the balls.
 struct TableFailures {
   std::vector<std::string> lines{};
   bool without_torque = false;  ///< true if some points have no value
@@ -69,7 +70,7 @@ struct TableFailures {
                                      const friction::StribeckTable& table);
 
 /// Returns the points for the ball drawings of a report: some speeds at some pairs of loads. The
-/// result is empty for a shaft, whose bearings do not carry the loads of the grid.
+/// result is empty for a shaft, because the loads of the grid are not the loads of its bearings.
 [[nodiscard]] report::BearingStates states_to_draw(const model::Model& model,
                                                    const friction::TableAxes& grid);
 

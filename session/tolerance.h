@@ -11,8 +11,7 @@
 
 namespace raceway::session {
 
-/// Tolerances of the option `--tolerance 2um,0.5K`: errors that are small enough for the user of
-/// the model.
+/// Tolerances of the option `--tolerance 2um,0.5K`: the largest errors that the user accepts.
 struct Tolerance {
   std::string text;
 
@@ -24,7 +23,8 @@ struct Tolerance {
 
  private:
   using Set = std::function<void(const record::Channel&, double)>;
-  /// `table` is the place where the file gives its own tolerance.
+  /// Sets the tolerances of the measured channels. `table` is the table in which the file may give
+  /// a tolerance.
   void set(const std::vector<fit::Measured>& measured, const std::string& source,
            std::string_view table, const Set& take) const;
 };

@@ -4,7 +4,7 @@
 
 namespace raceway::session {
 
-/// Naming of arguments in messages: by the flags of the command or by the arguments of a function.
+/// Names of arguments in messages: flags of the command, or arguments of a function.
 enum class Wording { flags, arguments };
 
 /// Returns "--moment" or "moment_Nm".

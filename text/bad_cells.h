@@ -10,14 +10,14 @@
 
 namespace raceway::text {
 
-/// Collects errors in cells. One message lists all by line, the first ten in full.
+/// Collects errors in cells. One message lists all errors by line, the first ten in full.
 class BadCells {
  public:
   /// `rows` is the number of rows in the message.
   BadCells(std::string source, std::size_t rows) : source_(std::move(source)), rows_(rows) {}
 
   void add(int line, std::string_view column, std::string_view cell, std::string_view problem);
-  /// Throws InputError if there is an error.
+  /// Throws InputError if errors were collected.
   void throw_if_any() const;
 
  private:
@@ -35,17 +35,17 @@ class BadCells {
 
 /// Allowed range of the cells of a column, in the unit of the column.
 struct CellRange {
-  std::string_view column;  ///< its name, for messages
+  std::string_view column;  ///< name of the column, for messages
   double lower, upper;      ///< closed
   std::string_view unit;
 };
 
-/// The range of a channel in its own unit.
+/// Returns the range of a channel, in the unit of the channel.
 [[nodiscard]] inline CellRange range_of(const record::Channel& channel) {
   return {channel.name, channel.lower, channel.upper, channel.unit};
 }
 
-/// Reads a cell in the unit of its column. Adds text that is not a number, or out of range, to
+/// Reads a cell in the unit of its column. A cell that is not a number or out of range is added to
 /// `bad`.
 [[nodiscard]] ParsedNumber read_cell(const CsvTable& table, std::size_t row, std::size_t column,
                                      const CellRange& range, BadCells& bad);

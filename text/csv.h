@@ -12,23 +12,23 @@
 
 namespace raceway::text {
 
-/// Position of the header in a file with lines other than header and rows.
+/// Position of the header and of the row of units in a file that has further lines.
 struct CsvForm {
   int header_line = 0;    ///< counted from 1; lines above are skipped. 0: the first line
   int unit_line = 0;      ///< a row of units below the header; 0: none
-  char separator = '\0';  ///< '\0': as found in the header
+  char separator = '\0';  ///< '\0': the separator is found in the header
 };
 
 /// A number, or the reason why a cell is not a number.
 struct ParsedNumber {
-  double value;              ///< NaN unless `problem` is empty
+  double value;              ///< NaN if there is a `problem`
   char decimal_mark = '\0';  ///< '.' or ',' if present
-  std::string_view problem;  ///< "is not a number", ...: to be put after the cell's text
+  std::string_view problem;  ///< "is not a number", ...; follows the text of the cell in messages
 };
 
-/// Decimal and thousands marks of a file, as found in its cells.
+/// Decimal and thousands marks of a file, found in the cells.
 struct DecimalMarks {
-  char decimal = '\0';    ///< as stated; '\0': not stated
+  char decimal = '\0';    ///< decimal mark; '\0': not known
   char thousands = '\0';  ///< between groups of three digits; '\0': none
   char asked = '\0';      ///< an ambiguous mark
 };
@@ -40,18 +40,19 @@ struct DataColumn {
   std::vector<std::string> texts{};
 };
 
-/// Finds the form in UTF-8 text.
+/// Function that finds the form of a UTF-8 text.
 using FormFinder = std::function<CsvForm(std::string_view)>;
 
-/// Contents of a delimited text file: names of columns and text cells, with their lines.
+/// Contents of a delimited text file: names of columns, and cells with their line numbers.
 ///
 /// Separator: comma, semicolon or tab, as found in the header. Lines that begin with `#` are
-/// comments; the last one above the data is the header where its cells fit the first row, and below
-/// the header a line whose cells fit is a row ("#N/A,20,0.1"). Blank lines, rows of empty cells,
-/// repeated headers and words after the last row are skipped. A cell may be quoted ("a ""b"""), not
-/// broken over lines. In files of other programs, a unit after every number of a column ("12.3 °C")
-/// is the unit of the column. Blanks around cells are dropped, as is an apostrophe before =, +, -
-/// or @ that prevents a formula (text/detail/csv_text.h).
+/// comments, with two exceptions. The last comment above the data is the header if its cells fit
+/// the first row. A line below the header is a row if its cells fit the header ("#N/A,20,0.1").
+/// Blank lines, rows of empty cells, repeated headers and words after the last row are skipped. A
+/// cell may be quoted ("a ""b"""), but a quoted cell must end on the same line. In files of other
+/// programs, a unit after every number of a column ("12.3 °C") is the unit of the column. Blanks
+/// around cells are removed. An apostrophe before =, +, - or @ that prevents a formula is removed
+/// too (text/detail/csv_text.h).
 /// Memory: the text plus 16 bytes per cell.
 class CsvTable {
  public:
@@ -62,18 +63,18 @@ class CsvTable {
   int header_line = 0;             ///< counted from 1
   char separator = ',';
   bool byte_order_mark = false;
-  bool carriage_returns = false;   ///< lines ended in CR or CR LF
+  bool carriage_returns = false;   ///< true: lines end with CR or CR LF
   std::vector<std::string> notes;  ///< notes for the user, without the file's name
 
   [[nodiscard]] std::size_t rows() const { return lines_.size(); }
   [[nodiscard]] int line(std::size_t row) const { return lines_[row]; }
-  /// Returns a cell of a text column, where is_numeric() is false.
+  /// Returns a cell of a text column. Call it only if is_numeric() is false.
   [[nodiscard]] std::string_view cell(std::size_t row, std::size_t column) const {
     if (!columns_.empty()) return columns_[column].texts[row];
     const Cell& c = cells_[row * header.size() + column];
     return std::string_view(text_).substr(c.begin, c.size);
   }
-  /// True if a column came as numbers, not as text.
+  /// Returns true if the column was given as numbers and not as text.
   [[nodiscard]] bool is_numeric(std::size_t column) const {
     return !columns_.empty() && columns_[column].texts.empty();
   }
@@ -82,19 +83,20 @@ class CsvTable {
   [[nodiscard]] std::string shown(std::size_t row, std::size_t column) const;
   [[nodiscard]] bool is_empty(std::size_t row, std::size_t column) const;
   /// Returns the number in a cell, or the reason why there is none. Throws InputError for an
-  /// ambiguous cell, as 1.200 next to 600.
+  /// ambiguous cell, such as 1.200 in a column with 600.
   [[nodiscard]] ParsedNumber parsed(std::size_t row, std::size_t column) const;
   [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const;
-  /// Place of an error in the header of this column.
+  /// Returns the place of this column in the header, for error messages.
   [[nodiscard]] Place header_place(std::string_view name = {}) const {
     return {.file = source, .line = header_line, .key = std::string(name)};
   }
   /// Returns the number in a cell. Throws InputError with line and column for anything else.
   [[nodiscard]] double number(std::size_t row, std::size_t column) const;
-  /// Sets the decimal mark to point or comma; the other one separates thousands. Without this call
-  /// the cells decide, and number() and parsed() throw if they are ambiguous.
+  /// Sets the decimal mark to point or comma. The other mark then separates thousands. Without this
+  /// call, the decimal mark is found in the cells, and number() and parsed() throw if the cells are
+  /// ambiguous.
   void set_decimal_mark(char mark);
-  /// Removes rows; `remove` has one value per row.
+  /// Removes the rows that `remove` marks with true; `remove` has one value for each row.
   void remove_rows(const std::vector<bool>& remove);
 
  private:
@@ -116,30 +118,31 @@ class CsvTable {
   DecimalMarks marks_;
 };
 
-/// Makes a table of columns of numbers or texts. Rows are counted as lines of a CSV with one line
-/// of names. Throws InputError: no columns, no rows, columns of different lengths, a column twice
-/// or without name, a control character.
+/// Makes a table of columns of numbers or texts. Row numbers in messages are those of a CSV file
+/// with one header line. Throws InputError if there are no columns or no rows, if columns have
+/// different lengths, if a column name is missing or occurs twice, and for a control character.
 [[nodiscard]] CsvTable table_of_columns(std::string source, std::vector<DataColumn> columns);
 
-/// Reads a file. Throws InputError: unreadable, a control character, no header, no rows, more than
-/// 10 000 columns, a column twice or without name, a row with more or fewer cells than the header,
-/// another separator in a row than in the header.
+/// Reads a file. Throws InputError if the file cannot be read, has a control character, no header,
+/// no rows or more than 10 000 columns, if a column name is missing or occurs twice, and for a row
+/// whose number of cells or separator differs from the header.
 [[nodiscard]] CsvTable read_csv(const std::string& path, const FormFinder& find_form = {});
 
-/// As above, from text; `source` is the name in messages.
+/// Parses a file from text, otherwise like read_csv(); `source` is the name in messages.
 [[nodiscard]] CsvTable parse_csv(std::string text, const std::string& source,
                                  bool byte_order_mark = false, const FormFinder& find_form = {});
 
-/// Reads a whole cell as a number, in any locale. Nothing may follow or be left out: no blanks, no
-/// thousands separators, no hexadecimal, "nan" or "inf". A comma is a decimal mark only where
-/// `decimal_comma` allows it.
+/// Reads a whole cell as a number, independent of the locale. The cell must contain only the
+/// number: blanks, thousands separators, hexadecimal numbers, "nan" and "inf" are not allowed. A
+/// comma is a decimal mark only if `decimal_comma` is true.
 [[nodiscard]] ParsedNumber parse_number(std::string_view cell, bool decimal_comma);
 
-/// True if the points of these numbers can separate thousands: each number with a point has groups
-/// of three digits, as "1.200", and each other one is a whole number below 1000.
+/// Returns true if the points in these numbers can separate thousands: each number with a point has
+/// groups of three digits, such as "1.200", and each number without a point is a whole number below
+/// 1000.
 [[nodiscard]] bool may_have_thousands(std::span<const std::string_view> numbers);
 
-/// A cell as messages show it: quoted, shortened to 40 characters.
+/// Returns a cell for a message: in quotes, shortened to 40 characters.
 [[nodiscard]] std::string quoted(std::string_view cell);
 
 }  // namespace raceway::text

@@ -8,22 +8,24 @@
 
 namespace raceway::text {
 
-/// Finds the header of a measurement file in its first lines: the first line with a name that is
-/// `known`, else the line above the first row of numbers, if it has as many cells. A line of units
-/// alone, below it, is its row of units.
+/// Finds the header of a measurement file in the first lines of the file. The header is the first
+/// line with a name that is `known`. If there is no such line, it is the line above the first row
+/// of numbers, if both have the same number of cells. A line below the header that has only units
+/// is the row of units.
 [[nodiscard]] CsvForm find_form(std::string_view text,
                                 const std::function<bool(std::string_view)>& known);
 
-/// Returns the separator of a comment that is the header of the row below it: as many cells, all of
-/// them names, above a row with at least half readings. Nothing if it is not a header.
+/// Returns the separator of a comment that is a header; nothing if the comment is not a header. A
+/// comment is a header if all its cells are names, if the row below it has the same number of
+/// cells, and if at least half of the cells in this row are readings.
 [[nodiscard]] std::optional<char> separator_of_commented_header(std::string_view comment,
                                                                 std::string_view row);
 
-/// The text of a comment behind its `#`.
+/// Returns the text of a comment after the `#`.
 [[nodiscard]] std::string_view behind_hash(std::string_view comment);
 
-/// True if a cell is a number with a point or a comma, also with its unit ("12.3 °C"), or a time
-/// (text/timestamp.h).
+/// Returns true if a cell is a number with a point or a comma, with or without a unit ("12.3 °C"),
+/// or a time (text/timestamp.h).
 [[nodiscard]] bool is_reading(std::string_view cell);
 
 }  // namespace raceway::text

@@ -11,14 +11,14 @@ namespace raceway::text {
 using record::Place;
 
 /// An error in the user's input. The message is complete and can be shown unchanged: `FILE:LINE:
-/// key or column = value: what is wrong or allowed range`. If it has several lines, the place
-/// belongs to the first one.
+/// key or column = value: what is wrong or allowed range`. If the message has several lines, the
+/// place belongs to the first line.
 struct InputError : std::runtime_error {
   explicit InputError(const std::string& message, Place where = {})
       : std::runtime_error(message), place(std::move(where)) {}
   Place place;
 
-  /// The message without the file and the line in front of it.
+  /// Returns the message without file and line.
   [[nodiscard]] std::string without_place() const {
     const std::string message = what(), front = place.text() + ": ";
     return message.starts_with(front) ? message.substr(front.size()) : message;

@@ -4,9 +4,9 @@
 
 namespace raceway::text {
 
-/// Number of the formats of model files, JSON documents and saved states. A file without a number
-/// has format 1. The number grows when a file that was valid changes its meaning or can no
-/// longer be read (docs/design.md, "What is stable").
+/// Format number of model files, JSON documents and saved states. A file without a format number
+/// has format 1. The number increases if the meaning of valid files changes or if valid files can
+/// no longer be read (docs/design.md, "What is stable").
 inline constexpr int format_number = 1;
 
 /// The first line of a model file.

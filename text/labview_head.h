@@ -6,18 +6,18 @@
 
 namespace raceway::text {
 
-/// Header of a LabVIEW measurement file (LVM), with the time of the first row and the time step
-/// instead of a time column.
+/// Header of a LabVIEW measurement file (LVM). The header gives the time of the first row and the
+/// time step, and the file has no time column.
 ///
 /// Source: NI, "Specification for the LabVIEW Measurement File (.lvm)", version 2: `X0`, `Delta_X`,
-/// `Decimal_Separator` and `X_Columns` (One, Multi, No). Not seen in print.
+/// `Decimal_Separator` and `X_Columns` (One, Multi, No). The specification itself was not read.
 class LabviewHead {
  public:
   static constexpr std::string_view column = "X_Value";
 
   /// Reads a line above the header.
   void take(std::string_view line);
-  /// Returns the time of a row as text of the file; nothing if the head does not state it.
+  /// Returns the time of a row, written as in the file; nothing if the header does not give it.
   [[nodiscard]] std::optional<std::string> time_of(std::size_t row) const;
 
  private:

@@ -15,18 +15,19 @@ using record::edit_distance;
 /// Removes blanks at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
-/// Returns the parts between separators, also empty ones.
+/// Returns the parts between separators, including empty parts.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
 
 /// Converts ASCII letters to lower case.
 [[nodiscard]] std::string lower_case(std::string_view text);
 
-/// Returns the known name that was probably meant: within two changes (one in names of up to four
-/// letters), or `name` is a known name without its unit ("speed") or its first word ("load_N").
+/// Returns the known name that the user probably meant. It differs from `name` by at most two
+/// changes (one change for names of up to four letters), or `name` is the known name without the
+/// unit ("speed") or without the first word ("load_N").
 [[nodiscard]] std::optional<std::string> nearest_name(std::string_view name,
                                                       std::span<const std::string> known);
 
-/// Quotes text for TOML: "..." with quotes and backslashes written as \" and \\.
+/// Returns the text in quotes for TOML, with quotes and backslashes written as \" and \\.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// Returns "a, b and c"; `last_word` is the word before the last name.

@@ -5,7 +5,7 @@
 
 namespace raceway::text {
 
-/// Allowed range of a number entered by a user, both ends included, in the unit of its name.
+/// Allowed closed range of a number that the user enters, in the unit of its name.
 struct NumberRange {
   double lower, upper;
   std::string_view unit;
@@ -22,7 +22,7 @@ inline constexpr NumberRange moment_range{-1e9, 1e9, "N mm"};
 /// Returns "must be from 0 to 1000000 rpm".
 [[nodiscard]] std::string range_text(const NumberRange& range);
 
-/// Throws InputError that names the number, its value and the range.
+/// Throws InputError with name, value and range if the number is outside its range.
 void require_range(double value, const NumberRange& range, const std::string& name);
 
 }  // namespace raceway::text

@@ -8,25 +8,26 @@
 /// Text of numbers and units in results and files; shared by readers and writers.
 namespace raceway::text {
 
-/// Rounds a number to 15 digits, as in results and written models. This removes the rounding of
-/// unit conversions: 6000 rpm instead of 6000.000000000001.
+/// Rounds a number to 15 digits, as in results and written models. This removes the rounding errors
+/// of unit conversions: 6000 rpm instead of 6000.000000000001.
 [[nodiscard]] double with_15_digits(double value);
 
-/// Returns a double as TOML: the shortest text that reads back the same, always a float.
+/// Returns a double as a TOML float: the shortest text that gives exactly the same number when
+/// read.
 [[nodiscard]] std::string toml_float(double value);
 
-/// Returns a number for people with this many significant digits, without exponent where people
-/// write none; "-" for NaN.
+/// Returns a number for readers, with this number of significant digits. It has an exponent only if
+/// it is very large or very small. NaN gives "-".
 [[nodiscard]] std::string number(double value, int digits = 4);
 
 /// Returns a value of a channel in its unit, without the rounding error of a large offset: 60 C
 /// instead of 59.9999999999999.
 [[nodiscard]] double value_in_unit(const record::Channel& channel, double si);
 
-/// Unit of differences as in keys: "Nmm", "um"; "K" for temperatures.
+/// Returns the unit of differences as in keys: "Nmm", "um"; "K" for temperatures.
 [[nodiscard]] std::string_view difference_unit(const record::Channel& channel);
 
-/// Key of the tolerance of a channel: "tolerance_Nmm".
+/// Returns the key of the tolerance of a channel: "tolerance_Nmm".
 [[nodiscard]] std::string tolerance_key(const record::Channel& channel);
 
 }  // namespace raceway::text

@@ -6,23 +6,25 @@
 
 namespace raceway::text {
 
-/// Behaviour if a file exists already. `refuse` names --force as the flag that replaces it;
-/// `refuse_naming_replace` names --replace, for a command whose --force is a load.
+/// Behaviour if the output file exists. For `refuse`, the error names --force as the flag that
+/// replaces the file. For `refuse_naming_replace`, it names --replace, because --force is a load in
+/// some commands.
 enum class IfExists { refuse, refuse_naming_replace, replace };
 
-/// Throws InputError where write_text() would: a name of a binary format such as a workbook or a
-/// raster picture (st.xlsx, st.png), an existing file that must not be replaced, a directory, a
-/// missing or read-only folder. Call it before a long calculation.
+/// Throws InputError if write_text() would fail: for a name of a binary format such as a workbook
+/// or a raster picture (st.xlsx, st.png), an existing file that must not be replaced, a directory,
+/// and a missing or read-only folder. Call this function before a long calculation.
 void require_writable(const std::string& path, IfExists if_exists);
 
-/// Kind of output. Throws InputError for a name of another of our formats: a table in st.json, a
-/// picture in st.html. Names without a known ending are free.
+/// Kind of output. A file name with the ending of another kind throws InputError: a table in
+/// st.json, a picture in st.html. Names without a known ending are allowed.
 enum class Written { table, picture, page };
 void require_name_of(const std::string& path, Written what);
 
-/// Writes a whole file or nothing: into a temporary file in the same folder first, which then takes
-/// its name. Keeps the permissions of a file it replaces. A file that appeared in the meantime is
-/// kept unless it may be replaced. Throws InputError as above, and if the disk is full.
+/// Writes a complete file or nothing. The function first writes a temporary file in the same folder
+/// and then renames it. A new file keeps the permissions of the file that it replaces. A file that
+/// another program has written in the meantime is replaced only if `if_exists` allows it. Throws
+/// InputError like require_writable(), and if the disk is full.
 void write_text(const std::string& path, std::string_view text, IfExists if_exists);
 
 /// An output file; its text must live until the file is written.
@@ -30,14 +32,14 @@ struct OutputFile {
   std::string path;
   std::string_view text;
 };
-/// Writes files that belong together. All files are complete before the first takes its name. If
-/// two runs write the same files, all come from the later run. Throws as write_text(); the old
-/// files then remain, unless the disk fails between two renames.
+/// Writes files that belong together. All temporary files are complete before the first one is
+/// renamed. If two runs write the same files, all files come from the later run. Throws like
+/// write_text(). After an error, the old files remain, unless the disk fails between two renames.
 void write_files(const std::vector<OutputFile>& files, IfExists if_exists);
 
-/// Stops writing in a process that is about to end: removes half-written files and refuses further
-/// ones. Returns the files that write_text() has completed. May be called from any thread; the
-/// process must end then.
+/// Stops all writing before the process ends: removes unfinished files and prevents further files.
+/// Returns the files that write_text() has completed. Any thread may call this function. The
+/// process must end afterwards.
 [[nodiscard]] std::vector<std::string> stop_writing();
 
 }  // namespace raceway::text

@@ -4,12 +4,12 @@
 #include <string>
 #include <string_view>
 
-/// Control characters. A terminal obeys them, and a line break in a name breaks the file that
-/// contains the name.
+/// Handling of control characters. A terminal executes them, and a line break in a name damages the
+/// file that contains the name.
 namespace raceway::text {
 
-/// Returns the first control character except tab in UTF-8 text as "U+001B"; nothing if there is
-/// none.
+/// Returns the first control character in UTF-8 text, as "U+001B". A tab is allowed. Returns
+/// nothing if there is no such character.
 [[nodiscard]] std::optional<std::string> control_character(std::string_view text);
 
 /// Returns the text with each control character written as "\x1b", except those in `kept`.

@@ -5,7 +5,7 @@
 
 namespace raceway::text {
 
-/// Marks that a spreadsheet expects; defaults of a German Excel.
+/// Marks that a spreadsheet expects. The default values are for a German Excel.
 struct SpreadsheetMarks {
   char separator = ';';
   char decimal = ',';
@@ -14,15 +14,15 @@ struct SpreadsheetMarks {
 /// A table with its header in the first line.
 struct PlainCsv {
   std::string table;
-  std::string comments;  ///< all text after `#`, with the model; empty for none
+  std::string comments;  ///< text of all `#` lines, including the model; empty if there are none
 };
 
 /// Separates a CSV of this program from its comments.
 [[nodiscard]] PlainCsv plain_csv(std::string_view csv);
 
-/// Converts plain_csv() to a form that a spreadsheet opens by a double click: with a byte order
-/// mark of UTF-8, CR LF and the marks of the language. Throws std::invalid_argument where both
-/// marks are the same.
+/// Converts the result of plain_csv() to a form that a spreadsheet opens by a double click: with a
+/// UTF-8 byte order mark, CR LF and the given marks. Throws std::invalid_argument if both marks are
+/// the same.
 [[nodiscard]] PlainCsv spreadsheet_csv(std::string_view csv, SpreadsheetMarks marks = {});
 
 }  // namespace raceway::text

@@ -8,14 +8,14 @@ namespace raceway::text {
 [[nodiscard]] bool is_utf8(std::string_view text);
 [[nodiscard]] std::string utf8_from_latin1(std::string_view text);
 
-/// True if the text begins with a UTF-16 byte order mark.
+/// Returns true if the text begins with a UTF-16 byte order mark.
 [[nodiscard]] bool is_utf16(std::string_view text);
 /// Converts a text to UTF-8, without byte order mark. Throws InputError if the text is not UTF-16;
 /// `source` is the name in messages.
 [[nodiscard]] std::string utf8_from_utf16(std::string_view text, const std::string& source);
 
-/// Names the kind of a binary file and the remedy: an Excel workbook, an archive, ...; empty for an
-/// unknown kind.
+/// Returns the kind of a binary file (an Excel workbook, an archive, ...) with the remedy; empty
+/// for an unknown kind.
 [[nodiscard]] std::string_view binary_kind(std::string_view text);
 
 }  // namespace raceway::text

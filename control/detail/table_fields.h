@@ -6,15 +6,15 @@
 
 #include "control/plan.h"
 
-/// Names of the numbers of a plan in its table of coefficients, for writer and reader.
+/// Names of the numbers of a plan in the table of coefficients; shared by writer and reader.
 namespace raceway::control {
 
 template <typename Part>
 struct NumberField {
   std::string_view name;
   double Part::*number;
-  std::string_view unit;  ///< "u": of the drive's gain; "input": of the input
-  bool required = false;  ///< else optional, with the default of a new Part
+  std::string_view unit;  ///< "u": unit of the gain of the drive; "input": unit of the input
+  bool required = false;  ///< false: optional, with the default of a new Part
   double lowest = -1e30;
   double highest = 1e30;
 };

@@ -14,22 +14,23 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
-/// Tables of bearings and their materials in a model file; shared with the reader of models.
+/// Reader of the tables of bearings and materials in a model file; shared with the reader of
+/// models.
 namespace raceway::files {
 
-/// A bearing as described by a table of the file, and its row of the catalogue.
+/// A bearing from a table of the file, with its catalogue row.
 struct NamedBearing {
   bearing::Bearing bearing;
   std::string name;
   std::optional<CatalogueBearing> row = {};
-  std::string catalogue{};  ///< the designation in its file; empty if all numbers are given
+  std::string catalogue{};  ///< designation in the file; empty if all numbers are given
 };
 
 [[nodiscard]] std::vector<KeyTable> bearing_tables();
-/// Keys of every bearing.
+/// Returns the keys of every bearing.
 [[nodiscard]] std::span<const Key> bearing_keys();
 
-/// A geometry as keys of [bearing], in their units; unknown values are left out.
+/// Returns a geometry as keys of [bearing], in their units; unknown values are omitted.
 [[nodiscard]] std::vector<std::pair<std::string, double>> keys_of(
     const bearing::BearingGeometry& geometry);
 
@@ -38,16 +39,16 @@ struct NamedBearing {
 
 class BearingReader {
  public:
-  /// Reads the tables [material.NAME]. Throws InputError as read_model() does.
+  /// Reads the tables [material.NAME]. Throws InputError like read_model().
   explicit BearingReader(ModelTables& tables);
 
-  /// Reads a table of a bearing. With a `base`, omitted keys keep its values. `further` keys are
-  /// allowed in it.
+  /// Reads a table of a bearing. Omitted keys keep the values of `base`, if it is given. The table
+  /// may contain the keys `further`.
   [[nodiscard]] NamedBearing read(const Section& table, const NamedBearing* base, Keys further);
 
-  /// Returns the keys of the tables read so far, each once. Keys without information are left out:
-  /// `name`, `catalogue`, and values equal to the default or to the catalogue's bearing of that
-  /// name, as new_model_text() writes them.
+  /// Returns the keys of the tables read so far, each once. Keys without information are omitted:
+  /// `name`, `catalogue`, and values that equal the default or the value of the named catalogue
+  /// bearing, because new_model_text() writes them.
   [[nodiscard]] const Names& written() const { return written_; }
 
   /// Returns the material named by a key of a bearing; steel if none is named.

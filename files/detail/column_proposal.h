@@ -9,8 +9,8 @@
 #include "files/column_map.h"
 #include "text/csv.h"
 
-/// Columns of another program's file that may match our columns; shared by the functions that
-/// propose them.
+/// Columns in a file of another program that may match columns of raceway; shared by the functions
+/// that propose columns.
 namespace raceway::files {
 
 struct ColumnProposal {
@@ -20,25 +20,25 @@ struct ColumnProposal {
   /// Unit as the file states it, if it is unknown; otherwise empty.
   std::string unknown_unit{};
   bool excel_date = false, stamped = false;
-  bool has_our_name = false;  ///< the file needs no rule for it
-  std::string remark{};       ///< comment behind its line
+  bool has_our_name = false;  ///< true: the column needs no rule
+  std::string remark{};       ///< comment after the line
   std::size_t score = 0;
 };
 
-/// Returns a header without its unit, in small letters, with "_" between words.
+/// Returns a header without its unit, in lower case, with "_" between words.
 [[nodiscard]] std::string plain_name(std::string_view header);
 
-/// Returns the number of letters of the longest of `words` in the name; 0 for none. Blanks separate
-/// the words. A word of one or two letters must stand alone in the name.
+/// Returns the length of the longest of `words` that the name contains; 0 if it contains none.
+/// Blanks separate the words. A word of one or two letters must be a separate word of the name.
 [[nodiscard]] std::size_t longest_word_in(std::string_view name, std::string_view words);
 
 /// Returns the numbers of a column, without cells that are not numbers.
 [[nodiscard]] std::vector<double> numbers_in(const text::CsvTable& table, std::size_t column);
 
 /// Returns the column as the channel, with its unit. The score is 20 for a stated unit, 10 for
-/// dates, and 1 for the letter by which t is a time and T a temperature. Returns nothing if the
-/// column cannot be the channel: a unit of another kind, texts, times that do not rise,
-/// temperatures that no machine has.
+/// dates, and 1 for the letter t as a time or T as a temperature. Returns nothing if the column
+/// cannot be the channel: a unit of another dimension, texts, times that do not rise, temperatures
+/// that no machine has.
 [[nodiscard]] std::optional<ColumnProposal> column_as(const text::CsvTable& table,
                                                       std::size_t column,
                                                       const record::Channel& channel);

@@ -13,28 +13,28 @@
 
 namespace raceway::files {
 
-/// Cells of a file of measurements as numbers, column by column; shared by the readers of
+/// Reads the cells of a measurement file as numbers, column by column; shared by the readers of
 /// measurements.
 class ColumnReader {
  public:
   explicit ColumnReader(const text::CsvTable& table)
       : table_(table), bad(table.source, table.rows()) {}
 
-  /// Returns the numbers of a column [SI]. A cell without a number is NaN if `may_be_empty` allows
-  /// it: empty, or a word such as "OVER", whose lines are in a note. `with_sign`: the input may be
-  /// below zero here.
+  /// Returns the numbers of a column [SI]. If `may_be_empty` is set, a cell that is empty or has a
+  /// word such as "OVER" becomes NaN. A note lists the lines with such words. `with_sign`: the
+  /// input may be negative.
   [[nodiscard]] std::vector<double> numbers(
       const ColumnSource& source, bool with_sign,
       const std::function<bool(std::size_t row)>& may_be_empty);
 
-  /// True if the column has dates.
+  /// Returns true if the column has dates.
   [[nodiscard]] bool is_stamped(const ColumnSource& source) const;
   /// Returns the times since the first row [s], from a column of dates or of elapsed times. `order`
   /// is the stated order of dates with slashes. Throws InputError if it is not stated and would
   /// change the times.
   [[nodiscard]] std::vector<double> times(const ColumnSource& source,
                                           std::optional<text::DateOrder> order);
-  /// Type of clock of times(), and its reading in the first row [s]: seconds since 1970, since
+  /// Type of the clock of times(), and the time of the first row [s]: seconds since 1970, since
   /// midnight or since an unknown time.
   enum class ClockKind { dates, elapsed };
   struct ClockStart {
@@ -42,13 +42,14 @@ class ColumnReader {
     double begin;
   };
   [[nodiscard]] const std::optional<ClockStart>& clock_start() const { return clock_start_; }
-  /// Returns indices into `names`, which receives the texts of the cells in order of appearance.
+  /// Returns an index into `names` for each row. `names` receives the texts of the cells in order
+  /// of first appearance.
   [[nodiscard]] std::vector<double> named(const ColumnSource& source,
                                           std::vector<std::string>& names);
 
-  /// Throws InputError if some cells have a decimal comma and others a point.
+  /// Throws InputError if some cells have a decimal comma and others a decimal point.
   void check_decimal_marks() const;
-  /// Notes on an unusual format of the file, and on its interpretation.
+  /// Returns notes on an unusual format of the file and on the interpretation of the cells.
   [[nodiscard]] std::vector<record::Note> notes_on_form() const;
 
  private:
@@ -57,14 +58,14 @@ class ColumnReader {
     std::string cell;
   };
   [[nodiscard]] bool is_missing(std::size_t row, std::size_t column) const;
-  /// Returns the cells of a row that form its time, as one text.
+  /// Returns the time of a row as one text, from one or two cells.
   [[nodiscard]] std::string stamp(const ColumnSource& source, std::size_t row) const;
   /// Times of a column for one order of its dates.
   struct Reading {
     text::DateOrder order;
     std::vector<double> elapsed;  ///< since the first row [s]
 
-    /// Returns true if the times jump by most of a year from one row to the next.
+    /// Returns true if the times jump by most of a year between two rows.
     [[nodiscard]] bool jumps() const;
   };
   [[nodiscard]] text::DateOrder order_of(const ColumnSource& source);
@@ -73,7 +74,7 @@ class ColumnReader {
   [[noreturn]] void ask_for_order(const ColumnSource& source, const std::vector<Reading>& readings,
                                   std::size_t row) const;
   /// Returns the seconds of the first unit in "12:05": 3600 or 60; nothing if the cells of the
-  /// column have another form. Throws InputError if nothing distinguishes hours from minutes.
+  /// column have another form. Throws InputError if the cells may be hours or minutes.
   [[nodiscard]] std::optional<double> unit_of_short_times(const ColumnSource& source) const;
   void undo_midnights(const ColumnSource& source, std::vector<double>& list);
   void undo_changes_of_clocks(const ColumnSource& source, std::vector<double>& list);
@@ -82,7 +83,7 @@ class ColumnReader {
   const text::CsvTable& table_;
   Mark comma_, point_;
   std::optional<ClockStart> clock_start_;
-  bool undecided_date_ = false;      ///< its times are the same in several orders
+  bool undecided_date_ = false;      ///< several date orders give the same times
   std::vector<record::Note> notes_;  // on dates and missing readings
 
  public:

@@ -10,7 +10,7 @@ namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> column_tables();
 
-/// Reads [columns]; empty without the table. Throws InputError like read_model().
+/// Reads [columns]; the result is empty without this table. Throws InputError like read_model().
 [[nodiscard]] ColumnMap read_columns(const ModelTables& tables);
 
 }  // namespace raceway::files

@@ -20,11 +20,11 @@ namespace raceway::files {
 struct ColumnSource {
   const record::Channel* channel;
   std::size_t column;  ///< index in the file
-  std::string name;    ///< as in its header, for messages
+  std::string name;    ///< name in the header, for messages
   CellUnit cells{};
   bool excel_date = false;             ///< days since 1900 instead of a time
-  bool unit_stated = false;            ///< by a rule of [columns]
-  std::optional<std::size_t> dates{};  ///< column of the date, where `column` is the time of day
+  bool unit_stated = false;            ///< true: a rule of [columns] states the unit
+  std::optional<std::size_t> dates{};  ///< column of the date, if `column` is the time of day
 };
 
 struct Recognised {
@@ -37,39 +37,39 @@ struct Recognised {
   std::vector<Constant> constants{};
   std::vector<std::string> others{};          ///< unknown headers
   std::vector<const ColumnRule*> not_here{};  ///< rules for columns that another file may have
-  std::vector<record::Note> notes{};          ///< on units that were converted
+  std::vector<record::Note> notes{};          ///< notes on converted units
 
   [[nodiscard]] const ColumnSource* find(const record::Channel& channel) const;
 };
 
-/// Finds the columns. Throws InputError for a column of the map that is missing, for two columns of
-/// one quantity and for a unit that contradicts the unit in the header.
+/// Finds the columns. Throws InputError if a column of the map is missing, if two columns give the
+/// same quantity, and if a unit contradicts the unit in the header.
 [[nodiscard]] Recognised recognise(const text::CsvTable& table, const ReadOptions& options);
 
-/// True if a column holds dates or times of day rather than numbers.
+/// Returns true if a column has dates or times of day and not numbers.
 [[nodiscard]] bool is_stamped(const text::CsvTable& table, const ColumnSource& source);
 
-/// Converts a cell to SI; a cell that is not a number or out of range is added to `bad`.
-/// `with_sign`: an input that may be below zero here.
+/// Converts a cell to SI. A cell that is not a number or out of range is added to `bad`.
+/// `with_sign`: the input may be negative.
 [[nodiscard]] text::ParsedNumber si_of_cell(const text::CsvTable& table, std::size_t row,
                                             const ColumnSource& source, bool with_sign,
                                             text::BadCells& bad);
 
-/// Reads the rows of a file, without titles. The names of our columns and of the map identify the
-/// header and the row of units.
+/// Reads the rows of a file and skips titles. The names of the columns of raceway and of the map
+/// identify the header and the row of units.
 [[nodiscard]] text::CsvTable read_measurements(const Source& source, const ReadOptions& options);
 
 /// Returns the allowed range of a cell, in the unit of the file. `with_sign` is as in si_of_cell().
 [[nodiscard]] text::CellRange range_of(const ColumnSource& source, bool with_sign);
 
-/// Removes these rows and reports how many `have` the given problem, and where; nothing if there is
-/// none. Throws InputError if no row remains.
+/// Removes these rows and returns a report with their number and positions. `have` describes the
+/// problem. The report is empty if no row was removed. Throws InputError if no row remains.
 [[nodiscard]] std::string drop_rows(text::CsvTable& table,
                                     const std::function<bool(std::size_t row)>& is_wrong,
                                     std::string_view have);
 
-/// Removes rows in which one of these columns is empty, "nan", "#N/A" or the like, and reports
-/// their number and position; nothing if there is none.
+/// Removes rows in which one of these columns is empty, "nan", "#N/A" or a similar text. Returns a
+/// report with their number and positions; empty if no row was removed.
 [[nodiscard]] std::string drop_empty_rows(text::CsvTable& table,
                                           const std::vector<ColumnSource>& columns);
 

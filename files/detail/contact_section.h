@@ -9,22 +9,23 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
-/// Data of the contact law in [lubricant], [bearing] and [friction], in addition to the data of
-/// every law, and [life]; shared with the reader of models. All throw InputError as read_model()
-/// does.
+/// Reads the data that only the contact law uses in [lubricant], [bearing] and [friction], and the
+/// table [life]; shared with the reader of models. All functions throw InputError like
+/// read_model().
 namespace raceway::files {
 
-/// Returns the keys of the contact law in a table. Tables of data may have them with any law.
+/// Returns the keys of the contact law in a table. A model with another law may contain these keys.
 [[nodiscard]] std::span<const Key> contact_keys(std::string_view table);
 
-/// Tables of [bearing] and [life].
+/// Returns the key tables of [bearing] and [life].
 [[nodiscard]] std::vector<KeyTable> contact_tables();
 
-/// `used`: true for the law `contact`, whose defaults are then reported. `supply` is read already.
+/// Reads the data of the contact law. `used`: true if the model uses the law `contact`; its
+/// defaults are then reported. `supply` was read before.
 [[nodiscard]] friction::contact::ContactData read_contact(ModelTables& tables, bool used,
                                                           std::optional<friction::Supply> supply);
 
-/// Returns the keys of the contact law that a file has in its tables of data.
+/// Returns the keys of the contact law that a file contains.
 [[nodiscard]] Names written_contact_keys(const ModelTables& tables);
 
 /// Reads the number of the contact law that belongs to the lubricant.

@@ -10,10 +10,10 @@
 #include "model/model_subject.h"
 #include "record/note.h"
 
-/// The header of a measurement file; shared with the reader of records.
+/// Header of a measurement file; shared with the reader of records.
 namespace raceway::files {
 
-/// Columns of a file of times between two speeds, which are converted to torque.
+/// Columns of a file with times between two speeds. These times are converted to torque.
 inline constexpr record::Channel speed_from{.name = "speed_from_rpm",
                                             .variable = "speed_from",
                                             .words = "speed from",
@@ -37,26 +37,27 @@ inline constexpr record::Channel fall_time_deviation{
 struct DataColumns {
   using Place = ColumnSource;
   std::vector<Place> places;  ///< in the order of the table of channels
-  /// Measured channels that are kept, and those that are not. Both are empty for a coast-down.
+  /// Measured channels that are kept, and measured channels that are not kept. Both are empty for a
+  /// coast-down.
   std::vector<const record::Channel*> measured, unused;
   std::vector<Place> falls;  ///< times between two speeds; empty if the file has none
-  /// Signal of the torque sensor, if its calibration is known. `places` has it as the friction
-  /// torque.
+  /// Signal of the torque sensor, if its calibration is known. `places` contains the signal as the
+  /// friction torque.
   std::optional<Place> signal, signal_deviation;
   std::vector<Recognised::Constant> constants;  ///< values of channels without a column
   std::vector<std::string> others;              ///< unknown headers
   std::vector<record::Note> notes;              ///< on units
 
-  /// Null if the file has no such column.
+  /// Returns null if the file has no column of this channel.
   [[nodiscard]] const Place* find(const record::Channel& channel) const;
-  /// Null if there is none.
+  /// Returns null if there is no constant for this channel.
   [[nodiscard]] const Recognised::Constant* constant(const record::Channel& channel) const;
   [[nodiscard]] bool coast_down() const { return measured.empty(); }
-  /// False for a measured channel that is not kept, and for its deviation.
+  /// Returns false for a measured channel that is not kept, and for its standard deviation.
   [[nodiscard]] bool keeps(const record::Channel& channel) const;
 };
 
-/// Throws InputError for a column that looks misspelt and for one that is missing.
+/// Finds the columns. Throws InputError if a column name looks misspelt or if a column is missing.
 [[nodiscard]] DataColumns find_columns(const text::CsvTable& table,
                                        const model::ModelSubject& subject,
                                        const model::Expected& expected, const ReadOptions& options);

@@ -8,8 +8,8 @@
 /// Keys of a correction by type of displacement; shared by the readers of corrections.
 namespace raceway::files {
 
-/// Returns the keys for a length unchanged; for an angle with "urad" instead of "um" in name and
-/// unit (record::in_unit_of()). They live as long as the program.
+/// Returns the keys unchanged for a length. For an angle, "urad" replaces "um" in name and unit
+/// (record::in_unit_of()). The returned keys live as long as the program.
 [[nodiscard]] std::span<const Key> keys_of(const record::Channel* displacement,
                                            std::span<const Key> keys);
 

@@ -8,13 +8,13 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
-/// The tables [[effect]] of a model file; shared with the reader of models.
+/// Reader of the tables [[effect]] of a model file; shared with the reader of models.
 namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> effect_tables();
 
-/// `shaft` is null for a bearing on a rig; `spindle`: reads the effects of a spindle. Throws
-/// InputError as read_model() does.
+/// Reads the effects. `shaft` is null for a bearing on a rig. `spindle`: true for the effects of a
+/// spindle. Throws InputError like read_model().
 [[nodiscard]] std::vector<effects::Effect> read_effects(ModelTables& tables,
                                                         const model::Shaft* shaft,
                                                         bool spindle = false);

@@ -8,13 +8,13 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
-/// [export] of a model file; shared with the reader of corrections.
+/// Reader of [export] of a model file; shared with the reader of corrections.
 namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> export_tables();
 
-/// Reads [export]; the defaults without the table. Throws InputError like read_correction(), also
-/// for a column that no model has.
+/// Reads [export], or returns the defaults without this table. Throws InputError like
+/// read_correction(), and for a column that no model has.
 [[nodiscard]] correction::ControlSettings read_export(const ModelTables& tables,
                                                       const std::vector<correction::Model>& models);
 

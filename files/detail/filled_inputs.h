@@ -6,7 +6,7 @@
 
 #include "record/record.h"
 
-/// Shared by the readers of records over time.
+/// Filling of missing inputs; shared by the readers of records over time.
 namespace raceway::files {
 
 /// Filled and missing values of an input.
@@ -17,11 +17,12 @@ struct FilledInput {
   double longest = unset;            ///< [s]; NaN for a setting
 };
 
-/// Fills the rows in which an input was not read, within its run: sensors have different rates, and
-/// some programs write a value only when it changes. A control setting is constant until its next
-/// value. A temperature is interpolated linearly and constant at the ends of a run. A gap longer
-/// than 10 times the usual time between its readings, and longer than 5 minutes, is `far`. One
-/// without any reading in a run stays empty there, and is `far`.
+/// Fills the rows without a value of an input, run by run. Such rows exist because sensors have
+/// different sampling rates, and some programs write a value only when it changes. A control
+/// setting is constant until its next value. A temperature is interpolated linearly, and it is
+/// constant at the ends of a run. The rows of a gap are `far` if the gap is longer than 10 times
+/// the usual time between readings and longer than 5 minutes. A temperature without a reading in a
+/// run stays empty in that run, and these rows are `far`.
 [[nodiscard]] FilledInput fill_input(const record::Channel& channel, record::Record& data);
 
 }  // namespace raceway::files

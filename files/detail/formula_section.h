@@ -6,7 +6,7 @@
 #include "record/expression.h"
 #include "record/units.h"
 
-/// Functions shared by sections with a user-made formula.
+/// Functions for sections with a user-made formula.
 namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> formula_tables();
@@ -19,14 +19,14 @@ struct FormulaNumber {
   bool in_braces = false;
 };
 
-/// `c = { value = 0.0, unit = "N mm", lower = 0.0 }` or short `c = 0.0`, of the formula of `id`.
-/// `taken`: names that it may not have.
+/// Reads a parameter of the formula of `id`: `c = { value = 0.0, unit = "N mm", lower = 0.0 }`, or
+/// the short form `c = 0.0`. `taken`: names that a parameter must not have.
 [[nodiscard]] FormulaNumber read_formula_number(const Section& s, const std::string& id,
                                                 const std::string& name, const toml::node& node,
                                                 const Names& taken);
 
-/// Throws InputError: file, line and column of the error in the formula under `key`, and the
-/// formula with a mark under the error. `known`: the names that it may use.
+/// Throws InputError with file, line and column of the error in the formula of `key`, and the
+/// formula with a mark below the error. `known`: names that the formula may use.
 [[noreturn]] void fail_formula(const Section& s, const std::string& key, const std::string& id,
                                const std::string& formula, const record::FormulaError& error,
                                const Names& known);

@@ -11,8 +11,8 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/bearing_section.h"
 
-/// [lubricant] and [friction] of a model file; shared with the reader of models. All throw
-/// InputError as read_model() does.
+/// Reader of [lubricant] and [friction] of a model file; shared with the reader of models. All
+/// functions throw InputError like read_model().
 namespace raceway::files {
 
 /// A base law and its values in the order of friction::parameters(law).
@@ -30,27 +30,28 @@ struct LubricantOfFile {
   std::optional<friction::Supply> supply;
 };
 
-/// Keys that [lubricant], [friction] and, for the law, [bearing] must have or must not have.
+/// Returns the required keys that are missing in [lubricant] and, for the law palmgren, in
+/// [friction] and [bearing].
 [[nodiscard]] Names missing_keys_of_friction(const ModelTables& tables);
 
 [[nodiscard]] LubricantOfFile read_lubricant(const ModelTables& tables);
 
-/// Reads [friction]. The values of the law are optional for a bearing of the catalogue. `further`
-/// keys are allowed.
+/// Reads [friction]. The values of the law are optional for a catalogue bearing. The keys `further`
+/// are allowed.
 [[nodiscard]] LawOfFile read_friction(ModelTables& tables, bool from_catalogue,
                                       const Keys& further = {});
 
-/// Reads [friction] of a bearing with cylindrical rollers. The table is optional. f0 follows from
-/// the supply of oil.
+/// Reads [friction] of a bearing with cylindrical rollers. The table is optional. The default of f0
+/// depends on the oil supply.
 [[nodiscard]] LawOfFile read_friction_of_rollers(ModelTables& tables,
                                                  std::optional<friction::Supply> supply);
 
-/// Keys of Palmgren's law in the table of a roller bearing on a shaft, and its reader.
+/// Keys of Palmgren's law in the table of a roller bearing on a shaft, and the reader of this law.
 [[nodiscard]] Keys palmgren_keys_of_rollers();
 [[nodiscard]] LawOfFile read_palmgren_of_rollers(ModelTables& tables, const Section& s,
                                                  std::optional<friction::Supply> supply);
 
-/// Refuses a bearing, read from `table`, without data that the law needs.
+/// Throws InputError if the bearing in `table` lacks data that the law needs.
 void require_data(friction::FrictionLaw law, const bearing::Bearing& bearing, const Section& table);
 
 }  // namespace raceway::files

@@ -11,13 +11,14 @@
 /// Placeholder numbers in measurements; shared by the readers of measurements.
 namespace raceway::files {
 
-/// Finds numbers of one column that instruments and loggers write instead of a reading: -9999,
-/// 9999.9, and 9.9e37 of IEEE 488.2, if no other reading of the column is near them. Temperatures
-/// and readings beyond the range of their channel count too, if they are at most a tenth; a larger
-/// share indicates another unit.
+/// Finds numbers in one column that instruments and loggers write instead of a reading: -9999,
+/// 9999.9, and 9.9e37 of IEEE 488.2. A number is found only if no other reading of the column is
+/// near it. Temperatures and readings outside the range of their channel are found too, if they are
+/// at most a tenth of the other readings. A larger share indicates another unit.
 class ImpossibleCells {
  public:
-  /// `with_sign`: an input that may be below zero here. Both arguments outlive it.
+  /// `with_sign`: the input may be negative. The table and the source must live longer than this
+  /// object.
   ImpossibleCells(const text::CsvTable& table, const ColumnSource& source, bool with_sign);
 
   [[nodiscard]] bool has(std::size_t row);
@@ -36,12 +37,12 @@ class ImpossibleCells {
   double lower_ = std::numeric_limits<double>::infinity(), upper_ = -lower_;
 };
 
-/// Returns the positions of such placeholder numbers in a column of the file, if no other number is
-/// near them.
+/// Returns the positions of placeholder numbers in a column of the file. A number near other
+/// numbers of the column is not a placeholder.
 [[nodiscard]] std::vector<std::size_t> places_of_marks(std::span<const double> numbers);
 
-/// Removes rows with such a cell in one of these columns, and reports them. Returns nothing if
-/// there is none. Throws InputError if no row remains.
+/// Removes rows with a placeholder number in one of these columns, and returns a report on them;
+/// empty if there are none. Throws InputError if no row remains.
 [[nodiscard]] std::string drop_impossible_rows(text::CsvTable& table,
                                                const std::vector<ColumnSource>& columns);
 

@@ -9,7 +9,7 @@
 
 namespace raceway::files {
 
-/// Returns the model described by these tables; `text` is the text of its file. Throws as
+/// Returns the model described by these tables; `text` is the text of the file. Throws like
 /// read_model(). Shared by the readers of models.
 [[nodiscard]] ModelFile model_of_tables(ModelTables& tables, std::string text);
 

@@ -31,7 +31,7 @@ inline std::string range(const Key& key) {
                      with_unit(fmt::format("{}", key.form.upper), key.form.unit));
 }
 
-/// Names of enumerators as words of a form, stored in the result.
+/// Stores the names of enumerators, to use them as the words of a form.
 template <typename Enumerators>
 std::string names_as_words(const Enumerators& all) {
   std::string words;
@@ -39,7 +39,7 @@ std::string names_as_words(const Enumerators& all) {
   return words;
 }
 
-/// Keys of a table, in parts where several readers have some.
+/// Keys of a table, in several parts if several readers read the table.
 using Keys = std::vector<std::span<const Key>>;
 
 inline std::string_view kind(const toml::node& node) {
@@ -60,15 +60,15 @@ struct MissingKey : text::InputError {
 /// key that is not among the keys throws std::logic_error.
 class Section {
  public:
-  /// If `table` is null, every key is absent. If `keys` is not empty, a table with other keys is
-  /// refused.
+  /// If `table` is null, every key is absent. If `keys` is not empty, other keys in the table are
+  /// an error.
   Section(std::string source, std::string name, const toml::table* table, Keys keys = {})
       : source_(std::move(source)), name_(std::move(name)), table_(table), keys_(std::move(keys)) {
     if (!keys_.empty()) refuse_others();
   }
-  /// Returns the table with all keys that it may have.
+  /// Returns the section with all keys that the table may have.
   [[nodiscard]] Section with(Keys keys) const { return {source_, name_, table_, std::move(keys)}; }
-  /// Returns the table with some of its keys; others may stand there.
+  /// Returns the section with some keys of the table. The table may have other keys.
   [[nodiscard]] Section part(Keys keys) const {
     Section result = *this;
     result.keys_ = std::move(keys);
@@ -86,7 +86,8 @@ class Section {
     if (!node) node = table_;
     return node ? fmt::format("{}:{}", source_, node->source().begin.line) : source_;
   }
-  /// The place of a key, or of this table where the key is missing; `node` is a part of its value.
+  /// Returns the place of a key, or the place of this table if the key is missing. `node` is a part
+  /// of the value of the key.
   [[nodiscard]] text::Place at(std::string_view key = {}, const toml::node* node = nullptr) const {
     if (!node && !key.empty()) node = find(key);
     if (!node) node = table_;
@@ -109,7 +110,7 @@ class Section {
   [[noreturn]] void fail_missing(std::string_view name, const std::string& why = "") const {
     fail_missing(key(name), why);
   }
-  /// Keys that are missing, each as "[bearing] ball_count: must be from 3 to 200".
+  /// Returns the missing keys, each as "[bearing] ball_count: must be from 3 to 200".
   [[nodiscard]] Names lacking(std::initializer_list<std::string_view> names) const {
     Names list;
     for (const std::string_view one : names)
@@ -128,7 +129,7 @@ class Section {
   [[nodiscard]] std::optional<double> number(std::string_view name) const {
     return number(key(name));
   }
-  /// Reads the number of a key that is in no table.
+  /// Reads the number of a key that is in no key table.
   [[nodiscard]] std::optional<double> number(const Key& key) const {
     const toml::node* const node = find(key.name);
     if (!node && table_ && key.fallback.required) fail_missing(key);
@@ -142,7 +143,8 @@ class Section {
                                  with_unit(text::shown(*node), key.form.unit), range(key)));
     return value;
   }
-  /// Replaces `to` by the number in SI, if the optional key is given. Returns true if it is.
+  /// Stores the number in `to`, in SI, if the optional key is given. Returns true if the key is
+  /// given.
   bool take(std::string_view name, double& to, double unit = 1.0) const {
     const std::optional<double> given = number(name);
     if (given) to = *given * unit;
@@ -167,12 +169,13 @@ class Section {
   [[nodiscard]] std::optional<std::string> text(std::string_view name) const {
     return text_of(key(name).name);
   }
-  /// Returns a text; empty for all else, including a list.
+  /// Returns a text; empty for any other value, including a list.
   [[nodiscard]] std::string text_or_empty(std::string_view key) const {
     const toml::node* const node = find(key);
     return node && node->is_string() ? *node->value<std::string>() : std::string();
   }
-  /// One of the words of the key's form.
+  /// Returns the text of the key. Throws InputError if it is not one of the words of the key's
+  /// form.
   [[nodiscard]] std::optional<std::string> choice(std::string_view name) const {
     return choice(name, key(name).form.choices());
   }
@@ -185,8 +188,8 @@ class Section {
     return value;
   }
 
-  /// Converts a library message such as `ball_diameter = -12 mm: ...` to the words and the place of
-  /// this file.
+  /// Converts a library message such as `ball_diameter = -12 mm: ...` to the words of this file and
+  /// adds the place.
   [[noreturn]] void fail(const std::invalid_argument& error) const {
     std::string message = error.what();
     const std::string owner =

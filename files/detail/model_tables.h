@@ -13,8 +13,8 @@
 
 namespace raceway::files {
 
-/// The tables of a model file, and the defaults that were used in reading them. Shared by its
-/// readers.
+/// The tables of a model file, and the defaults that were used to read them; shared by the readers
+/// of models.
 class ModelTables {
  public:
   ModelTables(std::string_view text, const std::string& source, std::vector<NamedFile> held = {})
@@ -36,7 +36,7 @@ class ModelTables {
             .key = std::string(key.str())};
   }
 
-  /// A table by all keys that it may have, see Section.
+  /// Returns a table with all keys that it may have: see Section.
   [[nodiscard]] Section section(std::string_view name, Keys keys = {}) const {
     return {source_, std::string(name), root_[name].as_table(), std::move(keys)};
   }
@@ -49,7 +49,7 @@ class ModelTables {
           {.file = source_, .key = std::string(name)});
     return result;
   }
-  /// A table by some of its keys.
+  /// Returns a table with some of its keys: see Section::part().
   [[nodiscard]] Section part(std::string_view name, Keys keys) const {
     return section(name).part(std::move(keys));
   }
@@ -61,11 +61,11 @@ class ModelTables {
     defaults_.push_back(
         {std::string(table), std::string(key), std::move(value), origin, std::move(why)});
   }
-  /// Notes a default that its key gives in words.
+  /// Records a default that its key gives in words.
   void note_default(const Section& s, std::string_view key, const std::string& value) {
     note_default(s.name(), key, value, fmt::format("default: {}", s.key(key).fallback.words));
   }
-  /// Returns the value of the file, else the default, which is noted.
+  /// Returns the value in the file. If there is none, records and returns the default.
   double number(const Section& s, std::string_view key, double fallback) {
     if (const auto value = s.number(key)) return *value;
     note_default(s.name(), key, fmt::format("{:.10g}", fallback));

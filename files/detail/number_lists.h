@@ -7,8 +7,8 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_section.h"
 
-/// Lists of numbers in a table of a model file; shared by its readers. All
-/// throw InputError with the place.
+/// Readers of lists of numbers in a table of a model file. All functions throw InputError with the
+/// place.
 namespace raceway::files {
 
 /// Keys of a covariance of fitted parameters.
@@ -27,7 +27,7 @@ inline constexpr Key covariance_keys[]{
 [[noreturn]] void fail_count(const Section& s, std::string_view key, const toml::node& node,
                              std::size_t count);
 
-/// Reads a list with this count of finite numbers.
+/// Reads a list of `count` finite numbers.
 [[nodiscard]] std::vector<double> numbers(const Section& s, std::string_view key,
                                           const toml::node& node, std::size_t count);
 

@@ -8,18 +8,19 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
-/// [rig] and [solver] of a model file; shared with the reader of models. Both
-/// throw InputError as read_model() does. `further` keys are allowed.
+/// Readers of [rig] and [solver] of a model file; shared with the reader of models. All functions
+/// throw InputError like read_model(). The keys `further` are allowed.
 namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> rig_tables();
 
 [[nodiscard]] model::Rig read_rig(ModelTables& tables, Keys further);
 
-/// Reads `tilt` of [solver], the only key there for a bearing with cylindrical rollers.
+/// Reads `tilt` of [solver], which is the only key of [solver] for a bearing with cylindrical
+/// rollers.
 [[nodiscard]] bearing::Tilt read_tilt(ModelTables& tables);
 
-/// Contents of [solver]. `balanced_balls`: no race controls the balls (contact law only).
+/// Contents of [solver]. `balanced_balls`: no race controls the balls; only for the contact law.
 struct SolverOfFile {
   bearing::EquilibriumOptions options;
   bool balanced_balls = false;

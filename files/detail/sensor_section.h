@@ -8,13 +8,14 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
-/// [torque_sensor] of a model file, or of a file of its own that it names; shared with the reader
-/// of models.
+/// Reader of [torque_sensor] of a model file, or of a separate file that the model names; shared
+/// with the reader of models.
 namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> torque_sensor_tables();
 
-/// Nothing if the model names none. Throws InputError as read_model().
+/// Reads the torque sensor; returns nothing if the model has none. Throws InputError like
+/// read_model().
 [[nodiscard]] std::optional<rig::TorqueSensor> read_torque_sensor(ModelTables& tables);
 
 }  // namespace raceway::files

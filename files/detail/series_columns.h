@@ -12,7 +12,7 @@ namespace raceway::files {
 
 struct SeriesColumns {
   std::string text;       ///< [columns] as TOML
-  bool all_ours = false;  ///< the file has our names and needs no table
+  bool all_ours = false;  ///< true: the file uses the names of raceway and needs no table
 };
 
 /// Works like suggested_columns(): first the columns that these models need, then all other columns

@@ -2,8 +2,9 @@
 
 #include "record/channel.h"
 
-/// Columns of a torque sensor; shared by the readers of measurements and of its calibration. No
-/// record has them: a signal becomes a friction torque as it is read.
+/// Columns of a torque sensor; shared by the reader of measurements and the reader of calibrations.
+/// A record does not have these columns, because the reader converts the signal to a friction
+/// torque.
 namespace raceway::files {
 
 inline constexpr record::Channel torque_signal{.name = "torque_signal_V",
@@ -23,7 +24,7 @@ inline constexpr record::Channel torque_signal_deviation{
     .role = record::Role::deviation,
     .of = "torque_signal_V"};
 
-/// Reference torque of a calibration: by weights on an arm, or another sensor.
+/// Reference torque of a calibration, from weights on an arm or from another sensor.
 inline constexpr record::Channel reference_torque{.name = "reference_Nm",
                                                   .variable = "reference",
                                                   .words = "reference torque",

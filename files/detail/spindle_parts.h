@@ -18,24 +18,27 @@ inline constexpr Form anywhere = between(-longest_mm, longest_mm, "mm"),
                       on_the_shaft = between(0, longest_mm, "mm"),
                       a_length = between(0.001, longest_mm, "mm");
 
-/// Returns the tables of a list, [[shaft.segment]] or segment = [{...}]; none without the key.
+/// Returns the tables of a list such as [[shaft.segment]] or segment = [{...}]; empty if the key is
+/// missing.
 [[nodiscard]] std::vector<Section> tables_in(const Section& s, std::string_view key,
                                              const Keys& keys = {});
-/// [[sensor]]
+/// Returns the tables [[sensor]].
 [[nodiscard]] std::vector<Section> sensor_sections(const ModelTables& tables,
                                                    const Keys& keys = {});
-/// [[heat]]
+/// Returns the tables [[heat]].
 [[nodiscard]] std::vector<Section> heat_sections(const ModelTables& tables, const Keys& keys = {});
 
-/// Returns true for a name that can stand before the unit of a column: letters, digits and _.
+/// Returns true for a name that a column can have before its unit: letters, digits and _.
 [[nodiscard]] bool names_a_column(std::string_view name);
 
-/// [shaft], [housing], [seat] and [gap]; [network]; [ambient], [coolant], [motor] ... [sensor].
+/// Returns the key tables of [shaft], [housing], [seat] and [gap]; of [network]; and of [ambient],
+/// [coolant], [motor] ... [sensor].
 [[nodiscard]] std::vector<KeyTable> body_tables();
 [[nodiscard]] std::vector<KeyTable> network_tables();
 [[nodiscard]] std::vector<KeyTable> surroundings_tables();
 
-/// Returns the thermal expansion of [shaft] or [housing] [1/K]. The sets of the file use it, too.
+/// Returns the thermal expansion of [shaft] or [housing] [1/K]. The reader of [arrangement] uses
+/// this value too.
 [[nodiscard]] double expansion_of(const ModelTables& tables, std::string_view table,
                                   double fallback);
 
@@ -47,27 +50,29 @@ inline constexpr Form anywhere = between(-longest_mm, longest_mm, "mm"),
 [[nodiscard]] model::Ambient read_ambient(ModelTables& tables);
 [[nodiscard]] std::optional<model::Coolant> read_coolant(ModelTables& tables,
                                                          const model::Ambient& ambient);
-/// [[coolant.circuit]]
+/// Returns the tables [[coolant.circuit]].
 [[nodiscard]] std::vector<Section> circuit_sections(const ModelTables& tables);
 [[nodiscard]] std::vector<model::Circuit> read_circuits(ModelTables& tables,
                                                         const model::Coolant& first);
-/// [motor] or [drive].
+/// Reads [motor] or [drive].
 [[nodiscard]] std::optional<model::HeatSource> read_heat_source(ModelTables& tables,
                                                                 std::string_view table);
-/// [[heat]]; `bearings`: names of all on the shaft, in the order of model::rings_of().
+/// Reads [[heat]]. `bearings`: names of all bearings on the shaft, in the order of
+/// model::rings_of().
 [[nodiscard]] std::vector<model::HeatSource> read_heat_sources(ModelTables& tables,
                                                                const Names& bearings);
-/// Reads the force of [drive]; nothing if it has none.
+/// Reads the belt force of [drive]; returns nothing if [drive] gives no force.
 [[nodiscard]] std::optional<model::Belt> read_belt(const ModelTables& tables);
 [[nodiscard]] std::vector<model::ThermometerPlace> read_sensors(const ModelTables& tables);
 [[nodiscard]] model::Network read_network(const ModelTables& tables, const model::Ambient& ambient);
 
-/// Reads every node of a network, including its surroundings. Refuses [[sensor]].
+/// Returns every node of a network as a place for a thermometer, including the surroundings. Throws
+/// InputError if the file has [[sensor]].
 [[nodiscard]] std::vector<model::ThermometerPlace> sensors_of_network(
     const ModelTables& tables, const model::Network& network);
 
 /// Checks relations between tables: bearings on the shaft and in the housing, sensors inside their
-/// parts, ... Adds unusual but possible values to `notes`.
+/// parts, and so on. Adds a note on each unusual but possible value to `notes`.
 void check_spindle(const ModelTables& tables, const model::Spindle& spindle,
                    const model::Shaft& shaft, Names& notes);
 

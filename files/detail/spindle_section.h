@@ -9,15 +9,16 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/bearing_section.h"
 
-/// Tables that only the model file of a spindle has; shared with the reader of models. All throw
-/// InputError as read_model() does.
+/// Reader of the tables that only the model file of a spindle has; shared with the reader of
+/// models. All functions throw InputError like read_model().
 namespace raceway::files {
 
 /// Tables that only a spindle has.
 [[nodiscard]] const Names& tables_of_spindle();
 
-/// Returns true for the file of a spindle: [shaft] and [housing], or [network]. Refuses a file that
-/// has one of the two, both kinds, or another table of a spindle without them.
+/// Returns true for the file of a spindle, which has either [shaft] and [housing], or [network].
+/// Throws InputError for a file with only one of [shaft] and [housing], for [network] together with
+/// the tables that it replaces, and for a file that has only other tables of a spindle.
 [[nodiscard]] bool is_spindle(const ModelTables& tables);
 
 /// Returns the keys of a spindle in tables that other models share; empty for other files.
@@ -25,8 +26,8 @@ namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> spindle_tables();
 
-/// Reads a spindle except bearings, lubricant and arrangement. `notes`: unusual but possible
-/// values.
+/// Reads a spindle, except bearings, lubricant and arrangement. Adds a note on each unusual but
+/// possible value to `notes`.
 [[nodiscard]] model::Spindle read_spindle(ModelTables& tables, const NamedBearing& bearing,
                                           const model::Shaft* shaft, Names& notes);
 

@@ -12,7 +12,7 @@ namespace raceway::files {
 /// Speeds, axial loads, radial loads and temperatures of the rows of a table [SI].
 using TableInputs = std::array<std::vector<double>, 4>;
 
-/// Throws InputError for a file that is one slab of a table.
+/// Throws InputError if the file is only one slab of a table.
 void refuse_slab(const text::CsvTable& csv);
 
 /// Fills in the axes of a table and returns the point of each row. Throws InputError for invalid

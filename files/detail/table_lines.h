@@ -10,7 +10,7 @@
 /// Lines of a table in the text of a model file, for editing.
 namespace raceway::files {
 
-/// Returns the last line of a table and its contents.
+/// Returns the number of the last line of a table, including its contents.
 inline toml::source_index last_line(const toml::node& node) {
   toml::source_index last = node.source().end.line;
   if (const toml::table* const table = node.as_table())
@@ -20,7 +20,8 @@ inline toml::source_index last_line(const toml::node& node) {
   return last;
 }
 
-/// Start of the comment lines directly above a line that starts at `at`; `at` without comments.
+/// Returns the start of the comment lines directly above the line that starts at `at`; `at` if
+/// there are no such lines.
 inline std::size_t with_comment_above(const std::string& text, std::size_t at) {
   while (at > 1) {
     const std::size_t before = text.rfind('\n', at - 2) + 1;

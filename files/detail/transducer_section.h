@@ -11,8 +11,9 @@ namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> transducer_tables();
 
-/// Reads [transducers]; empty where there is none. Throws InputError for an invalid combination,
-/// one that follows from earlier combinations, and a transducer without a factor.
+/// Reads [transducers]; the result is empty without this table. Throws InputError for an invalid
+/// combination, for a combination that follows from earlier combinations, and for a transducer
+/// without a factor.
 [[nodiscard]] std::vector<Combination> read_transducers(const ModelTables& tables);
 
 }  // namespace raceway::files

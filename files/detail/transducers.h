@@ -15,12 +15,13 @@ namespace raceway::files {
 [[nodiscard]] std::vector<const Combination*> combinations_for(
     const ColumnMap& map, const std::vector<const record::Channel*>& wanted);
 
-/// Replaces the transducers by the displacements that they give, and reports it. A reading with a
-/// missing transducer is missing. A record without any transducer is unchanged.
+/// Replaces the readings of transducers by displacements, and adds a note on it. A displacement is
+/// missing if a reading of one of its transducers is missing. A record without transducers is
+/// unchanged.
 void combine_transducers(record::Record& record, const ColumnMap& map,
                          const std::vector<const record::Channel*>& wanted);
 
-/// The table [transducers] of a model file; empty without combinations.
+/// Returns the table [transducers] of a model file; empty without combinations.
 [[nodiscard]] std::string transducers_text(const ColumnMap& map);
 
 }  // namespace raceway::files

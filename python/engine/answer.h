@@ -18,13 +18,13 @@ namespace raceway::python {
 
 namespace py = pybind11;
 
-/// Measurements held by Python; null for none.
+/// Measurements that Python keeps; null if there are none.
 using Data = std::shared_ptr<session::Source>;
 
 /// Columns by name, in the units of files.
 using NamedColumns = std::vector<std::pair<std::string, std::vector<double>>>;
 
-/// Result in the form shown by Python.
+/// Result in the form that Python shows.
 struct EngineAnswer {
   std::string json{};
   std::function<std::string()> page{};
@@ -42,7 +42,7 @@ inline std::vector<session::Source> sources(const std::vector<Data>& data) {
   return list;
 }
 
-/// Returns the columns of a record as interpreted.
+/// Returns the columns of a record as the program has read them.
 [[nodiscard]] NamedColumns columns_of(const record::Record& record);
 /// Converts values of a channel [SI] to the unit of files.
 [[nodiscard]] std::vector<double> in_unit(const record::Channel& channel,
@@ -50,7 +50,8 @@ inline std::vector<session::Source> sources(const std::vector<Data>& data) {
 /// Returns the columns as arrays of numpy.
 [[nodiscard]] py::dict arrays_of(NamedColumns columns);
 
-/// Options of a question from keyword arguments of Python, except those in models.
+/// Returns the options of a question from keyword arguments of Python, except options that belong
+/// to models.
 [[nodiscard]] session::LoopOptions options_of(const py::kwargs& given);
 
 /// Runs `work` on a question and adds its messages to the answer.

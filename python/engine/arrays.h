@@ -16,14 +16,15 @@ namespace raceway::python {
 
 namespace py = pybind11;
 
-/// Array of Python by reference: doubles, of any shape and strides.
+/// Reference to an array of doubles in Python, with any shape and strides.
 using Doubles = py::array_t<double>;
 
-/// A setting as entered. Conversion to SI and back changes the last digit of a double, and a filter
-/// such as frame.speed_rpm == 1500 would find no rows.
+/// Returns a setting as the user entered it. The conversion to SI and back changes the last digit
+/// of a double. Without this function, a filter such as frame.speed_rpm == 1500 would find no rows.
 inline double as_entered(double value) { return record::with_digits(value, 13); }
 
-/// Returns the broadcast shape of arrays as in numpy. Throws text::InputError if there is none.
+/// Returns the common shape of arrays, broadcast as in numpy. Throws text::InputError if the shapes
+/// have no common shape.
 inline std::vector<std::size_t> broadcast_shape(
     const std::vector<std::pair<std::string, Doubles>>& arrays) {
   std::size_t dimensions = 0;
@@ -50,7 +51,7 @@ inline std::vector<std::size_t> broadcast_shape(
   return shape;
 }
 
-/// Reads the numbers of an array in place, repeated along missing dimensions.
+/// Returns the numbers of an array without a copy, repeated along missing dimensions.
 inline session::NumberArray number_array(const Doubles& array,
                                          const std::vector<std::size_t>& shape) {
   session::NumberArray numbers;
@@ -64,7 +65,7 @@ inline session::NumberArray number_array(const Doubles& array,
   return numbers;
 }
 
-/// Moves a vector into an array of that shape without a copy.
+/// Moves a vector into an array of this shape without a copy.
 template <typename Number>
 py::array_t<Number> owned(std::vector<Number> values, const std::vector<std::size_t>& shape) {
   auto* const kept = new std::vector<Number>(std::move(values));

@@ -24,9 +24,10 @@ class EngineCorrection final : public EngineFile {
   [[nodiscard]] std::vector<std::string> defaults() const override {
     return files::lines(file_.defaults);
   }
-  /// Parameters of all displacements; of several, each name begins with its displacement.
+  /// Returns the parameters of all displacements. If there are several displacements, each name
+  /// begins with its displacement.
   [[nodiscard]] std::vector<record::Parameter> parameters() const override;
-  /// Columns that a record needs.
+  /// Returns the columns that a record needs.
   [[nodiscard]] py::list inputs() const;
   /// Returns the trust line of each displacement, such as "good", by column name.
   [[nodiscard]] py::dict trust() const;

@@ -13,7 +13,8 @@
 
 namespace raceway::python {
 
-/// A model file held by Python. It is immutable, so several threads may use it at once.
+/// A model file that Python keeps. It never changes, so several threads may use it at the same
+/// time.
 class EngineFile {
  public:
   virtual ~EngineFile() = default;
@@ -26,7 +27,7 @@ class EngineFile {
   [[nodiscard]] virtual std::vector<std::string> defaults() const = 0;
   /// Returns the numbers that a fit may change.
   [[nodiscard]] virtual std::vector<record::Parameter> parameters() const = 0;
-  /// Adds data to a model that a file cannot contain.
+  /// Adds data that a file cannot contain to a model.
   virtual void amend(files::ModelFile&) const {}
 
  protected:

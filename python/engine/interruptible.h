@@ -19,7 +19,7 @@ namespace raceway::python {
 
 namespace py = pybind11;
 
-/// Progress of long work, stated by the worker and read by the waiting thread.
+/// Progress of long work. The worker sets it, and the waiting thread reads it.
 class Progress {
  public:
   void set(double share, std::string_view step) {
@@ -44,8 +44,9 @@ struct Waiting {
 };
 
 /// Runs long work on a separate thread without the interpreter lock, so that other Python threads
-/// continue. It checks for signals: KeyboardInterrupt sets `cancelled`, which the work checks, and
-/// is raised when the work has ended. A time limit does the same with TimeoutError.
+/// continue. The calling thread checks for signals. KeyboardInterrupt sets `cancelled`, which the
+/// work checks, and is raised after the end of the work. A time limit has the same effect with
+/// TimeoutError.
 template <typename Work>
 auto interruptible(std::atomic<bool>& cancelled, const Progress& progress, const Waiting& waiting,
                    const Work& work) {
@@ -75,7 +76,7 @@ auto interruptible(std::atomic<bool>& cancelled, const Progress& progress, const
     const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
     if (elapsed > waiting.time_limit) out_of_time = cancelled = true;
   }
-  // Errors of cancelled work are caused by the cancellation.
+  // The cancellation caused an error of cancelled work.
   if (error) {
     task.wait();
     throw std::move(*error);

@@ -6,7 +6,7 @@
 
 #include "record/note.h"
 
-/// A note is a `raceway.Note` in Python, a str with its kind, code and place.
+/// Converts a note to a `raceway.Note` in Python: a str with kind, code and place.
 template <>
 struct pybind11::detail::type_caster<raceway::record::Note> {
   PYBIND11_TYPE_CASTER(raceway::record::Note, const_name("raceway.Note"));

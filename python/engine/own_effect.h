@@ -11,8 +11,8 @@ namespace raceway::python {
 
 namespace py = pybind11;
 
-/// An effect with a Python function as its moment: id, title, numbers and `function(columns,
-/// values)`, which returns torques [N mm] for columns of rows.
+/// An effect whose torque is a Python function: id, title, numbers and function. `function(columns,
+/// values)` returns the torque of each row [N mm].
 struct OwnEffect {
   effects::UserMadeEffect described;
   py::object function;

@@ -8,11 +8,11 @@
 
 namespace raceway::report {
 
-/// Facts on each model for the pages: law, its factors and the factors of the effects, oil,
-/// defaults. Shared by the reports.
+/// Returns facts on each model for the pages: the law with its factors, the factors of the effects,
+/// oil and defaults.
 [[nodiscard]] text::json model_facts(const std::vector<ModelOfPage>& models);
 
-/// Changes from each model to the next.
+/// Returns the changes from each model to the next.
 [[nodiscard]] text::json changes_json(const std::vector<model::ModelChanges>& changes);
 
 }  // namespace raceway::report

@@ -6,14 +6,14 @@
 
 namespace raceway::report {
 
-/// Report document under construction: its members in order. Shared by the reports.
+/// Builder of a report document. The members stay in the order in which they are added.
 class Document {
  public:
   explicit Document(const std::string& kind);
   void add(const std::string& key, text::json value) {
     add_text(key, text::line_text(std::move(value)));
   }
-  /// Adds a member that is already JSON.
+  /// Adds a member whose value is JSON text.
   void add_text(const std::string& key, const std::string& value) {
     text_ += (text_.empty() ? "{" : ",\n") + text::line_text(key) + ":" + value;
   }

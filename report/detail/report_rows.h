@@ -21,23 +21,26 @@ class ReportRows {
              std::vector<std::size_t> rows);
 
   [[nodiscard]] const std::vector<std::size_t>& rows() const { return rows_; }
-  /// Places numbers in the order of the errors of a comparison by row of the page; NaN elsewhere.
+  /// Sorts `values`, which are in the order of the errors of a comparison, to the rows of the page.
+  /// Rows without a value are NaN.
   [[nodiscard]] std::vector<double> by_row(const verdict::Comparison& comparison,
                                            std::span<const double> values) const;
 
-  /// Adds a column of readings by row of the page [SI]. Returns its name: `name` and the unit.
+  /// Adds a column of readings with one value for each row of the page [SI]. Returns the column
+  /// name, which is `name` and the unit.
   std::string add_readings(const std::string& name, std::vector<double> values);
-  /// Adds the standard deviation of each reading [SI], NaN if not known.
+  /// Adds the standard deviation of each reading [SI], NaN if unknown.
   void add_std(std::vector<double> std);
-  /// Adds the predictions of a model as the next of the columns `predicted_0_UNIT`, ..., and its
-  /// errors on the plan. Call it after add_std().
+  /// Adds the predictions of a model as the next column `predicted_0_UNIT`, `predicted_1_UNIT`,
+  /// ..., and the errors of the model over the operating points. Call it after add_std().
   void add_model(const std::string& name, const verdict::Comparison& comparison);
 
   void finish(Document& document) const;
 
  private:
   void add_inputs();
-  /// Returns true for several records. They replace runs unless there are more runs than records.
+  /// Returns true if the page groups the rows by record. Otherwise it groups them by run. It groups
+  /// by record if there are several records and not more runs than records.
   [[nodiscard]] bool by_record() const {
     return !record_.parts.empty() && record_.runs.size() <= record_.parts.size();
   }

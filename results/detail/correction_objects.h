@@ -12,8 +12,8 @@ namespace raceway::results {
 [[nodiscard]] text::json metrics_object(const correction::Metrics& metrics,
                                         const record::Channel& channel);
 
-/// Converts an object from the names of a length to those of the displacement: for an angle, names
-/// and the values of "unit" end in urad.
+/// Converts the names in an object from a length to the unit of the displacement. For an angle,
+/// names and the values of "unit" end in urad.
 [[nodiscard]] text::json in_unit_of(const record::Channel& displacement, const text::json& object);
 
 }  // namespace raceway::results

@@ -15,7 +15,7 @@
 namespace raceway::results {
 
 /// Returns the comparison of one model, with the first channel at the top level. If there are
-/// several, `channels` contains all of them.
+/// several channels, `channels` contains all of them.
 [[nodiscard]] text::json comparison_object(const std::string& model_file,
                                            const std::vector<const verdict::Comparison*>& channels,
                                            const record::Record& record);
@@ -33,11 +33,11 @@ struct ChannelCount {
 };
 
 /// Returns chi_square, degrees_of_freedom, aic and bic of a fit to all channels, for readings in
-/// the units of the document. Values without a likelihood are null.
+/// the units of the document. The values are null if there is no likelihood.
 [[nodiscard]] text::json likelihood_object(const fit::Likelihood& likelihood,
                                            const std::vector<ChannelCount>& channels);
 
-/// Returns ln det(2 pi S) of the noise in those units.
+/// Returns ln det(2 pi S) of the noise, in the units of the document.
 [[nodiscard]] double log_determinant_in_units(const fit::Likelihood& likelihood,
                                               const std::vector<ChannelCount>& channels);
 
@@ -54,7 +54,7 @@ void add_channels(text::json& document, text::json channels);
 /// Adds the `notes` of a record and, if rows were averaged, `dwells` with their number and columns.
 void add_notes(text::json& document, const record::Record& record);
 
-/// Returns line numbers of rows, with the name of the record if several were joined.
+/// Returns the line numbers of rows, with the name of the record if several records were joined.
 [[nodiscard]] text::json lines_of(const record::Record& record,
                                   const std::vector<std::size_t>& rows);
 

@@ -14,8 +14,8 @@ namespace raceway::results {
 
 [[nodiscard]] text::json report_json(const bearing::SolveReport& report);
 
-/// Returns the limits that an answer exceeds: `[{limit, kind, place, value, allowed, unit,
-/// speed_rpm, points, text}]`, docs/limits.md; empty if there are none.
+/// Returns the limits that an answer exceeds (docs/limits.md): `[{limit, kind, place, value,
+/// allowed, unit, speed_rpm, points, text}]`; empty if there are none.
 [[nodiscard]] text::json judgement_json(const model::Findings& findings);
 
 /// Returns the level of a band and the fitted parameters behind it.
@@ -27,7 +27,8 @@ void add_band(text::json& row, const BandOfResult& band, std::size_t index);
 /// Adds the band of a single state to its document; null if there is none.
 void add_band(text::json& document, const BandOfResult* band);
 
-/// Adds ratings and lives, kappa and static safety, which balls and rollers share.
+/// Adds load ratings, lives, kappa and static safety. These members are the same for ball and
+/// roller bearings.
 void add_life(text::json& document, const model::Model& model, const model::BearingLife& life);
 
 /// Adds the cage speed and the frequencies at a shaft speed [rad/s]. `spin` is the name for the

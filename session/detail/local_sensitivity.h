@@ -9,7 +9,7 @@
 /// This file is part of session/sensitivity.cpp.
 namespace raceway::session::varied {
 
-/// Predictions with one datum moved in both directions.
+/// Predictions with one datum changed in both directions.
 struct Around {
   double step = unset;  // step of the datum; 0: the datum is not varied
   // Predictions at value + step, - step, + step/2, - step/2, + spread, - spread.
@@ -19,14 +19,14 @@ struct Around {
 /// Sets the spreads from the question or from the standard errors in the model.
 void take_spreads(const model::Model& model, const SensitivityQuestion& q, Data& data);
 
-/// Predicts with each datum moved in turn. Sets the usual spread of data without a given spread,
-/// and lists data that cannot be varied.
+/// Predicts with each datum changed, one at a time. Sets the usual spread for data without a given
+/// spread, and lists data that cannot be varied.
 [[nodiscard]] std::vector<Around> predict_around(Data& data, const Predictor& predictor,
                                                  const SensitivityQuestion& q,
                                                  results::Sensitivity& s);
 
-/// Lists the data that affect a prediction, the data that do not, and the data that can be sampled.
-/// Returns the index in `data` of each entry of s.data.
+/// Lists the data that affect a prediction, the data without an effect, and the data that can be
+/// sampled. Returns the index in `data` of each entry of s.data.
 [[nodiscard]] std::vector<std::size_t> take_what_enters(const Data& data,
                                                         const std::vector<Around>& around,
                                                         const std::vector<double>& here,

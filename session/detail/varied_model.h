@@ -16,11 +16,12 @@
 #include "session/sensitivity.h"
 #include "text/number_range.h"
 
-/// Predicts a model with changed data. This file is part of session/sensitivity.cpp.
+/// Computes the predictions of a model with changed data. This file is part of
+/// session/sensitivity.cpp.
 namespace raceway::session::varied {
 
-/// Numerical input of the question, for example a speed. It can be varied if the question gives a
-/// single value of it.
+/// Numerical input of the question, for example a speed. The input can be varied if the question
+/// gives a single value.
 struct Axis {
   std::string_view name, flag;
   std::vector<double> values;
@@ -41,7 +42,7 @@ inline constexpr std::string_view life = "life_h", stiffness = "axial_stiffness_
 /// Returns the columns that a question may name.
 [[nodiscard]] std::vector<std::string> known_columns(const model::Model& model, bool steady);
 
-/// Predicts the requested columns for changed data.
+/// Computes the requested columns for changed data.
 class Predictor {
  public:
   Predictor(const SensitivityQuestion& question, std::vector<std::string> wanted,
@@ -89,7 +90,7 @@ class Data {
   /// Returns the index of a datum. A datum of the question has priority over a datum of the model.
   [[nodiscard]] std::size_t find(const std::string& name) const;
 
-  /// Returns true if the question names this datum or names no data at all.
+  /// Returns true if the question names this datum, or if it names no data.
   [[nodiscard]] bool is_asked(std::size_t k) const;
 
   /// Throws fit::Cancelled if the user cancels the question.

@@ -12,30 +12,31 @@ namespace raceway::text {
 /// Blanks as separators: any number of blanks is one separator.
 inline constexpr char blanks = ' ';
 
-/// Place of a cell in a text, without quotes and blanks around it.
+/// Place of a cell in a text, without surrounding quotes and blanks.
 struct CellSpan {
   std::size_t begin, size;
 };
 
 [[nodiscard]] inline bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
-/// Name for messages: "semicolons".
+/// Returns the name for messages: "semicolons".
 [[nodiscard]] std::string_view separator_name(char separator);
 
 /// Counts separators outside of quotes.
 [[nodiscard]] std::size_t count_separators(std::string_view line, char separator);
 
-/// Appends the cells of the line from `begin` to `end`. Doubled quotes are undone in place: the
-/// text of a cell can only shrink. Throws InputError for a quote that is not closed on its line;
-/// `source` and `line` appear in the message.
+/// Appends the cells of the line from `begin` to `end`. Two quotes ("") inside a quoted cell become
+/// one quote. `text` is changed in place, because a cell can only become shorter. Throws InputError
+/// for a quote that is not closed on the same line; `source` and `line` appear in the message.
 void split_cells(std::string& text, std::size_t begin, std::size_t end, char separator,
                  const std::string& source, int line, std::vector<CellSpan>& cells);
 
-/// A number followed by its unit in one cell, as "12.3 °C".
+/// A number and its unit in one cell, such as "12.3 °C".
 struct MeasuredCell {
   std::string_view number, unit;
 };
-/// Reads such a cell. Nothing for other cells, as "1/min" and "8 AM".
+/// Reads a cell with a number and a unit. Returns nothing for other cells, such as "1/min" and "8
+/// AM".
 [[nodiscard]] std::optional<MeasuredCell> measured_cell(std::string_view cell);
 
 }  // namespace raceway::text

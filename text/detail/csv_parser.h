@@ -17,11 +17,11 @@ class CsvParser {
  public:
   using TakeRow = std::function<void(std::span<const CellSpan> cells, int line)>;
 
-  /// Origin of a table. Tables of this program have separate columns of units; other files may have
-  /// one after each value.
+  /// Origin of a table. Tables of this program have the units in the column names. Other files may
+  /// have a column of units after each column of values.
   enum class Origin { this_program, others };
 
-  /// `text` is changed in place and may be appended to.
+  /// The parser changes `text` in place and may append to it.
   CsvParser(CsvTable& table, std::string& text, const CsvForm& form, Origin origin,
             TakeRow take_row)
       : table_(table),
@@ -31,7 +31,7 @@ class CsvParser {
         origin_(origin),
         give_row_(std::move(take_row)) {}
 
-  /// Throws InputError as read_csv().
+  /// Parses the text. Throws InputError like read_csv().
   void run();
   /// Adds notes on lines skipped above, between and below the rows.
   void add_notes();
@@ -39,7 +39,7 @@ class CsvParser {
  private:
   struct Line {
     int number = 0;
-    std::size_t begin = 0, end = 0;  ///< without its ending
+    std::size_t begin = 0, end = 0;  ///< without the line ending
   };
   struct Row {
     std::vector<CellSpan> cells;
@@ -75,7 +75,7 @@ class CsvParser {
 
   CsvTable& table_;
   std::string& text_;
-  const std::size_t end_;  ///< end of the file's own text
+  const std::size_t end_;  ///< end of the original text
   const CsvForm form_;
   const Origin origin_;
   TakeRow give_row_;
@@ -83,16 +83,16 @@ class CsvParser {
   std::size_t at_ = 0;         ///< start of the next line
   int line_ = 0;               ///< number of the last line
   Line comment_;               ///< the last comment, without leading blanks
-  std::vector<bool> is_unit_;  ///< by column of the file: the unit of the column before it
-  std::vector<Row> held_;      ///< rows that are a footer if no other row follows
+  std::vector<bool> is_unit_;  ///< by column of the file; true: units of the column before
+  std::vector<Row> held_;      ///< rows that may be a footer; a footer if no other row follows
   LabviewHead labview_;
   std::size_t empty_ends_ = 0;  ///< separators after the last name
   std::size_t titles_ = 0, empty_rows_ = 0, headers_again_ = 0, rows_ = 0;
   int footer_ = 0;  ///< line of the first footer row
   std::size_t footers_ = 0, lines_between_ = 0;
-  bool behind_header_ = false;        ///< after a repeated header
+  bool behind_header_ = false;        ///< true: the line before was a repeated header
   std::vector<CellSpan> cells_;       ///< cells of the current line
-  bool begins_with_reading_ = false;  ///< the first row does
+  bool begins_with_reading_ = false;  ///< true: the first row begins with a reading
 };
 
 }  // namespace raceway::text

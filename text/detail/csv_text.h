@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-/// Shared by the writers of CSV files.
+/// Text functions shared by the writers of CSV files.
 namespace raceway::text {
 
 inline constexpr std::string_view model_mark = "#|";
@@ -12,8 +12,9 @@ inline constexpr std::string_view model_mark = "#|";
 /// Appends `# model:` and the text of a model as comments, each line after `#| `.
 void append_model(fmt::memory_buffer& out, std::string_view model_text);
 
-/// Appends text as a cell of RFC 4180. An apostrophe precedes text that a spreadsheet would take
-/// for a formula, also after other apostrophes. Control characters are written as escapes.
+/// Appends text as a cell of RFC 4180. The function writes an apostrophe before text that a
+/// spreadsheet would read as a formula, even if the text begins with apostrophes. It writes control
+/// characters as escapes.
 void append_text(fmt::memory_buffer& out, std::string_view text);
 
 /// Removes the apostrophe that append_text() wrote, for readers of CSV.

@@ -12,13 +12,13 @@ namespace raceway::text {
 
 using json = nlohmann::ordered_json;
 
-/// Text of a document: the number of its format, then its members. Two blanks of indent, 15 digits
-/// (see with_15_digits()). Numbers that are not finite become null; bytes that are no UTF-8 (file
-/// names) are replaced.
+/// Returns the text of a document: the format number, then the members. The indentation is two
+/// blanks. Numbers have 15 digits (see with_15_digits()). Numbers that are not finite become null.
+/// Bytes that are not UTF-8, for example in file names, are replaced.
 [[nodiscard]] std::string text(const json& document);
 
-/// Writes the texts of notes for people at `key`. Adds each note with its kind, code and place to
-/// the end of the member `said`, for programs.
+/// Writes the texts of notes for readers to the member `key`. Appends each note with kind, code and
+/// place to the member `said`, for programs.
 void put_notes(json& document, std::string_view key, const std::vector<record::Note>& notes);
 
 /// Returns a value on one line, without a line end.

@@ -9,27 +9,27 @@ namespace {
 }  // namespace
 
 // toml++ 3.3 asserts on some malformed texts, such as `[ = 1`. These macros make them errors in
-// every build. The other headers are included before, so the macros do not affect them.
+// every build. All other headers are included before this header, so the macros do not affect them.
 #undef NDEBUG
 #define TOML_ASSERT(condition) ((condition) ? void() : fail_in_parser())
 #include <toml++/toml.h>
 
-/// Shared by the readers and writers of model files.
+/// TOML texts; shared by the readers and writers of model files.
 namespace raceway::text {
 
 inline constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
 
-/// Returns the tables of a file without its format number. Throws InputError with `source`, line
-/// and, where known, column.
+/// Returns the tables of a file without the format number. Throws InputError with `source`, line
+/// and, if known, column.
 [[nodiscard]] toml::table parse_toml(std::string_view text, std::string_view source);
 
-/// Byte offset of the start of a line; lines count from 1.
+/// Returns the byte offset of the start of a line. Lines count from 1.
 [[nodiscard]] std::size_t line_start(std::string_view text, std::size_t line);
-/// Byte offset of a place that toml++ gives as line and column, which counts code points. A UTF-8
-/// byte order mark does not count as a column.
+/// Returns the byte offset of a place that toml++ gives as line and column. The column counts code
+/// points, without a UTF-8 byte order mark.
 [[nodiscard]] std::size_t byte_of(std::string_view text, const toml::source_position& place);
 
-/// Approximate text of a value as the user wrote it.
+/// Returns approximately the text that the user wrote for a value.
 [[nodiscard]] std::string shown(const toml::node& node);
 
 }  // namespace raceway::text

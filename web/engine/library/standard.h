@@ -1,11 +1,11 @@
 #pragma once
 
-// Parts of the C++20 library that this project uses and libc++ 13 lacks, the library of Debian's
-// em++, and a function of Linux. That compiler includes this header before each source of the
-// project (packages.cmake); no other compiler sees it. Numbers are read and written to the same
-// digits as by libstdc++: strtod and printf of musl round exactly.
+// Parts of the C++20 library that this project uses and that libc++ 13 lacks, and a function of
+// Linux. libc++ 13 is the library of em++ in Debian. Only em++ includes this header, before each
+// source of the project (packages.cmake). Numbers are read and written with the same digits as with
+// libstdc++, because strtod and printf of musl round exactly.
 
-/// WebAssembly has none of the instruction sets that kernels ask for.
+/// WebAssembly has none of the instruction sets that the kernels test for.
 #define __builtin_cpu_supports(set) false
 
 #include <unistd.h>
@@ -22,7 +22,8 @@
 #include <string>
 #include <string_view>
 
-/// Gives a file a free name, as on Linux. Nothing else runs here that could take the name first.
+/// Renames a file if the new name is free, as on Linux. No other program runs here that could take
+/// the name first.
 #define RENAME_NOREPLACE 1
 inline int renameat2(int, const char* from, int, const char* to, unsigned) {
   if (access(to, F_OK) != 0) return std::rename(from, to);
@@ -41,7 +42,8 @@ namespace raceway_charconv {
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// The end of the decimal number at `first`, or `first` where there is none: what from_chars reads.
+/// Returns the end of the decimal number that from_chars reads at `first`; `first` if there is no
+/// number.
 constexpr const char* end_of_number(const char* first, const char* last) {
   const char* at = first != last && *first == '-' ? first + 1 : first;
   int digits = 0;
@@ -60,7 +62,8 @@ constexpr const char* end_of_number(const char* first, const char* last) {
   return power;
 }
 
-/// Infinity and not-a-number as from_chars reads them; nullptr for other words.
+/// Reads infinity and not-a-number like from_chars. Returns the end of the word; nullptr for other
+/// words.
 inline const char* end_of_word(const char* first, const char* last, double& value) {
   const bool negative = first != last && *first == '-';
   const char* const word = negative ? first + 1 : first;
@@ -111,7 +114,7 @@ inline to_chars_result to_chars(char* first, char* last, double value, chars_for
   return {first + size, errc()};
 }
 
-/// The fewest digits that are read as the same number.
+/// Writes the smallest number of digits that give exactly the same number when read.
 inline to_chars_result to_chars(char* first, char* last, double value, chars_format format) {
   for (int precision = 0;; ++precision) {
     const to_chars_result written = to_chars(first, last, value, format, precision);

@@ -2,17 +2,17 @@
 
 #include <tbb/partitioner.h>
 
-// Loops of TBB where there is one thread: the engine of the workbench. Partitioners, arenas and
-// limits are those of tests/threads/tbb.
+// Loops of TBB for a single thread, for the engine of the workbench. Partitioners, arenas and
+// limits come from tests/threads/tbb.
 namespace tbb {
 
-/// Which loops end with which; here each for itself.
+/// Group of loops that can be cancelled together. Here each loop is its own group.
 struct task_group_context {
   enum kind { isolated };
   explicit task_group_context(kind) {}
 };
 
-/// Every index in its order.
+/// Calls the body for every index in order.
 template <typename Index, typename Body>
 void parallel_for(Index first, Index last, const Body& body, simple_partitioner = {}) {
   for (; first < last; ++first) body(first);
