@@ -32,8 +32,8 @@ struct BearingGeometry {
   [[nodiscard]] double diameter_ratio() const;
 };
 
-/// Fills in defaults. Throws std::invalid_argument for the first value that is missing or
-/// impossible: name, value with unit, allowed range.
+/// Fills in defaults. Throws std::invalid_argument for the first missing or impossible value. The
+/// message gives its name, its value with unit, and the allowed range.
 [[nodiscard]] BearingGeometry validated(BearingGeometry geometry);
 
 }  // namespace raceway::bearing

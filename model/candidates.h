@@ -13,8 +13,8 @@ namespace raceway::model {
 [[nodiscard]] bool is_free(const Model& model, std::string_view id);
 
 /// Returns the ids of user-defined effects that have no influence yet (size zero). They are in the
-/// model only as candidates. Effects without a size and effects with a free parameter are not
-/// included.
+/// model only as candidates. Effects without a size parameter and effects with a free parameter
+/// are not included.
 [[nodiscard]] std::vector<std::string> waiting_effects(const Model& model);
 
 /// Returns an effect as a candidate; empty for an effect without a size. For a coast-down rig,

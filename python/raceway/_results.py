@@ -420,7 +420,7 @@ class Addition(_Fitted):
 
     @property
     def refused(self) -> str:
-        """Reason why the effects do not improve the model. The text is empty if they improve it."""
+        """Reason why the effects do not improve the model. Empty if they improve the model."""
         return self._answer.refused
 
     def __repr__(self) -> str:
