@@ -65,7 +65,7 @@ T pick(const T& all, const std::vector<Eigen::Index>& rows) {
 }  // namespace
 
 NoiseSearch::Regression NoiseSearch::regress(const Eigen::MatrixXd& x, const Eigen::VectorXd& y) {
-  // The columns are independent and of similar size: their Gram matrix is far from singular.
+  // The columns are independent, so their Gram matrix is regular.
   const Eigen::MatrixXd q = x * algebra::inverse_lower_root(gram_of(x)).transpose();
   Regression result;
   result.fitted = q * (q.transpose() * y);

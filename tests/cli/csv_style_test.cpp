@@ -64,7 +64,7 @@ TEST(CsvStyle, EveryCommandThatWritesATableHasIt) {
   for (const char* command : {"check", "table", "displacement", "deflection", "modes", "correct",
                               "spindle", "step-response"})
     EXPECT_THAT(run(std::string(command) + " --help").out,
-                AllOf(HasSubstr("--decimal-mark"), HasSubstr("(first")))
+                AllOf(HasSubstr("--decimal-mark"), HasSubstr("plain (first")))
         << command;
 }
 

@@ -18,7 +18,7 @@ TEST(WithoutReports, TheFlagSaysHowTheProgramWasBuilt) {
   ReportFlag flag;
   flag.declare(app);
   EXPECT_THAT(app.help(), HasSubstr("-DRACEWAY_REPORT=OFF"));
-  EXPECT_NO_THROW(flag.check(text::IfExists::refuse)) << "nobody asked for a report";
+  EXPECT_NO_THROW(flag.check(text::IfExists::refuse)) << "no report was requested";
   app.parse("--report page.html");
   try {
     flag.check(text::IfExists::refuse);

@@ -18,7 +18,7 @@ struct Trial {
   std::string_view block;
   Setup setup;
   std::string_view kind{};  ///< of real_rigs(), in the block "real"
-  bool oracle = false;      ///< ask an observer who knows noise and laws as well
+  bool oracle = false;      ///< also judge the record with its true noise and base law
 };
 
 /// What came of it.
@@ -101,7 +101,8 @@ struct Carried {
   std::string kind, what;
   int diagnosis = 0, oracle = 0, both = 0, cases = 0;
 };
-/// What the data can carry. Without records that the oracle was not asked about.
+/// Counts right answers of the diagnosis and of the oracle, by kind and question. Records without
+/// an answer of the oracle are left out.
 [[nodiscard]] std::vector<Carried> carried(const std::vector<Outcome>& judged);
 
 [[nodiscard]] std::vector<Bar> bars(const std::vector<Outcome>& judged);

@@ -92,7 +92,7 @@ Eigen::MatrixXd covariance_of_noise(const Rig& rig, std::span<const Reading> row
   const Setup& s = rig.setup;
   const auto n = static_cast<Eigen::Index>(rows.size());
   Eigen::MatrixXd C = Eigen::MatrixXd::Zero(n, n);
-  // What misread_torques() takes as the rms torque.
+  // The zeros of the runs are in proportion to the rms torque, as in misread_torques().
   double square = 0.0;
   for (const Reading& r : rows) square += r.torque * r.torque;
   const double zero = s.mistake.reset * std::sqrt(square / static_cast<double>(n));

@@ -39,7 +39,7 @@ std::optional<const Datum*> datum_of(const Mistake& m) {
   return nullptr;
 }
 
-/// What the files say: the oracle corrects the temperatures by a datum, as a user would.
+/// The rows with the recorded temperatures: the oracle corrects them by a datum, as a user would.
 std::vector<Reading> as_recorded(std::span<const Reading> rows) {
   std::vector<Reading> seen(rows.begin(), rows.end());
   for (Reading& r : seen) r.point.temperature = r.seen;

@@ -46,7 +46,7 @@ struct OracleAnswer {
 /// Distance in -2 ln L within which the diagnosis names two causes together.
 constexpr double within_reach = 6.0;
 
-/// Nothing is returned for loggers, more than two causes, and wrong data that are not in
+/// Returns nothing for loggers, more than two causes, and wrong data that are not in
 /// data_of_the_files(). Rivals: each entry of the catalogue and each datum alone, two causes: each
 /// pair of entries; for a creeping zero also zeros that are set before each run, with an unknown
 /// scatter.

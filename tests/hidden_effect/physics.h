@@ -108,10 +108,10 @@ struct BaseLaw {
   double f0 = 1.5, z = 1e-3, y = 0.33;
   double viscous_exponent = 2.0 / 3.0;
   bool contacts = false;
-  double rolling_factor = 1.0;  ///< on the rolling resistance; not of Palmgren's law
-  double sliding_factor = 1.0;  ///< on all else, of a formula but Palmgren's
+  double rolling_factor = 1.0;  ///< on the rolling resistance; not for Palmgren's law
+  double sliding_factor = 1.0;  ///< on all other parts; not for Palmgren's law
   Formula formula = Formula::palmgren;
-  /// Of Houpert's law: speed and viscosity, load in rolling, load in sliding.
+  /// Exponents of Houpert's law: of speed times viscosity, of load in rolling, of load in sliding.
   std::array<double, 3> powers{0.656, 0.466, 4.0 / 3.0};
 };
 

@@ -42,7 +42,7 @@ void declare(CLI::App& app, Arguments& a) {
   app.footer(list);
   const CLI::Range count(1, 100000);
   app.add_option("--seeds", a.seeds, "of each case")->check(count)->capture_default_str();
-  app.add_option("--first", a.first, "seed; others than those of the tables have shaped no rule")
+  app.add_option("--first", a.first, "first seed; rules were chosen with the seeds from 0 on")
       ->check(CLI::Range(0, 100000))
       ->capture_default_str();
   app.add_option("--blocks", a.blocks, "by comma; default: all")
@@ -54,8 +54,7 @@ void declare(CLI::App& app, Arguments& a) {
   app.add_flag("--json", a.json, "bars as JSON");
   app.add_flag("--by-effect", a.by_effect, "what each hidden effect was taken for");
   app.add_flag("--misses", a.misses, "the sentence of each verdict that is not right");
-  app.add_flag("--oracle", a.oracle,
-               "what an observer finds in the same records who knows noise and laws");
+  app.add_flag("--oracle", a.oracle, "also judge each record with its true noise and base law");
   app.add_option(
       "--write", a.write,
       "diagnose nothing: model.toml, train.csv and truth.json of each rig into a folder of its own "
