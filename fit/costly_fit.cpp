@@ -16,8 +16,10 @@ constexpr double share_of_value = 0.02;  // of a difference on the scale of loga
 constexpr double share_of_size = 0.2;    // of a typical size
 constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr double at_the_bound = 1e-4;
+constexpr double almost_undamped = 1e-9;
 constexpr double far_from_begin = 0.2;  // on the scale of a parameter
 constexpr double takes_nothing = 0.9;   // of the misfit without a candidate
+constexpr double takes_little = 0.95;   // of the same, by derivatives
 
 bool spans_a_decade(const Parameter& p) {
   return p.lower > 0.0 && std::isfinite(p.upper) && p.upper > 10.0 * p.lower;
@@ -171,18 +173,53 @@ bool CostlyProblem::is_far(const CostlyFit& base) const {
   return false;
 }
 
+bool CostlyProblem::gains(const CostlyFit& from, const CostlyFit& first,
+                          const std::vector<std::size_t>& sizes) const {
+  const Eigen::Index known = from.fit.values.size(), all = first.slope.cols();
+  Eigen::VectorXd values = first.fit.values;
+  values.head(known) = from.fit.values;
+  for (const std::size_t k : sizes) values[static_cast<Eigen::Index>(k)] = parameters_[k].neutral;
+  Eigen::MatrixXd slope = first.slope;
+  slope.leftCols(known) = on_scales(from.slope, from.fit.values);
+  const auto misfit_with = [&](Eigen::Index count) {
+    const Range range = range_of(values.head(count));
+    const LeastSquares problem(weight_.asDiagonal() * slope.leftCols(count),
+                               weight_.cwiseProduct(from.fit.residual));
+    Eigen::VectorXd d = Eigen::VectorXd::Zero(count);
+    std::vector<int> side(static_cast<std::size_t>(count), 0);
+    problem.solve(range.lower, range.upper, almost_undamped, d, side);
+    return from.fit.misfit - problem.fall(d);
+  };
+  return misfit_with(all) < takes_little * misfit_with(known);
+}
+
 CostlyFit CostlyProblem::beyond(const CostlyFit& base, const Eigen::VectorXd& initial,
                                 const std::vector<std::size_t>& sizes, const CostlyEnd& end) const {
-  const auto fit_from = [&](CostlyFit first) {
-    return descend(std::move(first.fit), std::move(first.slope), false, end);
+  const auto fit_from = [&](const CostlyFit& first) {
+    return descend(first.fit, first.slope, false, end);
   };
-  CostlyFit found = fit_from(with_candidates(base, initial, sizes));
+  const CostlyFit first = with_candidates(base, initial, sizes);
+  CostlyFit found = fit_from(first);
   const bool stuck = std::any_of(sizes.begin(), sizes.end(),
                                  [&](std::size_t k) { return found.fit.at_bound[k]; }) ||
                      !(found.fit.misfit < takes_nothing * base.fit.misfit);
-  if (!stuck || !is_far(base)) return found;
+  if (!stuck || !is_far(base) || !gains(*base.begin, first, sizes)) return found;
   CostlyFit other = fit_from(with_candidates(*base.begin, initial, sizes));
   return other.fit.misfit < found.fit.misfit ? other : found;
+}
+
+CostlyProblem::Range CostlyProblem::range_of(const Eigen::VectorXd& values) const {
+  const Eigen::Index n = values.size();
+  Range range{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n)};
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const auto place = static_cast<std::size_t>(k);
+    const Parameter& p = parameters_[place];
+    const double far = spans_a_decade(p) ? far_step : endless;
+    range.here[k] = to_scale(place, values[k]);
+    range.lower[k] = std::max(-far, to_scale(place, p.lower) - range.here[k]);
+    range.upper[k] = std::min(far, to_scale(place, p.upper) - range.here[k]);
+  }
+  return range;
 }
 
 CostlyFit CostlyProblem::descend(SeparableFit best, Eigen::MatrixXd slope, bool is_fresh,
@@ -191,15 +228,7 @@ CostlyFit CostlyProblem::descend(SeparableFit best, Eigen::MatrixXd slope, bool 
   double damping = 1e-3;
   for (int step = 0; step < most_descents && !best.converged && n > 0; ++step) {
     ++best.iterations;
-    Eigen::VectorXd here(n), lower(n), upper(n);
-    for (Eigen::Index k = 0; k < n; ++k) {
-      const auto place = static_cast<std::size_t>(k);
-      const Parameter& p = parameters_[place];
-      const double far = spans_a_decade(p) ? far_step : endless;
-      here[k] = to_scale(place, best.values[k]);
-      lower[k] = std::max(-far, to_scale(place, p.lower) - here[k]);
-      upper[k] = std::min(far, to_scale(place, p.upper) - here[k]);
-    }
+    const auto [here, lower, upper] = range_of(best.values);
     double fall = 0.0;
     bool better = false;
     const bool was_fresh = is_fresh;
@@ -270,8 +299,7 @@ Eigen::VectorXd left_of_block(const CostlyFit& of, const std::vector<Parameter>&
                              weight.cwiseProduct(of.fit.residual));
   Eigen::VectorXd d = Eigen::VectorXd::Zero(n);
   std::vector<int> side(static_cast<std::size_t>(n), 0);
-  constexpr double almost_none = 1e-9;
-  problem.solve(lower.cwiseQuotient(unit), upper.cwiseQuotient(unit), almost_none, d, side);
+  problem.solve(lower.cwiseQuotient(unit), upper.cwiseQuotient(unit), almost_undamped, d, side);
   return of.fit.residual - of.slope * unit.cwiseProduct(d);
 }
 

@@ -48,9 +48,9 @@ class CostlyProblem {
   /// Continues from `base`, a fit of the first of these parameters. The remaining parameters belong
   /// to candidates. `sizes` are the indices of the candidate parameters that were neutral at the
   /// end of `base`. `initial` contains values that are not neutral. If a fit stops at a bound or
-  /// gains nothing, it starts again from the start of `base`, if that point is far away. The
-  /// reason: in `base`, parameters may have moved to absorb the missing effect, and these values
-  /// may block the candidate.
+  /// gains nothing, it starts again from the start of `base`, if that point is far away and the
+  /// derivatives promise a gain there. The reason: in `base`, parameters may have moved to absorb
+  /// the missing effect, and these values may block the candidate.
   [[nodiscard]] CostlyFit beyond(const CostlyFit& base, const Eigen::VectorXd& initial,
                                  const std::vector<std::size_t>& sizes, const CostlyEnd& end) const;
   /// Continues a fit of these parameters.
@@ -73,6 +73,15 @@ class CostlyProblem {
   [[nodiscard]] CostlyFit with_candidates(const CostlyFit& base, const Eigen::VectorXd& initial,
                                           const std::vector<std::size_t>& sizes) const;
   [[nodiscard]] bool is_far(const CostlyFit& base) const;
+  /// Returns true if the derivatives of the candidates in `first` lower the misfit of a linearised
+  /// fit that starts at `from`, a fit without them.
+  [[nodiscard]] bool gains(const CostlyFit& from, const CostlyFit& first,
+                           const std::vector<std::size_t>& sizes) const;
+  /// Scaled values, and the steps that their bounds and the largest step of a fit allow.
+  struct Range {
+    Eigen::VectorXd here, lower, upper;
+  };
+  [[nodiscard]] Range range_of(const Eigen::VectorXd& values) const;
   void find_bounds(SeparableFit& fit) const;
   [[nodiscard]] Eigen::MatrixXd on_scales(Eigen::MatrixXd slope, const Eigen::VectorXd& at) const;
   /// Returns one unit of the scale, in the unit of the parameter.

@@ -121,7 +121,7 @@ Outcome judge(const Case& of, const std::string& raceway) {
     };
     const auto begin = std::chrono::steady_clock::now();
     const json d = json::parse(run("diagnose " + quoted(file("model.toml")) + " " +
-                                   quoted(file("train.csv")) + " --json"));
+                                   quoted(file("train.csv")) + " --json --time-limit 3600"));
     o.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     o.verdict = d.at("verdict");
     o.sentence = d.at("sentence");
