@@ -82,7 +82,8 @@ struct ArrangementDesign {
 /// spring replaces the rear set.
 class Arrangement {
  public:
-  /// Throws std::invalid_argument: name, value with unit, allowed range.
+  /// Throws std::invalid_argument for a missing or impossible value. The message gives its name,
+  /// its value with unit, and the allowed range.
   explicit Arrangement(ArrangementDesign design);
 
   [[nodiscard]] const ArrangementDesign& design() const { return design_; }
@@ -142,10 +143,10 @@ struct LiftOff {
 /// Displacement under an axial force >= 0 [m]; the inverse of axial_force_at_rest().
 [[nodiscard]] double displacement_at_rest(const Bearing& bearing, double force);
 
-/// Gap ground into bearings whose faces are flush under a preload class: the displacement of one
-/// front bearing and one rear bearing under the force printed for a pair. Sets of universally
-/// matched bearings have a higher preload than the pair: 1.35 times for two against one, 2 times
-/// for two against two [SNFA, p. 31].
+/// Gap of bearings whose faces are ground flush under the force of a preload class: the
+/// displacement of one front bearing and one rear bearing under the force printed for a pair. Sets
+/// of universally matched bearings have a higher preload than the pair: 1.35 times for two bearings
+/// against one, 2 times for two against two [SNFA, p. 31].
 [[nodiscard]] PreloadOffset matched_preload(const Bearing& front, double front_force,
                                             const Bearing& rear, double rear_force);
 

@@ -108,8 +108,8 @@ struct ArrangementEquilibrium {
 ///
 /// A bearing without inner contacts carries no load, which is a valid state.
 /// Domain:   speed >= 0; a set in tension is not an equilibrium.
-/// Accuracy: `options.tolerance` on forces relative to the largest; tilt is locked at zero. The
-///           physics is the same as in solve_bearing_equilibrium().
+/// Accuracy: the imbalance of forces is at most `options.tolerance` times the largest force. Tilt
+///           is locked at zero. The physics is the same as in solve_bearing_equilibrium().
 /// Throws std::invalid_argument for a condition that is not finite, or if the number of shifts or
 /// rotations differs from the number of bearings.
 [[nodiscard]] ArrangementEquilibrium solve_arrangement(

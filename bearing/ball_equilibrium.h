@@ -74,10 +74,10 @@ struct BallForcesOf {
 /// Under inner control the friction is equal at both races (λi = λo = 1), Ti = To = 0.2 C m (1 - m)
 /// sin αi. (M_g uses ω_R and β of kinematics.h. The products of ω_R and sin β are rational in sines
 /// and cosines.)
-/// Sign: M_g > 0 lowers αo. [CaseStudy] eqs. (14) and (18) together give the wrong sign. A ball
-/// without inner contact (δi <= 0) is under outer control and exerts no force on the inner ring.
-/// Race control `inner` is discontinuous there, so some loads have no equilibrium. A GivenRotation
-/// contains m, Ti and To.
+/// Sign: M_g > 0 lowers αo. [CaseStudy] eqs. (14) and (18), taken together, have the wrong sign. A
+/// ball without inner contact (δi <= 0) is under outer control and exerts no force on the inner
+/// ring. Race control `inner` is discontinuous there, so some loads have no equilibrium. A
+/// GivenRotation contains m, Ti and To.
 template <typename T>
 struct BallBalanceOf : BallForcesOf<T> {
   PlaneOf<T> imbalance;  ///< r [N]

@@ -17,7 +17,8 @@ enum class Symmetry {
   none     ///< all balls, x, y, z (and θy, θz)
 };
 
-/// Number of distinct balls out of `count`. They are the first balls of the circle.
+/// Number of distinct balls of a bearing with `count` balls. The distinct balls are the first balls
+/// of the circle.
 [[nodiscard, gnu::always_inline]] constexpr int distinct_balls(Symmetry symmetry, int count) {
   return symmetry == Symmetry::thrust ? 1 : symmetry == Symmetry::mirror ? count / 2 + 1 : count;
 }
@@ -52,7 +53,8 @@ class Balls {
  public:
   Balls() = default;
 
-  /// Allocates the distinct balls of `count`. The solver fills them.
+  /// Allocates memory for the distinct balls of a bearing with `count` balls. The solver fills
+  /// them.
   std::span<BallEquilibrium> reset(int count, Symmetry symmetry) {
     count_ = count;
     symmetry_ = symmetry;

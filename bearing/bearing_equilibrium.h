@@ -25,8 +25,8 @@ struct EquilibriumOptions {
   bool gyroscopic_moment = true;  ///< false omits M_g, for comparison
   double tolerance = 1e-11;       ///< on the scaled residual [1]
   int max_iterations = 2000;      ///< Newton steps over all stages
-  /// Rotation of the balls without race control: one for each ball by azimuth, or one for all
-  /// balls. Balls that are equal by symmetry need equal rotations. An arrangement needs one for
+  /// Rotations of the balls, used instead of race control: one for each ball by azimuth, or one for
+  /// all balls. Balls that are equal by symmetry need equal rotations. An arrangement needs one for
   /// each bearing. Ignored at rest. The span must outlive the solve.
   std::span<const GivenRotation> rotations = {};
 };
@@ -42,7 +42,7 @@ struct BearingEquilibrium {
   /// Given rotation of each of balls.distinct(); empty under race control.
   std::vector<GivenRotation> rotations;
   /// Tangent stiffness ∂(F_x, F_y, F_z, M_y, M_z)/∂displacement [N/m, N/rad, N m/m, N m/rad].
-  /// Slightly asymmetric at speed, because centrifugal and gyroscopic forces depend on the
+  /// It is slightly asymmetric at speed, because centrifugal and gyroscopic forces depend on the
   /// displacement.
   Matrix5 stiffness = Matrix5::Constant(unset);
   SolveReport report;
@@ -65,10 +65,10 @@ struct BearingEquilibrium {
 /// no method finds a solution, or if no load presses the rings together.
 ///
 /// Domain:   speed >= 0; a bearing with contact angle carries axial load only in +x.
-/// Accuracy: `tolerance` on the residual scaled by the applied load, near rounding in practice.
-///           Physical assumptions: rigid rings, quasi-static motion, race control as chosen. The
-///           cage, the film and the truncation of the contact ellipse at the edge of the groove are
-///           ignored.
+/// Accuracy: the residual, relative to the applied load, is at most `tolerance`; in practice it is
+///           near the rounding error. Physical assumptions: rigid rings, quasi-static motion, race
+///           control as chosen. The cage, the film and the truncation of the contact ellipse at the
+///           edge of the groove are ignored.
 /// Throws std::invalid_argument for an operating point that is not finite.
 [[nodiscard]] BearingEquilibrium solve_bearing_equilibrium(const Bearing& bearing,
                                                            const OperatingPoint& point,

@@ -14,9 +14,9 @@ namespace raceway::bearing {
 /// reference to the bearing.
 ///
 /// Domain:   speed >= 0. The grooves may be shifted, see RingShift.
-/// Accuracy: `options.tolerance` on the imbalance of each ball, relative to the forces on it. The
-///           physics is the same as in solve_bearing_equilibrium(). An angular-contact bearing with
-///           separated rings has no contacts, as in solve_arrangement().
+/// Accuracy: the imbalance of each ball is at most `options.tolerance` times the forces on the
+///           ball. The physics is the same as in solve_bearing_equilibrium(). An angular-contact
+///           bearing with separated rings has no contacts, as in solve_arrangement().
 class DisplacedBearing {
  public:
   DisplacedBearing(const Bearing& bearing, double speed, const RingShift& shift = {},

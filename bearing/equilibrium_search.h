@@ -20,7 +20,7 @@ namespace raceway::bearing {
 ///   7. under inner control, from the contacts that occur on a grid of ring positions
 ///      (contact_scan.h).
 ///
-/// Under outer control the forces are continuous in the displacement, and the paths find every
+/// Under outer control the forces are continuous in the displacement, and these steps find every
 /// state known to exist. Under inner control the gyroscopic couple vanishes with the contact, so a
 /// state can depend on a combination of lost balls. Steps 2 and 6 try the likely combinations. Step
 /// 7 tries the combinations that occur on the grid. The search misses 0.01 % of the existing states

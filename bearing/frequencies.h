@@ -47,8 +47,8 @@ struct BearingFrequencies {
 /// Frequencies from the running contact angles of the balls. They are means over all balls, because
 /// the orbital speeds differ under radial load and the cage averages them.
 ///
-/// Domain: converged equilibrium with a loaded ball, else NaN. At standstill, the limit of slow
-///         rotation. Balls without contact are ignored.
+/// Domain: converged equilibrium with a loaded ball, else NaN. At standstill, the result is the
+///         limit for slow rotation. Balls without contact are ignored.
 [[nodiscard]] inline BearingFrequencies running_frequencies(const Bearing& bearing,
                                                             const BearingEquilibrium& equilibrium,
                                                             RaceControl control) {

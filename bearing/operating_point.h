@@ -7,7 +7,8 @@ namespace raceway::bearing {
 /// Speed, loads and moments on the inner ring of one bearing. x is along the shaft, y and z are
 /// radial, right-handed. The inner ring rotates, the outer ring is stationary.
 struct OperatingPoint {
-  /// Speed of the shaft relative to the housing [rad/s], >= 0 (its sense has no effect).
+  /// Speed of the shaft relative to the housing [rad/s], >= 0 (the direction of rotation has no
+  /// effect).
   double speed = 0.0;
   double axial_load = 0.0;     ///< F_x [N]
   double radial_load = 0.0;    ///< F_y [N]

@@ -15,8 +15,8 @@ struct RingState {
   std::vector<Plane> balls;
 };
 
-/// Memory of a solve. It is kept between solves, so that later solves do not allocate. One for each
-/// thread.
+/// Memory of a solve. It is kept between solves, so that later solves do not allocate. Use one
+/// object for each thread.
 struct RingWorkspace {
   RingNewton<double> newton;
   RingState state;
@@ -24,7 +24,7 @@ struct RingWorkspace {
 };
 
 /// Equilibrium of one inner ring under one load, solved by Newton's method. Internal to the solver;
-/// equilibrium_search.h chooses the starting states. No allocation after the first point.
+/// equilibrium_search.h chooses the starting states. No memory is allocated after the first point.
 class RingSystem {
  public:
   RingSystem(const Bearing& bearing, const OperatingPoint& point, const EquilibriumOptions& options,
@@ -49,7 +49,7 @@ class RingSystem {
   [[nodiscard]] double lever() const { return point_.lever; }
   [[nodiscard]] Plane free_groove_centre() const { return point_.free; }
   [[nodiscard]] int iterations() const { return iterations_; }
-  /// Reason of a failed newton(): no_equilibrium unless every attempt was singular or not finite.
+  /// Reason why newton() failed: no_equilibrium unless every attempt was singular or not finite.
   [[nodiscard]] SolveStatus failure() const { return failure_; }
   /// Limits the following search to this number of steps, in addition to the limit of the options.
   void allow(int steps) { end_ = std::min(options_.max_iterations, iterations_ + steps); }

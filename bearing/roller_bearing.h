@@ -46,8 +46,8 @@ struct RollerGeometry {
   }
 };
 
-/// Returns the geometry, or throws std::invalid_argument for the first value that is missing or
-/// impossible: name, value with unit, allowed range.
+/// Returns the geometry. Throws std::invalid_argument for the first missing or impossible value.
+/// The message gives its name, its value with unit, and the allowed range.
 [[nodiscard]] RollerGeometry validated(const RollerGeometry& geometry);
 
 /// Number of slices of a roller. It is fixed, because the life depends on it through the edge
@@ -69,9 +69,9 @@ inline constexpr std::size_t lamina_count = 41;
 ///
 ///   q = c1 δ^(10/9),   c1 = 2^(10/9) cs,   cs = 35948 L^(8/9)/ns   [N, mm]
 ///
-/// cs is the stiffness of both contacts of a roller in series, c1 that of a single contact. For
-/// materials other than steel both are multiplied by 2 k(steel)/(k(roller) + k(ring)), k = (1 -
-/// ν²)/E.
+/// cs is the stiffness of both contacts of a roller in series, and c1 is the stiffness of a single
+/// contact. For materials other than steel both are multiplied by 2 k(steel)/(k(roller) + k(ring)),
+/// k = (1 - ν²)/E.
 ///
 /// Source:   [ISO16281], read in two programs; two equal contacts in series and the factor of the
 ///           materials are derived (Lundberg's form is linear in k).

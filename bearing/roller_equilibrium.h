@@ -22,7 +22,7 @@ struct RollerOptions {
   ///         moments.
   Tilt tilt = Tilt::locked;
   double tilt_y = 0.0, tilt_z = 0.0;  ///< imposed, right-handed about y and z [rad]
-  /// s in operation [m]; NaN: the clearance of the geometry.
+  /// Radial clearance s in operation [m]; if it is NaN, the clearance of the geometry is used.
   double clearance = unset;
   double tolerance = 1e-11;  ///< on the imbalance relative to the largest force [1]
   int max_iterations = 500;  ///< Newton steps
@@ -94,12 +94,12 @@ struct RollerEquilibrium {
 /// Source:   at rest [ISO16281], read in two programs; two contacts in series and Fc derived.
 /// Domain:   speed >= 0. axial_load must be 0, because the bearing carries no axial load; otherwise
 ///           throws std::invalid_argument. Without load and preload no roller touches the inner
-///           ring: `loose`. The ring does not move in a direction without stiffness (one loaded
-///           roller).
+///           ring, and the status is `loose`. The ring does not move in a direction without
+///           stiffness (one loaded roller).
 /// Accuracy: `tolerance`. Physical assumptions: rigid rings, quasi-static motion; no skew, flange
-///           friction, cage slip or film. An approach below 1e-15 m is not a contact. A rounding of
-///           1e-19 mm at 90 deg would otherwise give 1 % of a stiffness, because q' is proportional
-///           to the ninth root of the approach.
+///           friction, cage slip or film. An approach below 1e-15 m is not a contact. Otherwise a
+///           rounding error of 1e-19 mm at 90 deg would contribute 1 % of a stiffness, because q'
+///           is proportional to the ninth root of the approach.
 [[nodiscard]] RollerEquilibrium solve_roller_bearing(const RollerBearing& bearing,
                                                      const OperatingPoint& point,
                                                      const RollerOptions& options = {});
@@ -112,7 +112,7 @@ class RollerBalance;
 /// keeps a reference to the bearing.
 class DisplacedRollerBearing {
  public:
-  /// `clearance` NaN: the clearance of the geometry.
+  /// If `clearance` is NaN, the clearance of the geometry is used.
   DisplacedRollerBearing(const RollerBearing& bearing, double speed, double clearance = unset);
   DisplacedRollerBearing(DisplacedRollerBearing&&) noexcept;
   DisplacedRollerBearing& operator=(DisplacedRollerBearing&&) noexcept;
@@ -138,7 +138,7 @@ class DisplacedRollerBearing {
 };
 
 /// Solves the rollers at a given displacement of the inner ring; `load` of the result is the
-/// reaction at this displacement. `clearance` NaN: the clearance of the geometry.
+/// reaction at this displacement. If `clearance` is NaN, the clearance of the geometry is used.
 [[nodiscard]] RollerEquilibrium displaced_roller_bearing(const RollerBearing& bearing,
                                                          const Vector4& displacement, double speed,
                                                          double clearance = unset);

@@ -73,7 +73,7 @@ class ShaftSystem {
   [[nodiscard]] double rear_force(const ShaftState& state) const;
   [[nodiscard]] int iterations() const { return iterations_; }
   [[nodiscard]] bool exhausted() const { return iterations_ >= options_.max_iterations; }
-  /// Reason of a failed newton(): no_equilibrium unless every attempt was singular or not finite.
+  /// Reason why newton() failed: no_equilibrium unless every attempt was singular or not finite.
   [[nodiscard]] SolveStatus failure() const { return failure_; }
   /// Clears iterations and failures.
   void restart();

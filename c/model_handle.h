@@ -18,13 +18,15 @@ struct raceway_model {
 
 namespace raceway::c {
 
-/// Reads a model as `solve` and `table` do. Throws text::InputError. The caller owns the model.
+/// Reads a model like the commands `solve` and `table`. Throws text::InputError. The caller owns
+/// the model.
 [[nodiscard]] raceway_model* open_handle(const session::Source& source);
 
 /// Returns the code of raceway.h (RACEWAY_...) for a status of the solver.
 [[nodiscard]] int status_number(bearing::SolveStatus status);
 
-/// Reads names of columns. An empty list means all. Throws text::InputError for an unknown name.
+/// Reads names of columns. An empty list selects all columns. Throws text::InputError for an
+/// unknown name.
 [[nodiscard]] std::vector<std::string> column_names(const raceway_model& model, const int* columns,
                                                     std::size_t count);
 

@@ -6,7 +6,7 @@
 /// Messages: a function with `message` and `message_size` writes its message there, in UTF-8 with a
 ///           final 0. The message is either the error in the words of the command, or notes and
 ///           warnings on one line each ("note: ...", "warning: ..."), or empty. Text that does not
-///           fit is cut off between two characters. NULL or a size of 0: no text.
+///           fit is cut off between two characters. With NULL or a size of 0, no text is written.
 /// Threads:  several threads may call the functions at the same time, even with the same model,
 ///           because a model does not change. Call raceway_free() once, after all other calls.
 /// Errors:   no function throws, prints or ends the program. If memory runs out, it returns 1 or
@@ -84,9 +84,9 @@ RACEWAY_API int raceway_column_index(const raceway_model* model, const char* nam
 /// Solves `count` states of a bearing or of a shaft, in parallel on all cores. The results of a
 /// state do not depend on the number of threads or on the other states.
 ///
-/// speed_rpm ... temperature_C  the states. NULL: the value of the model, as for the command
-///           without this flag. speed_rpm is required. Axial loads of a shaft are external loads,
-///           positive towards the tool. Radial loads are not allowed for a shaft.
+/// speed_rpm ... temperature_C  the states. With NULL, the value of the model is used, as for the
+///           command without this flag. speed_rpm is required. Axial loads of a shaft are external
+///           loads, positive towards the tool. Radial loads are not allowed for a shaft.
 /// strides   4 numbers in the order of these arrays: the distance from one state to the next in
 ///           doubles. 1: an array of `count` numbers. 0: one number for all states. Negative: the
 ///           array is not given; for languages without NULL. strides = NULL: all strides are 1.

@@ -15,7 +15,7 @@ namespace raceway::cli {
   return force ? text::IfExists::replace : text::IfExists::refuse;
 }
 
-/// Declares the argument `MODEL`: a model file. `with` names the tables that it must have.
+/// Declares the argument `MODEL`: a model file. `with` names the tables that this file must have.
 void declare_model(CLI::App& command, std::string& model, const std::string& with = {});
 
 /// Declares `--json`.

@@ -20,8 +20,8 @@ struct Interval {
 ///
 ///   y(edge) + the smaller change of   law(x) - y(edge)   and   y'(edge) (x - edge)
 ///
-/// If the two have different signs, the value at the edge is used. The result lies between the
-/// value at the edge and the law, so it is positive if the law is positive.
+/// If the two changes have different signs, the value at the edge is used. The result lies between
+/// the value at the edge and the law, so it is positive if the law is positive.
 /// Accuracy: the slope at the edge is a finite difference inside the range, over a millionth of the
 ///           range.
 template <typename Law>

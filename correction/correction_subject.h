@@ -49,9 +49,9 @@ class CorrectionSubject : public fit::Subject {
   /// only axis. Unknown ids are returned unchanged. Throws std::invalid_argument if the name is
   /// ambiguous. Call this on a subject returned by informed_by().
   [[nodiscard]] std::string meant_by(const std::string& id) const;
-  /// Returns sensors with visible resolution: the displacement steps with the last digit of the
-  /// sensor, and the residual steps back by at most the amount that the model explains. Call this
-  /// function on a fitted model.
+  /// Returns the sensors whose coarse resolution is visible: the predicted displacement steps with
+  /// the last digit of the sensor, and the residual steps back by at most the amount that the model
+  /// explains. Call this function on a fitted model.
   [[nodiscard]] std::vector<fit::Fault> faults(const fit::Record& record) const override;
   /// Returns eight consecutive parts of the record with equal numbers of readings. If an input
   /// moves in only one part, each run is split into eight parts. A part that contains nearly all

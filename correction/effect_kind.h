@@ -25,11 +25,12 @@ struct EffectCard {
   std::size_t size = 0;     ///< index of the parameter whose neutral value switches the effect off
   bool of_channel = false;  ///< true: changes the response of a channel; false: adds its own share
   bool at_channel = false;  ///< true: `where` names a channel; empty means the first one
-  /// True: a column is part of the name: the column that drives the effect or its window.
+  /// True if the name contains a column: the column that drives the effect or its window.
   bool by_column = false;
   bool by_window = false;   ///< true: may act in a window of a position
   bool of_reading = false;  ///< true: valid only for this record, and not for a control
-  /// True: the record itself shows the effect; it has no parameter and is never switched on.
+  /// True if the record itself shows the effect; such an effect has no parameter and is never
+  /// switched on.
   bool evidence = false;
   bool needs_input = false;  ///< true: a file must name its columns
 };

@@ -30,8 +30,8 @@ class OwnEffect;
 struct Window {
   const Channel* column = nullptr;  ///< position of the axis
   std::array<double, 4> points{};  ///< rising positions [SI]; infinite where the window has no edge
-  /// True: the window scales the input before the lags, for heat that arises in the window. False:
-  /// it scales the displacement, for a body that moves the tool only in the window.
+  /// True if the window scales the input before the lags, for heat that arises in the window. False
+  /// if it scales the displacement, for a body that moves the tool only in the window.
   bool of_input = false;
 
   [[nodiscard]] double operator()(double position) const;

@@ -11,8 +11,8 @@ namespace raceway::correction {
 struct Regression {
   Eigen::VectorXd coefficients{};  ///< one for each column
   double rms = unset;              ///< rms residual, in the unit of the readings
-  /// Condition number: largest over least singular value of the columns. At 1e8 and above, the
-  /// coefficients lose digits.
+  /// Condition number: ratio of the largest to the smallest singular value of the columns. At 1e8
+  /// and above, the coefficients lose digits.
   double condition = unset;
 };
 
@@ -21,8 +21,8 @@ struct Regression {
 /// for linearly dependent columns.
 [[nodiscard]] Regression regress(const Eigen::MatrixXd& columns, const Eigen::VectorXd& readings);
 
-/// Returns the gain of a sister spindle: the factor on the simulated share s of the spindle if the
-/// remainder of the model is correct, <y - rest, s>/<s, s> [Transfer2022, eq. 6].
+/// Returns the gain of a sister spindle, <y - rest, s>/<s, s>: the factor on the simulated share s
+/// of the spindle [Transfer2022, eq. 6]. The remainder of the model is assumed correct.
 [[nodiscard]] double sister_scale(const Eigen::VectorXd& measured, const Eigen::VectorXd& rest,
                                   const Eigen::VectorXd& spindle);
 

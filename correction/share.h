@@ -45,12 +45,12 @@ struct JumpShare {
 using Share =
     std::variant<std::monostate, DrivenShare, MotorShare, SettlingShare, JumpShare, Kinematic>;
 
-/// Receives a weight [m] and a factor for each row. For equal parameters, a Series passes the same
-/// stored object.
+/// Receives a weight [m] and a factor for each row. A Series stores its factors, so equal
+/// parameters give the same object.
 using Sink = std::function<void(double weight, const Series::Values& values)>;
 
-/// Simulates a share on a record. `seen` is the speed range of the fit [rpm], beyond which laws are
-/// continued().
+/// Simulates a share on a record. `seen` is the speed range of the fit [rpm]. Beyond this range,
+/// laws follow continued().
 void add_share(const Share& share, const Series& series, const Interval& seen, const Sink& sink);
 
 }  // namespace raceway::correction

@@ -214,7 +214,7 @@ struct Nature {
   /// bearing only.
   bool drags_on_the_rotor = false;
   /// Exponent of the pitch diameter that scales the plausible range of the size. The stated range
-  /// is for 60 mm. 0: the same range for bearings of all sizes.
+  /// is for 60 mm. With an exponent of 0, the range is the same for bearings of all sizes.
   double size_power = 0.0;
   /// True if the effect increases and decreases as the machine warms up and cools down. Temperature
   /// or lag separates such an effect from other effects.
@@ -222,7 +222,7 @@ struct Nature {
   bool base_law = false;   ///< true: corrects an exponent of the base law
   bool empirical = false;  ///< true: a shape without a physical law
   bool spin = false;       ///< true: the moment comes from contacts in which the balls spin
-  /// True: changes the condition of the bearings but does not move the sets.
+  /// True if the effect changes the condition of the bearings but does not move the sets.
   bool friction_alone = false;
   bool as_mounted = false;      ///< true: changes the sets as mounted, before they turn
   bool of_each_record = false;  ///< true: may differ between several records
@@ -300,7 +300,7 @@ struct Effect {
 
 /// Returns the initial values of all parameters.
 [[nodiscard]] std::vector<double> initial_values(const Description& description);
-/// Returns the initial values, but the neutral value of each parameter that has one.
+/// Returns the initial values, with the neutral value for each parameter that has one.
 [[nodiscard]] std::vector<double> neutral_values(const Description& description);
 
 }  // namespace raceway::effects

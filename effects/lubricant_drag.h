@@ -14,9 +14,9 @@ namespace raceway::effects {
 /// Source:   inertia of a fluid that is pushed aside. The first term of the drag moment in the SKF
 ///           catalogues, 0.4 V_M K_ball d_m^5 n², has this form. The published constants depend on
 ///           the oil level; c replaces them.
-/// Domain:   every speed. Oil bath, and oil jet with twice the drag according to SKF. Not for
-///           oil-air and worked-in grease, because the balls do not push oil drops or such grease
-///           aside.
+/// Domain:   every speed. The law is for an oil bath, and for an oil jet, which has twice the drag
+///           according to SKF. It is not for oil-air and worked-in grease, because the balls do not
+///           push oil drops or such grease aside.
 struct LubricantDrag {
   static constexpr std::string_view id = "lubricant-drag";
   static constexpr std::string_view title = "drag of balls and cage in the lubricant";

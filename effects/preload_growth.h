@@ -14,7 +14,8 @@ namespace raceway::effects {
 ///
 /// Source:   loop of heat, expansion and preload (Bossmanns and Tu 1999); the share s between the
 ///           two models is derived.
-/// Domain:   0 <= s <= 1, for a model with preload_feedback = false. s = 1 is the whole loop.
+/// Domain:   0 <= s <= 1, for a model with preload_feedback = false. With s = 1, the friction
+///           depends only on the forces of the warm sets.
 struct PreloadGrowth {
   static constexpr Form form = Form::spindle;
   static constexpr std::string_view id = "preload-growth";

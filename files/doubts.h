@@ -8,8 +8,8 @@
 
 namespace raceway::files {
 
-/// Returns questions about a record that must be answered before a verdict. Such data look,
-/// compared with the model, as if they had another unit or sign or were in the wrong column.
+/// Returns questions about a record that must be answered before a verdict. Compared with the
+/// model, such data seem to have another unit or sign, or to be in the wrong column.
 ///
 /// Readings:     the test uses the median of |reading / prediction| over the rows. Free parameters
 ///               or missing effects may explain a factor of up to 5. A larger factor is named if it

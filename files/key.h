@@ -67,7 +67,8 @@ struct Key {
 
 /// Keys of one table, or the keys of this table that one reader reads.
 struct KeyTable {
-  /// "bearing", "correction.channel"; the user chooses a part in capitals.
+  /// Name such as "bearing" or "correction.channel". The user chooses a part that is written in
+  /// capitals.
   std::string_view name;
   std::span<const Key> keys;
   std::string_view only{};  ///< restriction, "of a spindle", "law skf"; "" if none

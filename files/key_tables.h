@@ -16,7 +16,8 @@ struct ListedKey {
   Key key;
 
   [[nodiscard]] std::string meaning() const;
-  /// Default as text: a number, a word in quotes, or words on its origin; empty without a default.
+  /// Default as text: a number, a word in quotes, or words on its origin; empty if the key has no
+  /// default.
   [[nodiscard]] std::string fallback() const;
 };
 

@@ -21,11 +21,11 @@ struct CostlyFit {
 /// Stopping rule of a fit.
 struct CostlyEnd {
   double settled = 1e-4;  ///< relative fall of the misfit that counts as no progress
-  /// Fits with a larger misfit need no exact derivatives.
+  /// Fits with a larger misfit than this value need no exact derivatives.
   double hopeless = std::numeric_limits<double>::infinity();
-  /// True: the fit stops as soon as exact or approximate derivatives predict a relative fall below
-  /// `settled`. It takes the last step without a prediction. The result shows which misfit a full
-  /// fit would reach.
+  /// True if the fit stops as soon as exact or approximate derivatives predict a relative fall
+  /// below `settled`. Such a fit takes the last step without a prediction. The result shows which
+  /// misfit a full fit would reach.
   bool rough = false;
 };
 
@@ -60,8 +60,8 @@ class CostlyProblem {
   [[nodiscard]] SeparableFit at(const Eigen::VectorXd& values) const;
   /// Returns the derivatives of the means with respect to the scaled parameters.
   [[nodiscard]] Eigen::MatrixXd differences(const SeparableFit& here) const;
-  /// If `better` is given, it receives the prediction of a difference if that prediction fits
-  /// better.
+  /// If `better` is given and the prediction for the difference has a smaller misfit, `better`
+  /// receives this prediction.
   [[nodiscard]] Eigen::VectorXd difference(const SeparableFit& here, std::size_t parameter,
                                            double by, SeparableFit* better = nullptr) const;
   /// `slope` contains derivatives with respect to scaled parameters. `is_fresh` is true if they are

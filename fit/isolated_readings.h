@@ -39,8 +39,8 @@ struct Isolated {
 /// neighbours. Its lower limit is 0.3 % of the range of the central 90 % of the readings. A rise
 /// after a standstill, a peak at a change of speed and a lasting jump are not isolated readings. At
 /// any speed, a reading is isolated if its distance from both neighbours exceeds `by.impossible`
-/// times the range of the readings, without the outermost hundredth at either end. If this rule
-/// would remove more than a tenth of the readings, none is removed.
+/// times the range of the readings (without the outermost 1 % at either end). If this rule would
+/// remove more than a tenth of the readings, none is removed.
 [[nodiscard]] Isolated without_isolated_readings(const record::Record& record);
 
 /// Removes isolated readings of another channel. If `predicted` gives a value for each row, the

@@ -129,7 +129,7 @@ class Judged {
   [[nodiscard]] virtual std::vector<Axis> axes(const Record& record) const;
   /// Describes a point. Default: "995 rpm, 100 N".
   [[nodiscard]] virtual std::string words(std::span<const Setting> point) const;
-  /// Returns further quantities whose recording would separate the rivals.
+  /// Returns further quantities that would separate the rival effects if they were recorded.
   [[nodiscard]] virtual std::vector<std::string> records_needed(
       const Record& record, const std::vector<std::vector<std::string>>& rivals,
       const std::vector<std::string>& not_testable) const;

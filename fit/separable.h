@@ -47,8 +47,8 @@ struct SeparableFit {
 
 /// Minimises the weighted sum of squares of means over the named parameters. Linear parameters are
 /// solved by linear least squares within each step (variable projection [GolubPereyra1973]).
-/// Bending parameters use the method of Levenberg and Marquardt, on a logarithmic scale if their
-/// bounds span more than a decade.
+/// The other parameters are the bending parameters. They use the method of Levenberg and Marquardt,
+/// on a logarithmic scale if their bounds span more than a decade.
 ///
 /// A ridge of 1e-6 on columns of unit length prevents two lags with nearly equal time constants
 /// from growing against each other. A prior adds w (v - value)²/std² for its parameter v, where w
@@ -109,7 +109,7 @@ class Separable {
   [[nodiscard]] Eigen::VectorXd readings(const Eigen::VectorXd& values) const;
   void read_priors(const Eigen::VectorXd& values, Eigen::VectorXd& readings) const;
   [[nodiscard]] SeparableFit without_priors(SeparableFit fit) const;
-  /// Returns at() with the residuals of the priors behind the residuals of the means.
+  /// Returns at() with the residuals of the priors after the residuals of the means.
   [[nodiscard]] SeparableFit with_priors(const Eigen::VectorXd& values, int left_out,
                                          double ridge) const;
   /// Returns the stored basis after updating it to these values and weights.

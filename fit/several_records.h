@@ -11,7 +11,8 @@ namespace raceway::fit {
 
 /// One model for several joined records (record::joined()). Own parameters, such as the oil and the
 /// temperature of a day, have a separate value in each record. All other parameters and every
-/// candidate are common to all records. The loop treats it as one subject with one record.
+/// candidate are common to all records. The loop treats the joined model as one subject with one
+/// record.
 ///
 /// An own parameter is called "name@record", for example "f0@monday", and replaces the shared
 /// parameter. Without declared standard deviations, the noise has one shape for all records, and a
@@ -73,8 +74,8 @@ class SeveralRecords : public Subject {
   [[nodiscard]] std::string lacks_levels(const std::string& id,
                                          const Record& record) const override;
 
-  /// Returns the saturation of the model, with an additional level and slope in each record for
-  /// every input.
+  /// Returns the saturated regression of the model, with an additional level and slope in each
+  /// record for every input.
   [[nodiscard]] Saturation saturation(const Record& record) const override;
   [[nodiscard]] std::vector<const Channel*> scattering(const Record& record) const override;
   [[nodiscard]] std::vector<Factor> factors(const Record& record) const override;

@@ -56,8 +56,8 @@ struct SobolIndices {
 ///   ST_i = mean((f_A - f_AB_i)²) / (2 V)       V: variance of f over A and B
 ///
 /// Errors are 1.96 times the scatter over 200 bootstrap resamplings of the samples. The bootstrap
-/// assumes independent samples. Sobol' points are more even than independent samples, so the errors
-/// are slightly too large.
+/// assumes independent samples. Sobol' points are distributed more evenly than independent samples,
+/// so the errors are slightly too large.
 ///
 /// Source:   S_i [Saltelli2010, table 2 (b)]; ST_i [Jansen1999], [Saltelli2010, table 2 (f)];
 ///           bootstrap of indices [Archer1997].

@@ -70,7 +70,8 @@ struct Candidate {
   std::vector<Parameter> parameters{};  ///< parameters, named "id.name"
   /// Index of the parameter that is the size. At `neutral`, the candidate has no effect.
   std::size_t size = 0;
-  /// True: corrects the law of the subject itself; tried before physical effects.
+  /// True if the candidate corrects the law of the subject itself. Such candidates are tried before
+  /// physical effects.
   bool base_law = false;
   bool of_the_user = false;  ///< true: the user defined it, and its size is unknown
   bool empirical = false;    ///< true: a shape without a physical law; it only describes the misfit
@@ -78,8 +79,8 @@ struct Candidate {
   bool of_time = false;         ///< true: depends on the time of a row
   /// Allowed values of each parameter, rising. An empty list, or an empty entry for one parameter,
   /// allows all values within its bounds. In a model that only approximates, a parameter with a
-  /// list is the place of the preceding linear parameter. Places after the first are used only if
-  /// they are needed.
+  /// list gives the place at which the preceding linear parameter acts, such as the time of a jump.
+  /// Places after the first are used only if they are needed.
   std::vector<std::vector<double>> only{};
   /// True if the candidate only corrects this record and does not apply to other records.
   bool of_reading = false;

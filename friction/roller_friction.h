@@ -53,7 +53,7 @@ struct RollerPalmgrenLoad {
 };
 
 /// Usual f0 of a cylindrical roller bearing by lubricant supply [1]: grease 0.8, oil-air 1.5, bath
-/// 3, jet 6. If the supply is unknown, 1.5.
+/// 3, jet 6. For an unknown supply it is 1.5.
 /// Source: read in the public program thermca, after Jungnickel.
 [[nodiscard]] double usual_roller_f0(std::optional<Supply> supply);
 

@@ -140,7 +140,7 @@ struct SkfRolling {
 /// Dimensional as published: M_sl [N mm], d_m [mm], F [N], n [rpm]; converted here. μ_bl is about
 /// 0.15; μ_EHL 0.05 with mineral oil, 0.04 with synthetic oil, 0.1 with transmission fluid.
 /// Source:   [SKFGeneral, p. 91-101], constants of 40 deg (skf_angular_contact).
-/// Domain:   speed >= 0, viscosity > 0, α0 > 0. At standstill, the moment is that of boundary
+/// Domain:   speed >= 0, viscosity > 0, α0 > 0. At standstill, the moment is the moment of boundary
 ///           lubrication.
 /// Accuracy: the formula to rounding; the maker states none.
 struct SkfSliding {

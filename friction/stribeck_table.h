@@ -30,8 +30,9 @@ void validate(const TableAxes& axes);
 
 /// Values at one point of a table.
 struct TablePoint {
-  /// `converged` if all values are finite. A law that does not use the balls has a moment even if
-  /// the balls have no equilibrium. In this case the status describes the equilibrium.
+  /// Status of the point: `converged` if all values are finite. A law that does not use the balls
+  /// has a moment even if the balls have no equilibrium. In this case the status describes the
+  /// equilibrium.
   bearing::SolveStatus status = bearing::SolveStatus::not_run;
   double friction_moment = unset;  ///< [N m]
   std::span<double> columns;       ///< additional values, in the order of StribeckTable::columns
@@ -127,7 +128,7 @@ struct InterpolatedMoment {
 ///           1e-9 for rounding of units. A position that is not finite is an error for both values
 ///           of Outside.
 /// Accuracy: exact at grid points. For equal spacing h the error is of order h³, and of order h²
-///           next to the ends and to an extremum. Along a grid line, the moment is monotone where
+///           near the ends and near an extremum. Along a grid line, the moment is monotone where
 ///           its points are monotone. Between grid lines this is usual, but not guaranteed.
 [[nodiscard]] InterpolatedMoment interpolate(const StribeckTable& table,
                                              const TablePosition& position, Outside outside);

@@ -21,8 +21,8 @@ struct LoadFactors {
 /// Source:   [ISO281, table 3], not checked against the print. All rows were read in a transcript.
 ///           They have X + Y e = 1 within 1 % (tested), because P is continuous at e.
 /// Domain:   α0 from 0 to 45 deg, magnitude of F_a. NaN outside.
-/// Accuracy: that of the published table. Under preload or at speed, reference_life.h is more
-///           accurate.
+/// Accuracy: as accurate as the published table. Under preload or at speed, reference_life.h is
+///           more accurate.
 [[nodiscard]] LoadFactors load_factors(const bearing::BearingGeometry& geometry, double axial_load);
 
 /// Dynamic equivalent radial load P of the magnitudes of radial and axial load [N].

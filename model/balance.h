@@ -19,14 +19,14 @@ struct BallTurning {
 
 /// Solves the ball equilibrium of a bearing with the solver of the model: with race control or, if
 /// no race controls the balls, with the traction of the oil at the temperature of the point.
-/// `bearing` and `oil` may differ from those of the model. The solve starts from a neighbouring
-/// solution if one is given.
+/// `bearing` and `oil` may differ from the bearing and the oil of the model. The solve starts from
+/// a neighbouring solution if one is given.
 [[nodiscard]] bearing::BearingEquilibrium solve_balls(
     const Model& model, const bearing::Bearing& bearing, const bearing::OperatingPoint& point,
     const bearing::EquilibriumOptions& options, const friction::Lubricant& oil,
     const bearing::BearingEquilibrium* neighbour = nullptr);
 
-/// Solves the equilibrium of the sets. `temperatures` are those of the oil, one for each bearing or
+/// Solves the equilibrium of the sets. `temperatures` are oil temperatures, one for each bearing or
 /// one for all [K].
 [[nodiscard]] bearing::ArrangementEquilibrium solve_sets(
     const Model& model, const bearing::Arrangement& arrangement,

@@ -17,8 +17,8 @@ namespace raceway::model {
 /// are not included.
 [[nodiscard]] std::vector<std::string> waiting_effects(const Model& model);
 
-/// Returns an effect as a candidate; empty for an effect without a size. For a coast-down rig,
-/// effects that grow with the rotor have no upper limit of a plausible size.
+/// Returns an effect as a candidate; empty for an effect without a size parameter. For a coast-down
+/// rig, effects that grow with the rotor have no upper limit of a plausible size.
 [[nodiscard]] std::optional<fit::Candidate> candidate_of(const effects::Description& effect,
                                                          const Model& model);
 

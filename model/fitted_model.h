@@ -11,7 +11,7 @@ namespace raceway::model {
 /// Sets parameters of a model repeatedly and finds the first stage that they change.
 class FittedModel {
  public:
-  /// `steps` are those of the model.
+  /// `steps` must be the steps of the model.
   FittedModel(Model model, const Steps& steps, std::vector<ParameterPlace> places);
 
   [[nodiscard]] const Model& model() const { return model_; }
@@ -20,8 +20,8 @@ class FittedModel {
   /// Sets the values in the order of the places. Returns the first stage that differs from the last
   /// keep(). Throws std::invalid_argument for values that the model does not accept.
   [[nodiscard]] Stage set(std::span<const double> values);
-  /// Tells this object that all predictions now correspond to these values, which must be those of
-  /// the last set().
+  /// Tells this object that all predictions now correspond to these values, which must be the
+  /// values of the last set().
   void keep(std::span<const double> values);
 
  private:

@@ -14,7 +14,7 @@ namespace raceway::model {
 [[nodiscard]] std::vector<std::string> ignored_by_friction(const Model& model,
                                                            std::span<const std::string> keys);
 
-/// Returns those of these keys that the given law uses.
+/// Returns the keys among `keys` that the given law uses.
 [[nodiscard]] std::vector<std::string> taken_in(friction::FrictionLaw law,
                                                 std::span<const std::string> keys);
 

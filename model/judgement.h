@@ -176,8 +176,8 @@ inline constexpr double water_freezes = celsius_zero, water_boils = celsius_zero
 /// strength of about 1 GPa [1].
 inline constexpr double ring_yields = 0.005;
 
-/// Maximum Hertz pressure that no bearing steel withstands [Pa]. The mean pressure, 2/3 of it, then
-/// equals the hardness at 60 HRC, about 7 GPa.
+/// Maximum Hertz pressure that no bearing steel withstands [Pa]. The mean pressure, 2/3 of the
+/// maximum, then equals the hardness at 60 HRC, about 7 GPa.
 inline constexpr double steel_flows = 10.5e9;
 
 /// Slope of a bending line above which linear beam theory has no meaning [rad].

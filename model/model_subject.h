@@ -20,7 +20,7 @@ struct Expected {
     double value;      ///< in every row [SI]; NaN: the column is required
     std::string from;  ///< source of the value: "[rig]"
   };
-  /// Substitute for a missing column whose partner is present.
+  /// Substitute for a missing column, used if the partner column is present.
   struct Partner {
     const record::Channel* channel;
     const record::Channel* partner;
@@ -97,9 +97,10 @@ class ModelSubject : public fit::Subject {
   [[nodiscard]] virtual std::vector<std::string> usual_free() const;
   /// Returns the channel with the tolerance from the model.
   [[nodiscard]] fit::Measured with_tolerance(fit::Measured measured) const;
-  /// Returns the friction torque as sensors of rigs read it.
+  /// Returns the friction torque as a measured channel, with the usual scatter of rig sensors and
+  /// the tolerance from the model.
   [[nodiscard]] fit::Measured measured_torque() const;
-  /// Returns the subject with each other law of its bearing, "law:skf" and so on.
+  /// Returns one subject for each other law of its bearing, named "law:skf" and so on.
   [[nodiscard]] std::vector<fit::OtherBase> other_laws() const;
   /// Returns the ids of effects that are only candidates.
   [[nodiscard]] const std::vector<std::string>& waiting() const { return waiting_; }

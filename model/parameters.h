@@ -63,7 +63,8 @@ class ParameterPlace {
   [[nodiscard]] double get(const Model& model) const;
   /// Throws std::invalid_argument if bearing or arrangement rejects the value.
   void set(Model& model, double value) const;
-  /// Returns the index of its effect; -1 for other parameters.
+  /// Returns the index of the effect to which the parameter belongs; -1 for a parameter of no
+  /// effect.
   [[nodiscard]] int effect() const { return effect_; }
   /// Returns the index of the thermometer whose position is the parameter; empty for all other
   /// parameters.

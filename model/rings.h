@@ -29,8 +29,8 @@ struct Rings {
 /// the sets.
 [[nodiscard]] std::vector<Rings> rings_of(const Spindle& spindle, const bearing::Arrangement& sets);
 
-/// Returns the names of as many bearings in the order of rings_of(): front_1, rear_1, and a roller
-/// bearing by its own name.
+/// Returns the names of this many bearings in the order of rings_of(): front_1, rear_1 and so on; a
+/// roller bearing has its own name.
 [[nodiscard]] std::vector<std::string> bearing_names(std::size_t front, std::size_t rear,
                                                      std::span<const RollerOnShaft> rollers);
 

@@ -103,7 +103,7 @@ struct Seat {
   /// Conductance of the contact of a ring with a shoulder or another ring [W/(m² K)].
   double shoulder_conductance = 8000.0;
   /// Clamping forces of the inner rings with their spacers and of the outer rings [N]. The
-  /// conductance of the side faces then depends on their pressure. NaN: side faces have
+  /// conductance of the side faces then depends on their pressure. If they are NaN, side faces have
   /// shoulder_conductance, and spacers have no contact resistance.
   double inner_clamping_force = unset, outer_clamping_force = unset;
   /// Conductance from a side face of an outer ring to an adjacent collar of the shaft [W/(m² K)].
@@ -232,8 +232,8 @@ struct Network {
 enum class Cells { coarse, medium, fine };
 
 /// All parts of a spindle except its bearings, their lubricant and their arrangement. Positions are
-/// distances behind the nose face. Displacements are those of the nose relative to the flange,
-/// positive towards the tool.
+/// distances behind the nose face. Displacements are displacements of the nose relative to the
+/// flange, positive towards the tool.
 struct Spindle {
   std::string name = {};
   /// True: friction depends on the forces of the warm sets. False: it depends on the forces of the

@@ -56,7 +56,7 @@ struct Parameter {
   double std = unset;   ///< standard error; NaN at a bound and if the data do not determine it
   Interval interval{};  ///< 95 % interval by profile likelihood, if requested
   Bound at_bound = Bound::none;
-  /// False: the data do not determine it, or not separately from another one.
+  /// False if the data do not determine the parameter, or not separately from another one.
   bool identifiable = true;
   Prior prior{};  ///< prior for models that only approximate
   /// True if the parameter stays at its start because another parameter has the same influence.

@@ -19,7 +19,7 @@
 /// effect.
 namespace raceway::report {
 
-/// A correction, or a spindle with each measured channel, for the pictures.
+/// Data for the pictures: a correction, or a spindle with each measured channel.
 struct DrawnModel {
   std::string name{};                             ///< name for readers
   std::shared_ptr<const fit::Subject> subject{};  ///< a correction is aligned with the record

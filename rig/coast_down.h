@@ -44,11 +44,11 @@ struct CoastDownTorque {
 /// not overlap, so the errors of the rows are independent. A parabola in time is fitted to each
 /// window; its slope and value at the mean time of the window make one row. The slope of a parabola
 /// is not affected by the curvature of ω(t), even for unequally spaced samples. For equal spacing,
-/// its noise equals that of the slope of a straight line. A window covers 1/`windows` of the run,
-/// because noise falls with the 1.5th power of its length. A window is shorter if the speed would
-/// fall by more than `largest_fall`. The remaining error comes from the third derivative: for M ~
-/// ω^p it shifts the torque by the share p (2p - 1) s²/40 at a relative fall s, which is 0.04 % for
-/// p = 2/3 and 1 % for p = 2 at s = 0.25.
+/// its noise equals the noise of the slope of a straight line. A window covers 1/`windows` of the
+/// run, because noise falls with the 1.5th power of its length. A window is shorter if the speed
+/// would fall by more than `largest_fall`. The remaining error comes from the third derivative: for
+/// M ~ ω^p it shifts the torque by the share p (2p - 1) s²/40 at a relative fall s, which is 0.04 %
+/// for p = 2/3 and 1 % for p = 2 at s = 0.25.
 ///
 /// The standard deviation of a row is the residual scale of the whole run (robust, Huber's proposal
 /// 2) times the gain of the slope. If neighbouring residuals are correlated (filtered signals), it
@@ -60,10 +60,10 @@ struct CoastDownTorque {
 /// all samples that were excluded or averaged.
 /// Domain:   constant inertia, no drive. The function excludes samples before the release
 /// (release.h), samples at standstill or below Rig::minimum_speed, windows in which the shaft
-/// speeds up, and runs with fewer samples than one window. If a run is driven up again, each
-/// coast-down in it is used. Samples with the same time are averaged. Throws std::invalid_argument
-/// without an inertia, for a value that is not finite, for a time that decreases within a run (the
-/// message names the line), and if no run is long enough.
+/// speeds up, and runs with fewer samples than one window. If the shaft is driven up again within a
+/// run, each coast-down in the run is used. Samples with the same time are averaged. Throws
+/// std::invalid_argument without an inertia, for a value that is not finite, for a time that
+/// decreases within a run (the message names the line), and if no run is long enough.
 [[nodiscard]] CoastDownTorque coast_down_torque(const record::Record& coast_down,
                                                 const model::Rig& rig,
                                                 const CoastDownOptions& options = {});

@@ -49,8 +49,8 @@ void warn_of_ignored_data(Messages& messages, const files::ModelFile& file);
                                           const model::ModelSubject& subject,
                                           const files::ReadOptions& options);
 
-/// Throws an error of `fit` about the data again as text::InputError, with the name of the model
-/// before the message.
+/// Rethrows an error of `fit` about the data as text::InputError, with the name of the model before
+/// the message.
 [[noreturn]] void refuse_data(const std::string& model, const record::Record& data,
                               const std::invalid_argument& error);
 

@@ -24,8 +24,8 @@ struct DisplacementTable {
 /// is not finite.
 [[nodiscard]] DisplacementTable make_displacement_table(std::span<const DisplacementPoint> curve);
 
-/// Evaluates the cubic through the table at a speed [rad/s]. Outside, the value of the nearer end
-/// is used with `inside` false, like evaluate() of the law.
+/// Evaluates the cubic through the table at a speed [rad/s]. Outside the table, the value of the
+/// nearer end is used with `inside` false, like evaluate() of the law.
 ///
 ///   u = (1 + 2t)(1 - t)² u0 + t²(3 - 2t) u1 + h (t(1 - t)² m0 - t²(1 - t) m1),  t = (ω - ω0)/h
 [[nodiscard]] KinematicDisplacement evaluate(const DisplacementTable& table, double speed);

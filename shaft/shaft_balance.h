@@ -62,10 +62,10 @@ class ShaftBalance {
 /// model. If it cannot be mounted, the original arrangement is returned.
 [[nodiscard]] bearing::Arrangement mounted_arrangement(const Model& model);
 
-/// Returns the temperatures of the sets of a shaft. Measured ring temperatures replace those of the
-/// model. Shaft and housing follow measured rings unless the model gives their temperatures. All
-/// other missing temperatures are the mounting temperature. The result is empty if no temperature
-/// is known.
+/// Returns the temperatures of the sets of a shaft. Measured ring temperatures replace the ring
+/// temperatures of the model. Shaft and housing follow measured rings unless the model gives their
+/// temperatures. All other missing temperatures are the mounting temperature. The result is empty
+/// if no temperature is known.
 [[nodiscard]] std::optional<bearing::SetTemperatures> set_temperatures(const Shaft& shaft,
                                                                        double inner_ring = unset,
                                                                        double outer_ring = unset);

@@ -41,8 +41,8 @@ class BearingCoupling {
   /// s = F T + s0: F, and s0.
   [[nodiscard]] const SparseMatrix& felt_rows() const { return felt_; }
   [[nodiscard]] const Vector& felt_offset() const { return offset_; }
-  /// Row of felt_rows() for each given number. Heat enters the cells of a raceway with the same
-  /// weights as in the mean temperature of the raceway.
+  /// Index in s of each element of the argument `given`. Heat enters the cells of a raceway with
+  /// the same weights as in the mean temperature of the raceway.
   [[nodiscard]] const std::vector<Eigen::Index>& given_rows() const { return given_rows_; }
   /// Adds y to the heat flow into each cell [W].
   void add_given(const Vector& given, Vector& inflow) const;

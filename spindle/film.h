@@ -28,7 +28,7 @@ struct FluidProperties {
 /// Source:   Sutherland's forms with the constants of the US Standard Atmosphere 1976; ideal gas, c
 ///           = 1006 J/(kg K).
 /// Domain:   T from 200 to 600 K; outside, the nearest limit is used.
-/// Accuracy: 1 % of viscosity and conductivity, 0.5 % of c below 400 K.
+/// Accuracy: 1 % for viscosity and conductivity, 0.5 % for the heat capacity c below 400 K.
 [[nodiscard]] inline FluidProperties air_properties(double temperature) {
   constexpr double pressure = 1e5, gas_constant = 287.05, heat_capacity = 1006.0;
   const double T = std::clamp(temperature, 200.0, 600.0);
@@ -195,9 +195,10 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 ///
 /// Source:   Shah and London 1978 (laminar), Konakov 1946 as in channel_nusselt().
 /// Domain:   Re > 0, 0 < a <= 1, straight and smooth channel.
-/// Accuracy: 0.1 % of tables in laminar flow, 1.5 % of Prandtl's law of smooth pipes up to Re =
-///           1e6. A helix has a larger factor: its secondary flow adds some tens of percent in
-///           turbulent flow, and several times as much in laminar flow.
+/// Accuracy: the factor agrees with tables within 0.1 % in laminar flow, and with Prandtl's law of
+///           smooth pipes within 1.5 % up to Re = 1e6. A helix has a larger factor: its secondary
+///           flow adds some tens of percent in turbulent flow, and several times as much in laminar
+///           flow.
 [[nodiscard]] inline double channel_friction(double reynolds, double aspect) {
   const auto laminar = [&](double re) {
     const double a = aspect;

@@ -33,9 +33,9 @@ class HeatFlow {
   void start(const Vector& temperatures) { temperatures_ = temperatures; }
   /// Sets the inputs of the sets. Returns false if the sets have no equilibrium.
   [[nodiscard]] bool set_inputs(const Inputs& inputs);
-  /// Advances by dt [s] under `inputs`, whose speed and loads must equal those of set_inputs().
-  /// Films, seats, and the bearing loads from radial loads on the shaft are computed at the
-  /// temperatures `films`. The state changes only if the status is `converged`.
+  /// Advances by dt [s] under `inputs`, whose speed and loads must equal the values of the last
+  /// set_inputs(). Films, seats, and the bearing loads from radial loads on the shaft are computed
+  /// at the temperatures `films`. The state changes only if the status is `converged`.
   [[nodiscard]] Step advance(const Inputs& inputs, double machine_rise, double dt,
                              const Vector& films, bool asks_for_error);
   /// Finds the steady state under these inputs. `iterations` counts the updates of films and seats.

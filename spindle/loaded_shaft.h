@@ -32,7 +32,8 @@ struct RollerSupport {
 
 /// All bearings that support a shaft. The struct stores pointers to them.
 struct ShaftBearings {
-  /// Null without sets: the shaft then has no axial support and is assumed not to move axially.
+  /// Null if the shaft has no sets: it then has no axial support and is assumed not to move
+  /// axially.
   const bearing::Arrangement* sets = nullptr;
   std::vector<double> places = {};  ///< centres of the bearings of the sets, front set first [m]
   std::vector<RollerSupport> rollers = {};
@@ -68,9 +69,9 @@ class ShaftOnBearings {
   ShaftOnBearings(ShaftOnBearings&&) noexcept;
   ~ShaftOnBearings();
 
-  /// `clearances` are those of the roller bearings [m]. Loads act at the places of the constructor,
-  /// in the same order. `unbent` is the equilibrium of the sets under axial loads only, if it is
-  /// known.
+  /// `clearances` are the radial clearances of the roller bearings [m]. Loads act at the places of
+  /// the constructor, in the same order. `unbent` is the equilibrium of the sets under axial loads
+  /// only, if it is known.
   [[nodiscard]] LoadedShaft solve(const bearing::ArrangementCondition& condition,
                                   std::span<const double> clearances,
                                   std::span<const ShaftLoad> loads,
@@ -87,7 +88,7 @@ class ShaftOnBearings {
 /// rear set and for (v, θ) at the bearings in two planes. The beam is condensed onto these nodes,
 /// and balls and rollers are in equilibrium at every evaluation. It starts from the equilibrium
 /// under the axial load only. If a start fails, the radial load is increased from zero in steps.
-/// Between the sets, the axial stiffness of the shaft is that of the arrangement.
+/// Between the sets, the shaft has the axial stiffness of the arrangement.
 ///
 /// Domain:   `places`, the centres of the bearings on the shaft, front set first, are nodes of the
 /// beam. Accuracy: 1e-9 of the largest load; second-order effects of the axial force are neglected.

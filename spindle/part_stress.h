@@ -17,8 +17,8 @@ struct RadialTemperature {
 struct RoundPart {
   model::SolidMaterial material = {};
   /// At least two places from the bore to the surface, with rising radii. The first radius of a
-  /// full cylinder is 0. The temperature is linear in ln r between two places, and even next to the
-  /// axis.
+  /// full cylinder is 0. The temperature is linear in ln r between two places, and uniform next to
+  /// the axis.
   std::vector<RadialTemperature> profile = {};
   double bore_pressure = 0.0, surface_pressure = 0.0;  ///< [Pa]
   double speed = 0.0;                                  ///< [rad/s]

@@ -110,7 +110,8 @@ struct State {
 struct Report {
   Status status = Status::not_run;
   int steps = 0, rejected = 0;
-  /// stored heat minus supplied heat, relative to the turnover; worst step [1]
+  /// error of the heat balance in the worst step: stored heat minus supplied heat, relative to the
+  /// turnover [1]
   double energy_error = unset;
   std::string message = {};  ///< place and reason of an early end
   [[nodiscard]] bool converged() const { return status == Status::converged; }

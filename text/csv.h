@@ -118,9 +118,10 @@ class CsvTable {
   DecimalMarks marks_;
 };
 
-/// Makes a table of columns of numbers or texts. Row numbers in messages are those of a CSV file
-/// with one header line. Throws InputError if there are no columns or no rows, if columns have
-/// different lengths, if a column name is missing or occurs twice, and for a control character.
+/// Makes a table of columns of numbers or texts. Row numbers in messages are the line numbers of a
+/// CSV file with one header line. Throws InputError if there are no columns or no rows, if columns
+/// have different lengths, if a column name is missing or occurs twice, and for a control
+/// character.
 [[nodiscard]] CsvTable table_of_columns(std::string source, std::vector<DataColumn> columns);
 
 /// Reads a file. Throws InputError if the file cannot be read, has a control character, no header,

@@ -28,7 +28,8 @@ inline constexpr std::array date_orders{DateOrder::day_first, DateOrder::month_f
 /// Returns true if a date states its time zone, such as "2024-03-12T08:15:00Z" and "...+01:00".
 [[nodiscard]] bool has_zone(std::string_view cell);
 
-/// Returns a date without a time as seconds since 1970. The forms are those of parse_timestamp().
+/// Returns a date without a time as seconds since 1970. The forms are the same as for
+/// parse_timestamp().
 [[nodiscard]] std::optional<double> parse_date(std::string_view cell,
                                                DateOrder order = DateOrder::day_first);
 
@@ -54,7 +55,7 @@ struct ShortTime {
 /// Returns true if a change to or from summer time is possible at this local time. The changes are
 /// at night on these Sundays: the last of March and of October (Europe); the second of March and
 /// the first of November (North America); the last of September or the first of October, and the
-/// first of April (New Zealand, Australia). `forward`: the change to summer time.
+/// first of April (New Zealand, Australia). `forward` selects the change to summer time.
 [[nodiscard]] bool clocks_may_change(double before, bool forward);
 
 /// Converts days since 1900, as Excel counts them, to seconds since 1970. Day 60 of Excel is 29

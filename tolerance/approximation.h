@@ -36,8 +36,8 @@ struct Approximation {
   std::vector<double> held_out{};  ///< held-out error of each mean [SI]; NaN: not held out
   double rms = unset;              ///< rms error with the weights of the means
   double rms_held_out = unset;     ///< NaN if nothing can be held out
-  /// Both rms errors for each channel of Subject::measured(), in units of its tolerance; NaN for a
-  /// channel without means.
+  /// `rms` and `rms_held_out` of each channel of Subject::measured(), in units of its tolerance;
+  /// NaN for a channel without means.
   std::vector<double> channel_rms{}, channel_held_out{};
   /// Variance of a weighted mean, which determines the weight of priors; 0 without priors.
   double prior_weight = 0.0;

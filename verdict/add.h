@@ -41,7 +41,7 @@ struct AddResult {
 };
 
 /// Switches candidates on by id, refits all free parameters and judges the result. Sizes and
-/// standard errors agree with those of diagnose().
+/// standard errors agree with the results of diagnose().
 ///
 /// The id "shape" adds the empirical shape that a diagnosis finds for the missing effect. The id of
 /// an OtherBase replaces the base model by the calibrated other base model. Such an id must be the

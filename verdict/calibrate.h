@@ -48,7 +48,7 @@ struct Calibration {
 };
 
 struct CalibrateOptions {
-  /// True: adds the profile intervals of the parameters, Calibration::profile.
+  /// True if the profile intervals of the parameters are also computed (Calibration::profile).
   bool profile = false;
 };
 

@@ -18,7 +18,8 @@ struct DiagnoseOptions {
   int tried_before = 0;
   int most_rows = most_rows_of_a_fit;
   bool pairs = true;
-  /// True: also tries the other base models of the subject if no candidate explains the misfit.
+  /// True if the other base models of the subject are also tried when no candidate explains the
+  /// misfit.
   bool other_bases = true;
   fit::NoiseOptions noise{};
   std::function<void(double share, std::string_view step)> progress{};

@@ -201,8 +201,9 @@ struct Diagnosis {
   /// Diagnosis with the best of these models as the base model, with single candidates only. Null
   /// if no other base model is good enough.
   std::shared_ptr<const Diagnosis> given_other_base{};
-  /// True if a tolerance is given and the refitted model meets this tolerance without effects. The
-  /// list names significant effects that reduce the held-out error but are not important.
+  /// True if a tolerance is given and the refitted model meets this tolerance without effects.
+  /// `significant_but_immaterial` names significant effects that reduce the held-out error but are
+  /// not important.
   bool within_tolerance = false;
   std::vector<std::string> significant_but_immaterial;
   std::vector<record::Note> messages;  ///< messages for the user

@@ -10,8 +10,9 @@ namespace raceway::verdict {
 struct NextPoints {
   std::vector<SuggestedMeasurement> points;
   std::vector<fit::Axis> axes;  ///< axes of the points
-  /// Squared misfit over variance that would remain for the wrong explanation of the worst pair
-  /// after a refit: with these points, and with an equal number of repeats of existing rows.
+  /// Squared misfit over variance that the wrong explanation would keep after a refit, for the pair
+  /// that is hardest to separate: with these points, and with an equal number of repeats of
+  /// existing rows.
   double predicted_separation = unset, separation_by_repetition = unset;
 };
 

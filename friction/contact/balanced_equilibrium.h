@@ -67,9 +67,10 @@ struct BalancedEquilibrium {
 ///
 /// Domain:   as for solve_bearing_equilibrium(). At standstill the attitudes do not affect the
 ///           forces. `options.race_control` and `options.rotations` are ignored.
-/// Accuracy: 1e-8 on the forces of each ball. The physical accuracy is that of traction at small
-///           slip: contact angles to 0.1 degrees in a full film, where traction is small. In mixed
-///           lubrication the pitch angle depends on the share of the load that asperities carry.
+/// Accuracy: the forces of each ball to 1e-8. The physical accuracy is limited by traction at small
+///           slip: contact angles are accurate to 0.1 degrees in a full film, where traction is
+///           small. In mixed lubrication the pitch angle depends on the share of the load that
+///           asperities carry.
 [[nodiscard]] BalancedEquilibrium solve_balanced_equilibrium(
     const bearing::Bearing& bearing, const bearing::OperatingPoint& point, const OilState& oil,
     const ContactLaw& law, const bearing::EquilibriumOptions& options = {},

@@ -47,9 +47,9 @@ class TurningBall;
 /// Source:   derived; the slip field of traction.h. Race control is not assumed: in a full film the
 ///           ball turns until its gyroscopic moment vanishes (β near 0); under boundary friction it
 ///           approaches race control.
-/// Domain:   speed >= 0, at standstill the limit of slow rotation. The balls are loaded. A ball
-///           without contact at the inner race rolls on the outer race without slip at the centre
-///           of the contact.
+/// Domain:   speed >= 0; at standstill the result is the limit for slow rotation. The balls are
+///           loaded. A ball without contact at the inner race rolls on the outer race without slip
+///           at the centre of the contact.
 /// Accuracy: forces to 1e-9 of the sum of |τ|; input power equals lost power to 1e-8. Film and
 ///           rolling resistance use the computed cage speed. Rolling resistance does not affect the
 ///           rotation of a ball.
@@ -62,8 +62,8 @@ class BallAttitudes {
   /// attitude of a neighbouring ball or at another load.
   [[nodiscard]] BallAttitude solve(const bearing::BallEquilibrium& ball,
                                    const BallAttitude* start = nullptr) const;
-  /// Solves the attitude once, with films at the cage speed of `start` or, without it, of outer
-  /// control. Use it inside an iteration.
+  /// Solves the attitude once, with films at the cage speed of `start`, or at the cage speed of
+  /// outer control if there is no `start`. Use it inside an iteration.
   [[nodiscard]] BallAttitude solve_once(const bearing::BallEquilibrium& ball,
                                         const BallAttitude* start = nullptr) const;
 

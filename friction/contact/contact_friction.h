@@ -247,8 +247,8 @@ template <typename Contacts, typename Look>
 /// its ring. The function assumes race control without gyroscopic creep; see balanced_equilibrium.h
 /// for balls without race control.
 /// Source:   the laws of this folder; the sum of powers is derived.
-/// Domain:   speed >= 0; at standstill the limit of slow rotation. Without a converged equilibrium
-///           the result is NaN.
+/// Domain:   speed >= 0; at standstill the result is the limit for slow rotation. Without a
+///           converged equilibrium the result is NaN.
 /// Accuracy: the laws to rounding, sliding to 0.1 %. The friction level of a bearing at speed is
 ///           uncertain by +-40 %, because of the oil supply of the inlets (flooded: +32 to +55 %)
 ///           and their heating. The ratio of two bearings is much more accurate. `look` is

@@ -17,8 +17,8 @@ namespace raceway::friction::contact {
 /// Accuracy: compared with contact_result(), film, rolling and hysteresis agree to 1e-11. Sliding
 ///           uses the same points in single precision. It agrees to 2e-4 in the worst of 4000
 ///           random states, and to 1e-6 in most of them (5e-7 of the torque of a 7014 at speed).
-///           Slip agrees to 5e-4, and the ratio of holding friction to the limit of the film to 2
-///           %.
+///           Slip agrees to 5e-4, and the ratio of the friction needed against the gyroscopic
+///           moment to the limit of the film agrees to 2 %.
 /// Throws std::invalid_argument if the sizes differ or the machine lacks the instructions (avx512
 /// uses the kernels of avx2).
 void contact_results(std::span<const BearingState<double>> states, std::span<const double> values,
@@ -33,9 +33,9 @@ struct FrictionColumns {
   std::span<double> smallest_film{};                             ///< h_min [m]
   std::span<double> smallest_film_ratio{};                       ///< Λ [1]
   std::span<double> kinematic_viscosity{};  ///< viscosity of the oil at the point [m²/s]
-  /// Equivalent loads of the races for a life by ISO/TS 16281, together with that viscosity [N]:
-  /// Q_ei = (Σ Q^3/Z)^(1/3) for the rotating inner ring, Q_ee = (Σ Q^(10/3)/Z)^(3/10) for the
-  /// stationary outer ring.
+  /// Equivalent loads of the races [N], which together with `kinematic_viscosity` determine the
+  /// life by ISO/TS 16281: Q_ei = (Σ Q^3/Z)^(1/3) for the rotating inner ring, Q_ee = (Σ
+  /// Q^(10/3)/Z)^(3/10) for the stationary outer ring.
   std::span<double> inner_equivalent_load{}, outer_equivalent_load{};
 };
 

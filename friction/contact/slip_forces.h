@@ -23,8 +23,8 @@ struct SlipMotion {
 ///   force_k = Σ τ·∂v/∂k,   slope_kl = ∂force_k/∂l = Σ ∂v/∂k·(dτ/dv)·∂v/∂l
 ///
 /// τ is the gradient of a potential that is convex in v. So the matrix of slopes is symmetric and
-/// has no negative eigenvalue. The power of friction is Σ force_k k. Both are valid for any set of
-/// points.
+/// has no negative eigenvalue. The power of friction is the sum of the four products of force_k and
+/// slip part k. Both statements are valid for any set of points.
 struct SlipForces {
   std::array<double, 4> force{};  ///< by along, across [N], rolling, spin [N m]
   double slope[4][4] = {};        ///< [N s/m, N s, N m s]

@@ -213,8 +213,9 @@ class Correction(LoopModel):
     def join(self, *others: Correction) -> Correction:
         """Return the sum of this correction and `others`. All of them must describe the same displacement.
 
-        The sum contains the channels, laws and effects of all corrections without changes. The offsets are added. Free
-        parameters stay free, except the parameters of delay elements and laws of step responses.
+        The sum contains the channels, laws and effects of all corrections without changes. The offsets are added.
+        Free parameters stay free. Fitted parameters get a prior from their fit. Delay elements and laws of step
+        responses get a prior with an assumed width, so they become free.
 
         Raises
         ------

@@ -11,7 +11,7 @@ from ._results import _write
 
 
 class FromFile:
-    """Model with the contents of its file and of all files that this file names. The contents are from the time of reading."""
+    """Model with the contents of its file and of all files that this file names, as they were when the model was read."""
 
     _engine: Any
     _called = "model"  # a text without a name
@@ -67,5 +67,5 @@ class FromFile:
         return self._engine.notes
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Write the file. Paths of other files in it are adapted to the new folder. True for `overwrite` replaces an existing file."""
+        """Write the file. Paths of other files in the text are adapted to the new folder. True for `overwrite` replaces an existing file."""
         _write(path, self._engine.text_for(os.fspath(path)), overwrite)

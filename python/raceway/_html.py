@@ -112,7 +112,7 @@ def size_text(parameter: dict[str, Any]) -> str:
 
 
 def _gain(gain: float | None) -> str:
-    """Return the decrease of -2 ln L as text; "0" below 0.001, which is rounding."""
+    """Return the decrease of -2 ln L as text; "0" for values below 0.001, which are rounding errors."""
     return number(gain) if gain is None or abs(gain) >= 1e-3 else "0"
 
 
@@ -265,7 +265,7 @@ def parameters_html(calibration: dict[str, Any]) -> str:
 
 
 def _conformity(data: dict[str, Any]) -> str:
-    """Return the result of a fit to catalogue rigidities: the conformity and the preload classes it follows from."""
+    """Return the result of a fit to catalogue rigidities: the conformity, and the preload classes from which it follows."""
     rows = [
         [text(c.get("class")), number(c.get("preload_N")), number(c.get("printed_N_um")), number(c.get("computed_N_um"))]
         for c in data.get("classes", [])
@@ -320,7 +320,7 @@ def _rows_html(result: Any) -> str:
 
 
 def _solution(result: Any) -> str:
-    """Return the numbers of one operating point, with the length of lists such as the balls; for several points their rows."""
+    """Return the numbers of one operating point, with the length of lists such as the balls. For several points, return their rows."""
     if result.data is None:
         return _rows_html(result)
     rows = []

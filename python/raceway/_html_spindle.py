@@ -97,7 +97,7 @@ def _signed(value: float) -> str:
 
 
 def _rounded(value: float | None, size: float, digits: int = 3) -> str:
-    """Return a value as text; zero if it is only rounding of numbers of this size."""
+    """Return a value as text. The text is zero if the value is only a rounding error of numbers of this size."""
     return number(0.0 if value is not None and abs(value) < 1e-9 * size else value, digits)
 
 

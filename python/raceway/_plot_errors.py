@@ -86,7 +86,7 @@ def ladder(*results: Any, labels: Sequence[str] | None = None, ax: Axes | None =
 
 
 def _noise_bars(ladders: list[Ladder]) -> list[tuple[str, float, str]]:
-    """Return one bar if all noises agree within 1 %, because a refit changes the last digits; else one bar for each."""
+    """Return one bar if all noise values agree within 1 % (a refit changes the last digits). Otherwise, return one bar for each value."""
     known = [(one.noise_words, one.noise) for one in ladders if one.noise is not None]
     if not known:
         return []
@@ -138,8 +138,8 @@ def residuals(comparison: Any, x: str = "speed_rpm", y: str | None = "axial_load
     Returns
     -------
     matplotlib.axes.Axes
-        A filled triangle points up if the prediction is too high. An open triangle points down if it is
-        too low. The area grows with the residual.
+        A filled triangle that points up means that the prediction is too high. An open triangle that points down
+        means that the prediction is too low. The area of a triangle grows with the residual.
 
     Raises
     ------

@@ -20,8 +20,8 @@ def record(source: Any, columns: Sequence[str] | None = None, *, ax: Axes | Sequ
     ----------
     source : record, CorrectionRun or DataFrame
         Columns as in a CSV, with the unit at the end of the name. A run of a correction is drawn with
-        measured and predicted values, and with the residual (``residual_...``) below. The time axis is in s,
-        above 10 min in min, above 3 h in h. No line joins different runs (``run_id``).
+        measured and predicted values, and with the residual (``residual_...``) below. The unit of the time axis is s
+        up to 10 min, min up to 3 h, and h for longer times. No line joins different runs (``run_id``).
     columns : sequence of str, optional
         Columns to draw. The default is every column of numbers except standard deviations.
     ax : matplotlib.axes.Axes or sequence of them, optional
@@ -35,7 +35,7 @@ def record(source: Any, columns: Sequence[str] | None = None, *, ax: Axes | Sequ
     Raises
     ------
     TypeError
-        The source is no record and no DataFrame, or `columns` is a single text.
+        The source is neither a record nor a DataFrame, or `columns` is a single text.
     ValueError
         There are no rows, a column is missing or contains text, the record has no time and no speed, or the
         number of axes differs from the number of units.
@@ -92,7 +92,7 @@ def _across(values: np.ndarray, x: str) -> tuple[np.ndarray, str]:
 
 
 def _panels(ax: Axes | Sequence[Axes] | None, units: list[str]) -> tuple[list[Axes], bool]:
-    """Return one axes per unit, above each other with one abscissa, or the given axes; True for new ones."""
+    """Return one axes per unit, one above the other with a common abscissa, or return the given axes. The second value is True for new axes."""
     count = len(units)
     if ax is None:
         figure = draw.new_figure()

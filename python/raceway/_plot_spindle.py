@@ -54,7 +54,7 @@ def spindle_run(run: Any, *, ax: Sequence[Axes] | None = None) -> list[Axes]:
     Raises
     ------
     TypeError
-        `run` is no SpindleRun.
+        `run` is not a SpindleRun.
     ValueError
         The run has no rows, its spindle is a network of bodies without bearing sets, or the number of
         axes is not four.

@@ -222,7 +222,7 @@ class _Answered(_Document):
         return self._answer.warnings
 
     def report(self, path: str | os.PathLike[str] | None = None, *, overwrite: bool = False) -> Page:
-        """Return the report with its figures as one HTML page. A notebook shows it in a frame.
+        """Return the report with its figures as one HTML page. A notebook shows the page in a frame.
 
         Parameters
         ----------
@@ -420,7 +420,7 @@ class Addition(_Fitted):
 
     @property
     def refused(self) -> str:
-        """Reason why the effects do not improve the model. Empty if they improve the model."""
+        """Reason why the effects do not improve the model; empty if they improve the model."""
         return self._answer.refused
 
     def __repr__(self) -> str:
@@ -454,7 +454,7 @@ def _write(path: str | os.PathLike[str], text: str, overwrite: bool) -> None:
 
 
 def write_files(files: Iterable[tuple[str | os.PathLike[str], str]], overwrite: bool) -> None:
-    """Write either all files or no file. A number is not a valid path, because it would mean an open file of the process."""
+    """Write either all files or no file. A number is not a valid path, because Python would take it for the number of an open file."""
     named = [(os.fsdecode(path), text) for path, text in files]
     for name, _ in named:
         if not overwrite and os.path.lexists(name):

@@ -146,7 +146,7 @@ def _merge(asked: argparse.Namespace) -> str:
 
 
 def _guarded(cell: Any) -> Any:
-    """Return the cell, with an apostrophe in front if a spreadsheet would read its text as a formula. The library reads it back."""
+    """Return the cell, with an apostrophe in front if a spreadsheet would read its text as a formula. The library removes it again."""
     return f"'{cell}" if isinstance(cell, str) and re.match("'*[-=+@]", cell) else cell
 
 

@@ -48,7 +48,7 @@ def _security() -> Any:
 
 @contextmanager
 def local_workers(count: int, dashboard: bool) -> Iterator[Any]:
-    """Yield a client of new worker processes on this computer, and end them afterwards.
+    """Yield a Dask client of new worker processes on this computer, and end the processes afterwards.
 
     The processes listen on the loopback interface and keep their files in a private folder.
     """
@@ -58,7 +58,7 @@ def local_workers(count: int, dashboard: bool) -> Iterator[Any]:
     nanny: Any = distributed.Nanny
 
     class QuietNanny(nanny):
-        """Starts a worker without its own dashboard, which LocalCluster requests together with an address."""
+        """Worker that starts no dashboard of its own, although LocalCluster requests one if an address is given."""
 
         def __init__(self, *given: Any, **named: Any) -> None:
             super().__init__(*given, **{**named, "dashboard": False})
@@ -115,7 +115,7 @@ def client_of(given: Any) -> Iterator[Any]:
 
 
 def count_workers(client: Any) -> int:
-    """Return the number of workers. Wait for the first one if there is none."""
+    """Return the number of workers. If there is no worker, wait for the first one."""
     try:
         client.wait_for_workers(1, timeout=PATIENCE_S)
     except TimeoutError:

@@ -1,4 +1,4 @@
-"""Values of a sweep as data: JSON for their structure and npz for their arrays. Reading them runs no code."""
+"""Values of a sweep as data: JSON for their structure and npz for their arrays. Reading these values runs no code."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ KINDS = "numbers, arrays, text or lists and dicts of them, such as .data"
 
 
 class NoData(TypeError):
-    """Error: a value is more than data."""
+    """Error for a value that is not plain data."""
 
 
 def encode(value: Any) -> bytes:
@@ -38,7 +38,7 @@ def encode(value: Any) -> bytes:
 
 
 def decode(content: bytes) -> Any:
-    """Return the value of bytes written by `encode`.
+    """Return the value from bytes that `encode` has written.
 
     Raises
     ------
@@ -53,7 +53,7 @@ def decode(content: bytes) -> Any:
 
 
 def _plain(value: Any, arrays: list[numpy.ndarray]) -> Any:
-    """Return a value as JSON. A list is a list. A type that JSON lacks is a dict with the name of the type."""
+    """Return a value as JSON. A list remains a list. A type that JSON lacks becomes a dict with the name of the type."""
     kind = type(value)
     if value is None or kind in (bool, int, float, str):
         return value

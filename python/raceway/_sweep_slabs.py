@@ -1,4 +1,4 @@
-"""Work of a sweep on its items, one after the other, and the files of its slabs."""
+"""Functions that compute the items of a sweep one after the other, and write and read the files of its slabs."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class Outcome:
 
 @dataclasses.dataclass(frozen=True)
 class Slab:
-    """Part `number` of `of` parts, counted from 1: the items from `first` to before `last`."""
+    """Part `number` of `of` parts, counted from 1: the items from `first` up to, but not including, `last`."""
 
     number: int
     of: int
@@ -80,7 +80,7 @@ def _limited(threads: int | None) -> Iterator[None]:
 def work_on(
     function: Callable[[Any], Any], items: Sequence[Any], threads: int | None, after_each: Callable[[int], None] | None = None
 ) -> list[Outcome]:
-    """Call `function` for each item. An exception belongs to its item. Items in one process are computed one at a time."""
+    """Call `function` for each item. The exception of an item is stored with this item. Items in one process are computed one at a time."""
     outcomes: list[Outcome] = []
     with _one_at_a_time, _limited(threads):
         for item in items:
@@ -220,7 +220,7 @@ def path_of(folder: str | os.PathLike[str], slab: Slab) -> pathlib.Path:
 
 
 def storable(outcomes: Sequence[Outcome]) -> list[Outcome]:
-    """Return the outcomes for a slab on disk. A value that is more than data becomes an error of its item."""
+    """Return the outcomes for a slab on disk. A value that is not plain data becomes an error of its item."""
     return [_storable(outcome) for outcome in outcomes]
 
 
@@ -273,7 +273,7 @@ class SlabFile:
 
 
 class CutOff(InputError):
-    """Error: a file ends too early or was changed."""
+    """Error for a file that ends too early or was changed."""
 
 
 def _header(path: pathlib.Path, first: bytes) -> dict[str, Any]:
@@ -299,7 +299,7 @@ def read_header(path: pathlib.Path) -> dict[str, Any]:
 
 
 def read_slab(path: pathlib.Path) -> SlabFile:
-    """Read a slab from any source. Anything but data is refused."""
+    """Read a slab from any source. A slab that contains more than plain data is rejected."""
     with open(path, "rb") as file:
         header = _header(path, file.readline(_LONGEST_HEADER))
         content = file.read()
@@ -343,7 +343,7 @@ def refuse_other_cut(path: pathlib.Path, header: Mapping[str, Any], of: int) -> 
 
 
 def slabs_there(folder: str | os.PathLike[str], made_from: str, items: int) -> dict[int, SlabFile]:
-    """Return the slabs of this input by number. Slabs of another input are refused. Cut-off slabs are computed again."""
+    """Return the slabs of this input by number. Slabs of another input are rejected. Cut-off slabs are computed again."""
     there = {}
     for path in slab_files(folder):
         try:
@@ -357,7 +357,7 @@ def slabs_there(folder: str | os.PathLike[str], made_from: str, items: int) -> d
 
 
 def read_all(folder: str | os.PathLike[str]) -> list[SlabFile]:
-    """Return all slabs of a folder in order, checked to be complete and from one input.
+    """Return all slabs of a folder in order, after a check that they are complete and come from one input.
 
     Raises
     ------

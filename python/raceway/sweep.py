@@ -138,7 +138,7 @@ class Sweep(Mapping[str, Any]):
         Raises
         ------
         InputError
-            A value is no number, no text and no dict of numbers and texts.
+            A value is not a number, a text, or a dict of numbers and texts.
         """
         rows = []
         for name, value in self.items():
@@ -198,8 +198,8 @@ def run(
     threads : int, optional
         Cores for one item. The default is all cores in this process, and 1 in a worker of Dask.
     progress : callable, optional
-        Function of the finished share and a few words. It is called after each slab, or after each item without
-        `client`.
+        Function that receives the finished share and a few words. It is called after each slab, or after each item
+        without `client`.
 
     Returns
     -------
@@ -376,7 +376,7 @@ class _States:
 
 @contextlib.contextmanager
 def workers(count: int | None = None, *, dashboard: bool = False) -> Iterator[Any]:
-    """Start worker processes of Dask on this computer, for `client` of `run` and `solve`. They end with the block.
+    """Start worker processes of Dask on this computer, for `client` of `run` and `solve`. The processes end with the ``with`` block.
 
     Put the code of the script below ``if __name__ == "__main__":``, because each worker imports the script.
     The processes listen on the loopback interface only. They accept work from this process only (TLS with
@@ -387,8 +387,8 @@ def workers(count: int | None = None, *, dashboard: bool = False) -> Iterator[An
     count : int, optional
         Number of workers. The default is the number of cores of this process.
     dashboard : bool
-        True: show the pages of the scheduler at ``client.dashboard_link``. Other users of this computer
-        can read these pages.
+        True shows the pages of the scheduler at ``client.dashboard_link``. Other users of this computer can read
+        these pages.
 
     Raises
     ------
