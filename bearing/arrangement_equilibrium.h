@@ -102,9 +102,9 @@ struct ArrangementEquilibrium {
 /// Newton-Raphson method. The unknowns are the position of the shaft, the position of the rear set,
 /// and two coordinates of one ball of every bearing (thrust loads all balls equally). The balls are
 /// eliminated (Schur complement), and all derivatives are analytic. If the start from standstill or
-/// from the neighbour fails, the solver continues the solution in speed squared, loads and shifts.
-/// The search has no bracket: without an equilibrium position the status is `no_equilibrium`. A
-/// free shaft, with both sets unloaded, is `singular`.
+/// from the neighbour fails, the solver increases the squared speed, the loads and the shifts in
+/// steps (continuation). The search has no bracket. If there is no equilibrium position, the status
+/// is `no_equilibrium`. A free shaft, with both sets unloaded, is `singular`.
 ///
 /// A bearing without inner contacts carries no load, which is a valid state.
 /// Domain:   speed >= 0; a set in tension is not an equilibrium.

@@ -36,7 +36,7 @@ struct BallConstants : BallConstantsOf<double> {
   RaceControl race_control;
 };
 
-/// Source of a ball's rotation: control by one race, or values given by the caller.
+/// Source of a ball's rotation: race control, or values given by the caller.
 enum class Rotation { outer_control, inner_control, given };
 
 /// C = m d_m ω²/2 [N].

@@ -59,10 +59,11 @@ struct BearingEquilibrium {
 ///
 /// Newton-Raphson method for ring and balls together. The two unknowns of each ball are eliminated
 /// (Schur complement), and all derivatives are analytic. Loads with symmetry use one ball (thrust)
-/// or half of the balls (x-y plane). If a cold start fails, the solver continues from pure thrust
-/// in load and from standstill in speed. Under inner control it searches over the balls that may
-/// have lost the race; equilibrium_search.h describes the coverage. It returns `no_equilibrium` if
-/// no method finds a solution, or if no load presses the rings together.
+/// or half of the balls (x-y plane). If a cold start fails, the solver follows the solution from
+/// pure thrust to the full load, and from standstill to the full speed. Under inner control it
+/// searches over the balls that may have lost contact with the inner race; equilibrium_search.h
+/// describes the coverage. It returns `no_equilibrium` if no method finds a solution, or if no load
+/// presses the rings together.
 ///
 /// Domain:   speed >= 0; a bearing with contact angle carries axial load only in +x.
 /// Accuracy: the residual, relative to the applied load, is at most `tolerance`; in practice it is

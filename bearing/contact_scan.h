@@ -6,7 +6,8 @@
 
 namespace raceway::bearing {
 
-/// A set of kept and lost inner contacts, with the positions of ring and balls where it occurred.
+/// A set of kept and lost inner contacts, with the positions of ring and balls at which the set
+/// occurred.
 struct ScannedSet {
   std::vector<InnerContact> contacts;  ///< contacts of the balls that are unknowns
   RingState state;
@@ -22,7 +23,7 @@ struct ScannedSet {
 /// it. For one ball after the other, the scan selects the state that reduces the imbalance of the
 /// ring most. The sets that occur are returned in rising order of imbalance. A set is returned from
 /// its first node. It is returned again from a later node if its imbalance there is at most 0.7
-/// times the last returned one.
+/// times the imbalance of the node returned last.
 ///
 /// A set is a starting state, not an equilibrium. Newton's method decides if its contacts are
 /// valid.

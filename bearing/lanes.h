@@ -61,7 +61,7 @@ template <typename T>
 }
 
 /// Copies `count` lanes of all members of a struct: from lane j of U to lane i of T, and so on. All
-/// members of the struct must have its number type.
+/// members of the struct must have the number type of the struct.
 template <std::size_t count = 1, typename T, typename U, template <typename> class Struct>
 [[gnu::always_inline]] inline void copy_lanes(Struct<T>& to, std::size_t i, const Struct<U>& from,
                                               std::size_t j) {

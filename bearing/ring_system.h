@@ -15,7 +15,7 @@ struct RingState {
   std::vector<Plane> balls;
 };
 
-/// Memory of a solve. It is kept between solves, so that later solves do not allocate. Use one
+/// Memory of a solve. It is kept between solves, so that later solves need no new memory. Use one
 /// object for each thread.
 struct RingWorkspace {
   RingNewton<double> newton;

@@ -67,7 +67,7 @@ struct Record {
   double inner_ring_temperature = unset;  ///< [K]
   double outer_ring_temperature = unset;  ///< [K]
   int run = -1;
-  /// Time since the start of the day or of the passage through the loads [s].
+  /// Time since the start of the day or of the load sweep [s].
   double since_start = unset;
   double direction = unset;  ///< 1 if the speed was reached from below, -1 if from above
   const record::Record* rows = nullptr;  ///< all recorded rows; null if not known
@@ -267,8 +267,8 @@ struct Actions {
 /// time.
 ///
 /// An effect that acts differently in the sets of a shaft and in a bearing on a rig has two
-/// descriptions with one id and separate parameters. The model decides which one applies. The sets
-/// of a spindle have the effects in the form for a shaft, except effects that the computed
+/// descriptions with the same id and separate parameters. The model decides which one applies. The
+/// sets of a spindle have the effects in the form for a shaft, except effects that the computed
 /// temperatures already include.
 struct Description : Card, Requirements, Nature, Actions {
   std::span<const Parameter> parameters = {};

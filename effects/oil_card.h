@@ -8,7 +8,7 @@
 
 namespace raceway::effects {
 
-/// Wrong oil grade: the viscosity at every temperature changes by one factor.
+/// Wrong oil grade: the viscosity differs by the same factor at every temperature.
 ///
 ///   ν40 -> k ν40,   ν100 -> k ν100
 ///

@@ -20,7 +20,7 @@ namespace raceway::effects {
 /// Source:   definition, for example an amplifier that warms up or a sensor that is zeroed each
 ///           morning.
 /// Domain:   needs the time of every row. t begins at the start of the day. If the record shows no
-///           pause, t begins at the start of each passage through the loads (Record::since_start).
+///           pause, t begins at the start of each load sweep (Record::since_start).
 struct TorqueCreep {
   static constexpr std::string_view id = "torque-creep";
   static constexpr std::string_view title = "zero of the torque sensor creeps over each day";

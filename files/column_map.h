@@ -52,7 +52,7 @@ struct NamedChannel {
 /// measured, except those of the surroundings.
 [[nodiscard]] std::optional<NamedChannel> named_spindle_channel(std::string_view name);
 
-/// One line of [columns]: the source of one column of raceway.
+/// One line of [columns], which names the source of one column.
 struct ColumnRule {
   std::string key;                   ///< as written in [columns]: "friction_torque_Nmm"
   const record::Channel* channel;    ///< channel that the key names

@@ -32,8 +32,8 @@ class NamedFiles {
   std::vector<NamedFile> held_, read_;
 };
 
-/// Returns the text of a model for a file at `path`. File names in it become relative to the folder
-/// of `path`, or absolute if `path` is empty. Nothing else changes.
+/// Returns the text of a model for saving in a file at `path`. File names in the text become
+/// relative to the folder of `path`, or absolute if `path` is empty. Nothing else changes.
 [[nodiscard]] std::string with_names_from(std::string text, const std::vector<NamedFile>& files,
                                           const std::string& path);
 

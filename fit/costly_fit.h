@@ -84,7 +84,7 @@ class CostlyProblem {
   [[nodiscard]] Range range_of(const Eigen::VectorXd& values) const;
   void find_bounds(SeparableFit& fit) const;
   [[nodiscard]] Eigen::MatrixXd on_scales(Eigen::MatrixXd slope, const Eigen::VectorXd& at) const;
-  /// Returns one unit of the scale, in the unit of the parameter.
+  /// Returns the size of one unit of the scale, in the unit of the parameter.
   [[nodiscard]] double unit_of(std::size_t parameter, double value) const;
   [[nodiscard]] double to_scale(std::size_t parameter, double value) const;
   [[nodiscard]] double from_scale(std::size_t parameter, double at) const;

@@ -20,7 +20,7 @@ struct PairRigidity {
   [[nodiscard]] double deviation() const { return computed / printed - 1.0; }
 };
 
-/// Range of conformities of spindle bearings, which are the bounds of the fit.
+/// Range of the conformity of spindle bearings, used as the bounds of the fit.
 inline constexpr double lowest_conformity = 0.505, highest_conformity = 0.56;
 
 struct ConformityFit {

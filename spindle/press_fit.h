@@ -40,7 +40,7 @@ struct PressFit {
          ((1.0 - nu) * radius * radius + (3.0 + nu) * other_radius * other_radius);
 }
 
-/// Computes the pressure of a seat whose parts have one speed [Pa].
+/// Computes the pressure of a seat whose parts rotate at the same speed [Pa].
 ///
 ///   p = (δ/2)/(b (c_i/E_i + c_o/E_o)),   δ = δ0 + 2 (u_i - u_o) + 2 b (α_i T_i - α_o T_o)
 ///   c_i = (b² + a²)/(b² - a²) - ν_i,   c_o = (c² + b²)/(c² - b²) + ν_o,   radii a < b < c

@@ -27,7 +27,7 @@ namespace raceway::tolerance {
 ///
 /// A candidate is close to the best one if its held-out error is at most a fifth larger, or if
 /// lambda = T/(30 min) (r²/best² - 1) is below 20. It must also remove at least half as much of the
-/// error as the best one.
+/// mean square error as the best one.
 [[nodiscard]] verdict::Diagnosis diagnose_approximation(const fit::Subject& subject,
                                                         const record::Record& record,
                                                         const verdict::DiagnoseOptions& options);

@@ -217,7 +217,7 @@ def _work(packed: bytes, part: bytes, threads: int | None) -> bytes:
 
 
 def _packed(function: Callable[[Any], Any], items: Sequence[Any], what: Any) -> bytes:
-    """Return the pickle of a function or items, readable for a worker without the files of this script."""
+    """Return the pickle of a function or of items. A worker can read it without the files of this script."""
     import cloudpickle
 
     own = _own_modules(function, items)

@@ -1,4 +1,4 @@
-"""Sweeps over many items, in this process or on many machines: a fleet of corrections, samples of a model.
+"""Sweeps over many items, such as a fleet of corrections or samples of a model, in this process or on many machines.
 
 One function computes the value of each item. The value does not depend on the worker, so a sweep over
 the workers of Dask or the tasks of Slurm equals the serial sweep to the last bit. If an item raises an
