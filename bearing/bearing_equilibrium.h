@@ -49,8 +49,8 @@ struct BearingEquilibrium {
 
   /// Number of balls without inner contact load [1].
   [[nodiscard]] int lost_balls() const;
-  /// Returns the speeds of ball k, from its given rotation or else by race control. A ball without
-  /// inner contact is under outer control.
+  /// Returns the speeds of ball k: from its given rotation, or by race control if no rotation is
+  /// given. A ball without inner contact is under outer control.
   [[nodiscard]] BallSpeeds speeds(std::size_t k, const Bearing& bearing, double speed,
                                   RaceControl race_control) const;
 };
@@ -58,12 +58,12 @@ struct BearingEquilibrium {
 /// Finds the displacement of the inner ring at which the balls carry the applied load.
 ///
 /// Newton-Raphson method for ring and balls together. The two unknowns of each ball are eliminated
-/// (Schur complement), and all derivatives are analytic. Loads with symmetry use one ball (thrust)
-/// or half of the balls (x-y plane). If a cold start fails, the solver follows the solution from
-/// pure thrust to the full load, and from standstill to the full speed. Under inner control it
-/// searches over the balls that may have lost contact with the inner race; equilibrium_search.h
-/// describes the coverage. It returns `no_equilibrium` if no method finds a solution, or if no load
-/// presses the rings together.
+/// (Schur complement), and all derivatives are analytic. For symmetric loads, the solver uses one
+/// ball (thrust) or half of the balls (load in the x-y plane). If a cold start fails, the solver
+/// follows the solution from pure thrust to the full load, and from standstill to the full speed.
+/// Under inner control it searches over the balls that may have lost contact with the inner race;
+/// equilibrium_search.h describes the coverage. It returns `no_equilibrium` if no method finds a
+/// solution, or if no load presses the rings together.
 ///
 /// Domain:   speed >= 0; a bearing with contact angle carries axial load only in +x.
 /// Accuracy: the residual, relative to the applied load, is at most `tolerance`; in practice it is

@@ -25,8 +25,8 @@ class DisplacedBearing {
   /// Sets another shift of the grooves of this bearing.
   void set_shift(const RingShift& shift);
   /// Solves the balls at this displacement of the inner ring, defined as in BearingEquilibrium. The
-  /// shift is added. Returns false if a ball has no equilibrium; force and stiffness are then
-  /// invalid.
+  /// shift of the grooves is added to this displacement. Returns false if a ball has no
+  /// equilibrium; force and stiffness are then invalid.
   [[nodiscard]] bool hold(const Vector5& displacement);
   /// Forces applied to the ring, in equilibrium with its balls: F_x, F_y, F_z [N], M_y, M_z [N m].
   [[nodiscard]] const Vector5& force() const { return force_; }

@@ -28,8 +28,8 @@ class LoadShares {
   [[nodiscard]] bool choose(std::vector<InnerContact>& contacts, RingState& state) const;
   /// Computes ring and balls with these contacts. The lost balls lie against the outer race.
   [[nodiscard]] bool spread(const std::vector<InnerContact>& contacts, RingState& state) const;
-  /// Computes ring and balls like spread(). Returns the worst violation of an assumed contact side
-  /// [m]; NaN if no ring position is found.
+  /// Computes ring and balls like spread(). Returns the largest distance by which a ball violates
+  /// its assumed contact state [m]; NaN if no ring position is found.
   [[nodiscard]] double violation(const std::vector<InnerContact>& contacts, RingState& state) const;
   /// Balls in decreasing order of c.
   [[nodiscard]] const std::vector<std::size_t>& order() const { return order_; }

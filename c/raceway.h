@@ -132,8 +132,8 @@ RACEWAY_API int raceway_table(const raceway_model* model, const double* speed_rp
 /// is then several times faster than raceway_solve().
 ///
 /// States, strides, return values and errors are as in raceway_solve(). `readings_Nmm` [count],
-/// `status` [count] or NULL. A shaft is also wrong input, and so is a model with an effect that
-/// needs an input that states do not have, such as a time.
+/// `status` [count] or NULL. A shaft is wrong input, and so is a model with an effect that needs
+/// further inputs, such as a time.
 RACEWAY_API int raceway_predict(const raceway_model* model, size_t count, const double* speed_rpm,
                                 const double* axial_load_N, const double* radial_load_N,
                                 const double* temperature_C, const int* strides,

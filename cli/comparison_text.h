@@ -11,7 +11,7 @@ namespace raceway::cli {
 /// Prints the errors of one model for each measured channel.
 void print_comparison(const std::string& model, const std::vector<verdict::Comparison>& comparisons,
                       const record::Record& data);
-/// Prints the errors of several models as one ladder for each channel of the first model.
+/// Prints the errors of several models below each other, for each channel of the first model.
 void print_ladders(const std::vector<std::string>& models,
                    const std::vector<std::vector<verdict::Comparison>>& comparisons);
 

@@ -12,8 +12,8 @@ struct FlagProblem {
 };
 
 /// Finds an error in the flags of a command: a flag is unknown (with a similar name), is given
-/// twice, or has no value. Call it before parsing. The parser would report a missing flag if this
-/// flag is misspelt.
+/// twice, or has no value. Call it before parsing. For a misspelt flag, the parser would only
+/// report that the flag is missing.
 [[nodiscard]] std::optional<FlagProblem> flag_problem(const CLI::App& command,
                                                       std::span<char* const> arguments);
 

@@ -44,13 +44,14 @@ struct Trust {
 /// An error on another record (`Evidence::other_record`) is direct evidence. The function then
 /// ignores the conditions on the shape and the length of the first record.
 /// Accuracy: the limits are our choice. They were tested on corrections found in the first 1 to 12
-/// h of data/corrections/exact. No correction with a residual above a fifth of the displacement in
-/// its test.csv is called good.
+/// h of data/corrections/exact. No correction whose residual in test.csv exceeds a fifth of the
+/// displacement is rated good.
 [[nodiscard]] Trust trust_of(const Model& model);
 
-/// Returns the trust for a record. The level is not better than the readings of the record show. If
-/// the record leaves the range, the level is at best "within range". `errors` are the errors of the
-/// readings after subtracting one constant; `uncorrected` comes from uncorrected_rms().
+/// Returns the trust for a record. The level is never better than the level that the readings of
+/// the record support. If the record leaves the range, the level is at best "within range".
+/// `errors` are the errors of the readings after subtracting one constant; `uncorrected` comes from
+/// uncorrected_rms().
 [[nodiscard]] Trust trust_on(const Model& model, const Metrics& errors, double uncorrected,
                              const Beyond& beyond);
 

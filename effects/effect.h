@@ -228,8 +228,8 @@ struct Nature {
   bool of_each_record = false;  ///< true: may differ between several records
 };
 
-/// Functions of an effect for the steps of the computation of a reading. Null if the effect does
-/// not act at a step. `values` are in the order of the parameters.
+/// Functions with which an effect acts at the steps of a prediction. Null if the effect does not
+/// act at a step. `values` are in the order of the parameters.
 struct Actions {
   /// Corrects entered or measured values.
   void (*entry)(Entry&, std::span<const double> values) = nullptr;

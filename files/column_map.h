@@ -48,8 +48,8 @@ struct NamedChannel {
 /// "displacement_z [mm]".
 [[nodiscard]] std::optional<NamedChannel> named_series_channel(std::string_view name);
 
-/// Works like named_channel(), for a record of a spindle. All temperatures of a spindle are
-/// measured, except those of the surroundings.
+/// Works like named_channel(), for a record of a spindle. All temperatures of a spindle count as
+/// measured, except temperatures of the surroundings.
 [[nodiscard]] std::optional<NamedChannel> named_spindle_channel(std::string_view name);
 
 /// One line of [columns], which names the source of one column.

@@ -22,7 +22,7 @@ struct Form {
   std::string_view words{};  ///< allowed texts, "rigid|spring"; "" if any text is allowed
   bool whole = false;        ///< a whole number
 
-  /// Returns the words, one by one.
+  /// Returns the allowed texts as a list.
   [[nodiscard]] std::vector<std::string> choices() const {
     std::vector<std::string> list;
     for (std::size_t begin = 0, end = 0; end < words.size(); begin = end + 1) {

@@ -33,14 +33,14 @@ struct Isolated {
 /// Removes isolated readings of the first measured channel: one or two successive rows that jump
 /// and return while speed and loads are steady. Example: a chip touches the probe.
 ///
-/// Both neighbours must be on the same side of the reading. Their distance from it must be at least
-/// 6 robust standard deviations and three times their distance from each other. The robust standard
-/// deviation is 1.4826 times the median distance of readings from the middle of their four
-/// neighbours. Its lower limit is 0.3 % of the range of the central 90 % of the readings. A rise
-/// after a standstill, a peak at a change of speed and a lasting jump are not isolated readings. At
-/// any speed, a reading is isolated if its distance from both neighbours exceeds `by.impossible`
-/// times the range of the readings (without the outermost 1 % at either end). If this rule would
-/// remove more than a tenth of the readings, none is removed.
+/// Both neighbours must be on the same side of the reading. The distance of the reading from each
+/// of them must be at least 6 robust standard deviations and three times their distance from each
+/// other. The robust standard deviation is 1.4826 times the median distance of readings from the
+/// middle of their four neighbours. Its lower limit is 0.3 % of the range of the central 90 % of
+/// the readings. A rise after a standstill, a peak at a change of speed and a lasting jump are not
+/// isolated readings. At any speed, a reading is isolated if its distance from both neighbours
+/// exceeds `by.impossible` times the range of the readings (without the outermost 1 % at either
+/// end). If this rule would remove more than a tenth of the readings, none is removed.
 [[nodiscard]] Isolated without_isolated_readings(const record::Record& record);
 
 /// Removes isolated readings of another channel. If `predicted` gives a value for each row, the

@@ -35,7 +35,8 @@ struct Saturation {
   bool proportional = false;
 };
 
-/// Quantity with a value for each row. A law may be bent by powers of this quantity.
+/// Quantity with a value for each row. A law may be bent, which means that it is multiplied by
+/// powers of this quantity.
 struct Factor {
   std::string name;            ///< readable name: "speed"
   std::vector<double> values;  ///< value of each row
@@ -114,8 +115,8 @@ class Judged {
   [[nodiscard]] virtual Saturation saturation(const Record& record) const;
   /// Returns the inputs whose recorded values scatter around the true values. Default: none.
   [[nodiscard]] virtual std::vector<const Channel*> scattering(const Record& record) const;
-  /// Returns the factors by which the law of a candidate may be bent. Default: the inputs that
-  /// vary.
+  /// Returns the factors by whose powers the law of a candidate may be multiplied. Default: the
+  /// inputs that vary.
   [[nodiscard]] virtual std::vector<Factor> factors(const Record& record) const;
   /// Returns the formula of a shape; empty if the model supports none.
   [[nodiscard]] virtual std::optional<Formula> formula(const Record& record) const;

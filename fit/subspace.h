@@ -6,8 +6,9 @@
 namespace raceway::fit {
 
 /// Returns a basis of the first block, extended by the parts of later blocks that are independent
-/// of it. Columns with the largest remainder come first. A remainder below `tolerance` of its
-/// column is left out. The basis has at most `most` columns, and earlier blocks have priority.
+/// of it. Columns with the largest remainder come first. A remainder is left out if it is smaller
+/// than the share `tolerance` of its column. The basis has at most `most` columns, and earlier
+/// blocks have priority.
 [[nodiscard]] Eigen::MatrixXd independent_columns(const std::vector<Eigen::MatrixXd>& blocks,
                                                   const std::vector<double>& tolerance,
                                                   Eigen::Index most);

@@ -24,9 +24,9 @@ struct BearingLife {
 };
 
 /// Returns the life of a bearing from a prediction with balls or rollers in equilibrium. P uses the
-/// applied loads in `point`. The equilibrium also contains the loads from speed and rings. For a
-/// cylindrical roller bearing, the equivalent load is P_ref of ISO/TS 16281, which determines
-/// a_ISO, and the modified life is a1 a_ISO L10r.
+/// applied loads in `point`. The equilibrium also contains the loads caused by speed and by the
+/// growth of the rings. For a cylindrical roller bearing, the equivalent load is P_ref of ISO/TS
+/// 16281, which determines a_ISO, and the modified life is a1 a_ISO L10r.
 [[nodiscard]] BearingLife bearing_life(const Model& model, const bearing::OperatingPoint& point,
                                        const FrictionPrediction& prediction);
 

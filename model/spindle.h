@@ -232,7 +232,7 @@ struct Network {
 enum class Cells { coarse, medium, fine };
 
 /// All parts of a spindle except its bearings, their lubricant and their arrangement. Positions are
-/// distances behind the nose face. Displacements are displacements of the nose relative to the
+/// distances behind the nose face. Displacements are movements of the nose relative to the
 /// flange, positive towards the tool.
 struct Spindle {
   std::string name = {};

@@ -14,8 +14,8 @@
 #include "spindle/sets_at_speed.h"
 #include "spindle/unbalance.h"
 
-/// Writes results of the shaft as a beam on its bearings as CSV and JSON, with units in the keys
-/// (docs/files.md). Values without an equilibrium are empty or null.
+/// Writes results for a shaft, modelled as a beam on its bearings, as CSV and JSON, with units in
+/// the keys (docs/files.md). Values without an equilibrium are empty or null.
 namespace raceway::results {
 
 /// Modes at one speed, and the bearing sets that support the shaft at this speed.

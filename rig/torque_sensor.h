@@ -52,7 +52,7 @@ struct SensedTorque {
   double std;     ///< sqrt(scatter²/V'(M)² + common²) [N m]
   /// Standard deviation of the error from the calibration and the zero of the day [N m]:
   /// sqrt(gᵀ C g + s²) / |V'|. Without a zero of the day, g = ∂V/∂b at M and s = 0. With a zero, g
-  /// is ∂V/∂b at M less ∂V/∂b at 0, and s is the standard deviation of the zero. All readings of a
+  /// is ∂V/∂b at M minus ∂V/∂b at 0, and s is the standard deviation of the zero. All readings of a
   /// record share this error, and averaging does not reduce it.
   double common;
 };

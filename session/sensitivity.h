@@ -19,8 +19,8 @@ struct SensitivityQuestion {
   /// Predictions as words ("torque") or column names. Empty means the torque of a bearing and the
   /// displacement of a shaft or spindle.
   std::vector<std::string> predictions{};
-  /// Operating points: all combinations of these values. Speeds are required. For another list that
-  /// is empty, the value of the model is used.
+  /// Operating points: all combinations of these values. Speeds are required. If another list is
+  /// empty, the value of the model is used.
   std::vector<double> speeds_rpm{}, axial_loads_N{}, radial_loads_N{}, temperatures_C{};
   bool steady = false;  ///< true: steady state of the whole spindle at each speed
   bool coolant_on = true;
@@ -49,7 +49,8 @@ struct SensitivityQuestion {
 /// The derivative is the central difference at two steps, h and h/2, extrapolated: (4 D(h/2) -
 /// D(h))/3. The difference is one-sided if the model rejects values on the other side. The step h
 /// is 0.1 % of the datum, or 0.1 K for a temperature. For a spindle, the step is ten times larger,
-/// because the steady state is found by iteration. A count has a step of 1 without a second step.
+/// because the steady state is found by iteration. The step of a count is 1, and there is no second
+/// step.
 ///
 /// The spreads come from the question. Otherwise, the spread of a fitted number is sqrt(3) times
 /// its standard error. This is half the width of a uniform distribution whose standard deviation is

@@ -71,9 +71,9 @@ struct StepOptions {
 /// and with the effects of the model, and fits lags to the responses.
 ///
 /// The power is not constant during a step: it may fall by half as the oil gets thinner. Gain and
-/// time constant are assigned to the power at the end. Throws std::invalid_argument for a model
-/// that is not a spindle, for speeds that are not above 0, and for fewer than three rows. A step
-/// that did not converge has a status but no fit.
+/// time constant are assigned to the power at the end of the step. Throws std::invalid_argument for
+/// a model that is not a spindle, for speeds that are not above 0, and for fewer than three rows. A
+/// step that did not converge has a status but no fit.
 [[nodiscard]] StepResponses step_responses(const model::Model& model,
                                            std::span<const double> speeds,
                                            const StepOptions& options = {});

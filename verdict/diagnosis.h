@@ -67,8 +67,8 @@ struct RankedEffect {
   /// p of the gate with this effect switched on; NaN if not tested
   double remaining_p_value = unset;
 
-  /// Returns the id of the kind of effect, without the part on which it acts. If only a column is
-  /// known, the id includes the column.
+  /// Returns the id of the kind of effect, without the part on which it acts. If a column belongs
+  /// to the name of the effect (`by_column`), the whole id is returned.
   [[nodiscard]] std::string plain_id() const {
     return acts_on.empty() || by_column ? id : id.substr(0, id.find(':'));
   }

@@ -167,7 +167,7 @@ struct BearingFriction {
     f.inner = f.outer = {unset, unset, unset};
     return f;
   }
-  /// Adds `contacts` equal contacts to the `parts` of their race.
+  /// Adds the friction of `contacts` equal contacts to the `parts` of their race.
   void add(const ContactFriction& c, double contacts, double speed, Parts& parts) {
     const double share = contacts / speed;
     parts.sliding += share * c.sliding;

@@ -10,10 +10,10 @@ namespace raceway::friction::contact {
 /// Vectorized contact_result() for many states of one bearing: the same laws, points and statuses.
 ///
 /// All states should refer to the same bearing and the same ContactData. The function computes a
-/// state one by one if it refers to another bearing or ContactData than the first state, if it is
+/// state separately if it refers to another bearing or ContactData than the first state, if it is
 /// at standstill, or if it has no equilibrium or no race control. A result depends only on its
 /// state and the instruction set, to the last bit.
-/// Memory: a fixed amount for each thread, kept between calls. States need no memory.
+/// Memory: a fixed amount for each thread, kept between calls. States need no additional memory.
 /// Accuracy: compared with contact_result(), film, rolling and hysteresis agree to 1e-11. Sliding
 ///           uses the same points in single precision. It agrees to 2e-4 in the worst of 4000
 ///           random states, and to 1e-6 in most of them (5e-7 of the torque of a 7014 at speed).

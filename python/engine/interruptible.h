@@ -45,8 +45,8 @@ struct Waiting {
 
 /// Runs long work on a separate thread without the interpreter lock, so that other Python threads
 /// continue. The calling thread checks for signals. KeyboardInterrupt sets `cancelled`, which the
-/// work checks, and is raised after the end of the work. A time limit has the same effect with
-/// TimeoutError.
+/// work checks, and is raised after the end of the work. A time limit stops the work in the same
+/// way and raises TimeoutError.
 template <typename Work>
 auto interruptible(std::atomic<bool>& cancelled, const Progress& progress, const Waiting& waiting,
                    const Work& work) {

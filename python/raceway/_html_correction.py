@@ -164,7 +164,7 @@ def check_html(check: Any) -> str:
 
 
 def law_html(law: Any) -> str:
-    """Return the parameters of the law and its errors from the curve."""
+    """Return the parameters of the law, and the errors of the law relative to the curve."""
     data = law.data
     return _page(
         parameters_table(law.parameters)

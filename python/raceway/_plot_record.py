@@ -134,7 +134,7 @@ def _panel(ax: Axes, own: bool, frame: pd.DataFrame, across: np.ndarray, columns
 
 
 def _common_words(columns: list[str]) -> str:
-    """Return the name of one quantity, or the words at the end of all names, such as "Temperature"."""
+    """Return the name of one quantity, or the words with which all names end, such as "Temperature"."""
     words = [split_column(column)[0].removeprefix("predicted_").split("_") for column in columns]
     shared: list[str] = []
     for ends in zip(*(reversed(one) for one in words)):
