@@ -17,8 +17,9 @@ namespace raceway::bearing {
 ///   tan αi = f/(f_r + τ),   τ = Ti/sin αi,   Lo cos αo + Li cos αi = R
 ///
 /// Axial load and moment determine f. The radial displacement follows from the condition that Σ f_r
-/// c equals the radial load. The couple τ does not decrease with the load, so few balls carry a
-/// light load: the smallest number that keeps the ring away from all lost balls.
+/// c equals the radial load. The couple τ does not decrease with the load, so only a few balls
+/// carry a light load. Their number is the smallest one that keeps the ring away from all lost
+/// balls.
 class LoadShares {
  public:
   LoadShares(const RingSystem& system, double direction);

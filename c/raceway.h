@@ -51,7 +51,7 @@ RACEWAY_API const char* raceway_version(void);
 RACEWAY_API const char* raceway_status_name(int status);
 
 /// Reads a model from the text of a model file. `source_name` is the name of the file in messages;
-/// NULL: "model". Names of files in the text are relative to the folder of `source_name`.
+/// NULL means "model". Names of files in the text are relative to the folder of `source_name`.
 ///
 /// Returns the model; free it with raceway_free(). Returns NULL for an error; `message` gives the
 /// reason. raceway_messages() returns the notes on a model that was read.
@@ -88,13 +88,15 @@ RACEWAY_API int raceway_column_index(const raceway_model* model, const char* nam
 ///           command without this flag. speed_rpm is required. Axial loads of a shaft are external
 ///           loads, positive towards the tool. Radial loads are not allowed for a shaft.
 /// strides   4 numbers in the order of these arrays: the distance from one state to the next in
-///           doubles. 1: an array of `count` numbers. 0: one number for all states. Negative: the
-///           array is not given; for languages without NULL. strides = NULL: all strides are 1.
-/// columns   `column_count` columns to compute, from raceway_column_index(). NULL or a count
-///           of 0: all columns, in their order.
+///           doubles. With a stride of 1, the array has `count` numbers. With 0, one number is used
+///           for all states. A negative stride means that the array is not given, for languages
+///           without NULL. If `strides` is NULL, all strides are 1.
+/// columns   `column_count` columns to compute, from raceway_column_index(). With NULL or a count
+///           of 0, all columns are computed, in their order.
 /// values    [count x columns], one column after the other: state i of the j-th given column is
-///           values[j * count + i], in Fortran and MATLAB values(i, j). NaN if there is no result.
-/// status    [count] numbers for raceway_status_name(). NULL: not needed.
+///           values[j * count + i], in Fortran and MATLAB values(i, j). A value without a result is
+///           NaN.
+/// status    [count] numbers for raceway_status_name(), or NULL if they are not needed.
 ///
 /// Returns RACEWAY_DONE if all states have a result. Returns RACEWAY_WRONG_INPUT and writes nothing
 /// for a NULL that is not allowed, a number out of range (the message gives its index from 0), a
@@ -110,8 +112,8 @@ RACEWAY_API int raceway_solve(const raceway_model* model, size_t count, const do
 /// Computes a Stribeck table: raceway_solve() at all points of a grid, with the numbers and in the
 /// order of `raceway table --format plain`.
 ///
-/// speed_rpm ... temperature_C  the axes, each with its number of values. A number of 0: the single
-///           value of the model. speed_rpm is required.
+/// speed_rpm ... temperature_C  the axes, each with its number of values. With a number of 0, the
+///           single value of the model is used. speed_rpm is required.
 /// values    [speeds x axial loads x radial loads x temperatures x columns]. The speed varies
 ///           fastest. The point of speed s, axial load a, radial load r and temperature t is
 ///           i = ((t * radial_loads + r) * axial_loads + a) * speeds + s. The j-th given column of

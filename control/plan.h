@@ -33,7 +33,8 @@ struct ControlInput {
   bool by_amount = true;  ///< the absolute value is used: speeds, feeds, coolant
   /// Range of the input in the data of the fit; NaN if not known.
   double lowest = unset, highest = unset;
-  /// Plausible range, largest rate [1/s] and longest standstill [s]; NaN: not checked.
+  /// Plausible range, largest rate [1/s] and longest standstill [s]; NaN means that a limit is not
+  /// checked.
   double plausible_low = unset, plausible_high = unset, fastest_per_s = unset, stuck_s = unset;
   double smoothing_s = 0.0;  ///< time constant of smoothing for instant parts [s]
 };

@@ -12,8 +12,8 @@ namespace raceway::correction {
 /// Settings for learning from a probe that measures the displacement occasionally.
 struct LearningOptions {
   double every = 0.0;  ///< least time between two offered readings [s]; 0: all readings
-  /// Standard deviation of the model residual [m]; NaN: the tolerance of the model, otherwise
-  /// usual_misfit.
+  /// Standard deviation of the model residual [m]. If it is NaN, the tolerance of the model is
+  /// used, or usual_misfit if there is no tolerance.
   double misfit = unset;
   double reading_std = unset;  ///< [m]; NaN: measured_std of the model, otherwise usual_reading_std
   /// Time in which gains return to the values of the model [s].

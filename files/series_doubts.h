@@ -17,10 +17,10 @@ namespace raceway::files {
 ///                lags of the model explain the readings much better.
 /// Temperatures:  values between 220 and 470 C look like kelvin. Values look like Fahrenheit if no
 ///                sensor was ever colder than 59 C, or the surroundings never colder than 50 C. A
-///                single sensor looks like Fahrenheit if its coldest reading, converted, equals the
-///                coldest of all readings.
-/// Displacements: less than 0.02 or more than 300 um per kelvin look like mm or nm. Machines have
-///                0.1 to 50 um/K.
+///                single sensor looks like Fahrenheit if its coldest reading, converted from
+///                Fahrenheit, nearly equals the coldest reading of all sensors.
+/// Displacements: less than 0.02 or more than 300 um per kelvin look like mm or nm. Machines
+///                usually move by 0.1 to 50 um per kelvin.
 [[nodiscard]] std::vector<Doubt> series_doubts(const record::Record& data,
                                                const std::vector<correction::Model>& models);
 

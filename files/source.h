@@ -14,7 +14,7 @@ namespace raceway::files {
 struct Source {
   std::string name;                         ///< path of the file, or a name for messages
   std::shared_ptr<const std::string> text;  ///< null: the text is read from the file
-  /// Columns of measurements; null: they are read from the text or the file.
+  /// Columns of measurements; null if they are read from the text or the file.
   std::shared_ptr<const text::CsvTable> table;
   /// Files that a model names, with the contents that they had when the model was read. Other files
   /// are read from disk.

@@ -91,7 +91,7 @@ class ModelSubject : public fit::Subject {
 
   /// Returns the model for predictions, without effects that are only candidates.
   [[nodiscard]] const Model& active() const { return active_; }
-  /// Returns the places in active() of the named parameters. Throws like fit::find_parameters().
+  /// Returns the places of the named parameters in active(). Throws like fit::find_parameters().
   [[nodiscard]] std::vector<ParameterPlace> places(const std::vector<std::string>& names) const;
   /// Returns the free parameters of a model that names no free parameters. Default: default_free().
   [[nodiscard]] virtual std::vector<std::string> usual_free() const;

@@ -127,9 +127,9 @@ struct RollerOnShaft {
   bearing::RollerBearing bearing;
   double f0 = unset, f1 = unset;  ///< [1]
   friction::F1Load counted = friction::F1Load::rollers;
-  /// Diametral fits of its own seats [m]; NaN: values of Seat.
+  /// Diametral fits of its own seats [m]; NaN means the values of Seat.
   double inner_interference = unset, outer_clearance = unset;
-  /// Conductance in addition to the contacts [W/K]; NaN: value of the ball bearings.
+  /// Conductance in addition to the contacts [W/K]; NaN means the value of the ball bearings.
   double lubricant_conductance = unset;
 };
 
@@ -208,7 +208,7 @@ struct ThermometerPlace {
   std::string name;  ///< gives the column NAME_temperature_C
   Part part = Part::housing;
   /// Distance behind the nose face [m]. In the coolant, the position is between start and end of
-  /// the channel; NaN: outlet.
+  /// the channel; NaN means the outlet.
   double position = unset;
   double radius = unset;  ///< [m]
 };
@@ -245,7 +245,8 @@ struct Spindle {
   /// Conductance of one bearing through oil film, lubricant and rolling balls, in addition to the
   /// contacts [W/K].
   double lubricant_conductance = unset;
-  /// Share of a bearing's friction power at its inner ring; NaN: split_heat().
+  /// Share of a bearing's friction power at its inner ring; NaN means that split_heat() gives the
+  /// share.
   double inner_heat_share = unset;
   ShaftBody shaft = {};
   std::vector<RollerOnShaft> rollers = {};

@@ -37,7 +37,7 @@ struct LackOfFit {
 
 /// Readings with falling torque minus readings with rising torque, at torques that have both. The
 /// ends of the range are excluded, because both directions share one reading there. The test is
-/// Student's t of the mean over the torques.
+/// Student's t test of the mean over the torques.
 struct Hysteresis {
   int torques = 0;
   double mean = unset;        ///< [V]

@@ -58,7 +58,7 @@ struct SensedTorque {
 };
 
 /// Accuracy: rounding; standard deviations are linearised. `signal_std` [V] replaces the scatter of
-/// one reading; NaN: unknown.
+/// one reading; NaN if it is not known.
 [[nodiscard]] SensedTorque torque_of(const TorqueSensor& sensor, double signal,
                                      double signal_std = unset);
 

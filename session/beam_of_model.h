@@ -24,8 +24,8 @@ struct BeamOfModel {
 /// name of the file.
 [[nodiscard]] BeamOfModel beam_of(const files::ModelFile& file, double load_place);
 
-/// Computes the bent shaft on all its bearings under the belt and nose loads in the inputs. A
-/// further load may act at one node of the beam.
+/// Computes the bending of the shaft on all its bearings under the belt and nose loads in the
+/// inputs. A further load may act at one node of the beam.
 [[nodiscard]] spindle::LoadedShaft bend(const model::Model& model, const BeamOfModel& b,
                                         const spindle::SetsAtSpeed& sets,
                                         const spindle::Inputs& inputs,

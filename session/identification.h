@@ -19,10 +19,10 @@ namespace raceway::session {
 /// Command-line options of `raceway identify` in addition to model and record.
 struct IdentifyChoices {
   std::string order = "1:3";  ///< number of sections of each channel, "2", or a range, "1:3"
-  /// columns that may be inputs; "all": every column that varies
+  /// columns that may be inputs; "all" means every column that varies
   std::vector<std::string> inputs{};
-  /// time constants of a bank [s]; "auto": the program chooses them; empty: sections instead of a
-  /// bank
+  /// time constants of a bank [s]. With "auto", the program chooses them. An empty list means
+  /// sections instead of a bank.
   std::vector<std::string> lags{};
   std::string baseline{};  ///< "regression", "arx" or empty
   std::function<void(double share, std::string_view step)> progress{};

@@ -20,7 +20,8 @@ struct RunQuestion {
   Reading reading{};
   /// initial temperatures; without them, all parts start at ambient temperature
   std::optional<Source> start{};
-  /// ambient temperature of every row [K]; NaN: value from the programme, otherwise from the model
+  /// ambient temperature of every row [K]; NaN means the value of the programme, or the value of
+  /// the model if the programme has none
   double ambient_temperature = unset;
   bool coolant_on = true;    ///< false switches the coolant off in every row
   bool mesh = true;          ///< true adds an estimate of the mesh error

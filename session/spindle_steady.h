@@ -31,7 +31,7 @@ struct SteadyQuestion {
   std::vector<double> speeds{};        ///< [rad/s]
   double ambient_temperature = unset;  ///< [K]; NaN: value of the model
   bool coolant_on = true;
-  /// load at the nose, positive towards the tool [N]; NaN: value of the model
+  /// load at the nose, positive towards the tool [N]; NaN means the value of the model
   double axial_load = unset;
   double radial_load = 0.0;    ///< load at the nose in the direction of y [N]
   double moment = 0.0;         ///< moment at the nose [N m], positive like a force further forward

@@ -5,8 +5,8 @@
 namespace raceway::correction {
 
 /// Two temperature columns have exchanged names, because a plug or a header was exchanged. The
-/// effect exchanges two columns and fits the model again. It tries each pair in which the model
-/// uses at least one column.
+/// effect exchanges two columns and fits the model again. The effect tries each pair of columns of
+/// which the model uses at least one.
 struct ExchangedColumns final : EffectKind {
   static constexpr EffectCard exchanged_card{
       .id = "exchanged-columns",

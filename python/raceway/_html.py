@@ -93,7 +93,7 @@ def ladders_html(result: object) -> str:
 
 
 def messages_html(data: dict[str, Any]) -> str:
-    """Return a list of messages, then of notes in faint text."""
+    """Return the messages as a list, followed by the notes in faint text."""
     items = [f"<li>{text(m)}</li>" for m in data.get("messages", [])]
     items += [f'<li style="{_FAINT}">{text(n)}</li>' for n in data.get("notes", [])]
     if not items:
