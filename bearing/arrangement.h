@@ -129,8 +129,8 @@ class Arrangement {
 /// Source: geometry of the mounted state; F ~ δ^1.5 gives 2.83 preloads for a pair [SNFA, p. 33].
 struct LiftOff {
   double front = unset;  ///< the front set loses its load; positive towards the tool
-  /// The rear set loses its load. NaN if a spring keeps it loaded, or if the front set would be
-  /// dented at a much smaller load.
+  /// the rear set loses its load. The value is NaN if a spring keeps the set loaded, or if the
+  /// front set would be dented at a much smaller load.
   double rear = unset;
 };
 

@@ -26,8 +26,8 @@ struct EquilibriumOptions {
   double tolerance = 1e-11;       ///< on the scaled residual [1]
   int max_iterations = 2000;      ///< Newton steps over all stages
   /// Rotations of the balls, used instead of race control: one for each ball by azimuth, or one for
-  /// all balls. Balls that are equal by symmetry need equal rotations. An arrangement needs one for
-  /// each bearing. Ignored at rest. The span must outlive the solve.
+  /// all balls. Balls that are equal by symmetry need equal rotations. An arrangement needs one
+  /// rotation for each bearing. Ignored at rest. The span must outlive the solve.
   std::span<const GivenRotation> rotations = {};
 };
 
@@ -39,7 +39,7 @@ struct BearingEquilibrium {
   /// angle (deep groove, α0 = 0: from the centred position).
   Vector5 displacement = Vector5::Constant(unset);
   Balls balls;
-  /// Given rotation of each of balls.distinct(); empty under race control.
+  /// Given rotation of each ball in balls.distinct(); empty under race control.
   std::vector<GivenRotation> rotations;
   /// Tangent stiffness ∂(F_x, F_y, F_z, M_y, M_z)/∂displacement [N/m, N/rad, N m/m, N m/rad].
   /// It is slightly asymmetric at speed, because centrifugal and gyroscopic forces depend on the

@@ -17,13 +17,13 @@ struct ScannedSet {
 /// Finds inner contacts that can exist together under inner control, by a scan over ring positions.
 /// It is the last resort when statics (load_shares.h) and continuation find no equilibrium.
 ///
-/// The ring visits the nodes of a grid: axially, along the load and, with free tilt, turned about
-/// the axis across the load. At each node the scan solves the equilibrium of each ball separately.
-/// A ball has up to three states: on the inner race at a larger or a smaller contact angle, or off
-/// it. For one ball after the other, the scan selects the state that reduces the imbalance of the
-/// ring most. The sets that occur are returned in rising order of imbalance. A set is returned from
-/// its first node. It is returned again from a later node if its imbalance there is at most 0.7
-/// times the imbalance of the node returned last.
+/// The scan moves the ring to the nodes of a grid: along the axis, along the load and, with free
+/// tilt, turned about the axis across the load. At each node the scan solves the equilibrium of
+/// each ball separately. A ball has up to three states: on the inner race at a larger or a smaller
+/// contact angle, or off it. For one ball after the other, the scan selects the state that reduces
+/// the imbalance of the ring most. The sets that occur are returned in rising order of imbalance. A
+/// set is returned from its first node. It is returned again from a later node if its imbalance
+/// there is at most 0.7 times the imbalance of the node returned last.
 ///
 /// A set is a starting state, not an equilibrium. Newton's method decides if its contacts are
 /// valid.

@@ -287,7 +287,7 @@ void complete(const BallCircle& circle, RingSums<AllCoordinates, T>& sums) {
 }
 
 /// Largest relative error allowed when the loads are summed again from the reported balls. Every
-/// solve makes this check of itself. Rounding causes a thousandth of this limit.
+/// solve makes this check. Rounding causes a thousandth of this limit.
 inline constexpr double largest_load_error = 1e-8;
 
 /// Result of a ring in equilibrium.

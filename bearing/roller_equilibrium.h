@@ -18,8 +18,8 @@ using Vector4 = Eigen::Vector4d;
 using Matrix4 = Eigen::Matrix4d;
 
 struct RollerOptions {
-  /// Locked: tilt_y and tilt_z are imposed. Free: the ring tilts until it balances the given
-  ///         moments.
+  /// With `locked`, tilt_y and tilt_z are imposed. With `free`, the ring tilts until it balances
+  /// the given moments.
   Tilt tilt = Tilt::locked;
   double tilt_y = 0.0, tilt_z = 0.0;  ///< imposed, right-handed about y and z [rad]
   /// Radial clearance s in operation [m]; if it is NaN, the clearance of the geometry is used.

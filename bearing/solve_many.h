@@ -31,9 +31,9 @@ struct BearingCase {
 /// Newton's method solves the points in SIMD lanes, from the thrust start. The search of a single
 /// solve handles the points at which this does not converge. Threads share the points in fixed
 /// chunks. The result of a point depends only on the point and the instruction set, to the last
-/// bit. The other points and the number of threads change nothing. Memory: the results, and a fixed
-/// amount per thread. If the results have enough memory for the balls, the function does not
-/// allocate.
+/// bit. The other points and the number of threads have no influence. Memory: the results, and a
+/// fixed amount per thread. If the results have enough memory for the balls, the function allocates
+/// no memory.
 ///
 /// Throws std::invalid_argument for different sizes, and for points that are out of range.
 void solve_many(const Bearing& bearing, std::span<const OperatingPoint> points,

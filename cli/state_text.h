@@ -21,7 +21,7 @@ void print_torque(const model::Model& model, const model::FrictionPrediction& fr
                   const friction::HeatSplit& heat);
 
 /// Prints life, static safety and the frequencies of cage and outer race at a speed [rad/s];
-/// `element`: "ball", "roller".
+/// `element` is "ball" or "roller".
 void print_life(const model::BearingLife& life, const bearing::BearingFrequencies& turns,
                 double speed, std::string_view element);
 

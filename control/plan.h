@@ -68,7 +68,7 @@ struct ControlDrive {
   } kind = Kind::size;
   std::vector<std::size_t> inputs{};  ///< inputs of rise and size
   std::size_t reference = nowhere;    ///< reference temperature of a rise
-  /// Inputs for reading the table of a power.
+  /// Inputs at which the table of a power is read.
   std::size_t axial_load = nowhere, radial_load = nowhere, temperature = nowhere;
   double temperature_C = unset;            ///< value if no input has it
   std::size_t table = nowhere;             ///< table of a power
@@ -76,8 +76,9 @@ struct ControlDrive {
   double decay_rpm = unset;                ///< n0 of a motor
   double lowest = unset, highest = unset;  ///< range of a power, as for an input
   std::string unit{};                      ///< "K"
-  /// Input of the window. The window is the share of the parts of the drive: 0 outside the outer
-  /// points, 1 between the inner points, and linear between an outer and an inner point.
+  /// Input of the window, the position of an axis. The window is the share of the parts of the
+  /// drive: 0 outside the outer points, 1 between the inner points, and linear between an outer and
+  /// an inner point.
   std::size_t window = nowhere;
   double window_from = unset, window_full_from = unset, window_full_to = unset, window_to = unset;
   bool window_of_drive = false;  ///< true: the window multiplies u, else the displacement
@@ -167,8 +168,8 @@ struct ControlAxis {
   std::vector<ControlKinematic> kinematics{};
 };
 
-/// A record with the results of `correct`. The program contains it, so that a user can check the
-/// program.
+/// A record with the results of `correct`. The program contains this record, so that a user can
+/// check the program.
 struct ControlCheck {
   struct Row {
     double time_s = unset;

@@ -12,10 +12,11 @@ namespace raceway::correction {
 /// collet, a probe or a cable.
 ///
 /// Straight lines are fitted to about ten minutes of readings before and after (3 to 20 readings
-/// each). They meet in the middle with a gap. Without a jump, the gap shows only noise and the
-/// curvature. A jump is a gap of at least five times the usual gap (standard deviation from the
-/// median). Gaps within ten minutes of a speed change are ignored, because the instant parts of the
-/// displacement step at a speed change. Slow changes of any size are not jumps.
+/// each). In the middle between them, the two lines have a gap. Without a jump, the gap shows only
+/// noise and the curvature. A jump is a gap of at least five times the usual gap (standard
+/// deviation from the median). Gaps within ten minutes of a speed change are ignored, because the
+/// instant parts of the displacement step at a speed change. Slow changes of any size are not
+/// jumps.
 [[nodiscard]] std::vector<double> leaps(const record::Record& record,
                                         const record::Channel& displacement);
 

@@ -58,7 +58,7 @@ struct Input {
   /// faster than n.
   double exponent = 1.0;
   Interval seen{};  ///< range of that speed in the fit [SI]; continued() applies beyond it
-  /// Power: table torque at the speed times the speed.
+  /// Power: the torque of the table at the speed, times the speed.
   std::shared_ptr<const FrictionTable> table{};
   TableCoordinate axial_load{}, radial_load{}, temperature{};  ///< other coordinates in that table
   Interval within{};                                           ///< limits of the power [W]
@@ -70,7 +70,7 @@ struct Input {
   /// Returns true if the channel has no input.
   [[nodiscard]] bool is_none() const { return columns.empty() && !table && !formula; }
   /// Returns the unit of the input in gains: "K", "W", "m/min" or "rpm" in text, and "K", "W",
-  /// "m_min" or "rpm" in keys. factor() is one of these units in SI.
+  /// "m_min" or "rpm" in keys. factor() gives the SI value of one such unit.
   [[nodiscard]] std::string_view unit() const;
   [[nodiscard]] std::string_view key_unit() const;
   [[nodiscard]] double factor() const;

@@ -8,7 +8,8 @@
 
 namespace raceway::effects {
 
-/// Mounting of the sets other than entered: spring instead of rigid, or rigid instead of spring.
+/// Mounting that differs from the entered mounting of the sets: spring instead of rigid, or rigid
+/// instead of spring.
 ///
 ///   s (F_r - F_0) = h K_r (d (x - e) - (δ_r - δ_r0))      seat of the rear set
 ///   s = (1 - c) s_entered + c s_other,   h = (1 - c) h_entered + c h_other

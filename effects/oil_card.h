@@ -46,7 +46,7 @@ struct LubricantViscosity {
   }
 };
 
-/// Wrong viscosity index: the viscosity falls differently with temperature than entered.
+/// Wrong viscosity index: the viscosity falls with temperature at another rate than entered.
 ///
 ///   ν100 -> k ν100,   ν40 unchanged
 ///

@@ -17,8 +17,8 @@ namespace raceway::effects {
 ///
 /// Source:   definition. Preload classes have a tolerance of about 20 %. A force set by the
 ///           tightening torque of a nut is less accurate.
-/// Domain:   k > 0. Only for sets preloaded by a force, not for an offset that is ground into the
-///           faces.
+/// Domain:   k > 0. The effect is only for sets preloaded by a force, not for an offset that is
+///           ground into the faces.
 struct PreloadCalibration {
   static constexpr std::string_view id = "preload-calibration";
   static constexpr Form form = Form::shaft;

@@ -17,9 +17,9 @@ namespace raceway::effects {
 /// Source:   [SKFGeneral, p. 91-101]: K = 3e-8 for an oil bath of low level or an oil jet, 6e-8 for
 ///           grease and oil-air.
 ///           K_Z is the value for SKF single row angular contact bearings, see friction/skf.h.
-/// Domain:   speed >= 0. Not for an oil bath, because the model assumes that a bath floods the
-///           contacts. Enter a starved bath with a low oil level as an oil jet, which has the same
-///           K.
+/// Domain:   speed >= 0. The law is not for an oil bath, because the model assumes that a bath
+///           floods the contacts. Enter a starved bath with a low oil level as an oil jet, which
+///           has the same K.
 struct ReplenishmentStarvation {
   static constexpr std::string_view id = "replenishment-starvation";
   static constexpr std::string_view title = "starvation: lubricant flows back too slowly";

@@ -18,8 +18,8 @@ namespace raceway::effects {
 ///
 /// Source:   constant and viscous part of Palmgren's moment [Palmgren1959]. Load and temperature of
 ///           the support bearings are assumed constant.
-/// Domain:   n >= 0, 0.1 <= s <= 0.7: a constant part only would equal torque-offset, and a viscous
-///           part only resembles rig-viscous-drag.
+/// Domain:   n >= 0, 0.1 <= s <= 0.7: with only a constant part, the effect would equal
+///           torque-offset; with only a viscous part, it resembles rig-viscous-drag.
 struct SupportBearings {
   static constexpr std::string_view id = "support-bearings";
   static constexpr std::string_view title = "the reading includes the support bearings of the rig";

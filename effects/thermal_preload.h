@@ -8,7 +8,8 @@
 
 namespace raceway::effects {
 
-/// Law of the forms rig and shaft: the temperature difference of the rings increases the preload.
+/// Law that the forms rig and shaft share: the temperature difference of the rings increases the
+/// preload.
 ///
 ///   x = c P,   P = (M1 + M0) ω of the base law at the load as entered or mounted
 ///

@@ -8,9 +8,9 @@
 
 namespace raceway::effects {
 
-/// Law of the forms rig and shaft: the inner raceway grows relative to the outer one with the ring
-/// temperatures. The free expansion is λ (T_i - T_o) d_m/2 with the thermal expansion λ of the
-/// rings: 0.5 um/K for steel and d_m = 90 mm.
+/// Law that the forms rig and shaft share: the inner raceway grows relative to the outer one with
+/// the ring temperatures. The free expansion is λ (T_i - T_o) d_m/2 with the thermal expansion λ of
+/// the rings: 0.5 um/K for steel and d_m = 90 mm.
 struct GrowthByRingTemperatures {
   static constexpr std::string_view id = "thermal-ring-growth";
   static constexpr bool follows_heat = true;

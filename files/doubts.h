@@ -12,8 +12,9 @@ namespace raceway::files {
 /// model, such data seem to have another unit or sign, or to be in the wrong column.
 ///
 /// Readings:     the test uses the median of |reading / prediction| over the rows. Free parameters
-///               or missing effects may explain a factor of up to 5. A larger factor is named if it
-///               is near 1000, 1e6, 60, or 9.81 and 60/(2 pi). Fewer than 5 rows are not judged.
+///               or missing effects may explain a factor of up to 5. A larger factor is reported if
+///               it is near 1000, 1e6, 60 or 9.7 (9.81 for kgf, 60/(2 pi) for rad/s). Fewer than 5
+///               rows are not judged.
 /// Temperatures: the test uses the range of the values.
 /// Refits:       a refit of the free parameters in each unit tests for degrees Fahrenheit (if no
 ///               row is colder than 59 C), loads in kgf, preloads of a shaft, and times of a

@@ -45,8 +45,8 @@ struct Problem {
   /// Candidates sorted by id, so the order of the caller has no influence.
   std::vector<Screened> candidates{};
   std::shared_ptr<const void> prepared{};
-  /// Called before each prediction; if it returns true, the prediction throws Cancelled. May be
-  /// empty.
+  /// This function is called before each prediction; if it returns true, the prediction throws
+  /// Cancelled. May be empty.
   std::function<bool()> cancelled{};
 
   [[nodiscard]] const Eigen::VectorXd& measured() const { return observed.measured; }

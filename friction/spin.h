@@ -45,7 +45,7 @@ struct ContactPair {
 ///
 /// Source:   power balance of unit_spin_moment(); ω_s by [Jones1960] as in bearing/kinematics.h.
 /// Domain:   converged equilibrium, else NaN. ω_s/ω depends only on the contact angles, so at
-///           standstill the moment is the limit of slow rotation.
+///           standstill the moment is the limit for slow rotation.
 [[nodiscard]] inline ContactPair unit_spin_friction(const bearing::Bearing& bearing,
                                                     const bearing::BearingEquilibrium& equilibrium,
                                                     bearing::RaceControl race_control) {

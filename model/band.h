@@ -12,9 +12,9 @@ namespace raceway::model {
 ///
 ///   1.96 sqrt(gᵀ C g)      g = ∂y/∂θ, C the covariance of the fit
 ///
-/// The propagation is linear. g comes from central differences of a tenth of a standard error. It
-/// is one-sided if a bound or a missing equilibrium prevents one side. The band covers only these
-/// parameters, not missing effects and not the noise of a reading.
+/// The propagation is linear. g comes from central differences of a tenth of a standard error. The
+/// difference is one-sided if a bound or a missing equilibrium prevents one side. The band covers
+/// only these parameters, not missing effects and not the noise of a reading.
 /// Accuracy: exact if y is linear in θ; otherwise the error is of the order of the squared standard
 ///           errors.
 class Band {

@@ -38,7 +38,7 @@ struct Expected {
   std::vector<std::pair<const record::Channel*, std::string>> unused{};
 };
 
-/// Subject for a model; the common part of rig and shaft.
+/// Subject for a model; the common base of the subjects for rig and shaft.
 ///
 /// User-defined effects that are only candidates (see waiting_effects()) keep their place in the
 /// model, so that addresses agree with the file. They have no influence until they are switched on.

@@ -68,7 +68,7 @@ struct FrictionPrediction {
 [[nodiscard]] std::string why_not_converged(const Model& model,
                                             const FrictionPrediction& prediction);
 
-/// Predicts the friction of one bearing [N m] in four steps. Effects may act at each of them:
+/// Predicts the friction of one bearing [N m] in four steps. Effects may act at each step:
 ///
 ///   condition    extra load, tilt, growth of rings, ball material: changes add up
 ///   -> ball equilibrium, if an effect needs it or `with_equilibrium` requests it

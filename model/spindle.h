@@ -236,8 +236,8 @@ enum class Cells { coarse, medium, fine };
 /// flange, positive towards the tool.
 struct Spindle {
   std::string name = {};
-  /// True: friction depends on the forces of the warm sets. False: it depends on the forces of the
-  ///       cold sets at the same speed.
+  /// True if friction depends on the forces of the warm sets. False if it depends on the forces of
+  /// the cold sets at the same speed.
   bool preload_feedback = true;
   std::vector<double> front_positions = {}, rear_positions = {};    ///< centres of the bearings [m]
   double bearing_width = unset;                                     ///< [m]

@@ -35,8 +35,8 @@ enum class Stage { entry, condition, lubricant, base, moment, reading };
     const Model& model, const bearing::OperatingPoint& point,
     const bearing::BearingEquilibrium* equilibrium);
 
-/// Returns the condition of a bearing in the state `entered`: `given`, then the changes by the
-/// effects of a model. It is not finite if an input is unknown. The bearing may differ from the
+/// Returns the condition of a bearing in the state `entered`: first `given`, then the changes by
+/// the effects of a model. It is not finite if an input is unknown. The bearing may differ from the
 /// bearing of the model.
 [[nodiscard]] effects::Condition condition_of(const Model& model, const Steps& steps,
                                               const friction::BearingState<double>& entered,

@@ -11,7 +11,7 @@ struct HoldingMoments {
 
 /// Solves the equilibrium of a bearing like solve_balls(), under the forces of a point. The shaft
 /// holds the inner ring at a tilt about z [rad]. Newton's method solves for the two moments that
-/// this needs. It starts from `neighbour`, which may be null, and from the moments of the
+/// this tilt needs. It starts from `neighbour`, which may be null, and from the moments of the
 /// neighbour, if they are known. `moments` receives the result.
 ///
 /// Accuracy: tilt to 1e-10 rad.

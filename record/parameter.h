@@ -60,7 +60,8 @@ struct Parameter {
   bool identifiable = true;
   Prior prior{};  ///< prior for models that only approximate
   /// True if the parameter stays at its start because another parameter has the same influence.
-  /// Also true if it stays at its prior because the record does not determine it.
+  /// It is also true if the parameter stays at its prior because the record does not determine the
+  /// parameter.
   bool held = false;
   bool plausible = true;  ///< true if the value is within the widened range seen in practice
 };

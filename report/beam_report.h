@@ -10,7 +10,7 @@
 /// Pages of `raceway modes` and `raceway deflection`.
 namespace raceway::report {
 
-/// Returns the page of modes over speed. `warm`: true for the bearings at steady temperatures.
+/// Returns the page of modes over speed. `warm` is true for the bearings at steady temperatures.
 [[nodiscard]] std::string modes_report(const ModelOfPage& model,
                                        const bearing::Arrangement& arrangement,
                                        const spindle::Beam& beam, const std::vector<double>& places,

@@ -33,15 +33,15 @@ struct StepCorrectionParts {
   bool two_lags = false;  ///< true: a fast and a slow delay element
 };
 
-/// Returns the channel name of a load at a speed, "axial_load_4000rpm".
+/// Returns the channel name of a load at a speed, such as "axial_load_4000rpm".
 [[nodiscard]] std::string load_channel(spindle::Stepped stepped, double speed);
 
 /// Returns a model with delay elements driven by the friction power at the speed. Each stepped load
 /// has two channels for each of its speeds: an instant part and a thermal part. The instant part is
 /// weighted by a share that depends on the speed. The share is 1 at the speed of the channel and 0
 /// at the neighbouring speeds, with linear interpolation between them. Beyond the first and the
-/// last speed it is 1. The thermal part is a delay element whose input is the load times this
-/// share. For the thermal part, the share falls to 0 at standstill.
+/// last speed the share is 1. The thermal part is a delay element whose input is the load times
+/// this share. For the thermal part, the share falls to 0 at standstill.
 ///
 /// Throws std::invalid_argument without a step response, without a power above 0, and for a law or
 /// lags that the step responses do not determine.

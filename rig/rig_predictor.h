@@ -19,7 +19,7 @@ class EnteredBalances {
   /// Returns the equilibria by row; empty if the operating points differ. Several threads may call
   /// it simultaneously.
   [[nodiscard]] std::span<const model::Balance> of(std::span<const model::Row> rows) const;
-  /// Returns the equilibria of a bearing with cylindrical rollers, otherwise like of().
+  /// Returns the equilibria of a bearing with cylindrical rollers; otherwise it works like of().
   [[nodiscard]] std::span<const model::RowPredictor::Rollers> rollers_of(
       std::span<const model::Row> rows) const;
 

@@ -32,7 +32,7 @@ struct BeamOfModel {
                                         const spindle::ShaftLoad* further = nullptr);
 
 /// Returns the tangent stiffness of all bearings. The stiffness of the sets comes from SetsAtSpeed.
-/// The stiffness of the roller bearings is the stiffness at the bent shaft.
+/// The stiffness of the roller bearings is the stiffness in the bent state of the shaft.
 [[nodiscard]] std::vector<spindle::Spring> springs_of(
     const BeamOfModel& b, const spindle::SetsAtSpeed& sets,
     const std::optional<spindle::LoadedShaft>& bent);

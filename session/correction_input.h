@@ -28,7 +28,7 @@ namespace raceway::session {
 
 /// Reads a time record for all of these models and adds notes on it. Only readings within the
 /// period are used. Isolated readings that jump and return are omitted. If the readings arrive
-/// `one_by_one`, they are kept, because the program cannot know the next reading.
+/// `one_by_one`, isolated readings are kept, because the program cannot know the next reading.
 [[nodiscard]] record::Record open_series(Messages& messages, const Source& data,
                                          const std::vector<correction::Model>& models,
                                          const files::ReadOptions& options,

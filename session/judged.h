@@ -22,8 +22,8 @@ namespace raceway::session {
 /// reader of models rejects a preload that steel cannot carry before this function is called.
 [[nodiscard]] model::Findings judge_mounted(const files::ModelFile& file);
 
-/// Returns notes on the part of the inner-ring fit that the mounted preload contains, if the
-/// spindle model gives this fit in two places. If the two values differ, the result has a warning.
+/// Returns a note if the interference in [seat] does not change the mounted preload. Returns a
+/// warning if [seat] and the effect interference-fit have different interferences.
 [[nodiscard]] std::vector<record::Note> fit_notes(const model::Model& model);
 
 /// Returns the warnings among the findings as notes.

@@ -13,7 +13,8 @@ struct DisplacementTable {
   std::vector<double> speed;         ///< increasing [rad/s]
   std::vector<double> displacement;  ///< [m]
   std::vector<double> slope;         ///< du/dω at the point [m s/rad]
-  /// true if the displacement never turns; otherwise it turns only at points
+  /// true if the displacement never changes direction; otherwise it changes direction only at
+  /// points
   bool monotone = false;
 };
 

@@ -74,8 +74,8 @@ struct BeamMesh {
 
 /// Shaft made of Timoshenko elements, with s from the nose to the rear. Isotropic parts have one
 /// matrix for both planes. The complex variable v + i w halves the number of unknowns. Supports of
-/// the body are part of the beam. Bearings are not: their springs are arguments of each
-/// calculation.
+/// the body are part of the beam. Bearings are not part of the beam: their springs are arguments of
+/// each calculation.
 class Beam {
  public:
   /// Places nodes at changes of section, disks, supports and `places` [m]. Throws

@@ -53,7 +53,7 @@ class BearingCoupling {
   /// Distributes the radial loads of the shaft to the bearings in their state at s. Returns false
   /// if there is no equilibrium.
   [[nodiscard]] bool bear(const Vector& felt);
-  /// Returns the shaft of the last bear(); null if no load bends it and no rollers support it.
+  /// Returns the bent shaft of the last bear(); null if no load bends it and no rollers support it.
   [[nodiscard]] const LoadedShaft* shaft() const { return bent_ ? &*bent_ : nullptr; }
   /// Returns true if bear() has any effect.
   [[nodiscard]] bool bends() const { return shaft_.has_value(); }

@@ -86,9 +86,9 @@ class ShaftOnBearings {
 /// Finds the equilibrium of the elastic shaft and all bearings of its sets, each in five degrees of
 /// freedom, under loads at any places. Newton's method solves for the axial positions of shaft and
 /// rear set and for (v, θ) at the bearings in two planes. The beam is condensed onto these nodes,
-/// and balls and rollers are in equilibrium at every evaluation. It starts from the equilibrium
-/// under the axial load only. If a start fails, the radial load is increased from zero in steps.
-/// Between the sets, the shaft has the axial stiffness of the arrangement.
+/// and balls and rollers are in equilibrium at every evaluation. The method starts from the
+/// equilibrium under the axial load only. If a start fails, the radial load is increased from zero
+/// in steps. Between the sets, the shaft has the axial stiffness of the arrangement.
 ///
 /// Domain:   `places`, the centres of the bearings on the shaft, front set first, are nodes of the
 /// beam. Accuracy: 1e-9 of the largest load; second-order effects of the axial force are neglected.

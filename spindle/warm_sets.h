@@ -34,7 +34,7 @@ struct BearingHeat {
 /// Sets of a spindle at given ring temperatures: equilibrium, forces and friction heat.
 ///
 /// Each bearing has its own ring temperatures (thermal_shift()); balls and lubricant have the mean
-/// temperature of the rings, as in the test data with known results. Friction depends on the axial
+/// temperature of the rings, as in the reference data of the tests. Friction depends on the axial
 /// forces of the warm sets, or of the cold sets at the same speed. The contributions of radial
 /// loads to forces, friction and position are kept between two calls of bear().
 class WarmSets {
@@ -73,12 +73,12 @@ class WarmSets {
     const bearing::Vector5& load;
     const bearing::BearingEquilibrium& balls;
   };
-  /// Returns the heat under the axial load of `sets`, or for uneven balls.
+  /// Returns the heat under the axial load of `sets`, or for balls with unequal loads.
   [[nodiscard]] BearingHeat heat_of(std::size_t bearing, const SetsAsked& asked,
                                     const bearing::ArrangementEquilibrium& sets,
                                     const UnevenBalls* uneven = nullptr) const;
-  /// Returns the heat interpolated between the contacts in the warm sets and those in the cold
-  /// sets.
+  /// Returns the heat interpolated between the contacts in the warm sets and the contacts in the
+  /// cold sets.
   [[nodiscard]] BearingHeat heat_of_contacts(std::size_t bearing, double temperature,
                                              const bearing::ArrangementEquilibrium& sets,
                                              const UnevenBalls* uneven, BearingHeat heat) const;

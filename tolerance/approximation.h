@@ -21,8 +21,8 @@ struct Recorded {
   double duration = unset;  ///< [s]
 };
 
-/// Returns the usual width of the means: a minute or a 1500th of the record, whichever is longer,
-/// but at most `most` rows. A `width` of 0 keeps single rows.
+/// Returns the usual width of the means [s]: a minute or a 1500th of the record, whichever is
+/// longer. A `width` of 0 keeps single rows.
 [[nodiscard]] double usual_width(const record::Record& record);
 [[nodiscard]] Recorded recorded(const fit::Subject& subject,
                                 std::shared_ptr<const record::Record> record, double width);

@@ -15,7 +15,7 @@ namespace raceway::verdict {
 /// input, each range is one level.
 struct ErrorRange {
   const record::Channel* channel = nullptr;
-  /// Smallest and largest value in the range [SI]; index of the run.
+  /// Smallest and largest value in the range [SI], or the index of the run.
   double from = unset, to = unset;
   std::string run{};  ///< run_id, or name of a record or group; empty for ranges of an input
   int rows = 0;

@@ -189,7 +189,7 @@ struct Diagnosis {
   /// Base parameters without the effects of the verdict (start) and with these effects (value). The
   /// two are equal if the verdict names no effect.
   std::vector<record::Parameter> base;
-  /// hold-out results of the verdict's best set against the base model
+  /// hold-out results of the verdict's best set, compared with the base model
   std::vector<fit::HoldOut> hold_out;
   double needed_gain = unset;                   ///< gain that an effect needs, ln N + 2 ln m
   int candidates_tried = 0;                     ///< m, including candidates tried earlier

@@ -10,9 +10,9 @@ namespace raceway::verdict {
 struct NextPoints {
   std::vector<SuggestedMeasurement> points;
   std::vector<fit::Axis> axes;  ///< axes of the points
-  /// Squared misfit over variance that the wrong explanation would keep after a refit, for the pair
-  /// that is hardest to separate: with these points, and with an equal number of repeats of
-  /// existing rows.
+  /// Predicted separation of the two explanations that are hardest to separate: the squared misfit
+  /// over variance that the wrong one keeps after a refit. The first value is for these points, the
+  /// second for an equal number of repeats of existing rows.
   double predicted_separation = unset, separation_by_repetition = unset;
 };
 

@@ -74,9 +74,9 @@ struct RecordedInput final : EffectKind {
  private:
   static constexpr double endless = std::numeric_limits<double>::infinity();
 
-  /// Windows: proportional to the position along the axis; upper half of the axis; each third. The
-  /// lower half needs no window, because it is the channel minus the upper half. Edges are round
-  /// numbers in the unit of the column.
+  /// These windows are tried: proportional to the position along the axis, the upper half of the
+  /// axis, and each third of the axis. The lower half needs no window, because it is the channel
+  /// minus the upper half. Edges are round numbers in the unit of the column.
   static std::array<Window, 5> windows_of(const Channel& position, const Interval& range) {
     const double low = position.in_unit(range.lower), width = position.in_unit(range.upper) - low;
     const double grain = std::pow(10.0, std::floor(std::log10(width)) - 2.0);

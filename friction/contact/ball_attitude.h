@@ -59,7 +59,7 @@ class BallAttitudes {
                 const ContactLaw& law);
 
   /// Solves the attitude of a ball under these loads at these contact angles. `start` is the
-  /// attitude of a neighbouring ball or at another load.
+  /// attitude of a neighbouring ball, or of this ball at another load.
   [[nodiscard]] BallAttitude solve(const bearing::BallEquilibrium& ball,
                                    const BallAttitude* start = nullptr) const;
   /// Solves the attitude once, with films at the cage speed of `start`, or at the cage speed of

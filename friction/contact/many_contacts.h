@@ -49,7 +49,7 @@ struct FrictionOfMany {
 
 /// Equilibrium and friction of one bearing at many operating points (speed, loads, temperature),
 /// shared among threads in fixed chunks. The values of a point without equilibrium are NaN.
-/// Domain:   as solve_bearing_equilibrium() and Lubricant. Accuracy: as contact_results().
+/// Domain:   as for solve_bearing_equilibrium() and Lubricant. Accuracy: as contact_results().
 /// Throws std::invalid_argument if a non-empty span does not have one number per point, or for
 /// points that are out of range.
 void friction_of_many(const FrictionOfMany& asked, std::span<const bearing::OperatingPoint> points,

@@ -25,7 +25,7 @@ class EngineCorrection final : public EngineFile {
     return files::lines(file_.defaults);
   }
   /// Returns the parameters of all displacements. If there are several displacements, each name
-  /// begins with its displacement.
+  /// begins with the name of its displacement.
   [[nodiscard]] std::vector<record::Parameter> parameters() const override;
   /// Returns the columns that a record needs.
   [[nodiscard]] py::list inputs() const;
