@@ -137,8 +137,8 @@ class Correction(LoopModel):
         validate : Record, optional
             Another record, on which the program tests the result.
         from_s, until_s : float, optional
-            Start and end of the time range of the evaluated readings, measured from the first row [s]. The inputs of
-            all rows are used.
+            Time range of the readings that are evaluated: start and end, measured from the first row [s]. The inputs
+            of all rows are used.
         time_limit_s : float, optional
             Time limit [s]. After this time, the call stops and raises TimeoutError.
         progress : callable, optional
@@ -196,7 +196,7 @@ class Correction(LoopModel):
         forget_s : float, optional
             Time in which learned gains return to the gains of the model [s]. Default: 7 days.
         from_s, until_s : float, optional
-            Start and end of the time range of the evaluated readings, measured from the first row [s].
+            Time range of the readings that are evaluated: start and end, measured from the first row [s].
         """
         data, options = asked(one_record(record), from_s=from_s, until_s=until_s)
         if not learn:

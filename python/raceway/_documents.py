@@ -57,7 +57,7 @@ UNITS = {
 
 
 def kind_of(result: object) -> str:
-    """Name of the first class in the class hierarchy of the result that is in KINDS; "" if none is."""
+    """Name of the first class in KINDS, in the order of the class hierarchy of the result; "" if there is none."""
     for one in type(result).__mro__:
         if one.__name__ in KINDS:
             return one.__name__
@@ -65,7 +65,7 @@ def kind_of(result: object) -> str:
 
 
 def document_of(result: object, kinds: tuple[str, ...], caller: str) -> dict[str, Any]:
-    """Return the document of a result of one of these kinds.
+    """Return the document of a result, which must be of one of these kinds.
 
     Raises
     ------

@@ -300,7 +300,7 @@ def _addition(result: Any) -> str:
 
 
 def _rows_html(result: Any) -> str:
-    """Return the first rows and columns of a table, and the counts of both."""
+    """Return the first rows and columns of a table, and the numbers of all rows and columns."""
     frame = result.to_frame()
     columns = list(frame.columns)
     shown = columns[:8]
@@ -359,7 +359,7 @@ def html_of(result: Any) -> str:
     Returns
     -------
     str
-        One ``<div>`` without scripts, styles for the page or parts from a network.
+        One ``<div>``. It contains no scripts, no styles for the page and no parts from a network.
 
     Raises
     ------

@@ -105,7 +105,7 @@ class LoopModel(FromFile):
         tolerance : str, optional
             Smallest error that is important for your application, such as ``"2Nmm"``.
         from_s, until_s : float, optional
-            Start and end of the time range of the evaluated readings, measured from the first row [s]. Only for a
+            Time range of the readings that are evaluated: start and end, measured from the first row [s]. Only for a
             correction.
         """
         if zero not in ("mean", "first", "none"):

@@ -339,8 +339,8 @@ class Calibration(_Fitted):
     Attributes
     ----------
     models : dict of str to Model
-        If each record has its own values (`per_record`), one model for each record, by the name of the record.
-        Otherwise, one model with the name ``""``.
+        If each record has its own values (`per_record`), there is one model for each record, by the name of the
+        record. Otherwise, there is one model with the name ``""``.
     """
 
     @property

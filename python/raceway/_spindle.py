@@ -191,8 +191,8 @@ class StepResponses(_OfSpindle):
         correction : path
             File that `save_correction` has written.
         programme : Record
-            Record with the columns ``time_s`` and ``speed_rpm``. For loads, also ``axial_load_N`` and
-            ``radial_load_N``.
+            Record with the columns ``time_s`` and ``speed_rpm``. The columns ``axial_load_N`` and ``radial_load_N``
+            are optional.
 
         Returns
         -------

@@ -122,7 +122,8 @@ class SpindleQuestions:
         coolant : bool
             False switches the coolant off in all rows.
         ambient_temperature_C : float, optional
-            Room temperature for all rows. Default: the column of `profile`. Without this column, the value of the model.
+            Room temperature for all rows. Default: the column of `profile`. Without this column, the value of the
+            model is used.
         assumptions : bool
             True adds ``data["assumptions"]``: the five assumed numbers with the largest influence on the displacement
             of the nose in the steady state at the highest speed.

@@ -151,7 +151,7 @@ class Sweep(Mapping[str, Any]):
         return rows
 
     def to_frame(self) -> pandas.DataFrame:
-        """Return `rows` as a DataFrame, ``error`` as the last column."""
+        """Return `rows` as a DataFrame, with ``error`` as the last column."""
         import pandas
 
         rows = self.rows()
