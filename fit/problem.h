@@ -24,8 +24,8 @@ struct Screened {
   /// Change of the readings per `unit_size` at the neutral point [SI, not whitened]; one column for
   /// each trial value of the shapes.
   Eigen::MatrixXd scores{};
-  /// Change of the readings for the largest size seen in practice, if this change is not a multiple
-  /// of the scores; one column or none.
+  /// Change of the readings for the largest size seen in practice: one column, or none if this
+  /// change is a multiple of the scores.
   Eigen::MatrixXd most{};
   std::string not_testable{};  ///< reason why it cannot be tested, in one sentence; empty if it can
 

@@ -168,7 +168,8 @@ struct Diagnosis {
   /// Likelihood of the refitted model without effects, with the estimated noise.
   fit::Likelihood likelihood;
   Correlation correlation;  ///< correlation for the best set, or for the model without effects
-  /// Readings of the best set of the verdict, if there is one, then of every ranked single effect.
+  /// Readings of the best set of the verdict, if there is one, followed by the readings of every
+  /// ranked single effect.
   std::vector<ExplainedReadings> explained;
   bool verdict_is_explained = false;  ///< true if `explained` begins with the verdict's best set
   /// Refits of a model that only approximates: first without effects, then with the best set of the
