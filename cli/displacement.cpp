@@ -1,8 +1,6 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <optional>
-#include <utility>
 #include <vector>
 
 #include "cli/axis_flag.h"
@@ -12,11 +10,7 @@
 #include "cli/text_table.h"
 #include "session/bands.h"
 #include "session/open_input.h"
-#include "session/operating_point.h"
 #include "session/shaft_curve.h"
-#include "shaft/lift_off.h"
-#include "shaft/shaft_balance.h"
-#include "text/error.h"
 
 namespace raceway::cli {
 namespace {
@@ -27,43 +21,17 @@ struct DisplacementFlags : ResultFlags {
   BandFlag band;
 };
 
-/// One value of an axis; none where the flag is not given.
-std::vector<double> given(double value) {
-  return std::isnan(value) ? std::vector<double>() : std::vector{value};
-}
-
-std::vector<shaft::ShaftPoint> points(const DisplacementFlags& f, const files::ModelFile& file) {
-  const friction::TableAxes axes =
-      session::table_axes(messages(), file,
-                          {.speed_rpm = axis(f.speed, speed_range, "--speed"),
-                           .axial_load_N = given(f.axial_load),
-                           .radial_load_N = {},
-                           .temperature_C = given(f.temperature)},
-                          session::Wording::flags);
-  if (axes.speed.size() > 1000000)
-    throw text::InputError(
-        fmt::format("raceway displacement: {} speeds are given; at most 1e6 are allowed",
-                    axes.speed.size()),
-        {.key = "--speed"});
-  std::vector<shaft::ShaftPoint> result;
-  for (const double speed : axes.speed)
-    result.push_back({.speed = speed,
-                      .external_load = axes.axial_load.front(),
-                      .temperature = axes.temperature.front()});
-  return result;
-}
-
-void print(const model::Model& model, const session::ShaftCurve& curve) {
+void print(const std::string& name, const session::ShaftCurve& curve) {
   const std::vector<shaft::ShaftPoint>& asked = curve.points();
   const std::vector<shaft::ShaftPrediction>& predictions = curve.predictions();
   const results::BandOfResult* const band = curve.band();
-  const bearing::Arrangement a = shaft::mounted_arrangement(model);
-  const bearing::LiftOff free = lift_off(a);
-  fmt::print("Shaft position of {} in its arrangement, positive towards the tool\n", model.name);
+  const bearing::Arrangement mounted = curve.mounted();
+  const bearing::LiftOff free = lift_off(mounted);
+  fmt::print("Shaft position of {} in its arrangement, positive towards the tool\n", name);
   fmt::print(
       "preload {:.4g} N at standstill; the front set loses contact at an external load of {} N, "
       "the rear set {}\n\n",
-      a.preload(), number(free.front),
+      mounted.preload(), number(free.front),
       std::isnan(free.rear) ? "at none" : fmt::format("at {} N", number(free.rear)));
   // A number, and behind it how sure it is.
   const auto with_band = [&](std::string text, std::size_t row, std::size_t number_of_row,
@@ -95,15 +63,18 @@ int run(const DisplacementFlags& flags) {
   flags.check_results("displacement");
   const files::ModelFile file =
       session::open_model(messages(), flags.model, session::Accepts::shaft);
-  std::vector<shaft::ShaftPoint> asked = points(flags, file);
-  const std::optional<model::Band> band = flags.band.of(file);
-  const session::ShaftCurve curve(file, std::move(asked), band);
+  const session::CurveQuestion question{.speed_rpm = axis(flags.speed, speed_range, "--speed"),
+                                        .axial_load_N = flags.axial_load,
+                                        .temperature_C = flags.temperature,
+                                        .band = flags.band.of(file),
+                                        .wording = session::Wording::flags};
+  const session::ShaftCurve curve(messages(), file, question);
   flags.put_table([&] { return curve.csv(); }, fmt::format(", {} speeds", curve.points().size()));
   if (flags.json) {
     put_document(curve.json());
   } else if (flags.output.empty()) {
-    print(file.model, curve);
-    if (band) fmt::print("+-: {}\n", session::band_statement(*band));
+    print(file.model.name, curve);
+    if (question.band) fmt::print("+-: {}\n", session::band_statement(*question.band));
   }
   flags.put_page([&] { return curve.page(); });
   tell(curve.warnings());

@@ -7,10 +7,9 @@
 #include "cli/messages.h"
 #include "cli/number_flag.h"
 #include "cli/roller_text.h"
-#include "cli/shaft.h"
+#include "cli/shaft_text.h"
 #include "cli/shared_flags.h"
 #include "cli/state_text.h"
-#include "session/bands.h"
 #include "session/open_input.h"
 #include "session/operating_point.h"
 #include "session/solve_point.h"
@@ -25,6 +24,16 @@ struct SolveFlags {
   BandFlag band;
 };
 
+void print(const model::Model& model, const bearing::OperatingPoint& point,
+           const session::PointAnswer& answer) {
+  if (answer.shaft)
+    print_shaft_state(model, point, *answer.shaft);
+  else if (model.bearing.rollers())
+    print_roller_state(model, point, answer);
+  else
+    print_state(model, point, answer);
+}
+
 int run(const SolveFlags& flags) {
   const files::ModelFile file =
       session::open_model(messages(), flags.model, session::Accepts::rig_or_shaft);
@@ -32,41 +41,16 @@ int run(const SolveFlags& flags) {
   const std::optional<model::Band> band = flags.band.of(file);
   const bearing::OperatingPoint point =
       session::operating_point(messages(), file, flags.point, session::Wording::flags);
-  if (file.model.shaft)
-    return solve_shaft(flags.model, file.model, session::shaft_points({&point, 1}).front(),
-                       flags.json, band ? &*band : nullptr);
-  const session::PointAnswer answer = session::solve_point(file.model, point);
-  std::optional<results::BandOfResult> half_widths;
-  if (band) half_widths = session::point_band(*band, point);
-  if (flags.json) {
-    put_document(
-        session::point_json(file.model, point, answer, half_widths ? &*half_widths : nullptr));
-  } else if (answer.converged()) {
-    if (file.model.bearing.rollers())
-      print_roller_state(file.model, point, answer);
-    else
-      print_state(file.model, point, answer);
-    if (band) print_band(*band, half_widths->half_widths);
+  const session::PointAnswer answer = session::solve_point(file.model, point, band);
+  if (flags.json) put_document(session::point_json(file.model, point, answer));
+  if (!answer.converged()) {
+    complain(fmt::format("raceway solve: {}: {}", flags.model, answer.why));
+    return not_converged;
   }
-  if (answer.converged()) {
-    tell(session::notes_on_point(file.model, point, answer));
-    for (const record::Note& one : session::warnings_on_point(file.model, point, answer))
-      warn("raceway solve: " + one.text);
-    return done;
-  }
-  const bearing::SolveReport& report = answer.equilibrium.report;
-  complain(fmt::format(
-      "raceway solve: {}: {} at {:.6g} rpm, {:.6g} N axial, {:.6g} N radial{}", flags.model,
-      answer.why, flags.point.speed_rpm, point.axial_load, point.radial_load,
-      report.status == bearing::SolveStatus::no_equilibrium
-          ? session::words_of_absence(report, point)
-      : report.status == bearing::SolveStatus::singular
-          ? std::string(
-                ": the balls that carry this load are too few to support the ring against tilt")
-      : report.status != bearing::SolveStatus::not_finite
-          ? fmt::format(" after {} Newton steps", report.iterations)
-          : std::string()));
-  return not_converged;
+  if (!flags.json) print(file.model, point, answer);
+  if (!flags.json && band) print_band(*band, answer);
+  tell(session::notes_on_point(file.model, point, answer));
+  return done;
 }
 
 }  // namespace

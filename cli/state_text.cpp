@@ -140,8 +140,13 @@ void print_state(const model::Model& model, const bearing::OperatingPoint& p,
              p.speed, "ball");
 }
 
-void print_band(const model::Band& band, const std::vector<double>& half_widths) {
+void print_band(const model::Band& band, const session::PointAnswer& answer) {
+  const std::vector<double>& half_widths = answer.band->half_widths;
   fmt::print("\n{}\n", session::band_statement(band));
+  if (answer.shaft)
+    return fmt::print("axial displacement {} um, friction torque {} N mm, power loss {} W\n",
+                      band_text(half_widths[0], um), band_text(half_widths[1], N_mm),
+                      band_text(half_widths[2]));
   fmt::print("friction torque     {:>10} N mm    power loss        {:>8} W\n",
              band_text(half_widths[0], N_mm), band_text(half_widths[1]));
   fmt::print("inner ring          {:>10} W       outer ring        {:>8} W\n",

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string_view>
-#include <vector>
 
 #include "bearing/frequencies.h"
 #include "bearing/operating_point.h"
@@ -25,6 +24,6 @@ void print_torque(const model::Model& model, const model::FrictionPrediction& fr
 void print_life(const model::BearingLife& life, const bearing::BearingFrequencies& turns,
                 double speed, std::string_view element);
 
-void print_band(const model::Band& band, const std::vector<double>& half_widths);
+void print_band(const model::Band& band, const session::PointAnswer& answer);
 
 }  // namespace raceway::cli

@@ -41,6 +41,7 @@ struct BallMaterial {
                                                    .plausible_lower = 0.8,
                                                    .plausible_upper = 1.0}};
   static constexpr std::array needs{Need::loads, Need::ball_load_law};
+  static constexpr std::string_view not_for_rollers = "there are no balls";
 
   static void condition(const ConditionInputs&, std::span<const double> values, Condition& c) {
     c.other_balls += values[0];

@@ -28,7 +28,12 @@ constexpr Description describe() {
   if constexpr (requires { E::supplies; }) d.supplies = E::supplies;
   if constexpr (requires { E::needs_equilibrium; }) d.needs_equilibrium = E::needs_equilibrium;
   if constexpr (requires { E::uses_power; }) d.uses_power = E::uses_power;
+  if constexpr (requires { E::uses_room; }) d.uses_room = E::uses_room;
   if constexpr (requires { E::within_contacts; }) d.within_contacts = E::within_contacts;
+  if constexpr (requires { E::within_oil_fraction; })
+    d.within_oil_fraction = E::within_oil_fraction;
+  if constexpr (requires { E::of_viscous_moment; }) d.of_viscous_moment = E::of_viscous_moment;
+  if constexpr (requires { E::not_for_rollers; }) d.not_for_rollers = E::not_for_rollers;
   if constexpr (requires { E::bearing_data; }) d.bearing_data = E::bearing_data;
   if constexpr (requires { E::drags_on_the_rotor; }) d.drags_on_the_rotor = E::drags_on_the_rotor;
   if constexpr (requires { E::base_law; }) d.base_law = E::base_law;
@@ -42,6 +47,8 @@ constexpr Description describe() {
   if constexpr (requires { &E::entry; }) d.entry = &E::entry;
   if constexpr (requires { &E::condition; }) d.condition = &E::condition;
   if constexpr (requires { &E::lubricant; }) d.lubricant = &E::lubricant;
+  if constexpr (requires { &E::lubricant_by_tangents; })
+    d.lubricant_by_tangents = &E::lubricant_by_tangents;
   if constexpr (requires { &E::moment; }) d.moment = &E::moment;
   if constexpr (requires { &E::unit_moment; }) {
     static_assert(E::parameters.size() == 1, "unit_moment belongs to one linear parameter");

@@ -31,6 +31,8 @@ struct DifferentialSlip {
       "M = sum of 0.0806 mu Q a^2/R w_roll/w over the contacts, R = 2 f D/(2 f + 1)";
   static constexpr std::string_view within_contacts =
       "mu_boundary under [friction], limiting_traction under [lubricant]";
+  static constexpr std::string_view not_for_rollers =
+      "a line contact has one rolling radius, without sliding zones";
   static constexpr std::string_view source = "derived from slip and Hertz pressure in the contact";
   static constexpr std::array<std::string_view, 3> confused_with{"z", "load-exponent",
                                                                  "elastic-hysteresis"};

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -143,6 +144,17 @@ struct Film {
   double viscous_share = 1.0;          ///< remaining share of the viscous moment [1]
 };
 
+/// Linear approximation of the whole contact moment as a function of temperature, with ν(T) of the
+/// oil:
+///
+///   M(T) = moment + slope (T - temperature),   |T - temperature| <= reach
+struct MomentTangent {
+  double temperature, moment, slope, reach;  ///< [K], [N m], [N m/K], [K]
+};
+
+/// Returns a stored tangent at or near a temperature.
+using TangentAbout = std::function<MomentTangent(double temperature)>;
+
 /// Inputs of an added moment.
 struct MomentInputs {
   /// State with the true loads and the viscosity of the film.
@@ -186,9 +198,7 @@ struct Requirements {
   std::span<const friction::Supply> supplies = {};
   bool needs_equilibrium = false;  ///< true: the effect uses ball loads or contact angles
   bool uses_power = false;         ///< true: the effect uses ConditionInputs::power
-  /// Keys of the contact law that replace the effect, in words, if this law already contains it.
-  /// Empty if the effect may be added to the contact law.
-  std::string_view within_contacts = {};
+  bool uses_room = false;          ///< true: the effect uses Entry::room
   /// Further bearing data that the effect uses, with the names of friction::bearing_data().
   std::span<const std::string_view> bearing_data = {};
   bool for_rig = true;      ///< allowed in a model of a bearing on a rig
@@ -205,6 +215,20 @@ struct Requirements {
   [[nodiscard]] constexpr bool of_spindles_alone() const {
     return for_spindle && !for_rig && !for_shaft;
   }
+};
+
+/// Base laws that already contain an effect, and bearings that do not have it.
+struct Exclusions {
+  /// Keys of the contact law that replace the effect, in words, if this law already contains it.
+  /// Empty if the effect may be added to the contact law.
+  std::string_view within_contacts = {};
+  bool within_oil_fraction = false;  ///< true: the contact law contains it if oil_fraction > 0
+  /// True: the effect changes the viscous moment, which a friction table does not separate from the
+  /// rest. Effects on the lubricant and corrections of the base law need no flag.
+  bool of_viscous_moment = false;
+  /// Reason why cylindrical rollers do not have the effect. Effects on the condition and effects
+  /// that use ball loads may leave it empty: rollers never have them.
+  std::string_view not_for_rollers = {};
 };
 
 /// Properties of an effect that a verdict uses for its weight and its wording.
@@ -239,6 +263,10 @@ struct Actions {
   void (*condition)(const ConditionInputs&, std::span<const double> values, Condition&) = nullptr;
   /// Changes viscosity or viscous share. Several effects act in the order of the catalogue.
   void (*lubricant)(const LubricantInputs&, std::span<const double> values, Film&) = nullptr;
+  /// Does the same as `lubricant` by Newton's method from `temperature`, if the tangents of the
+  /// contact moment are known. Returns false if it finds no solution.
+  bool (*lubricant_by_tangents)(const LubricantInputs&, std::span<const double> values,
+                                double temperature, const TangentAbout&, Film&) = nullptr;
   /// Added friction moment of one bearing [N m].
   double (*moment)(const MomentInputs&, std::span<const double> values) = nullptr;
   /// Friction moment per unit of the parameter. It replaces `moment` if the moment is proportional
@@ -270,7 +298,7 @@ struct Actions {
 /// descriptions with the same id and separate parameters. The model decides which one applies. The
 /// sets of a spindle have the effects in the form for a shaft, except effects that the computed
 /// temperatures already include.
-struct Description : Card, Requirements, Nature, Actions {
+struct Description : Card, Requirements, Exclusions, Nature, Actions {
   std::span<const Parameter> parameters = {};
 
   /// Returns true if the effect changes this measured channel. On a shaft, the channel is the axial

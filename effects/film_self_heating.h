@@ -82,18 +82,8 @@ struct FilmSelfHeating {
     film.kinematic_viscosity = in.lubricant.kinematic_viscosity(temperature);
   }
 
-  /// Linear approximation of the whole contact moment as a function of temperature, with ν(T) of
-  /// the oil:
-  ///
-  ///   M(T) = moment + slope (T - temperature),   |T - temperature| <= reach
-  struct Tangent {
-    double temperature, moment, slope, reach;  ///< [K], [N m], [N m/K], [K]
-  };
-
-  /// Solves by Newton's method from `temperature`. `tangent_about` returns a stored tangent at or
-  /// near a temperature. M is convex in T, so the temperature from a tangent is never above the
-  /// film temperature and comes closer in each step. Returns false if there is no solution.
-  template <typename TangentAbout>
+  /// M is convex in T, so the temperature from a tangent is never above the film temperature and
+  /// comes closer in each step.
   static bool lubricant_by_tangents(const LubricantInputs& in, std::span<const double> values,
                                     double temperature, const TangentAbout& tangent_about,
                                     Film& film) {
@@ -102,7 +92,7 @@ struct FilmSelfHeating {
     const double outside = in.state.temperature;
     if (std::isnan(temperature)) temperature = outside;
     for (int i = 0; i < 60; ++i) {
-      const Tangent t = tangent_about(temperature);
+      const MomentTangent t = tangent_about(temperature);
       const double fall = 1.0 - rise * t.slope;
       if (!std::isfinite(t.moment) || !(fall > 0.0)) return false;
       temperature =

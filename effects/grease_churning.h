@@ -43,6 +43,7 @@ struct GreaseChurning {
                                                    .plausible_upper = 20.0,
                                                    .neutral = unset}};
   static constexpr std::array needs{Need::time};
+  static constexpr bool of_viscous_moment = true;
   static constexpr std::array supplies{friction::Supply::grease};
 
   static double moment(const MomentInputs& in, std::span<const double> values) {

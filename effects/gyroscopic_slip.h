@@ -34,6 +34,8 @@ struct GyroscopicSlip {
       "M = c sum of M_g over the balls: an empirical shape, not a friction law";
   static constexpr std::string_view within_contacts =
       "race_control = \"balanced\" under [solver], which turns the balls by traction";
+  static constexpr std::string_view not_for_rollers =
+      "the axes of cylindrical rollers are parallel to the shaft, without gyroscopic moment";
   static constexpr std::string_view source =
       "M_g by [CaseStudy, eqs. 14 and 18]; Harris and Kotzalas, vol. 2, ch. 5; M = c sum M_g is "
       "empirical, without a source";

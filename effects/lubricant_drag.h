@@ -38,6 +38,7 @@ struct LubricantDrag {
                                                    .plausible_upper = 300.0}};
   static constexpr double size_power = 5.0;
   static constexpr std::array needs{Need::speed_levels};
+  static constexpr bool within_oil_fraction = true;  // both count what balls push aside
   static constexpr std::array supplies{friction::Supply::jet, friction::Supply::bath};
 
   static double unit_moment(const MomentInputs& in) {

@@ -38,6 +38,7 @@ struct LubricantViscosity {
                                                    .plausible_upper = 2.2,
                                                    .neutral = 1.0}};
   static constexpr std::array<Need, 0> needs{};
+  static constexpr bool of_viscous_moment = true;
   static constexpr bool for_spindle = false;  // f0 absorbs this error in a spindle
 
   static void entry(Entry& entry, std::span<const double> values) {
@@ -76,6 +77,7 @@ struct ViscositySlope {
                                                    .plausible_upper = 1.4,
                                                    .neutral = 1.0}};
   static constexpr std::array needs{Need::viscosity_levels};
+  static constexpr bool of_viscous_moment = true;
   static constexpr bool of_each_record = true;
 
   static void entry(Entry& entry, std::span<const double> values) {

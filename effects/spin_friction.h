@@ -26,6 +26,8 @@ struct SpinFriction {
       "M = sum of (3/8) mu Q a E(k) w_s/w over the contacts";
   static constexpr std::string_view within_contacts =
       "mu_boundary under [friction], limiting_traction under [lubricant]";
+  static constexpr std::string_view not_for_rollers =
+      "cylindrical rollers do not spin in their contacts";
   static constexpr std::string_view source =
       "[CaseStudy, eq. 23]; Harris and Kotzalas, Rolling Bearing Analysis, vol. 2, ch. 5";
   static constexpr std::array<std::string_view, 3> confused_with{"z", "gyroscopic-slip",

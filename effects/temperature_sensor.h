@@ -76,6 +76,7 @@ struct TemperatureGain {
                                                    .plausible_upper = 1.05,
                                                    .neutral = 1.0}};
   static constexpr std::array needs{Need::viscosity_levels};
+  static constexpr bool uses_room = true;
   static constexpr bool for_spindle = false;
 
   static void entry(Entry& entry, std::span<const double> values) {

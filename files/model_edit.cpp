@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "effects/temperature_sensor.h"
 #include "files/model_file.h"
 #include "model/corrected_data.h"
 #include "model/parameters.h"
@@ -227,9 +226,9 @@ std::vector<KeyValue> changed_data(const model::Model& file, const model::Model&
       oil.viscosity_40C() / mm2_per_s, entered(card.viscosity_40C()));
   add("lubricant.viscosity_100C_mm2_s", card.viscosity_100C() / mm2_per_s,
       oil.viscosity_100C() / mm2_per_s, entered(card.viscosity_100C()));
-  const bool needs_room = std::any_of(
-      fitted.effects.begin(), fitted.effects.end(),
-      [](const effects::Effect& e) { return e.description->id == effects::TemperatureGain::id; });
+  const bool needs_room =
+      std::any_of(fitted.effects.begin(), fitted.effects.end(),
+                  [](const effects::Effect& e) { return e.description->uses_room; });
   if (needs_room && std::isnan(file.rig.room_temperature))
     add("rig.room_temperature_C", unset, celsius(fitted.rig.room_temperature),
         "from the coldest row");

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "effects/temperature_sensor.h"
 #include "files/plausible.h"
 #include "files/subject.h"
 #include "model/needs.h"
@@ -210,7 +209,7 @@ ModelFile model_of_tables(ModelTables& tables, std::string text) {
   refuse_effects_of_law(tables, model);
   if (std::isnan(rig.room_temperature))
     for (const effects::Effect& e : model.effects)
-      if (e.description->id == effects::TemperatureGain::id)
+      if (e.description->uses_room)
         throw text::InputError(
             fmt::format("{}: the effect {} needs room_temperature_C under [rig], because the "
                         "sensor measures only a share of the rise above this temperature",

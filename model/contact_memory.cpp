@@ -125,9 +125,8 @@ void ContactMemory::find_slope(Known& newest, BearingState<double> s) {
   for (std::size_t k = 0; k < here.size(); ++k) newest.slope[k] = (there[k] - here[k]) / step;
 }
 
-effects::FilmSelfHeating::Tangent ContactMemory::tangent(const Balance& balls,
-                                                         BearingState<double> s,
-                                                         std::span<const double> values) {
+effects::MomentTangent ContactMemory::tangent(const Balance& balls, BearingState<double> s,
+                                              std::span<const double> values) {
   s.kinematic_viscosity = s.lubricant->kinematic_viscosity(s.temperature);
   Known* found = nullptr;
   for (Known& known : known_)

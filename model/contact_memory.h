@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bearing/bearing_equilibrium.h"
-#include "effects/film_self_heating.h"
+#include "effects/effect.h"
 #include "friction/contact/contact_law.h"
 
 namespace raceway::model {
@@ -34,9 +34,9 @@ class ContactMemory {
   }
   /// Returns the total moment of that state and its slope with temperature along ν(T) of the oil,
   /// about a stored temperature near s.temperature, or about s.temperature itself.
-  [[nodiscard]] effects::FilmSelfHeating::Tangent tangent(const Balance& balls,
-                                                          friction::BearingState<double> s,
-                                                          std::span<const double> values);
+  [[nodiscard]] effects::MomentTangent tangent(const Balance& balls,
+                                               friction::BearingState<double> s,
+                                               std::span<const double> values);
   /// Returns the temperature of the last requested tangent [K]; NaN if there was none.
   [[nodiscard]] double last_temperature() const { return last_temperature_; }
 

@@ -3,14 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
-#include "effects/grease_churning.h"
-#include "effects/lubricant_drag.h"
-#include "effects/oil_card.h"
 #include "model/course.h"
 #include "model/steps.h"
 
@@ -130,24 +125,8 @@ namespace {
 
 /// Why cylindrical rollers have no such effect, in words; empty if they do.
 std::string refused_by_rollers(const effects::Description& effect) {
-  constexpr std::array reasons{
-      std::pair{"spin-friction", "cylindrical rollers do not spin in their contacts"},
-      std::pair{
-          "gyroscopic-slip",
-          "the axes of cylindrical rollers are parallel to the shaft, without gyroscopic moment"},
-      std::pair{"differential-slip",
-                "a line contact has one rolling radius, without sliding zones"},
-      std::pair{"elastic-hysteresis", "its formula is for point contacts"},
-      std::pair{"mixed-lubrication", "its constants are for ball bearings"},
-      std::pair{"replenishment-starvation", "its constants are for ball bearings"},
-      std::pair{"inlet-shear-heating", "its constants are for ball bearings"},
-      std::pair{"load-exponent", "the load moment of rollers is in proportion to the load"},
-      std::pair{"load-offset", "it is an axial force, which the bearing does not carry"},
-      std::pair{"load-calibration", "it acts on an axial load, which the bearing does not carry"},
-      std::pair{"thermal-preload", "it depends on the contact angle"},
-      std::pair{"ball-material", "there are no balls"}};
-  for (const auto& [id, why] : reasons)
-    if (effect.id == id) return fmt::format("a ball bearing: {}", why);
+  if (!effect.not_for_rollers.empty())
+    return fmt::format("a ball bearing: {}", effect.not_for_rollers);
   if (effect.condition)
     return "a ball bearing: it moves rings against balls in grooves; for cylindrical rollers enter "
            "the operating clearance as radial_clearance_um";
@@ -156,9 +135,7 @@ std::string refused_by_rollers(const effects::Description& effect) {
 
 /// Why a measured torque has no such effect, in words; empty if it does.
 std::string refused_by_table(const effects::Description& effect) {
-  const bool of_oil =
-      effect.id == effects::LubricantViscosity::id || effect.id == effects::ViscositySlope::id;
-  if (effect.lubricant || effect.base_law || of_oil || effect.id == effects::GreaseChurning::id)
+  if (effect.lubricant || effect.base_law || effect.of_viscous_moment)
     return "another base law: a friction table does not separate the viscous moment from the rest";
   return {};
 }
@@ -172,8 +149,7 @@ std::string refused_by_law(const effects::Description& effect, const Model& mode
   if (!effect.within_contacts.empty())
     return fmt::format("another base law: the contact law already includes it, as {}",
                        effect.within_contacts);
-  // Both count what balls push aside.
-  if (effect.id == effects::LubricantDrag::id && model.law_values.back() > 0.0)
+  if (effect.within_oil_fraction && model.law_values.back() > 0.0)
     return "oil_fraction = 0 under [friction]: the contact law already includes the drag of the "
            "balls";
   return {};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <type_traits>
 #include <utility>
 
@@ -231,16 +232,15 @@ bool RowPredictor::find_balance(const Model& model, const Steps& steps) {
 bool RowPredictor::warm_by_tangents(const Model& model, const Effect& effect,
                                     const effects::LubricantInputs& in) {
   if (model.law != friction::FrictionLaw::contact || !predicted_ ||
-      effect.description->id != effects::FilmSelfHeating::id)
+      !effect.description->lubricant_by_tangents)
     return false;
   friction::BearingState<double> about = in.state;
-  return effects::FilmSelfHeating::lubricant_by_tangents(
-      in, effect.values, known_contacts_.last_temperature(),
-      [&](double temperature) {
-        about.temperature = temperature;
-        return known_contacts_.tangent(equilibrium_, about, model.law_values);
-      },
-      film_);
+  const auto tangent_about = [&](double temperature) {
+    about.temperature = temperature;
+    return known_contacts_.tangent(equilibrium_, about, model.law_values);
+  };
+  return effect.description->lubricant_by_tangents(
+      in, effect.values, known_contacts_.last_temperature(), std::ref(tangent_about), film_);
 }
 
 void RowPredictor::find_film(const Model& model, const Steps& steps,

@@ -61,11 +61,7 @@ files::ModelFile open_model(Messages& messages, const Source& source, Accepts ac
                                "bearing on a rig. For a shaft, use displacement, solve, table, "
                                "check, compare, diagnose, add, or calibrate with data",
                            {.file = path, .key = "arrangement"});
-  if (!file.model.shaft && accepts == Accepts::shaft)
-    throw text::InputError(path +
-                               ": the model has no [arrangement]; the shaft position needs this "
-                               "table with layout, front, rear and preload_N",
-                           {.file = path, .key = "arrangement"});
+  if (accepts == Accepts::shaft) require_shaft(file);
   for (const files::NamedFile& named : file.files) messages.reads(named.path);
   const std::size_t count = defaults == Defaults::count ? file.defaults.size() : 0;
   if (count > 0)
@@ -77,6 +73,14 @@ files::ModelFile open_model(Messages& messages, const Source& source, Accepts ac
   say_of(messages, file.source, said_of(judge_mounted(file)));
   say_of(messages, file.source, fit_notes(file.model));
   return file;
+}
+
+void require_shaft(const files::ModelFile& file) {
+  if (!file.model.shaft)
+    throw text::InputError(file.source +
+                               ": the model has no [arrangement]; the shaft position needs this "
+                               "table with layout, front, rear and preload_N",
+                           {.file = file.source, .key = "arrangement"});
 }
 
 void warn_of_ignored_data(Messages& messages, const files::ModelFile& file) {

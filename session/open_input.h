@@ -29,6 +29,9 @@ void say_of(Messages& messages, const std::string& source, std::vector<record::N
                                           Accepts accepts = Accepts::rig,
                                           Defaults defaults = Defaults::count);
 
+/// Throws text::InputError for a model without an arrangement.
+void require_shaft(const files::ModelFile& file);
+
 /// Returns facts about a model for a report page, with the numbers that were used.
 [[nodiscard]] report::ModelOfPage of_page(const files::ModelFile& file, const model::Model& used);
 

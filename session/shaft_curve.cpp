@@ -11,7 +11,10 @@
 #include "session/judged.h"
 #include "session/law_statement.h"
 #include "session/open_input.h"
+#include "session/operating_point.h"
 #include "session/shaft_answers.h"
+#include "text/error.h"
+#include "text/number_range.h"
 
 namespace raceway::session {
 namespace {
@@ -36,15 +39,40 @@ report::LawOfReport law_of(const ShaftCurve& shown) {
   }
 }
 
+std::vector<shaft::ShaftPoint> points_of(Messages& messages, const files::ModelFile& file,
+                                         const CurveQuestion& question) {
+  require_shaft(file);
+  const std::vector<double>& speeds = question.speed_rpm;
+  const std::string name = named(question.wording, "--speed", "speed_rpm");
+  if (speeds.size() > 1000000)
+    throw text::InputError(
+        fmt::format("{}: {} speeds are given; at most 1e6 are allowed", name, speeds.size()),
+        {.key = name});
+  const bearing::OperatingPoint point = operating_point(
+      messages, file,
+      {.axial_load_N = question.axial_load_N, .temperature_C = question.temperature_C},
+      question.wording);
+  std::vector<shaft::ShaftPoint> points;
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    text::require_range(speeds[i], text::speed_range,
+                        question.wording == Wording::flags ? name : fmt::format("{}[{}]", name, i));
+    points.push_back({.speed = speeds[i] * rpm,
+                      .external_load = point.axial_load,
+                      .temperature = point.temperature});
+    require_possible_speed(file.model, points.back().speed, name);
+  }
+  return points;
+}
+
 }  // namespace
 
-ShaftCurve::ShaftCurve(const files::ModelFile& file, std::vector<shaft::ShaftPoint> points,
-                       const std::optional<model::Band>& band)
+ShaftCurve::ShaftCurve(Messages& messages, const files::ModelFile& file,
+                       const CurveQuestion& question)
     : file_(&file),
-      points_(std::move(points)),
+      points_(points_of(messages, file, question)),
       predictions_(shaft::predict_shaft(file.model, points_)),
       findings_(judge(file.model, points_, predictions_)) {
-  if (band) band_ = shaft_band(*band, points_);
+  if (question.band) band_ = shaft_band(*question.band, points_);
 }
 
 bool ShaftCurve::converged() const {

@@ -9,20 +9,36 @@
 #include "model/judgement.h"
 #include "record/note.h"
 #include "results/band_of_result.h"
+#include "session/messages.h"
+#include "session/wording.h"
+#include "shaft/shaft_balance.h"
 #include "shaft/shaft_prediction.h"
 
 namespace raceway::session {
+
+/// Request for the position of a shaft at several speeds. NaN stands for the value of the model.
+struct CurveQuestion {
+  std::vector<double> speed_rpm{};
+  double axial_load_N = unset, temperature_C = unset;
+  std::optional<model::Band> band{};  ///< if given, adds the half widths of the band
+  Wording wording = Wording::arguments;
+};
 
 /// Position of a shaft at several speeds. The object has a reference to the model file, which must
 /// live longer than the object.
 class ShaftCurve {
  public:
-  ShaftCurve(const files::ModelFile& file, std::vector<shaft::ShaftPoint> points,
-             const std::optional<model::Band>& band);
+  /// Throws text::InputError like operating_point(), for a model without a shaft, and for more than
+  /// a million speeds.
+  ShaftCurve(Messages& messages, const files::ModelFile& file, const CurveQuestion& question);
 
   [[nodiscard]] const std::vector<shaft::ShaftPoint>& points() const { return points_; }
   [[nodiscard]] const std::vector<shaft::ShaftPrediction>& predictions() const {
     return predictions_;
+  }
+  /// Returns the sets as mounted.
+  [[nodiscard]] bearing::Arrangement mounted() const {
+    return shaft::mounted_arrangement(file_->model);
   }
   /// Returns the half widths of the uncertainty band; null if no band was requested.
   [[nodiscard]] const results::BandOfResult* band() const { return band_ ? &*band_ : nullptr; }

@@ -1,55 +1,51 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bearing/bearing_equilibrium.h"
 #include "friction/heat.h"
+#include "model/band.h"
 #include "model/judgement.h"
 #include "model/prediction.h"
 #include "record/note.h"
 #include "results/band_of_result.h"
+#include "shaft/shaft_prediction.h"
 
 namespace raceway::session {
 
-/// Results for one bearing at one operating point.
+/// Results at one operating point, for one bearing or for the sets of a shaft.
 struct PointAnswer {
   bearing::SolveStatus status = bearing::SolveStatus::not_run;
-  /// Friction results. All results are unset if the point has no equilibrium.
+  /// Friction results of one bearing. All results are unset if the point has no equilibrium.
   model::FrictionPrediction friction{};
   /// Ball equilibrium with a report of the solver. The equilibrium of cylindrical rollers is in
   /// `friction`.
   bearing::BearingEquilibrium equilibrium{};
   friction::HeatSplit heat{};
-  std::string why{};  ///< reason if the solve did not converge
+  std::optional<shaft::ShaftPrediction> shaft{};  ///< results of a shaft, instead of those above
+  std::optional<results::BandOfResult> band{};    ///< half widths of the band, if requested
+  model::Findings findings{};                     ///< limits that the answer exceeds
+  std::string why{};                              ///< the point, and the reason if it has no result
 
   [[nodiscard]] bool converged() const { return status == bearing::SolveStatus::converged; }
 };
 
-/// Returns the reason for a point without equilibrium: either there is certainly no equilibrium, or
-/// the solver did not find one.
-[[nodiscard]] std::string words_of_absence(const bearing::SolveReport& report,
-                                           const bearing::OperatingPoint& point);
-
+/// On a shaft, the axial load of the point is the external load.
 [[nodiscard]] PointAnswer solve_point(const model::Model& model,
-                                      const bearing::OperatingPoint& point);
+                                      const bearing::OperatingPoint& point,
+                                      const std::optional<model::Band>& band = {});
 
-/// Returns the JSON document of an answer; `band` may be null.
+/// Returns the JSON document of an answer.
 [[nodiscard]] std::string point_json(const model::Model& model,
                                      const bearing::OperatingPoint& point,
-                                     const PointAnswer& answer, const results::BandOfResult* band);
+                                     const PointAnswer& answer);
 
-/// Returns the limits that an answer exceeds; none without equilibrium.
-[[nodiscard]] model::Findings judge(const model::Model& model, const bearing::OperatingPoint& point,
-                                    const PointAnswer& answer);
-
-/// Returns notes on a converged answer: the findings, and balls that may skid. Exceeded limits of
-/// running bearings and contact ellipses that reach over the shoulder are warnings.
+/// Returns notes on an answer: the findings, and bearings or balls that may skid. Exceeded limits
+/// of running bearings and contact ellipses that reach over the shoulder are warnings.
 [[nodiscard]] std::vector<record::Note> notes_on_point(const model::Model& model,
                                                        const bearing::OperatingPoint& point,
                                                        const PointAnswer& answer);
-[[nodiscard]] std::vector<record::Note> warnings_on_point(const model::Model& model,
-                                                          const bearing::OperatingPoint& point,
-                                                          const PointAnswer& answer);
 
 }  // namespace raceway::session

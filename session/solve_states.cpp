@@ -295,21 +295,13 @@ SolvedStates solve_state(Messages& messages, const files::ModelFile& file,
     for (std::string& name : band_columns(model)) solved.columns.push_back(std::move(name));
   solved.values.assign(solved.columns.size(), unset);
   friction::TablePoint result{.columns = std::span(solved.values).subspan(1)};
-  if (model.shaft) {
-    const shaft::ShaftPoint asked = shaft_points({&point, 1}).front();
-    const auto predictions = shaft::predict_shaft(model, {&asked, 1});
-    messages.say(notes_of(record::note::unloaded, shaft_warnings(model, {&asked, 1}, predictions)));
-    messages.say(said_of(judge(model, {&asked, 1}, predictions)));
-    fill_shaft_state(model, predictions.front(), result);
-  } else {
-    const PointAnswer answer = solve_point(model, point);
+  const PointAnswer answer = solve_point(model, point);
+  if (answer.shaft)
+    fill_shaft_state(model, *answer.shaft, result);
+  else
     fill_state(model, point, answer.friction, result);
-    result.status = answer.status;
-    if (answer.converged()) {
-      messages.say(notes_on_point(model, point, answer));
-      messages.say(warnings_on_point(model, point, answer));
-    }
-  }
+  result.status = answer.status;
+  messages.say(notes_on_point(model, point, answer));
   if (band) fill_band(model, *band, {&point, 1}, {&result, 1});
   solved.values.front() = result.friction_moment;
   solved.status = {result.status};

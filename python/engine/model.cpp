@@ -10,16 +10,12 @@
 #include "effects/catalogue.h"
 #include "python/engine/answer.h"
 #include "python/engine/interruptible.h"
-#include "results/shaft_results.h"
 #include "session/bands.h"
-#include "session/judged.h"
 #include "session/new_model.h"
 #include "session/open_input.h"
 #include "session/operating_point.h"
-#include "session/shaft_answers.h"
 #include "session/solve_point.h"
 #include "session/solve_states.h"
-#include "shaft/shaft_prediction.h"
 #include "text/csv_form.h"
 #include "text/input_file.h"
 #include "text/missing_cell.h"
@@ -115,17 +111,7 @@ std::string solve_document(const EngineModel& model, const py::dict& given, bool
   Heard said;  // with the state itself
   const bearing::OperatingPoint point = session::single_state(said, model.file(), states);
   const model::Model& m = model.file().model;
-  std::optional<results::BandOfResult> half_widths;
-  const auto of_band = [&] { return half_widths ? &*half_widths : nullptr; };
-  if (!m.shaft) {
-    if (band) half_widths = session::point_band(*band, point);
-    return session::point_json(m, point, session::solve_point(m, point), of_band());
-  }
-  const shaft::ShaftPoint asked = session::shaft_points({&point, 1}).front();
-  if (band) half_widths = session::shaft_band(*band, {&asked, 1});
-  const auto predictions = shaft::predict_shaft(m, {&asked, 1});
-  return results::shaft_solve_json(m, asked, predictions[0], of_band(),
-                                   session::judge(m, {&asked, 1}, predictions));
+  return session::point_json(m, point, session::solve_point(m, point, band));
 }
 
 /// Python has UTF-8: what Excel writes of umlauts becomes that.

@@ -1,7 +1,6 @@
 #include <pybind11/stl.h>
 
 #include <atomic>
-#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -9,11 +8,9 @@
 #include "python/engine/interruptible.h"
 #include "python/engine/model.h"
 #include "session/bands.h"
-#include "session/judged.h"
 #include "session/operating_point.h"
 #include "session/shaft_curve.h"
 #include "session/table_question.h"
-#include "text/number_range.h"
 #include "text/units.h"
 
 namespace raceway::python {
@@ -84,29 +81,15 @@ class EngineTable {
 /// The position of a shaft over its speed.
 class EngineDisplacement {
  public:
-  EngineDisplacement(std::shared_ptr<const EngineModel> model, const std::vector<double>& speed_rpm,
+  EngineDisplacement(std::shared_ptr<const EngineModel> model, std::vector<double> speed_rpm,
                      double axial_load_N, double temperature_C, bool with_band)
       : model_(std::move(model)) {
-    if (!model_->file().model.shaft)
-      throw text::InputError(model_->file().source +
-                                 ": the model has no [arrangement]; the shaft position needs this "
-                                 "table with layout, front, rear and preload_N",
-                             {.file = model_->file().source, .key = "arrangement"});
-    for (std::size_t i = 0; i < speed_rpm.size(); ++i)
-      text::require_range(speed_rpm[i], text::speed_range, "speed_rpm[" + std::to_string(i) + "]");
-    const bearing::OperatingPoint point = session::operating_point(
-        heard_, model_->file(), {.axial_load_N = axial_load_N, .temperature_C = temperature_C},
-        session::Wording::arguments);
-    std::vector<shaft::ShaftPoint> points;
-    for (const double speed : speed_rpm)
-      points.push_back({.speed = speed * rpm,
-                        .external_load = point.axial_load,
-                        .temperature = point.temperature});
-    const std::optional<model::Band> band = model_->band(with_band);
+    const session::CurveQuestion question{.speed_rpm = std::move(speed_rpm),
+                                          .axial_load_N = axial_load_N,
+                                          .temperature_C = temperature_C,
+                                          .band = model_->band(with_band)};
     const py::gil_scoped_release others;
-    for (const shaft::ShaftPoint& p : points)
-      session::require_possible_speed(model_->file().model, p.speed, "speed_rpm");
-    curve_.emplace(model_->file(), std::move(points), band);
+    curve_.emplace(heard_, model_->file(), question);
   }
   [[nodiscard]] std::string json() const { return curve_->json(); }
   [[nodiscard]] std::string csv() const { return curve_->csv(); }
@@ -142,8 +125,7 @@ void bind_tables(py::module_& module) {
       .def("text", &EngineTable::text)
       .def("columns", &EngineTable::columns);
   py::class_<EngineDisplacement>(module, "Displacement")
-      .def(py::init<std::shared_ptr<EngineModel>, const std::vector<double>&, double, double,
-                    bool>())
+      .def(py::init<std::shared_ptr<EngineModel>, std::vector<double>, double, double, bool>())
       .def_property_readonly("warnings", &EngineDisplacement::warnings)
       .def("json", &EngineDisplacement::json)
       .def("csv", &EngineDisplacement::csv);

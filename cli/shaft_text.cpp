@@ -1,18 +1,9 @@
-#include "cli/shaft.h"
+#include "cli/shaft_text.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <cmath>
-#include <optional>
-
-#include "cli/band_flag.h"
-#include "cli/commands.h"
-#include "cli/messages.h"
 #include "cli/text_table.h"
 #include "results/shaft_results.h"
-#include "session/bands.h"
-#include "session/judged.h"
-#include "session/shaft_answers.h"
 #include "shaft/shaft_balance.h"
 
 namespace raceway::cli {
@@ -60,45 +51,17 @@ void print_sums(const model::Model& model, const shaft::ShaftPrediction& p) {
              number(p.torque / N_mm), number(p.power_loss));
 }
 
-void print(const model::Model& model, const shaft::ShaftPoint& point,
-           const shaft::ShaftPrediction& p) {
+}  // namespace
+
+void print_shaft_state(const model::Model& model, const bearing::OperatingPoint& point,
+                       const shaft::ShaftPrediction& p) {
   const bearing::SolveReport& report = p.equilibrium.report;
   fmt::print("{} in its arrangement at {:.6g} rpm, external load {:.6g} N, {:.4g} C\n", model.name,
-             point.speed / rpm, point.external_load, celsius(point.temperature));
+             point.speed / rpm, point.axial_load, celsius(point.temperature));
   fmt::print("{} in {} Newton steps, loads recovered to {:.0e}\n\n", bearing::name(report.status),
              report.iterations, report.recovered_load_error);
   print_bearings(model.shaft->arrangement, p);
   print_sums(model, p);
-}
-
-}  // namespace
-
-int solve_shaft(const std::string& file, const model::Model& model, const shaft::ShaftPoint& point,
-                bool json, const model::Band* band) {
-  const auto predictions = shaft::predict_shaft(model, {&point, 1});
-  const shaft::ShaftPrediction& p = predictions[0];
-  const bearing::SolveStatus status = p.status();
-  std::optional<results::BandOfResult> half_widths;
-  if (band) half_widths = session::shaft_band(*band, {&point, 1});
-  const model::Findings findings = session::judge(model, {&point, 1}, predictions);
-  if (json)
-    put_document(results::shaft_solve_json(model, point, p, half_widths ? &*half_widths : nullptr,
-                                           findings));
-  if (status != bearing::SolveStatus::converged) {
-    complain(fmt::format("raceway solve: {}: {:.6g} rpm, {:.6g} N external load: {}", file,
-                         point.speed / rpm, point.external_load, session::shaft_problem(model, p)));
-    return not_converged;
-  }
-  if (!json) print(model, point, p);
-  if (!json && band)
-    fmt::print("\n{}\naxial displacement {} um, friction torque {} N mm, power loss {} W\n",
-               session::band_statement(*band), band_text(half_widths->half_widths[0], um),
-               band_text(half_widths->half_widths[1], N_mm),
-               band_text(half_widths->half_widths[2]));
-  warn(session::shaft_warnings(model, {&point, 1}, predictions));
-  warn(model::warnings_of(findings));
-  tell(model::notes_of(findings));
-  return done;
 }
 
 }  // namespace raceway::cli
