@@ -208,7 +208,7 @@ MEANINGS = {
         "steady[].seats[].on_shaft.pressure_MPa": "0 of a loose seat, null where its conductance is given",
         "steady[].surfaces[].pressure_MPa": "of a screwed flange and of clamped rings, else null",
         "steady[].surfaces[].heat_W": "out of the spindle, through the gap to the housing, or from a clamped ring to its neighbour; null of shoulders and collars",
-        "steady[].shaft[].axial_displacement_um": "against the flange, from the nose to the rear end",
+        "steady[].shaft[].axial_displacement_um": "relative to the flange, from the nose to the rear end",
         "steady[].stress.largest.part": "shaft, inner_ring or outer_ring; place of the largest von Mises stress; tension is positive",
         "steady[].stress.sections[].bearing": "bearing of the ring or of the seat on the shaft; null elsewhere",
         "steady[].stress.sections[].at[].radius_mm": "from the bore to the surface",

@@ -140,7 +140,7 @@ def _ranking(data: dict[str, Any]) -> str:
     return (
         heading("Effects, best first")
         + table(head, rows, left=3)
-        + (paragraph("gain, RMS and held out: of the set that is named", _FAINT) if data["verdict"] == "several-effects" else "")
+        + (paragraph("gain, RMS and held out refer to the named set", _FAINT) if data["verdict"] == "several-effects" else "")
         + (paragraph(f"and {more} others, less likely", _FAINT) if more > 0 else "")
     )
 
@@ -155,12 +155,12 @@ def _next(data: dict[str, Any]) -> str:
         fixed = ("repeats", "separates", "difference_in_sigma")
         settings = [key for key in points[0] if key not in fixed]
         rows = [[text(p.get("separates"))] + [number(p.get(key), 5) for key in settings] + [text(p.get("repeats"))] for p in points]
-        out += table(["tells apart", *map(label_of, settings), "times"], rows)
+        out += table(["distinguishes", *map(label_of, settings), "times"], rows)
         separation = data.get("predicted_separation")
         if separation is not None:
             out += paragraph(
-                f"difference to be expected {number(separation)}, by repeating what "
-                f"exists {number(data.get('separation_by_repetition'))}; 6 are needed",
+                f"expected difference {number(separation)}, by repeating existing points "
+                f"{number(data.get('separation_by_repetition'))}; 6 is enough",
                 _FAINT,
             )
     if records:
@@ -184,7 +184,7 @@ def _diagnosis(result: Any) -> str:
         out += _ranking(data)
     shape = data.get("shape")
     if isinstance(shape, dict) and shape.get("statement"):
-        out += heading("Shape of what is missing") + paragraph(text(shape["statement"]))
+        out += heading("Shape of the misfit") + paragraph(text(shape["statement"]))
     return out + _next(data) + messages_html(data)
 
 
@@ -204,7 +204,7 @@ def _where_html(part: dict[str, Any]) -> str:
     out = paragraph(text(part.get("statement", "")))
     if rows:
         unit = error_unit(part["unit"])
-        out += heading("Where it errs most") + table(["range", "rows", f"RMS, {unit}", f"mean error, {unit}"], rows)
+        out += heading("Largest errors") + table(["range", "rows", f"RMS, {unit}", f"mean error, {unit}"], rows)
     return out
 
 
@@ -234,13 +234,13 @@ def parameters_html(calibration: dict[str, Any]) -> str:
     rows = []
     for name, p in parameters.items():
         doubt = (
-            "held by the fit"
+            "held constant"
             if p.get("held")
             else "at its bound"
             if p.get("at_bound")
             else ""
             if p.get("identifiable", True)
-            else "not told by these data"
+            else "not determined by these data"
         )
         rows.append(
             [

@@ -136,7 +136,7 @@ def run_html(run: Any) -> str:
         if learnt
         else ["displacement", "predicted, *", "readings", "RMS, *", "largest, *"],
     )
-    words = "RMS of the readings that nothing was learnt from" if learnt else "RMS and largest error of the readings when one constant is taken off"
+    words = "RMS of the readings that were not used for learning" if learnt else "RMS and largest error of the readings, minus one constant"
     return _page(table(head, rows) + paragraph(words, _FAINT) + _of(data) + _said(data))
 
 
@@ -146,7 +146,7 @@ def _testable(effect: dict[str, Any]) -> str:
     if effect["missing"]:
         return f'needs {effect["missing"]}'
     without = effect["hard_without"]
-    return f"hard to tell apart without {without}" if without else "testable"
+    return f"hard to distinguish without {without}" if without else "testable"
 
 
 def check_html(check: Any) -> str:

@@ -85,9 +85,9 @@ def _nose(row: Row) -> str:
         return ""
     return paragraph(
         text(
-            f"nose against flange {_rounded(row['axial_displacement_um'], 1.0, 4)} µm, of it "
-            f"{number(row['kinematic_displacement_um'])} µm by the sets alone; preload "
-            f"{number(row['front_force_N'])} N in front, {number(row['rear_force_N'])} N at the rear"
+            f"nose relative to flange {_rounded(row['axial_displacement_um'], 1.0, 4)} µm, of which the sets cause "
+            f"{number(row['kinematic_displacement_um'])} µm; preload "
+            f"{number(row['front_force_N'])} N front, {number(row['rear_force_N'])} N rear"
         )
     )
 
@@ -107,8 +107,8 @@ def _mesh(report: Row) -> str:
     if mesh:
         cells += (
             f"; {mesh['other_cells']} give {_signed(-mesh['axial_displacement_um'])} µm, "
-            f"{_signed(-mesh['inner_ring_temperature_K'])} K of the hottest inner ring and "
-            f"{_signed(-mesh['front_force_N'])} N in front where all is steady at "
+            f"{_signed(-mesh['inner_ring_temperature_K'])} K at the hottest inner ring and "
+            f"{_signed(-mesh['front_force_N'])} N in the front set at the steady state at "
             f"{number(mesh['speed_rpm'], 5)} rpm"
         )
     return paragraph(text(cells), _FAINT)
@@ -156,7 +156,7 @@ def _run(result: Any) -> str:
         high = max(nose, key=lambda r: r["axial_displacement_um"])
         lines.append(
             [
-                "nose against flange in µm",
+                "nose relative to flange in µm",
                 number(rows[-1]["axial_displacement_um"]),
                 number(low["axial_displacement_um"]),
                 _at(low["time_s"]),
@@ -182,7 +182,7 @@ def _run(result: Any) -> str:
         most_ring, where = max(rings, key=lambda pair: pair[0])
         least_ring, first = min(rings, key=lambda pair: pair[0])
         lines.append(["hottest ring in °C", number(rings[-1][0]), number(least_ring), _at(first["time_s"]), number(most_ring), _at(where["time_s"])])
-    out += table(["", "at the end", "least", "at", "most", "at"], lines)
+    out += table(["", "at the end", "smallest", "at", "largest", "at"], lines)
     out += heading(f"At the last row, {_at(rows[-1]['time_s'])}") + _temperatures(rows[-1])
     return out + _mesh(report) + _messages(result)
 
@@ -236,7 +236,7 @@ def _deflection(result: Any) -> str:
     )
     if data["displacement_um"] is None:
         return out + _messages(result)
-    where = f"displacement where it acts {number(data['displacement_um'], 4)} µm"
+    where = f"displacement at the load {number(data['displacement_um'], 4)} µm"
     if data["stiffness_N_um"] is not None:
         where += f", {number(data['stiffness_N_um'], 4)} N/µm"
     if data["direction"] == "radial":
@@ -274,7 +274,7 @@ def _steps(result: Any) -> str:
         ]
         for r in shown
     ]
-    head = ["step", "power in W", "at once in µm", "K in µm", "T in min", "left over in µm", ""]
+    head = ["step", "power in W", "immediate in µm", "K in µm", "T in min", "residual in µm", ""]
     out = paragraph("thermal displacement after a step: K (1 - exp(-t/T)), power at its end")
     out += table(head, rows) + left_out
     for name, unit in (("K", "um"), ("T", "min")):

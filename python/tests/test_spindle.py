@@ -309,7 +309,7 @@ def test_results_show_themselves(results, tmp_path):
     one, several, of_run = (r._repr_html_() for r in results[:3])
     state = results[0].data["steady"][0]
     for shown in (
-        f"{state['front_force_N']:.0f} N in front",
+        f"{state['front_force_N']:.0f} N front",
         f"{state['axial_displacement_um']:.4g} µm",
         f"{state['rear_1_inner_ring_temperature_C']:.3g}",
         "coolant outlet",

@@ -6,7 +6,7 @@
 
 using namespace raceway;
 
-/// What is to be known beside the answers.
+/// Prints notes and warnings on stderr.
 struct OnStderr : session::Messages {
   void hear(const record::Note& note) override {
     std::fprintf(stderr, "%s: %s\n", name(note.kind()).data(), note.text.c_str());
@@ -18,9 +18,9 @@ double error_of(session::Messages& said, const session::Source& model, const std
   return session::compare(said, {model}, {record}, {}, {}).errors()[0][0].rmse;
 }
 
-/// Arguments: model, record to fit to, record that no fit sees.
+/// Arguments: model, record for the fit, record that the fit does not use.
 int main(int count, char** arguments) try {
-  if (count != 4) throw std::invalid_argument("three files are wanted");
+  if (count != 4) throw std::invalid_argument("give three files");
   OnStderr said;
   const std::string model = arguments[1], train = arguments[2], test = arguments[3];
   const session::LoopQuestion asked = session::ask(said, model, {train}, {});

@@ -119,7 +119,7 @@ for (const name of Object.keys(expected))
 test('table: every measured point is drawn, and the page counts them', async () => {
   const { page, close } = await open('table');
   const note = await page.textContent('#stribeck .note');
-  const [, all, ...parts] = /All (\d+) measured points: (\d+) within.*; (\d+) colder.* and (\d+) warmer.*; (\d+) at other loads/.exec(note).map(Number);
+  const [, all, ...parts] = /Of (\d+) measured points, (\d+) lie within.*; (\d+) are colder.* and (\d+) warmer.*; (\d+) are at other loads/.exec(note).map(Number);
   assert.equal(all, 120);
   assert.equal(parts.reduce((sum, count) => sum + count, 0), all);
   assert.ok((await marks(page, 'stribeck')) >= 34 + all);
@@ -187,7 +187,7 @@ test('table of a shaft: measured displacement is drawn as it is, at the preload 
   assert.ok([...told].some((text) => /measured, line \d+/.test(text)), [...told].join('; '));
   // Those at other preloads are drawn as well, and counted apart.
   const other = column('preload_N').values.filter((load) => Math.abs(load - preload) > 0.1 * preload).length;
-  assert.match(await page.textContent('#position .note'), new RegExp(`; ${other} at other loads`));
+  assert.match(await page.textContent('#position .note'), new RegExp(`; ${other} are at other loads`));
   assert.deepEqual(faults, []);
   await close();
 });
@@ -258,7 +258,7 @@ test('compare: the ladder shows every model in its order against the noise, and 
   const told = await page.$$eval('#steps tbody tr', (rows) => rows.map((r) => r.lastChild.textContent));
   assert.match(told[0], /^f0 2 → 1\.6\d+, z 0\.0008 → 0\.0009\d+$/);
   assert.match(told[1], /^\+ lubricant-drag, f0 1\.6\d+ → 1\.498, z .*, lubricant-drag\.torque_at_10000_rpm_Nmm = 65\.11 N mm$/);
-  assert.match(asPrinted(await page.textContent('#sentence')), /^better\.toml is nearest: RMS error 69\.94 -> 11\.72 N mm; noise/);
+  assert.match(asPrinted(await page.textContent('#sentence')), /^better\.toml has the smallest error: RMS error 69\.94 -> 11\.72 N mm; noise/);
   assert.deepEqual(faults, []);
   await close();
 });
@@ -266,7 +266,7 @@ test('compare: the ladder shows every model in its order against the noise, and 
 test('compare: a worse model behind the best one does not lead the page', async () => {
   write('worselast', 'compare', file('better.toml'), model, join(rig, 'test.csv'));
   const { page, faults, close } = await open('worselast');
-  assert.match(asPrinted(await page.textContent('#sentence')), /^better\.toml is nearest: RMS error 11\.72 N mm, model\.toml 69\.94 N mm; noise/);
+  assert.match(asPrinted(await page.textContent('#sentence')), /^better\.toml has the smallest error: RMS error 11\.72 N mm, model\.toml 69\.94 N mm; noise/);
   assert.match(await page.textContent('.facts'), /RMS error11\.72 N mm/);
   assert.deepEqual(faults, []);
   await close();
@@ -315,7 +315,7 @@ for (const name of ['shaftdiagnosis', 'shaftadded'])
     await close();
   });
 
-test('any effect of the ranking can be chosen, to see its share and what the base parameters had been hiding of it', async () => {
+test('any effect of the ranking can be chosen, to see its share and the part that the base parameters hide', async () => {
   const { page, faults, close } = await open('diagnose');
   const { explanations, rows } = await documentOf(page);
   const { effects } = results.diagnose;
@@ -343,7 +343,7 @@ test('any effect of the ranking can be chosen, to see its share and what the bas
       near(without, effect.base_parameters[name].before);
       near(with_it, effect.base_parameters[name].after);
     }
-    assert.ok((await page.textContent('#hidden .note')).startsWith(`Of ${effect.id}.`));
+    assert.ok((await page.textContent('#hidden .note')).startsWith(`Refitted without and with ${effect.id}: `));
   }
   assert.deepEqual(faults, []);
   await close();

@@ -215,7 +215,7 @@ test('axes: of several displacements each can be chosen; one that was not read h
   const { columns } = await csvOf(page, 'over-time');
   assert.ok(!columns.includes('measured [µm]'), `${columns}`);
   assert.ok(columns.includes('displacement y [µm]'));
-  assert.match(await page.textContent('#sentence'), /displacement z: .* predicted, .* RMS left\. displacement y: .* predicted\.$/);
+  assert.match(await page.textContent('#sentence'), /displacement z: .* predicted, .* RMS residual\. displacement y: .* predicted\.$/);
   assert.deepEqual(faults, []);
   await close();
 });
@@ -268,12 +268,12 @@ test('runs: hovering tells the row with its inputs, and a row of what was not re
     told.push(...(await page.$$eval('#over-time .tip', (tips) => tips.map((t) => t.textContent))));
   }
   assert.ok(told.some((text) => /^line \d+time[\d.]+ h.*runmonday.*measured.*predicted.*nose temperature/.test(text)), told.join('; '));
-  assert.ok(told.some((text) => text.includes('not read')), told.join('; '));
+  assert.ok(told.some((text) => text.includes('no reading')), told.join('; '));
   assert.deepEqual(faults, []);
   await close();
 });
 
-test('notes and what the model takes for granted are on the page', async () => {
+test('notes and the assumptions of the model are on the page', async () => {
   const { page, close } = await open('runs');
   assert.deepEqual(await notesOf(page), results.runs.messages);
   assert.ok((await page.textContent('#assumed')).includes('from rest'));

@@ -256,12 +256,12 @@ test('modes: the diagram has the frequencies of every bearing and the path under
   const { page, faults, close } = await open('shaken');
   const { rows, crossings } = results.shaken;
   const listed = await page
-    .locator('.list', { hasText: 'Where a mode is met' })
+    .locator('.list', { hasText: 'Crossings with modes' })
     .locator('tbody tr')
     .evaluateAll((all) => all.map((row) => [...row.children].map((c) => c.textContent)));
   assert.equal(listed.length, crossings.length);
   assert.ok(listed.some(([what]) => what === 'front 1 outer race'));
-  assert.match(await page.textContent('#campbell'), /thin: cage, outer and inner race/);
+  assert.match(await page.textContent('#campbell'), /Thin lines: cage, outer-race and inner-race/);
   const path = await csvOf(page, 'unbalance');
   path.rows.forEach((row, k) => near(Number(row[1]), rows[k].nose_amplitude_um, 1e-4, 'nose'));
   assert.deepEqual(faults, []);
@@ -347,7 +347,7 @@ test('a run that ends early says when, why, and how much of it is there', async 
   }
   const { page, faults, close } = await open('runaway');
   assert.equal(await page.textContent('#verdict'), 'thermal runaway');
-  assert.match(await page.textContent('#sentence'), /ended after 1\d\.\d s: thermal runaway: friction heat .*1 of 2 rows are there/);
+  assert.match(await page.textContent('#sentence'), /ended after 1\d\.\d s: thermal runaway: friction heat .*1 of 2 rows were computed/);
   assert.ok((await marks(page, 'nose')) > 5);
   assert.deepEqual(faults, []);
   await close();

@@ -30,7 +30,7 @@ export function balls(states: BearingState[]): Figure {
   const figure: Figure = new Figure({
     id: 'balls',
     title: 'Ball loads and pressures against speed',
-    note: 'Solid: the ball that has most, dashed: the one that has least; one line where all balls are alike.',
+    note: 'Solid: largest value of all balls. Dashed: smallest value. If all balls have the same value, there is one line.',
     height: 420,
     onPaper: 1,
     controls: [
@@ -101,7 +101,7 @@ export function around(states: BearingState[]): Figure {
   const figure: Figure = new Figure({
     id: 'around',
     title: 'Around the bearing',
-    note: `At ${withUnit((states[0] as BearingState).temperature_C, 'temperature_C')}. 0° is the direction of the radial load; a ball that has lost the inner race has no inner angle.`,
+    note: `At ${withUnit((states[0] as BearingState).temperature_C, 'temperature_C')}. 0° is the direction of the radial load. A ball without contact with the inner race has no inner angle.`,
     height: 420,
     onPaper: 1,
     controls: [

@@ -55,9 +55,9 @@ function pointsNote(view: TableView, points: Rows | undefined): string {
     list.filter((p) => p.curve >= 0 && p.warmer > nearTemperature).length,
     list.filter((p) => p.curve < 0).length,
   ];
-  const drawn = points.count > mostPoints ? `${mostPoints} of ${points.count} measured points, evenly spread; of all` : `All ${points.count} measured points:`;
-  const total = points.count < points.total ? ` The page holds ${points.count} of ${points.total}.` : '';
-  return `${drawn} ${at} within 10 % of the loads of a curve and 5 K of its temperature, in its colour; ${colder} colder (blue) and ${hotter} warmer (orange) than that, the fuller the further; ${other} at other loads (grey).${total}`;
+  const drawn = points.count > mostPoints ? `The picture shows ${mostPoints} of ${points.count} measured points, evenly spread. Of all points,` : `Of ${points.count} measured points,`;
+  const total = points.count < points.total ? ` The page contains ${points.count} of ${points.total}.` : '';
+  return `${drawn} ${at} lie within 10 % of the loads and 5 K of the temperature of a curve and have its colour; ${colder} are colder (blue) and ${hotter} warmer (orange), with a stronger colour for a larger difference; ${other} are at other loads (grey).${total}`;
 }
 
 /// The computed curves.

@@ -15,14 +15,14 @@ function bendingLine(report: DeflectionReport): Figure {
   const { total_um: total = [], tangent_um: tangent = [], stiff_um: stiff = [] } = report.line;
   const { nodes_mm: nodes, results: r } = report;
   const lines = [
-    { name: 'on its bearings', values: total },
-    { name: 'bearings as stiff as without the force', values: tangent },
-    { name: 'bearings that do not give way', values: stiff },
+    { name: 'shaft on its bearings', values: total },
+    { name: 'bearing stiffness as without the force', values: tangent },
+    { name: 'rigid bearings', values: stiff },
   ].filter((line) => line.values.length === nodes.length);
   return new Figure({
     id: 'line',
-    title: 'The line of the bent shaft',
-    note: 'What lies between the first line and that of bearings that do not give way is the share of the bearings; the rest is the shaft itself. Behind it the shaft, its diameters to a scale of their own; the arrow is the radial force.',
+    title: 'Deflection of the shaft',
+    note: 'The difference between the first line and the line with rigid bearings is the share of the bearings. The rest is the bending of the shaft. The drawing of the shaft has its own scale for the diameters. The arrow is the radial force.',
     wide: true,
     height: 380,
     option: (l, width) => {
@@ -87,7 +87,7 @@ function balls(bearings: LoadedBearing[]): Figure {
   const figure: Figure = new Figure({
     id: 'balls',
     title: 'Around the bearings',
-    note: '0° is the direction of the force. A ball that has lost the inner race has no inner angle.',
+    note: '0° is the direction of the force. A ball without contact with the inner race has no inner angle.',
     height: 420,
     onPaper: 1,
     controls: [choice('Show', ballColumns.map(axisTitle), 0, (k) => ((column = k), figure.draw()))],
@@ -108,8 +108,8 @@ function balls(bearings: LoadedBearing[]): Figure {
 function stiffness(bearings: LoadedBearing[], before: number[]): Figure {
   const kinds = [
     { name: 'radial, without the force', value: (_: LoadedBearing, k: number) => before[k] ?? null },
-    { name: 'radial, under it', value: (b: LoadedBearing) => b.radial_stiffness_N_um },
-    { name: 'axial, under it', value: (b: LoadedBearing) => b.axial_stiffness_N_um },
+    { name: 'radial, under the force', value: (b: LoadedBearing) => b.radial_stiffness_N_um },
+    { name: 'axial, under the force', value: (b: LoadedBearing) => b.axial_stiffness_N_um },
   ];
   return new Figure({
     id: 'stiffness',
@@ -148,7 +148,7 @@ export function deflection(report: DeflectionReport): (Node | undefined)[] {
   const first = r.tangent_displacement_um === null || r.stiffness_N_um === null ? NaN : r.force_N / r.tangent_displacement_um;
   const table = valueList(
     'Each bearing under the force',
-    ['bearing', 'axial [N]', 'radial [N]', 'moment [N m]', 'ball from [N]', 'to [N]', 'angle from [°]', 'to [°]', 'balls lost', 'K axial [N/µm]', 'K radial [N/µm]', 'before [N/µm]'],
+    ['bearing', 'axial [N]', 'radial [N]', 'moment [N m]', 'least ball load [N]', 'largest [N]', 'least angle [°]', 'largest [°]', 'balls lost', 'K axial [N/µm]', 'K radial [N/µm]', 'K radial without force [N/µm]'],
     r.bearings.map((b, k) => {
       // Zero where rounding left it.
       const load = Math.abs(r.force_N) + Math.abs(r.axial_force_N ?? 0) + Math.abs(r.moment_Nm ?? 0);
@@ -176,14 +176,16 @@ export function deflection(report: DeflectionReport): (Node | undefined)[] {
         command: 'deflection',
         files: shortPaths([report.model]),
         badge: judgedBadge(found ? undefined : [words(r.report.status), 'open'], judged),
-        sentence: found ? `${under}: ${um(r.displacement_um)} where it acts${r.stiffness_N_um === null ? '' : `, ${number(r.stiffness_N_um)} N/µm`}.` : `${under}: no equilibrium${r.report.message ? `: ${r.report.message}` : ''}.`,
+        sentence: found
+          ? `${under}: displacement at the load ${um(r.displacement_um)}${r.stiffness_N_um === null ? '' : `, ${number(r.stiffness_N_um)} N/µm`}.`
+          : `${under}: no equilibrium${r.report.message ? `: ${r.report.message}` : ''}.`,
       },
       found
         ? [
             ['preload as mounted', `${plain(r.preload_N, 4)} N`],
             ['front set without the force', `${number(r.unloaded_front_force_N)} N`],
             ['rear set', `${number(r.unloaded_rear_force_N)} N`],
-            ...(Number.isFinite(first) ? ([['first stiffness', `${number(first)} N/µm`]] as [string, string][]) : []),
+            ...(Number.isFinite(first) ? ([['stiffness at zero load', `${number(first)} N/µm`]] as [string, string][]) : []),
             ...(radial
               ? ([
                   ['nose', um(r.nose_displacement_um)],
@@ -196,6 +198,6 @@ export function deflection(report: DeflectionReport): (Node | undefined)[] {
     warnings(judged),
     found && radial ? section('The shaft', grid(bendingLine(report))) : undefined,
     found ? section('The bearings', grid(balls(r.bearings), stiffness(r.bearings, before)), table) : undefined,
-    notes(['The housing is rigid: what it gives way by is not in these displacements.']),
+    notes(['The model has a rigid housing. Its deformation is not part of these displacements.']),
   ];
 }

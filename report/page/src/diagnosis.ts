@@ -37,8 +37,8 @@ export function ranking(report: DiagnoseReport, { unit }: FitView): Figure {
   ];
   return new Figure({
     id: 'ranking',
-    title: 'Which effects explain it',
-    note: `Gain: fall of −2 ln L when the effect is added and everything is refitted; ${number(needed, 3)} needed, ${tried} explanations tried.${shown.length < effects.length ? ` The best ${shown.length} of ${effects.length}; the table has all.` : ''}`,
+    title: 'Effects that explain the misfit',
+    note: `Gain: decrease of −2 ln L when the effect is added and all parameters are refitted. The verdict needs a gain of ${number(needed, 3)}. ${tried} explanations were tried.${shown.length < effects.length ? ` The picture shows the best ${shown.length} of ${effects.length}; the table has all.` : ''}`,
     wide: true,
     height: 84 + shown.length * 30,
     onPaper: 0.6,
@@ -67,9 +67,9 @@ export function ranking(report: DiagnoseReport, { unit }: FitView): Figure {
             ['gain', gainText(e.gain)],
             ['behind the best', gainText(best - e.gain)],
             ['RMS error', `${number(e.rmse)} ${unit}`],
-            ...(e.rmse_cross_validated === null ? [] : ([['on rows left out', `${number(e.rmse_cross_validated)} ${unit}`]] as [string, string][])),
+            ...(e.rmse_cross_validated === null ? [] : ([['on held-out rows', `${number(e.rmse_cross_validated)} ${unit}`]] as [string, string][])),
             ['size', sizeText(e.parameters)],
-            ...(e.indistinguishable_from.length ? ([['not told from', e.indistinguishable_from.join(', ')]] as [string, string][]) : []),
+            ...(e.indistinguishable_from.length ? ([['not distinguishable from', e.indistinguishable_from.join(', ')]] as [string, string][]) : []),
           ];
         }),
         xAxis: valueAxis('gain', l, 'x', { scale: false }),
@@ -96,7 +96,7 @@ export function ranking(report: DiagnoseReport, { unit }: FitView): Figure {
       };
     },
     table: () => ({
-      columns: ['effect', 'in the verdict', 'gain', `RMS [${unit}]`, `RMS on rows left out [${unit}]`, 'size', 'not told from'],
+      columns: ['effect', 'in the verdict', 'gain', `RMS [${unit}]`, `RMS on held-out rows [${unit}]`, 'size', 'not distinguishable from'],
       rows: effects.map((e) => [e.id, e.in_verdict ? 'yes' : 'no', e.gain, e.rmse, e.rmse_cross_validated, sizeText(e.parameters), e.indistinguishable_from.join(', ')]),
     }),
   });
@@ -134,7 +134,7 @@ export function effectNodes(report: DiagnoseReport, view: FitView): Node[] {
   const shareOf = new Figure({
     id: 'share',
     title: `Share of the effect in the ${what}`,
-    note: () => `${chosen.id}, of what the model with ${others()} predicts, at every measured point.`,
+    note: () => `Share of ${chosen.id} in the prediction of the model with ${others()}, at every measured point.`,
     marks: view.marks,
     option: (l, width) => {
       const parts = column ? groups(rows.get(column), column, 5) : [{ label: 'rows', rows: all, from: 0, to: 0 }];
@@ -169,19 +169,19 @@ export function effectNodes(report: DiagnoseReport, view: FitView): Node[] {
   const hidden = (k: number) => (view.predicted(0)[k] as number) - rows.at(chosen.with.base, k);
   const names = Object.keys(list.find((c) => Object.keys(c.shifts).length)?.shifts ?? {});
   const lines: [string, (k: number) => number][] = [
-    ['what it adds', everything],
+    ['whole contribution', everything],
     [`hidden by ${names.join(', ')}`, hidden],
-    ['left over as misfit', (k) => everything(k) - hidden(k)],
+    ['remaining misfit', (k) => everything(k) - hidden(k)],
   ];
   const parts = () => groups(rows.get('speed_rpm'), 'speed_rpm', 10);
   const shifts = () => Object.entries(chosen.shifts);
   const hiding = new Figure({
     id: 'hidden',
-    title: 'What the base parameters had been hiding',
+    title: 'Part of the effect that the base parameters hide',
     note: () =>
-      `Of ${others()}. Refitted without: ${shifts()
-        .map(([name, p]) => `${name} ${number(p.before)}, with ${number(p.after)}`)
-        .join('; ')}. What the wrong values took over did not show as misfit. Means over the rows of a speed.`,
+      `Refitted without and with ${others()}: ${shifts()
+        .map(([name, p]) => `${name} ${number(p.before)} → ${number(p.after)}`)
+        .join('; ')}. The wrong values hide a part of the effect, which does not appear as misfit. Means over the rows of each speed.`,
     option: (l, width) => {
       const top = legend(
         lines.map(([name]) => name),
@@ -242,8 +242,8 @@ export function detectable(report: DiagnoseReport, { what }: FitView): Figure | 
   const floor = 10 ** Math.floor(Math.log10(Math.min(...percent) * 0.999));
   return new Figure({
     id: 'detectable',
-    title: 'What would have been found, and from which size',
-    note: `Smallest share of the ${what} (RMS over the rows) at which an effect would have been found in 99 of 100 cases.`,
+    title: 'Smallest effects that these data would show',
+    note: `Smallest share of the ${what} (RMS over the rows) at which a diagnosis would find an effect in 99 of 100 cases.`,
     wide: true,
     height: 76 + list.length * 22,
     onPaper: 0.8,
@@ -261,12 +261,12 @@ export function detectable(report: DiagnoseReport, { what }: FitView): Figure | 
           const unit = unitText(d.unit);
           return [
             d.id,
-            ['found from', `${d.parameter} = ${number(d.size, 2)}${unit ? ` ${unit}` : ''}`],
+            ['smallest size found', `${d.parameter} = ${number(d.size, 2)}${unit ? ` ${unit}` : ''}`],
             [`share of the ${what}`, `${number(100 * d.share_of_reading, 2)} %`],
             ...(d.most_alike
               ? ([
-                  ['most alike', d.most_alike],
-                  ['told from it from', `${number(d.told_apart_from, 2)}${unit ? ` ${unit}` : ''}`],
+                  ['most similar effect', d.most_alike],
+                  ['smallest size distinguished from it', `${number(d.told_apart_from, 2)}${unit ? ` ${unit}` : ''}`],
                 ] as [string, string][])
               : []),
           ];
@@ -276,7 +276,7 @@ export function detectable(report: DiagnoseReport, { what }: FitView): Figure | 
         series: [
           {
             type: 'bar',
-            name: 'found from',
+            name: 'smallest size found',
             barMaxWidth: 12,
             itemStyle: barStyle(l.kinds[2]),
             label: { show: true, position: 'right', color: l.ink, fontSize: 11, formatter: (hit: { dataIndex: number }) => `${number(percent[hit.dataIndex], 2)} %` },
@@ -286,7 +286,7 @@ export function detectable(report: DiagnoseReport, { what }: FitView): Figure | 
       };
     },
     table: () => ({
-      columns: ['effect', 'parameter', 'found from', 'unit', `share of the ${what} [%]`, 'most alike', 'told from it from'],
+      columns: ['effect', 'parameter', 'smallest size found', 'unit', `share of the ${what} [%]`, 'most similar effect', 'smallest size distinguished from it'],
       rows: list.map((d) => [d.id, d.parameter, d.size, unitText(d.unit), 100 * d.share_of_reading, d.most_alike, d.told_apart_from]),
     }),
   });
@@ -310,8 +310,8 @@ export function plan(report: DiagnoseReport, view: FitView): Figure {
   const colour = inputs.find((name) => name !== up && rows.varies(name) && moved(name));
   return new Figure({
     id: 'plan',
-    title: next.length ? 'Where to measure next' : 'Where was measured',
-    note: next.length ? `Diamonds: points that best tell apart what these data cannot (${next[0]?.separates ?? ''}).` : 'No further points are proposed; this is the plan as measured.',
+    title: next.length ? 'Where to measure next' : 'Measured points',
+    note: next.length ? `Diamonds: points that best distinguish effects that look alike in these data (${next[0]?.separates ?? ''}).` : 'The diagnosis proposes no further points.',
     marks: view.marks,
     wide: next.length > 0,
     option: (l, width) => {

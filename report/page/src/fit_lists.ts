@@ -13,8 +13,8 @@ export function parameterList(title: string, parameters: Record<string, Size>, d
 /// Base parameters before and after the explanation, if there is one.
 export function shiftList(d: Diagnosis): HTMLElement {
   return valueList(
-    'Numbers of the model, without and with what is missing',
-    ['number', 'without', 'with', 'std error', 'unit'],
+    'Parameters of the model, without and with the missing effects',
+    ['parameter', 'without', 'with', 'std error', 'unit'],
     (d.explanations.length ? Object.entries(d.base_parameters) : []).map(([name, p]) => [name, number(p.before), number(p.after), number(p.std, 2), unitText(p.unit)]),
   );
 }
@@ -22,8 +22,8 @@ export function shiftList(d: Diagnosis): HTMLElement {
 export function notTestableList(d: Diagnosis): HTMLElement | undefined {
   if (!d.not_testable.length) return undefined;
   return valueList(
-    'Could not have been found',
-    ['effect', 'why'],
+    'Effects that these data cannot show',
+    ['effect', 'reason'],
     d.not_testable.map((n) => [n.id, n.missing]),
   );
 }

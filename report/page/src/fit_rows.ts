@@ -193,8 +193,8 @@ function rowTooltip(view: FitView, l: Look): Option {
 /// Says on the page what is drawn of how many rows.
 export function drawnNote(view: FitView): string {
   const { rows } = view;
-  const kept = rows.count < rows.total ? `This page holds ${rows.count} of ${rows.total} rows, evenly spread over the file, and the worst ones. ` : '';
-  const drawn = view.thinned ? `The pictures of rows draw about ${mostDrawn} of ${rows.count}, evenly spread, and the worst ones; lines, bands and means use all of them.` : '';
+  const kept = rows.count < rows.total ? `This page holds ${rows.count} of ${rows.total} rows: evenly spread over the file, and the rows with the largest errors. ` : '';
+  const drawn = view.thinned ? `Pictures of single rows draw about ${mostDrawn} of ${rows.count}: evenly spread, and the rows with the largest errors. Lines, bands and means use all rows.` : '';
   return kept + drawn;
 }
 
@@ -204,7 +204,7 @@ export function parity(view: FitView): HTMLElement {
     new Figure({
       id: 'parity',
       title: 'Measured against predicted',
-      note: 'On the line they agree. Dashed: ±2 standard deviations of the noise, where it is known.',
+      note: 'On the line, both agree. Dashed: ±2 standard deviations of the noise, if it is known.',
       height: (width) => (width < 480 ? 360 : 340),
       marks: view.marks,
       option: (l, width) => {
@@ -430,8 +430,8 @@ export function misfitMap(view: FitView): HTMLElement | undefined {
       id: 'map',
       title: 'Map of the misfit',
       note: known
-        ? 'Mean of predicted − measured in each part of the plan. Framed and bold: beyond what the noise explains (5 % over the whole map, rows taken as independent).'
-        : 'Mean of predicted − measured in each part of the plan. The noise of these data is not known, so that no cell can be called significant.',
+        ? 'Mean of predicted − measured in each part of the test plan. Framed and bold: significantly different from the noise (5 % level for the whole map, if the rows are independent).'
+        : 'Mean of predicted − measured in each part of the test plan. The noise of these data is not known, so the map marks no cell as significant.',
       wide: true,
       height: () => 130 + Math.max(3, map().up.length) * 38,
       onPaper: 0.85,
@@ -507,7 +507,7 @@ export function misfitMap(view: FitView): HTMLElement | undefined {
         };
       },
       table: () => ({
-        columns: [acrossTitle(), upTitle(), 'rows', `mean of predicted − measured [${view.unit}]`, 'in standard errors', 'beyond chance'],
+        columns: [acrossTitle(), upTitle(), 'rows', `mean of predicted − measured [${view.unit}]`, 'in standard errors', 'significant'],
         rows: map().cells.map((c) => [rangeText(map().across[c.across] as AxisRange), rangeText(map().up[c.up] as AxisRange), c.rows, c.bias, c.sigmas, c.significant ? 'yes' : c.sigmas === null ? 'not known' : 'no']),
       }),
     }),

@@ -8,9 +8,9 @@ import { number, plain, unitText } from './text';
 /// Where the noise of a data set comes from, in the words of the JSON.
 export const noiseSources: Record<string, string> = {
   declared: 'as declared in the file',
-  regression: 'as the regression of the coast-down gives it',
+  regression: 'from the regression of the coast-down',
   repeats: 'from repeated rows',
-  estimated: 'estimated from what a regression without physics leaves',
+  estimated: 'estimated from the residual of a regression without physics',
 };
 
 /// The floor of a ladder, in the unit of the errors.
@@ -22,7 +22,7 @@ export interface Floor {
 }
 
 function noiseNote({ noise, source, unit, key }: Floor): string {
-  return noise === null ? `The noise of these data is not known (no column std_${key}, no repeated rows): there is no floor to hold it against.` : `Dashed: the noise of the data, ${number(noise, 3)} ${unit}, ${source}.`;
+  return noise === null ? `The noise of these data is not known (no column std_${key}, no repeated rows), so the picture has no noise line.` : `Dashed: the noise of the data, ${number(noise, 3)} ${unit}, ${source}.`;
 }
 
 /// The place of the model with the least error.
@@ -34,7 +34,7 @@ export function nearest(models: { rmse: number }[]): number {
 export function nearestWords(names: string[], models: { rmse: number }[], unit: string): string {
   const best = nearest(models);
   const errorOf = (k: number): string => number((models[k] as { rmse: number }).rmse);
-  return best > 0 ? `${names[best]} is nearest: RMS error ${errorOf(0)} → ${errorOf(best)} ${unit}` : `${names[0]} is nearest: RMS error ${errorOf(0)} ${unit}, ${names[1]} ${errorOf(1)} ${unit}`;
+  return best > 0 ? `${names[best]} has the smallest error: RMS error ${errorOf(0)} → ${errorOf(best)} ${unit}` : `${names[0]} has the smallest error: RMS error ${errorOf(0)} ${unit}, ${names[1]} ${errorOf(1)} ${unit}`;
 }
 
 /// RMS error of models one after the other.
@@ -90,8 +90,8 @@ export function beforeAfter(before: number, after: number, held: HoldOut[], floo
   const table = (): Table => ({ columns: [`RMS error [${unit}] on`, names[0], names[1]], rows: rows.map((row, k) => [row, values[0]?.[k] ?? null, values[1]?.[k] ?? null]) });
   return new Figure({
     id: 'ladder',
-    title: 'Error before and after, against the noise',
-    note: `${noiseNote(floor)} “Left out”: predicted for blocks of rows that the fit did not see.`,
+    title: 'Error before and after, compared with the noise',
+    note: `${noiseNote(floor)} “Left out”: error on blocks of rows that the fit did not use.`,
     wide: true,
     height: 100 + rows.length * 54,
     onPaper: 0.62,
@@ -129,5 +129,5 @@ export function changes(step: Step): string {
       return `${n.name} ${n.before === null ? '=' : `${plain(n.before, 4)} →`} ${plain(n.after, 4)}${unit ? ` ${unit}` : ''}`;
     }),
   ];
-  return texts.length ? texts.join(', ') : 'no effect and no number that is fitted';
+  return texts.length ? texts.join(', ') : 'no effect and no fitted parameter';
 }

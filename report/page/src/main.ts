@@ -26,13 +26,13 @@ const page = document.getElementById('page') as HTMLElement;
 /// The pictures of rows, with the choices that they share.
 function fitSection(view: FitView): HTMLElement {
   const thinning = drawnNote(view);
-  return section('Where it fits, and where not', others(view), choices(view), thinning ? el('p', { class: 'note', id: 'thinned' }, thinning) : undefined, grid(parity(view), ...residuals(view), misfitMap(view)));
+  return section('Agreement and residuals', others(view), choices(view), thinning ? el('p', { class: 'note', id: 'thinned' }, thinning) : undefined, grid(parity(view), ...residuals(view), misfitMap(view)));
 }
 
 /// Says what else was measured: the pictures are of one channel.
 function others(view: FitView): HTMLElement | undefined {
   const { other_channels: words = [] } = view.report;
-  return words.length ? el('p', { class: 'note', id: 'others' }, `Measured as well, and not drawn here: ${words.join(', ')}. The results as JSON have all channels.`) : undefined;
+  return words.length ? el('p', { class: 'note', id: 'others' }, `This page does not draw other measured quantities: ${words.join(', ')}. The JSON results have all channels.`) : undefined;
 }
 
 /// What does not matter to whoever uses the model, and the error on rows left out that it is held against.
@@ -41,7 +41,7 @@ function toleranceFacts(d: Diagnosis, { unit, key }: FitView): [string, string][
   if (typeof tolerance !== 'number') return [];
   return [
     ['tolerance', `${number(tolerance, 3)} ${unit}`],
-    ['on rows left out', typeof held === 'number' ? `${number(held, 3)} ${unit}` : dash],
+    ['on held-out rows', typeof held === 'number' ? `${number(held, 3)} ${unit}` : dash],
   ];
 }
 
@@ -55,7 +55,7 @@ function floorOf({ unit, key }: FitView, noise: number | null, source: string): 
 }
 
 function lackOfFit(c: Comparison): [string, string][] {
-  return c.lack_of_fit.p_value === null ? [] : [['misfit by chance', probability(c.lack_of_fit.p_value)]];
+  return c.lack_of_fit.p_value === null ? [] : [['p-value of the misfit', probability(c.lack_of_fit.p_value)]];
 }
 
 function compare(report: CompareReport): (Node | undefined)[] {
@@ -84,7 +84,7 @@ function compare(report: CompareReport): (Node | undefined)[] {
     ]),
     comparedOverSpeed ? section(`${capital(view.report.quantity.in_words)} over speed`, grid(comparedOverSpeed)) : undefined,
     section(
-      several ? 'The ladder' : 'The error',
+      several ? 'Errors of the models' : 'The error',
       grid(
         ladder(
           files.slice(0, -1),
@@ -94,7 +94,7 @@ function compare(report: CompareReport): (Node | undefined)[] {
           floorOf(view, noise, source),
         ),
       ),
-      several ? el('div', { id: 'steps' }, valueList('From model to model: effects and fitted numbers', ['model', `RMS error [${unit}]`, `change [${unit}]`, 'what changed'], steps)) : undefined,
+      several ? el('div', { id: 'steps' }, valueList('Changes from model to model: effects and fitted parameters', ['model', `RMS error [${unit}]`, `change [${unit}]`, 'what changed'], steps)) : undefined,
     ),
     fitSection(view),
     notes(report.results.said),
@@ -114,22 +114,22 @@ function diagnose(report: DiagnoseReport): (Node | undefined)[] {
       ['RMS error', d.rmse_after < d.rmse_before ? `${number(d.rmse_before, 3)} → ${number(d.rmse_after, 3)} ${unit}` : `${number(d.rmse_before, 3)} ${unit}`],
       [`noise, ${sourceIn(d.baseline)}`, `${number(d.noise.rms, 3)} ${unit}`],
       ['rows', String(d.rows)],
-      ['misfit by chance', probability(d.p_value)],
+      ['p-value of the misfit', probability(d.p_value)],
       ...toleranceFacts(d, view),
-      ...(effects.length ? ([['the rest by chance', probability(d.remaining_p_value)]] as [string, string][]) : []),
+      ...(effects.length ? ([['p-value of the rest', probability(d.remaining_p_value)]] as [string, string][]) : []),
     ]),
     section(
       'The verdict',
       grid(
         effects.length || d.hold_out.length
-          ? beforeAfter(d.rmse_before, d.rmse_after, d.hold_out, floor, ['refitted, nothing added', effects.length ? `with ${effects.join(' and ')}` : 'with the nearest effect'])
+          ? beforeAfter(d.rmse_before, d.rmse_after, d.hold_out, floor, ['refitted, nothing added', effects.length ? `with ${effects.join(' and ')}` : 'with the most similar effect'])
           : ladder(['refitted, nothing added'], [d.rmse_before], [d.baseline.bias], [d.baseline.fit_percent], floor),
         d.effects.length ? ranking(report, view) : undefined,
       ),
     ),
     d.shape
       ? section(
-          'The shape of what is missing',
+          'Shape of the misfit',
           el('p', {}, d.shape.statement),
           formula ? el('pre', {}, `${formula[0]} = "${formula[1]}"`) : undefined,
           valueList(
@@ -139,7 +139,7 @@ function diagnose(report: DiagnoseReport): (Node | undefined)[] {
           ),
         )
       : undefined,
-    nodes.length ? section('What an effect does', ...nodes) : undefined,
+    nodes.length ? section('Contribution of an effect', ...nodes) : undefined,
     fitSection(view),
     section('What these data can show', grid(plan(report, view), detectable(report, view)), notTestableList(d)),
     notes(d.said),
@@ -152,7 +152,7 @@ function add(report: AddReport): (Node | undefined)[] {
   const effects = [...new Set(names.map((name) => name.split('.')[0] as string).filter((id) => names.some((name) => name.startsWith(`${id}.`))))];
   const files = shortPaths([r.model, r.data]);
   const view = new FitView(report, 1);
-  const held = r.rmse_held_out_after === null ? '' : `; on rows left out ${number(r.rmse_held_out_before, 3)} → ${number(r.rmse_held_out_after, 3)}`;
+  const held = r.rmse_held_out_after === null ? '' : `; on held-out rows ${number(r.rmse_held_out_before, 3)} → ${number(r.rmse_held_out_after, 3)}`;
   const change = `error ${number(r.before.rmse, 3)} → ${number(r.after.rmse, 3)} ${view.unit}${held}`;
   return [
     header({ command: 'add', files, badge: r.refused ? ['refused', 'open'] : ['added', 'good'], sentence: r.refused ? `${effects.join(' and ')} refused: ${r.reason}.` : `${effects.join(' and ')}: ${change}.`, more: r.after.statement }, [
@@ -160,7 +160,7 @@ function add(report: AddReport): (Node | undefined)[] {
       [`noise, ${sourceIn(r.before)}`, report.noise_rms === null ? 'not known' : `${number(report.noise_rms, 3)} ${view.unit}`],
       ['rows', String(r.after.rows)],
     ]),
-    section('What it bought', grid(beforeAfter(r.before.rmse, r.after.rmse, r.hold_out, floorOf(view, report.noise_rms, sourceIn(r.before)), ['before, refitted', 'after'])), parameterList('Parameters', r.calibration.parameters)),
+    section('Improvement', grid(beforeAfter(r.before.rmse, r.after.rmse, r.hold_out, floorOf(view, report.noise_rms, sourceIn(r.before)), ['before, refitted', 'after'])), parameterList('Parameters', r.calibration.parameters)),
     fitSection(view),
     notes(r.said),
   ];
@@ -168,14 +168,14 @@ function add(report: AddReport): (Node | undefined)[] {
 
 function table(report: TableReport): (Node | undefined)[] {
   const { model, bearing } = report.results;
-  const thinned = report.rows.rows < report.rows.total ? `This page holds ${report.rows.rows} of ${report.rows.total} points, evenly spread.` : '';
+  const thinned = report.rows.rows < report.rows.total ? `This page contains ${report.rows.rows} of ${report.rows.total} points, evenly spread.` : '';
   return [
     header({ command: 'table', files: shortPaths(report.data ? [model, report.data] : [model]), badge: judgedBadge(undefined, report.judged ?? []), sentence: `Friction torque of ${bearing}`, ...(thinned ? { more: thinned } : {}) }, [
       ['points', String(report.rows.total)],
       ['contact angle', `${plain(report.results.contact_angle_deg, 4)}°`],
     ]),
     warnings(report.judged ?? []),
-    section('Against speed', grid(...tableFigures(report))),
+    section('Results over speed', grid(...tableFigures(report))),
   ];
 }
 
@@ -198,8 +198,8 @@ function displacement(report: DisplacementReport): (Node | undefined)[] {
       [
         ['preload at standstill', `${plain(arrangement.preload_N, 4)} N`],
         ['external load', withUnit(rows.at('external_load_N', 0), 'external_load_N')],
-        ['front set free at', lost(arrangement.front_lift_off_load_N)],
-        ['rear set free at', lost(arrangement.rear_lift_off_load_N)],
+        ['front set loses contact at', lost(arrangement.front_lift_off_load_N)],
+        ['rear set loses contact at', lost(arrangement.rear_lift_off_load_N)],
         ['lubricant', withUnit(rows.at('temperature_C', 0), 'temperature_C')],
         ['speeds', String(report.rows.total)],
       ],
@@ -220,8 +220,8 @@ function displacement(report: DisplacementReport): (Node | undefined)[] {
 /// What a page of many rows leaves out.
 function thinning(data: ColumnData, what: string, drawn: number): HTMLElement | undefined {
   const text = [
-    data.rows < data.total ? `This page holds ${data.rows} of ${data.total} ${what}, evenly spread; the fit and the warnings are from all.` : '',
-    data.rows > drawn ? `Pictures draw about ${drawn} of ${data.rows} ${what}; CSV has all of these.` : '',
+    data.rows < data.total ? `This page contains ${data.rows} of ${data.total} ${what}, evenly spread. The fit and the warnings use all of them.` : '',
+    data.rows > drawn ? `Pictures draw about ${drawn} of ${data.rows} ${what}; the CSV has all of them.` : '',
   ]
     .join(' ')
     .trim();
@@ -255,7 +255,7 @@ function build(report: Report): (Node | undefined)[] {
   }
 }
 
-/// What each model takes for granted: its law with the factors, oil, and what was left to defaults.
+/// Assumptions of each model: its law with the factors, its oil, and its defaults.
 function assumed(report: Report): HTMLElement | undefined {
   if (report.assumed.length === 0) return undefined;
   const files = shortPaths(report.assumed.map((m) => m.model));
@@ -267,7 +267,7 @@ function assumed(report: Report): HTMLElement | undefined {
     `${plain(m.viscosity_40C_mm2_s, 4)} mm²/s at 40 °C, ${plain(m.viscosity_100C_mm2_s, 4)} at 100 °C`,
     m.defaults.length ? m.defaults.join('; ') : 'none',
   ]);
-  return el('div', { id: 'assumed' }, section('What the model takes for granted', valueList('Law, oil and defaults', ['model', 'bearing', 'law and numbers', 'effects', 'oil', 'defaults used'], lines)));
+  return el('div', { id: 'assumed' }, section('Assumptions of the model', valueList('Law, oil and defaults', ['model', 'bearing', 'law and parameters', 'effects', 'oil', 'defaults used'], lines)));
 }
 
 function show(report: Report): void {

@@ -96,7 +96,7 @@ function campbell(report: ModesReport, list: Track[], crossed: Crossing[]): Figu
   return new Figure({
     id: 'campbell',
     title: 'Campbell diagram',
-    note: 'Triangle up, solid: the axis runs around with the rotation; triangle down, dashed: against it; circle: neither. Grey: once and twice per turn; thin: cage, outer and inner race of each bearing; a ring where a mode is met.',
+    note: 'Triangle up, solid: forward whirl. Triangle down, dashed: backward whirl. Circle: no whirl. Grey: one and two times the speed. Thin lines: cage, outer-race and inner-race frequencies of each bearing. A ring marks the crossing with a mode.',
     wide: true,
     height: (width) => (width < 480 ? 420 : 460),
     onPaper: 0.8,
@@ -153,8 +153,8 @@ function shapes(report: ModesReport): Figure {
   const label = (speed: number) => `${plain(speed, 5)} rpm`;
   const figure: Figure = new Figure({
     id: 'shapes',
-    title: 'Shapes of the modes',
-    note: () => `At ${label(report.shapes[at]?.speed_rpm ?? 0)}: how far the axis runs around along the shaft, the largest is 1. Behind it the shaft with its bearings, diameters to a scale of their own.`,
+    title: 'Mode shapes',
+    note: () => `At ${label(report.shapes[at]?.speed_rpm ?? 0)}: amplitude of the shaft axis, scaled to a largest value of 1. The drawing of the shaft with its bearings has its own scale for the diameters.`,
     wide: true,
     onPaper: 1,
     controls:
@@ -227,12 +227,12 @@ function overSpeed(report: ModesReport, rows: Rows): Figure[] {
   const sets = (what: string) => sides.map((side, kind) => ({ name: `${side} set`, column: `${side}_${what}`, kind }));
   const each = (what: string, first: number) => (report.bearings.length > 1 ? report.bearings.map((b, k) => ({ name: words(b), column: `${b}_${what}`, kind: first + k, dash: 1 })) : []);
   const figures = [
-    lineFigure(rows, { id: 'radial', title: 'Radial stiffness', note: 'Of the sets, solid, and of each bearing, dashed.', axis: 'radial_stiffness_N_um', fromZero: true, lines: [...sets('radial_N_um'), ...each('radial_N_um', 2)] }),
-    lineFigure(rows, { id: 'axial', title: 'Axial stiffness', note: 'Of the sets, solid, and of each bearing, dashed.', axis: 'axial_stiffness_N_um', fromZero: true, lines: [...sets('axial_N_um'), ...each('axial_N_um', 2)] }),
+    lineFigure(rows, { id: 'radial', title: 'Radial stiffness', note: 'Solid: sets. Dashed: single bearings.', axis: 'radial_stiffness_N_um', fromZero: true, lines: [...sets('radial_N_um'), ...each('radial_N_um', 2)] }),
+    lineFigure(rows, { id: 'axial', title: 'Axial stiffness', note: 'Solid: sets. Dashed: single bearings.', axis: 'axial_stiffness_N_um', fromZero: true, lines: [...sets('axial_N_um'), ...each('axial_N_um', 2)] }),
     lineFigure(rows, {
       id: 'forces',
       title: 'Axial forces',
-      note: 'Of the sets, solid, and of each bearing, dashed.',
+      note: 'Solid: sets. Dashed: single bearings.',
       axis: 'force_N',
       fromZero: true,
       lines: [...['front', 'rear'].filter((s) => rows.has(`${s}_force_N`)).map((side, kind) => ({ name: `${side} set`, column: `${side}_force_N`, kind })), ...each('force_N', 2)],
@@ -263,12 +263,12 @@ function unbalanced(rows: Rows): HTMLElement | undefined {
       lineFigure(rows, {
         id: 'unbalance',
         title: 'Path of the nose',
-        note: 'Its largest distance from where it stands without unbalance, for the stated unbalance and damping.',
+        note: 'Largest distance of the nose from its position without unbalance, for the given unbalance and damping.',
         axis: 'amplitude_um',
         fromZero: true,
         lines: [{ name: 'nose', column: 'nose_amplitude_um', kind: 0 }],
       }),
-      lineFigure(rows, { id: 'unbalance-lag', title: 'Lag behind the unbalance', note: 'A quarter of a turn where a mode is met.', axis: 'lag_deg', lines: [{ name: 'nose', column: 'nose_lag_deg', kind: 0 }] }),
+      lineFigure(rows, { id: 'unbalance-lag', title: 'Lag behind the unbalance', note: 'At a resonance, the lag is a quarter of a turn.', axis: 'lag_deg', lines: [{ name: 'nose', column: 'nose_lag_deg', kind: 0 }] }),
     ),
   );
 }
@@ -276,7 +276,7 @@ function unbalanced(rows: Rows): HTMLElement | undefined {
 export function modes(report: ModesReport): (Node | undefined)[] {
   const found = report.results.rows.filter((r) => r.modes.length > 0);
   const failed = report.results.rows.filter((r) => r.report.status !== 'converged').map((r) => `${plain(r.speed_rpm)} rpm: ${words(r.report.status)}${r.report.message ? `, ${r.report.message}` : ''}`);
-  const state = report.warm ? 'warm as it runs steadily' : 'cold';
+  const state = report.warm ? 'warm in its steady state' : 'cold';
   const head = { command: 'modes', files: shortPaths([report.model]) };
   const judged = report.judged ?? [];
   const said = warnings([...failed, ...judged]);
@@ -292,8 +292,8 @@ export function modes(report: ModesReport): (Node | undefined)[] {
   const [slowest, fastest] = [Math.min(...speeds), Math.max(...speeds)];
   const met =
     byTurn.length === 0
-      ? `Neither once nor twice per turn meets a mode between ${plain(slowest)} and ${plain(fastest)} rpm.`
-      : `${byTurn.length === 1 ? 'One crossing' : `${byTurn.length} crossings`} with once or twice per turn, the first at ${number(Math.min(...byTurn.map((c) => c.speed_rpm)), 4)} rpm.`;
+      ? `One and two times the speed cross no mode between ${plain(slowest)} and ${plain(fastest)} rpm.`
+      : `${byTurn.length === 1 ? 'One crossing' : `${byTurn.length} crossings`} of a mode with one or two times the speed, the first at ${number(Math.min(...byTurn.map((c) => c.speed_rpm)), 4)} rpm.`;
   const rows = new Rows(columnsOf(report.results.rows));
   return [
     header(
@@ -316,7 +316,7 @@ export function modes(report: ModesReport): (Node | undefined)[] {
       grid(campbell(report, list, crossed)),
       crossed.length
         ? valueList(
-            'Where a mode is met',
+            'Crossings with modes',
             ['excitation', 'mode', 'speed [rpm]', 'frequency [Hz]'],
             crossed.map((c) => [words(c.excitation).replace(/^([12])x$/, '$1×'), `${ordinal(c.mode)} ${c.whirl}`, number(c.speed_rpm, 4), number(c.frequency_Hz, 4)]),
           )
@@ -326,8 +326,8 @@ export function modes(report: ModesReport): (Node | undefined)[] {
     section('Shapes', grid(shapes(report))),
     found.length > 1 ? section('The bearings against speed', grid(...overSpeed(report, rows))) : undefined,
     notes([
-      report.results.rows[0]?.modes[0]?.damping_ratio ? 'The damping ratio of each mode is the one that was stated; what gives way in the housing is not modelled.' : 'Damping, and what gives way in the housing, are not modelled.',
-      'Unbalance excites modes that run around with the rotation; those against it answer where the bearings are not alike in all directions.',
+      report.results.rows[0]?.modes[0]?.damping_ratio ? 'Each mode has the given damping ratio. The model does not include the flexibility of the housing.' : 'The model does not include damping or the flexibility of the housing.',
+      'Unbalance excites modes with forward whirl. It excites modes with backward whirl only if the bearing stiffness depends on the direction.',
     ]),
   ];
 }

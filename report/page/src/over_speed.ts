@@ -44,7 +44,7 @@ export function overSpeed(view: FitView): HTMLElement | undefined {
     id: 'over-speed',
     title: 'Measured and predicted',
     note: () =>
-      `Points: measured. Lines: what ${models.length > 1 ? `each model predicts (${models.map((m, k) => `${m.name} ${strokes[k % strokes.length]}`).join(', ')})` : 'the model predicts'} for these rows, the mean in steps of speed.${drawn < view.rows.count ? ` ${drawn} of ${view.rows.count} rows are drawn.` : ''}`,
+      `Points: measured. Lines: ${models.length > 1 ? `predictions of the models (${models.map((m, k) => `${m.name} ${strokes[k % strokes.length]}`).join(', ')})` : 'prediction of the model'} for these rows, as means over steps of speed.${drawn < view.rows.count ? ` ${drawn} of ${view.rows.count} rows are drawn.` : ''}`,
     wide: true,
     height: 400,
     marks: drawn,

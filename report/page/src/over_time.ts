@@ -78,7 +78,7 @@ function panels(view: RecordView, l: Look): Panel[] {
     const line = (column: string): Line => {
       const k = coloured.indexOf(column);
       return k < 0
-        ? { label: `${others} other${others > 1 ? 's' : ''}${drivers.length ? ', not drawn apart' : ''}`, column, colour: l.muted, dash: 'solid' }
+        ? { label: `${others} other${others > 1 ? 's' : ''}${drivers.length ? ', in one colour' : ''}`, column, colour: l.muted, dash: 'solid' }
         : { label: quantity(column).label, column, colour: l.kinds[k % l.kinds.length] as string, dash: dashes[k % dashes.length] as (typeof dashes)[number] };
     };
     // What is drawn in grey lies below.
@@ -110,9 +110,9 @@ export function overTime(view: RecordView): HTMLElement {
   return view.add(
     new Figure({
       id: 'over-time',
-      title: () => `${capital(view.chosen.in_words)}, measured and predicted, and what drives it`,
+      title: () => `${capital(view.chosen.in_words)}, measured and predicted, with the inputs`,
       note: () =>
-        `Points: measured. Lines: predicted, broken where no row is. Below, on the same axis, the inputs${view.chosen.parts ? `: in colour those that drive ${view.together().length > 1 ? `“${view.chosen.name}”` : 'the model'}${view.drivers().length > mostColoured ? ' most' : ''}` : ''}.`,
+        `Points: measured. Lines: predicted, with a gap if rows are missing. Below: the inputs over the same time${view.chosen.parts ? `. Coloured: the inputs that drive ${view.together().length > 1 ? `“${view.chosen.name}”` : 'the model'}${view.drivers().length > mostColoured ? ' most' : ''}` : ''}.`,
       wide: true,
       marks: 1e4,
       onPaper: 1,
@@ -162,9 +162,11 @@ export function contributions(view: RecordView): HTMLElement {
   return view.add(
     new Figure({
       id: 'contributions',
-      title: 'What adds up to it',
+      title: 'Contributions to the displacement',
       note: () =>
-        view.about(`what each channel and effect adds${(view.chosen.parts ?? []).length > view.shares().length ? ', the largest apart' : ''}. Line: their sum. Points: measured, both less what the model takes for the zero of the reading.`),
+        view.about(
+          `contribution of each channel and effect${(view.chosen.parts ?? []).length > view.shares().length ? ', with only the largest ones separate' : ''}. Line: their sum. Points: measured. The fitted zero of the reading is subtracted from both.`,
+        ),
       wide: true,
       marks: 1e4,
       height: (width) => (width < 480 ? 320 : 360),
@@ -219,10 +221,10 @@ export function residualOverTime(view: RecordView): HTMLElement | undefined {
   return view.add(
     new Figure({
       id: 'residual',
-      title: () => `What is left${view.chosen.parts ? '' : ` of the ${view.chosen.in_words}`}`,
+      title: () => `Residual${view.chosen.parts ? '' : ` of the ${view.chosen.in_words}`}`,
       note: () =>
         view.about(
-          `predicted − measured. Shaded in turn: the eight parts of the record${held ? ', each predicted once more by a fit that did not see it, the simulation running through' : ' that a fit holds out; the table has the error on each'}.${view.chosen.tolerance === null ? '' : ` Band: the tolerance of ±${number(view.chosen.tolerance, 3)} ${view.errorUnit}, which is for the RMS.`}`,
+          `predicted − measured. Shading: the eight parts of the record${held ? '. A second line shows each part as predicted by a fit that did not use this part' : ', which fits hold out one by one; the table has the error on each part'}.${view.chosen.tolerance === null ? '' : ` Band: tolerance of ±${number(view.chosen.tolerance, 3)} ${view.errorUnit}, which applies to the RMS error.`}`,
         ),
       wide: true,
       marks: 1e4,

@@ -19,7 +19,7 @@ export function header(words: { command: string; files: string[]; badge?: [strin
 /// The badge of an answer that passes limits is not green.
 export function judgedBadge(badge: [string, string] | undefined, judged: string[]): [string, string] | undefined {
   if (judged.length === 0 || badge?.[1] === 'open') return badge;
-  return [`${badge ? `${badge[0]}, ` : ''}limits passed`, 'open'];
+  return [`${badge ? `${badge[0]}, ` : ''}limits exceeded`, 'open'];
 }
 
 export function warnings(lines: string[]): HTMLElement | undefined {
@@ -56,12 +56,20 @@ export function assumptions(of: Assumptions | undefined): HTMLElement | undefine
     return `${by > 0 ? '+' : ''}${number(by, 3)}`;
   };
   const list = valueList(
-    'The five that matter most',
-    ['assumed', 'value', '±', 'nose at less [µm]', 'nose at more [µm]'],
+    'The five largest influences',
+    ['assumed', 'value', '±', 'nose if smaller [µm]', 'nose if larger [µm]'],
     of.most.map((a) => [a.name, number(a.value), number(a.spread, 3), moved(a.displacement_at_less_um), moved(a.displacement_at_more_um)]),
   );
   list.id = 'assumptions';
-  return section('What the assumptions do', el('p', {}, `Of ${of.assumed} assumed numbers these move the nose most where all is steady at ${number(of.speed_rpm)} rpm, less and more by their usual spread.`), list);
+  return section(
+    'Influence of the assumptions',
+    el(
+      'p',
+      {},
+      `These five of ${of.assumed} assumed numbers have the largest influence on the nose displacement in the steady state at ${number(of.speed_rpm)} rpm. The table gives the change of the displacement if a number is smaller or larger by its usual spread.`,
+    ),
+    list,
+  );
 }
 
 export function notes(said: (Said | string)[]): HTMLElement | undefined {

@@ -26,7 +26,7 @@ function where(c: Comparison, unit: string): HTMLElement | undefined {
   if (!c.where.length) return undefined;
   const range = (from: number | string, to: number | string) => (from === to ? `${from}` : `${typeof from === 'number' ? plain(from, 4) : from} to ${typeof to === 'number' ? plain(to, 4) : to}`);
   return valueList(
-    'Where it errs, the worst first',
+    'Errors by range, largest first',
     ['by', 'from, to', 'rows', `RMS [${unit}]`, `mean [${unit}]`],
     c.where.map((w) => [w.variable.replace(/_/g, ' '), `${range(w.from, w.to)} ${w.unit}`.trim(), String(w.rows), number(w.rmse, 3), signed(w.bias, 3)]),
   );
@@ -53,7 +53,7 @@ function compare(report: RecordReport & { command: 'compare' }): (Node | undefin
     ),
     overTimeSection(view),
     section(
-      'The ladder',
+      'Errors of the models',
       grid(
         ladder(
           comparisons.map((c, k) => ({ name: files[k] as string, rms: c.rmse, held: null })),
@@ -108,7 +108,7 @@ function add(report: RecordReport & { command: 'add' }): (Node | undefined)[] {
       [['RMS error', `${number(r.before.rmse, 3)} → ${um(r.after.rmse)}`], ['tolerance', um(limits.tolerance)], ['readings', String(r.after.rows)], lengthOf(view)],
     ),
     section(
-      'What it bought',
+      'Improvement',
       grid(
         ladder(
           [
@@ -143,15 +143,15 @@ function correct(report: RecordReport & { command: 'correct' }): (Node | undefin
       {
         command: 'correct',
         files: shortPaths([r.model, r.data]),
-        sentence: axes.map((a, k) => `${report.models[k]?.name ?? a.displacement}: ${range(a)}${a.metrics.readings > 0 ? `, ${inUnit(error(a, 'rmse'), unitOf(a))} RMS left` : ''}.`).join(' '),
-        ...(read.length ? { more: 'Left: predicted − measured when one constant is taken off, since the zero of a reading is arbitrary.' } : { more: 'Nothing was read: what is left is not known.' }),
+        sentence: axes.map((a, k) => `${report.models[k]?.name ?? a.displacement}: ${range(a)}${a.metrics.readings > 0 ? `, ${inUnit(error(a, 'rmse'), unitOf(a))} RMS residual` : ''}.`).join(' '),
+        ...(read.length ? { more: 'Residual: predicted − measured, minus one constant, because the zero of a reading is arbitrary.' } : { more: 'The record has no readings, so the residual is not known.' }),
       },
       [
         ['rows', String(r.rows)],
         ...(axes.length === 1
           ? ([
               ['readings', String(r.metrics.readings)],
-              ['largest left', inUnit(error(r, 'max_abs'), unitOf(r))],
+              ['largest residual', inUnit(error(r, 'max_abs'), unitOf(r))],
               ['rows beyond the range', String(r.rows_beyond_range)],
             ] as [string, string][])
           : []),
@@ -182,8 +182,8 @@ function correct(report: RecordReport & { command: 'correct' }): (Node | undefin
 
 /// What the models take for granted.
 function taken(report: RecordReport): HTMLElement | undefined {
-  const lines = report.models.map((m) => [m.name, m.displacement, m.initial_state === 'rest' ? 'from rest' : 'warm: found from the readings', m.defaults.length ? m.defaults.join('; ') : 'none']);
-  return el('div', { id: 'assumed' }, section('What the model takes for granted', valueList('Beginning and defaults', ['model', 'displacement', 'a run begins', 'defaults used'], lines)));
+  const lines = report.models.map((m) => [m.name, m.displacement, m.initial_state === 'rest' ? 'from rest' : 'warm, fitted to the readings', m.defaults.length ? m.defaults.join('; ') : 'none']);
+  return el('div', { id: 'assumed' }, section('Assumptions of the model', valueList('Initial state and defaults', ['model', 'displacement', 'a run begins', 'defaults used'], lines)));
 }
 
 export function record(report: RecordReport): (Node | undefined)[] {

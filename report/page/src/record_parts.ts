@@ -45,7 +45,7 @@ export function ladder(rungs: Rung[], { tolerance, noise }: Limits, unit: string
   const lines = [...(tolerance === null ? [] : [`the tolerance, ${um(tolerance)}`]), ...(noise === null ? [] : [`the noise of the sensor, ${um(noise)}`])];
   return new Figure({
     id,
-    title: rungs.length > 1 ? 'RMS error, one after the other' : 'RMS error',
+    title: rungs.length > 1 ? 'RMS errors' : 'RMS error',
     note: note ?? (lines.length ? `Dashed: ${lines.join('; ')}.` : 'No tolerance was given, and the noise is not known.'),
     wide: true,
     height: 92 + Math.min(rungs.length * (held ? 44 : 34), 1300), // with its table on a sheet of paper
@@ -81,7 +81,7 @@ export function ladder(rungs: Rung[], { tolerance, noise }: Limits, unit: string
       };
     },
     table: () => ({
-      columns: ['', `RMS [${unit}]`, ...(held ? [`RMS on held-out parts [${unit}]`] : []), 'over the tolerance', 'numbers'],
+      columns: ['', `RMS [${unit}]`, ...(held ? [`RMS on held-out parts [${unit}]`] : []), 'RMS / tolerance', 'parameters'],
       rows: rungs.map((r) => [r.name, r.rms, ...(held ? [r.held] : []), tolerance === null ? null : ((r.held ?? r.rms) as number) / tolerance, r.note ?? '']),
     }),
   });
@@ -100,7 +100,7 @@ function thinned(view: RecordView): HTMLElement | undefined {
   return el(
     'p',
     { class: 'note', id: 'thinned' },
-    `${rows < total ? `This page holds ${rows} of ${total} rows: evenly spread, and the lowest and highest of every column in each stretch. ` : ''}Lines draw in each step of time, about a pixel wide, the first, the lowest, the highest and the last row, so that no extreme is lost; tables and CSV have every row of the page.`,
+    `${rows < total ? `This page contains ${rows} of ${total} rows: evenly spread rows, and the rows with the lowest and highest value of every column in each interval. ` : ''}In each time step of about one pixel, lines show the first, the lowest, the highest and the last row, so the picture shows every extreme. Tables and CSV have every row of the page.`,
   );
 }
 

@@ -87,7 +87,7 @@ export class RecordView extends TimeView {
     const lines: (string | [string, string])[] = [`line ${plain(this.rows.at('line', row))}`, ['time', `${number(this.hours[row], 4)} h`]];
     if (this.report.runs.length > 1) lines.push(['run', this.report.runs[this.rows.at('run', row)] ?? '']);
     const measured = this.measured()[row] as number;
-    if (this.chosen.measured) lines.push(['measured', Number.isFinite(measured) ? `${number(measured)} ${this.unit}` : 'not read']);
+    if (this.chosen.measured) lines.push(['measured', Number.isFinite(measured) ? `${number(measured)} ${this.unit}` : 'no reading']);
     for (const m of this.together()) lines.push([this.label(m), `${number(this.predicted(m)[row])} ${this.unit}`]);
     if (Number.isFinite(measured)) lines.push(['predicted − measured', `${signed(this.residual()[row] as number)} ${this.errorUnit}`]);
     return lines;

@@ -14,7 +14,7 @@ export function lawFigures(report: DisplacementReport, rows: Rows): Figure[] {
     lineFigure(rows, {
       id: 'displacement',
       title: 'Shaft displacement',
-      note: 'Of the shaft from its place at standstill under the same load.',
+      note: 'Measured from the position of the shaft at standstill under the same load.',
       wide: true,
       height: 400,
       axis: 'axial_displacement_um',
@@ -44,7 +44,7 @@ export function lawFigures(report: DisplacementReport, rows: Rows): Figure[] {
     figures.push(
       lineFigure(rows, {
         id: 'law-residual',
-        title: 'What the law leaves',
+        title: 'Residual of the law',
         note: `Law minus computed: mean absolute error ${number(law.mae_um, 3)} µm over ${law.rows} speeds, largest ${number(law.max_abs_um, 3)} µm at ${plain(law.max_abs_at_rpm)} rpm.`,
         wide: true,
         height: 240,
@@ -100,7 +100,7 @@ export function shaftFigures(report: DisplacementReport, rows: Rows): Figure[] {
     lineFigure(rows, {
       id: 'forces',
       title: 'Forces of the sets',
-      note: 'Axial, of each whole set on the shaft.',
+      note: 'Axial force of each set on the shaft.',
       axis: 'force_N',
       fromZero: true,
       lines: [

@@ -13,7 +13,7 @@ import { el, number, plain, shortPaths, signed, valueList } from './text';
 import { verdicts } from './verdicts';
 
 const times = 'times the tolerance';
-const togetherNote = 'All channels together: the root of the mean square of their errors over their tolerances. Dashed: as much as is tolerated.';
+const togetherNote = 'All channels together: root mean square of the errors, each divided by its tolerance. Dashed: tolerance.';
 
 /// A number whose name ends with a unit: tolerance_um, tolerance_K.
 function withAnyUnit(of: object, name: string): number | null {
@@ -44,7 +44,7 @@ function channelBars(rows: Row[], names: string[]): Figure {
   return new Figure({
     id: 'channels',
     title: 'RMS error of each channel',
-    note: 'In multiples of the tolerance of the channel, which is the noise of its sensor with what such a model can reach; at the bars in its unit.',
+    note: 'In multiples of the tolerance of the channel, which combines the noise of its sensor and the expected error of the model. The labels at the bars have the unit of the channel.',
     wide: true,
     height: 96 + rows.length * (14 + 16 * names.length),
     onPaper: 0.7,
@@ -100,7 +100,7 @@ function where(channels: Comparison[]): HTMLElement | undefined {
   const rows = channels.flatMap((c) =>
     c.where.slice(0, 3).map((w) => [words(c.quantity), words(w.variable), `${range(w.from, w.to)} ${w.unit}`.trim(), String(w.rows), inUnit(w.rmse, unitOf(c.unit)), `${signed(w.bias, 3)} ${unitOf(c.unit)}`]),
   );
-  return rows.length ? valueList('Where each channel errs most', ['channel', 'by', 'from, to', 'rows', 'RMS', 'mean'], rows) : undefined;
+  return rows.length ? valueList('Largest errors of each channel', ['channel', 'by', 'from, to', 'rows', 'RMS', 'mean'], rows) : undefined;
 }
 
 function compare(report: RecordReport & { command: 'compare' }): (Node | undefined)[] {
@@ -133,7 +133,7 @@ function compare(report: RecordReport & { command: 'compare' }): (Node | undefin
       [...channelsOf(last).map((c): [string, string] => [words(c.quantity), inUnit(c.rmse, unitOf(c.unit))]), ['readings', String(last.rows)], lengthOf(view)],
     ),
     section(
-      several ? 'The ladder' : 'The error',
+      several ? 'Errors of the models' : 'The error',
       grid(
         several
           ? ladder(
@@ -150,7 +150,7 @@ function compare(report: RecordReport & { command: 'compare' }): (Node | undefin
             'div',
             { id: 'steps' },
             valueList(
-              'From model to model: effects and fitted numbers',
+              'Changes from model to model: effects and fitted parameters',
               ['model', 'all channels', 'what changed'],
               report.steps.map((step, k) => [names[k + 1] ?? '', `${number(all[k + 1], 3)} ${times}`, changes(step)]),
             ),
@@ -158,7 +158,7 @@ function compare(report: RecordReport & { command: 'compare' }): (Node | undefin
         : undefined,
     ),
     overTimeSection(view),
-    section('Where it errs', where(channelsOf(last))),
+    section('Largest errors', where(channelsOf(last))),
     notes(report.results.said),
   ];
 }
@@ -272,7 +272,7 @@ function add(report: RecordReport & { command: 'add' }): (Node | undefined)[] {
       },
       [...after.map((c, k): [string, string] => [words(c.quantity), `${number(before[k]?.rmse, 3)} → ${inUnit(c.rmse, unitOf(c.unit))}`]), lengthOf(view)],
     ),
-    section('What it bought', grid(channelBars(rows, ['before, refitted', 'after'])), parameterList('Parameters', r.calibration.parameters)),
+    section('Improvement', grid(channelBars(rows, ['before, refitted', 'after'])), parameterList('Parameters', r.calibration.parameters)),
     overTimeSection(view),
     notes(r.said),
   ];

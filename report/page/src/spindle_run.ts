@@ -31,19 +31,23 @@ function inputPanels(report: SpindleRunReport, view: TimeView): Panel[] {
 }
 
 function nose(report: SpindleRunReport, view: TimeView): Figure {
-  return panelFigure(view, { id: 'nose', title: 'Displacement of the nose', note: 'Nose face against the flange, towards the tool positive, zero as mounted and still. Kinematic: what the sets alone move by at that speed, cold.' }, [
-    {
-      title: 'displacement [µm]',
-      unit: 'µm',
-      height: 250,
-      lines: [
-        { label: 'total', column: 'axial_displacement_um', kind: 0 },
-        { label: 'thermal', column: 'thermal_displacement_um', kind: 1, dash: 1 },
-        { label: 'kinematic', column: 'kinematic_displacement_um', kind: 2, dash: 2 },
-      ],
-    },
-    ...inputPanels(report, view),
-  ]);
+  return panelFigure(
+    view,
+    { id: 'nose', title: 'Displacement of the nose', note: 'Nose face relative to the flange, positive towards the tool, zero as mounted at standstill. Kinematic: displacement that the cold sets cause at this speed.' },
+    [
+      {
+        title: 'displacement [µm]',
+        unit: 'µm',
+        height: 250,
+        lines: [
+          { label: 'total', column: 'axial_displacement_um', kind: 0 },
+          { label: 'thermal', column: 'thermal_displacement_um', kind: 1, dash: 1 },
+          { label: 'kinematic', column: 'kinematic_displacement_um', kind: 2, dash: 2 },
+        ],
+      },
+      ...inputPanels(report, view),
+    ],
+  );
 }
 
 /// The highest force of the front set, over all time steps.
@@ -69,7 +73,7 @@ function highest(report: SpindleRunReport, view: TimeView): ((l: Look) => Option
 
 function forces(report: SpindleRunReport, view: TimeView): Figure {
   const more = highest(report, view);
-  return panelFigure(view, { id: 'forces', title: 'Axial forces of sets and bearings', note: `Triangle: the highest force of the front set over all time steps. Rings heat before the shaft has its length, so that forces may overshoot.` }, [
+  return panelFigure(view, { id: 'forces', title: 'Axial forces of sets and bearings', note: `Triangle: the highest force of the front set over all time steps. The rings warm faster than the shaft, so the forces can overshoot.` }, [
     {
       title: 'force of a set [N]',
       unit: 'N',
@@ -100,7 +104,7 @@ function temperatures(report: SpindleRunReport, view: TimeView): Figure {
     });
   if (report.sensors.length)
     panels.push({ title: report.network ? 'nodes [°C]' : 'sensors [°C]', unit: '°C', height: 170, lines: report.sensors.map((s, kind) => ({ label: words(s), column: `${s}_temperature_C`, kind, dash: Math.floor(kind / 7) })) });
-  if (fluids.length) panels.push({ title: 'around it [°C]', unit: '°C', height: 110, lines: fluids.map((column, kind) => ({ label: quantity(column).label.replace(' temperature', ''), column, kind, dash: kind })) });
+  if (fluids.length) panels.push({ title: 'surroundings [°C]', unit: '°C', height: 110, lines: fluids.map((column, kind) => ({ label: quantity(column).label.replace(' temperature', ''), column, kind, dash: kind })) });
   return panelFigure(view, { id: 'temperatures', title: 'Temperatures', note: report.bearings.length ? 'Means of the rings: inner solid, outer dashed.' : '' }, [...panels, ...inputPanels(report, view).slice(0, 1)]);
 }
 
@@ -135,7 +139,9 @@ function heat(view: TimeView): Figure {
   return new Figure({
     id: 'heat',
     title: 'Heat balance',
-    note: 'Above zero what comes in, below what goes out or is stored; what was stored and comes back stands above. Both sides are equal at any time.' + (peaks ? ` Cut off: short peaks up to ${number(peaks.most, 3)} W.` : ''),
+    note:
+      'Above zero: heat into the spindle, and stored heat that flows back. Below zero: heat out of the spindle, and heat that is stored. Both sides are equal at any time.' +
+      (peaks ? ` Cut off: short peaks up to ${number(peaks.most, 3)} W.` : ''),
     wide: true,
     marks: 1e4,
     onPaper: 0.8,
@@ -202,11 +208,11 @@ export function spindleRun(report: SpindleRunReport): (Node | undefined)[] {
           ['highest front force', `${number(high.force_N)} N`],
         ] as [string, string][])),
     ['friction at the end', `${number(at('friction_power_W'))} W`],
-    ['energy kept within', end.energy_error === null ? dash : `${end.energy_error.toExponential(0)} of the turnover`],
-    ['time steps', `${end.steps + end.rejected}, ${end.rejected} taken back`],
+    ['error of the energy balance', end.energy_error === null ? dash : `${end.energy_error.toExponential(0)} of the exchanged heat`],
+    ['time steps', `${end.steps + end.rejected}, ${end.rejected} rejected`],
     ['rows', reached],
   ];
-  const head = { command: 'spindle', files: shortPaths([report.model, report.programme]), badge: judgedBadge([converged ? 'ran through' : words(end.status), converged ? 'good' : 'open'], judged) };
+  const head = { command: 'spindle', files: shortPaths([report.model, report.programme]), badge: judgedBadge([converged ? 'completed' : words(end.status), converged ? 'good' : 'open'], judged) };
   if (last < 0) return [header({ ...head, sentence: `${report.results.spindle}: no row was reached.`, more: end.message }, facts)];
   return [
     header(
@@ -216,7 +222,7 @@ export function spindleRun(report: SpindleRunReport): (Node | undefined)[] {
           ? report.network
             ? `${report.results.spindle} through ${hoursOf(report.ended_at_s ?? 0)}.`
             : `${report.results.spindle}: nose from ${place(extreme('axial_displacement_um', -1))} to ${place(extreme('axial_displacement_um', 1))}; front set up to ${number(high.force_N)} N at ${hoursOf(high.time_s ?? 0)}.`
-          : `${report.results.spindle}: ended after ${hoursOf(report.ended_at_s ?? 0)}: ${end.message || words(end.status)}. ${reached} are there.`,
+          : `${report.results.spindle}: ended after ${hoursOf(report.ended_at_s ?? 0)}: ${end.message || words(end.status)}. ${reached} were computed.`,
         more: `${report.mesh}.`,
       },
       facts,
@@ -226,9 +232,9 @@ export function spindleRun(report: SpindleRunReport): (Node | undefined)[] {
     section('Over time', grid(...(report.network ? [] : [nose(report, view), forces(report, view)]), temperatures(report, view), heat(view))),
     assumptions(report.results.assumptions),
     notes([
-      'The inputs of a row hold from the row before it to its time.',
-      ...(report.rows.total > report.rows_reached ? [`Lines go through the rows of the programme and the ends of all time steps, ${report.rows.total} points.`] : []),
-      ...(report.rows.rows < report.rows.total ? [`This page holds ${report.rows.rows} of ${report.rows.total} points: evenly spread, and the lowest and highest of every column in each stretch.`] : []),
+      'The inputs of a row apply from the previous row to this row.',
+      ...(report.rows.total > report.rows_reached ? [`Lines connect the rows of the programme and the ends of all time steps, ${report.rows.total} points.`] : []),
+      ...(report.rows.rows < report.rows.total ? [`This page contains ${report.rows.rows} of ${report.rows.total} points: evenly spread points, and the points with the lowest and highest value of every column in each interval.`] : []),
     ]),
   ];
 }

@@ -32,7 +32,7 @@ function heatBars(list: Source[], height: number): Figure {
   return new Figure({
     id: 'heat',
     title: 'Heat balance',
-    note: `${number(sum(true))} W come in, ${number(sum(false))} W go out.`,
+    note: `Heat into the spindle: ${number(sum(true))} W. Heat out of the spindle: ${number(sum(false))} W.`,
     height,
     option: (l, width) => {
       const side = sideAxis(
@@ -142,7 +142,7 @@ function overSpeed(report: SpindleSteadyReport, rows: Rows): Figure[] {
   const heat = lineFigure(rows, {
     id: 'heat',
     title: 'Heat balance',
-    note: 'Friction, motor, drive and seals come in; the others go out.',
+    note: 'Friction, motor, drive and seals heat the spindle. The other parts remove heat.',
     axis: 'heat_flow_W',
     fromZero: true,
     lines: parts.map((p, kind) => ({ name: p.name, column: p.column, kind, dash: p.sign > 0 ? 0 : 1 })),
@@ -162,7 +162,7 @@ function overSpeed(report: SpindleSteadyReport, rows: Rows): Figure[] {
     lineFigure(rows, {
       id: 'nose',
       title: 'Displacement of the nose',
-      note: 'Nose face against the flange, towards the tool positive.',
+      note: 'Nose face relative to the flange, positive towards the tool.',
       axis: 'displacement_um',
       lines: [
         { name: 'total', column: 'axial_displacement_um', kind: 0 },
@@ -210,12 +210,12 @@ export function spindleSteady(report: SpindleSteadyReport): (Node | undefined)[]
   const rings = report.bearings.flatMap((b) => [at(`${b}_inner_ring_temperature_C`), at(`${b}_outer_ring_temperature_C`)]).filter(Number.isFinite);
   const speed = `${plain(at('speed_rpm'))} rpm`;
   const coolant = report.has_coolant ? `, coolant ${report.coolant_on ? 'on' : 'off'}` : '';
-  const words_of = report.network ? `${number(at('friction_power_W') + at('drive_heat_W'))} W come in` : `nose ${number(at('axial_displacement_um'))} µm against the flange, ${number(at('front_force_N'))} N in the front set`;
+  const words_of = report.network ? `${number(at('friction_power_W') + at('drive_heat_W'))} W of heat` : `nose ${number(at('axial_displacement_um'))} µm relative to the flange, ${number(at('front_force_N'))} N in the front set`;
   const facts: [string, string][] = [
     ...(report.network
       ? []
       : ([
-          ['of it from the sets alone', `${number(at('kinematic_displacement_um'))} µm`],
+          ['part that the sets cause', `${number(at('kinematic_displacement_um'))} µm`],
           ['front set', `${number(at('front_force_N'))} N`],
           ['rear set', `${number(at('rear_force_N'))} N`],
           ['as mounted', `${plain(report.preload_N, 4)} N`],
@@ -239,9 +239,9 @@ export function spindleSteady(report: SpindleSteadyReport): (Node | undefined)[]
     ),
     warnings([...failed, ...judged]),
     report.section ? section('The cross-section', grid(sectionFigure(report.section, 'speed', labels, labels.length - 1))) : undefined,
-    !found ? undefined : one ? section('Heat and temperatures', figuresOfOne(report, rows)) : section('Against speed', grid(...overSpeed(report, rows))),
+    !found ? undefined : one ? section('Heat and temperatures', figuresOfOne(report, rows)) : section('Results over speed', grid(...overSpeed(report, rows))),
     found && one && report.bearings.length ? section('The bearings', bearingTable(report, rows)) : undefined,
     assumptions(report.results.assumptions),
-    notes(report.rows.rows < report.rows.total ? [`This page holds ${report.rows.rows} of ${report.rows.total} speeds, evenly spread.`] : []),
+    notes(report.rows.rows < report.rows.total ? [`This page contains ${report.rows.rows} of ${report.rows.total} speeds, evenly spread.`] : []),
   ];
 }

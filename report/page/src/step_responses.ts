@@ -40,7 +40,7 @@ function scaleOf(seconds: number): { unit: string; of: number } {
 }
 
 const ofSpeeds = { id: 'courses', title: 'Step responses', from: 'From rest' };
-const ofLoads = { id: 'load-courses', title: 'Responses to a load', from: 'From the settled spindle' };
+const ofLoads = { id: 'load-courses', title: 'Responses to a load', from: 'From the steady state' };
 
 function courses(steps: Step[], { id, title, from } = ofSpeeds): Figure {
   const drawn = thinned(
@@ -53,7 +53,7 @@ function courses(steps: Step[], { id, title, from } = ofSpeeds): Figure {
   return new Figure({
     id,
     title,
-    note: `${from}, less the kinematic part, which is there at once. Points: the spindle; dashed: one time constant${both ? '; solid: two' : ''}.${drawn.length < steps.length ? ` ${drawn.length} of ${steps.length}, evenly chosen.` : ''}`,
+    note: `${from}, without the kinematic part, which acts immediately. Points: spindle. Dashed: one time constant.${both ? ' Solid: two.' : ''}${drawn.length < steps.length ? ` The picture shows ${drawn.length} of ${steps.length} steps, evenly chosen.` : ''}`,
     wide: true,
     marks: 1e4,
     height: 420,
@@ -111,7 +111,7 @@ function left(steps: Step[]): Figure {
   const now = () => steps[at] as Step;
   const figure: Figure = new Figure({
     id: 'left',
-    title: 'What the fits leave',
+    title: 'Residuals of the fits',
     note: () => `Fit − spindle: ${number(now().row.fit_rms_um, 2)} µm RMS by one time constant${hasTwo(now().row) ? `, ${number(now().row.fit_rms_two_um, 2)} µm by two` : ''}.`,
     wide: true,
     height: 260,
@@ -175,7 +175,7 @@ function law(report: StepsReport, steps: Step[], of: 'K' | 'T'): Figure {
   ];
   const course = (which: string) => (laws as unknown as Record<string, (number | null)[]> | null)?.[`${of}_${which}_${key}`] ?? [];
   const known = kinds.filter(([, which]) => course(which).some((v) => v !== null));
-  const range = r.valid_from_W === null && r.valid_to_W === null ? '' : `; the lines keep their sign from ${number(r.valid_from_W ?? 0, 3)} to ${r.valid_to_W === null ? 'any' : number(r.valid_to_W, 3)} W`;
+  const range = r.valid_from_W === null && r.valid_to_W === null ? '' : `; valid from ${number(r.valid_from_W ?? 0, 3)} to ${r.valid_to_W === null ? 'any' : number(r.valid_to_W, 3)} W`;
   const words = [
     ...(power[0] === null || power[1] === null ? [] : [`${of} = ${number(power[0])} ${unit} (P/W)^${number(power[1], 3)}`]),
     ...(line[0] === null || line[1] === null ? [] : [`${of} = ${number(line[0])} ${unit}/W P ${(line[1] as number) < 0 ? '−' : '+'} ${number(Math.abs(line[1] as number))} ${unit}${range}`]),
@@ -248,7 +248,7 @@ function overLoad(steps: Step[], direction: Direction): Figure[] {
   const table = new Rows(columnsOf([...byLoad.values()].sort((a, b) => (a[x] as number) - (b[x] as number))));
   const figure = (id: string, title: string, axis: string, what: string) =>
     lineFigure(table, { id: `${direction}-${id}`, title, x, axis, fromZero: true, lines: speeds.map((speed, k) => ({ name: `${plain(speed)} rpm`, column: column(what, speed), kind: k })) });
-  return [figure('gain', `Gain K against the ${direction} load`, 'gain_um', 'K'), figure('at-once', `At once against the ${direction} load`, 'displacement_um', 'at_once')];
+  return [figure('gain', `Gain K against the ${direction} load`, 'gain_um', 'K'), figure('at-once', `Immediate displacement against the ${direction} load`, 'displacement_um', 'at_once')];
 }
 
 function superposition(report: StepsReport): HTMLElement | undefined {
@@ -257,14 +257,14 @@ function superposition(report: StepsReport): HTMLElement | undefined {
   const view = new TimeView(report.rows);
   view.takeOwnUnit();
   return section(
-    'The correction against the whole simulation',
+    'The correction compared with the full simulation',
     grid(
       panelFigure(
         view,
         {
           id: 'superposition',
           title: 'Over a programme of speeds',
-          note: `What the simplification costs: ${number(s.rms_um, 3)} µm RMS, ${number(s.largest_um, 3)} µm at most after ${number(s.time_of_largest_s / 3600, 3)} h, of a travel of ${number(s.highest_um - s.lowest_um, 3)} µm.`,
+          note: `Error of the simplification: ${number(s.rms_um, 3)} µm RMS, at most ${number(s.largest_um, 3)} µm (after ${number(s.time_of_largest_s / 3600, 3)} h), with a travel of ${number(s.highest_um - s.lowest_um, 3)} µm.`,
         },
         [
           {
@@ -272,7 +272,7 @@ function superposition(report: StepsReport): HTMLElement | undefined {
             unit: 'µm',
             height: 240,
             lines: [
-              { label: 'whole simulation', column: 'simulated_um', kind: 6 },
+              { label: 'full simulation', column: 'simulated_um', kind: 6 },
               { label: 'correction', column: 'corrected_um', kind: 1, dash: 1 },
             ],
           },
@@ -312,9 +312,9 @@ export function stepResponses(report: StepsReport): (Node | undefined)[] {
       },
       [
         ['need two time constants', `${needed} of ${steps.length}`],
-        ['left by one, at most', `${number(Math.max(...steps.map((s) => s.row.fit_rms_um ?? 0)), 2)} µm`],
-        ...(steps.some((s) => hasTwo(s.row)) ? ([['left by two', `${number(Math.max(...steps.map((s) => s.row.fit_rms_two_um ?? 0)), 2)} µm`]] as [string, string][]) : []),
-        ...(r.cool_down ? ([['back to rest', `${number(r.cool_down.T_at_rest_min, 3)} min`]] as [string, string][]) : []),
+        ['largest residual with one', `${number(Math.max(...steps.map((s) => s.row.fit_rms_um ?? 0)), 2)} µm`],
+        ...(steps.some((s) => hasTwo(s.row)) ? ([['largest residual with two', `${number(Math.max(...steps.map((s) => s.row.fit_rms_two_um ?? 0)), 2)} µm`]] as [string, string][]) : []),
+        ...(r.cool_down ? ([['time constant at rest', `${number(r.cool_down.T_at_rest_min, 3)} min`]] as [string, string][]) : []),
       ],
     ),
     warnings,
@@ -326,7 +326,7 @@ export function stepResponses(report: StepsReport): (Node | undefined)[] {
       'The numbers',
       valueList(
         'Each step',
-        ['step', 'P at once [W]', 'at the end [W]', 'kinematic [µm]', 'K [µm]', 'T [min]', 'left [µm]', 'K1 [µm]', 'T1 [min]', 'K2 [µm]', 'T2 [min]', 'left [µm]', 'front force [N]', 'at most [N]'],
+        ['step', 'P at the start [W]', 'at the end [W]', 'kinematic [µm]', 'K [µm]', 'T [min]', 'residual [µm]', 'K1 [µm]', 'T1 [min]', 'K2 [µm]', 'T2 [min]', 'residual [µm]', 'front force [N]', 'largest [N]'],
         rows.map((row) => [
           nameOf(row),
           ...[row.power_start_W, row.power_end_W, row.kinematic_um, row.K_um, row.T_min, row.fit_rms_um, row.K1_um, row.T1_min, row.K2_um, row.T2_min, row.fit_rms_two_um, row.front_force_N, row.highest_front_force_N].map((v, k) =>

@@ -98,11 +98,11 @@ export function steps(view: RecordView): HTMLElement | undefined {
   return view.add(
     new Figure({
       id: 'steps',
-      title: 'What a step of an input does',
+      title: 'Response to a step of an input',
       note: () => {
         const changed = [...new Set(all().flatMap((r) => r.changed_by))];
         return view.about(
-          `from rest, each lag with where it leads to and its time constant, at which the mark stands (63 %); where there are several they are dashed, and their sum is the line.${all().length > mostPanels ? ` The ${mostPanels} largest of ${all().length}; the table has all.` : ''}${changed.length ? ` As it answers while it warms up at low speed with the coolant on; otherwise ${changed.join(', ')} ${changed.length > 1 ? 'change' : 'changes'} it.` : ''}`,
+          `from rest. Each lag has its final value and its time constant, at which the mark stands (63 %). Several lags are dashed, and the solid line is their sum.${all().length > mostPanels ? ` The picture shows the ${mostPanels} largest of ${all().length}; the table has all.` : ''}${changed.length ? ` This response applies during warm-up at low speed with the coolant on. In other states, ${changed.join(', ')} ${changed.length > 1 ? 'change' : 'changes'} the response.` : ''}`,
         );
       },
       wide: true,

@@ -19,8 +19,8 @@ export function tableFigures(report: TableReport): Figure[] {
   const torques = measured?.has('measured_Nmm') ? measured : undefined;
   const positions = measured?.has('measured_um') && rows.has('axial_displacement_um') ? measured : undefined;
   const note = [
-    axials.length > mostCurves ? `${mostCurves} of ${axials.length} axial loads are drawn, the table has all.` : '',
-    measured && !torques && !positions ? `The table has no ${report.measured?.quantity.in_words}: what was measured is not drawn.` : '',
+    axials.length > mostCurves ? `The picture shows ${mostCurves} of ${axials.length} axial loads; the table has all.` : '',
+    measured && !torques && !positions ? `The table has no ${report.measured?.quantity.in_words}, so the picture shows no measured points.` : '',
   ]
     .join(' ')
     .trim();
@@ -43,7 +43,7 @@ export function tableFigures(report: TableReport): Figure[] {
         column: 'axial_displacement_um',
         points: positions,
         reading: 'measured_um',
-        note: `Positive towards the tool.${positions.has('preload_N') ? ' Other preloads than that of the model count as other loads.' : ''}`,
+        note: `Positive towards the tool.${positions.has('preload_N') ? ' A point with another preload than the model counts as a point at another load.' : ''}`,
         choices: [],
       }),
     );
@@ -62,7 +62,7 @@ export function tableFigures(report: TableReport): Figure[] {
 function partsFigure(view: TableView, parts: string[]): Figure {
   return new Figure({
     id: 'parts',
-    title: 'What the torque is made of',
+    title: 'Parts of the torque',
     controls: [
       choice(
         'Axial load',
@@ -103,7 +103,7 @@ function anglesFigure(view: TableView, free: number | undefined): Figure {
   return new Figure({
     id: 'angles',
     title: 'Contact angles against speed',
-    note: `Solid: inner race, dashed: outer race; ${free ? `${plain(free, 4)}° without load` : ''}. Where balls differ, the smallest and the largest.`,
+    note: `Solid: inner race, dashed: outer race; ${free ? `${plain(free, 4)}° without load` : ''}. If the balls differ, the lines show the smallest and the largest angle.`,
     option: (l, width) => {
       const curves = view.shown();
       const names = curves.map((c) => `${plain(c.axial)} N`);

@@ -4,6 +4,6 @@ export const verdicts: Record<string, [string, string]> = {
   effect: ['one effect', 'found'],
   ambiguous: ['ambiguous', 'open'],
   'several-effects': ['several effects', 'found'],
-  'effect-like': ['like an effect', 'open'],
+  'effect-like': ['similar to an effect', 'open'],
   'not-in-catalogue': ['not in the catalogue', 'open'],
 };

@@ -164,7 +164,7 @@ export class Actions {
       let entered = model.text;
       let refused: string | undefined;
       if (of.law && of.law !== (valueOf(entered, 'friction', 'law') ?? 'palmgren')) {
-        const taken = await this.asking.ask(`Taking the law ${of.law}`, ask.add(of, entered, [`law:${of.law}`]));
+        const taken = await this.asking.ask(`Fitting the law ${of.law}`, ask.add(of, entered, [`law:${of.law}`]));
         const { refused: no, reason } = documentOf<Added>(taken);
         if (no && !of.forced) refused = `law ${of.law}: ${reason}`;
         else entered = taken.files['improved.toml'] ?? entered;
@@ -222,7 +222,7 @@ export class Actions {
       if (generation !== this.generation) return;
       const { panel } = this.state;
       const here: Panel = alone(of) && (panel === 'programme' || panel === 'modes') ? panel : alone(of) ? 'steady' : 'missing';
-      const problem = error instanceof Stopped ? { at: here, text: 'Stopped. Results may be incomplete: change something, or ask again.' } : placeOf(error, of);
+      const problem = error instanceof Stopped ? { at: here, text: 'Stopped. Results may be incomplete. Change something, or calculate again.' } : placeOf(error, of);
       this.store.change({ problem: problem.at === 'missing' ? { ...problem, at: here } : problem });
     }
   }
@@ -274,7 +274,7 @@ export class Actions {
   /// How far a correction may be trusted: its own displacement where it has several.
   private async trustOf(of: Case, model: string): Promise<Trust> {
     type Axis = { displacement: string; trust: Trust };
-    const { document } = await this.asking.document<Axis & { axes?: Axis[] }>('Asking how far it may be trusted', ask.correct(of, model));
+    const { document } = await this.asking.document<Axis & { axes?: Axis[] }>('Checking the trust in the correction', ask.correct(of, model));
     return (document.axes?.find((a) => a.displacement === of.channel) ?? document.axes?.[0] ?? document).trust;
   }
 
@@ -442,7 +442,7 @@ export class Actions {
       channel: channelsOf(text)[0] ?? '',
       ...(own ? { proposal: '', map: '', confirmed: true } : {}),
       problem: undefined,
-      modelNotes: ['Made from the record: look through its channels, and find their lags.'],
+      modelNotes: ['The page made this model from the record. Check its channels, then find their lags.'],
     });
   }
 
@@ -537,7 +537,7 @@ export class Actions {
   async cut(until: string): Promise<void> {
     const { start } = this.state;
     this.store.change({ until, ...(start ? { model: start, start: undefined, on: [] } : {}) });
-    await this.evaluate(until ? `fitted until ${until}` : 'fitted to all');
+    await this.evaluate(until ? `fitted until ${until}` : 'fitted to all readings');
   }
 
   /// How a spindle runs.

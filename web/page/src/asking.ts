@@ -114,7 +114,7 @@ export function refusal(answer: Answer): string {
     .trim()
     .split('\n')
     .filter((line) => !line.startsWith('note: '));
-  return lines.join('\n') || `The command ended with status ${answer.status} and said nothing.`;
+  return lines.join('\n') || `The command ended with status ${answer.status} and printed no message.`;
 }
 
 /// The data inside a page that --report wrote.
@@ -122,6 +122,6 @@ export function reportOf<T>(page: string): T {
   const open = '<script type="application/json" id="document">';
   const start = page.indexOf(open);
   const end = page.indexOf('</script>', start);
-  if (start < 0 || end < 0) throw new Error('the report holds no document');
+  if (start < 0 || end < 0) throw new Error('the report contains no document');
   return JSON.parse(page.slice(start + open.length, end)) as T;
 }

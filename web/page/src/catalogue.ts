@@ -51,7 +51,7 @@ export function withCatalogue(label: string, name: HTMLInputElement, actions: Ac
     if (number !== last || document.activeElement !== name) return;
     if (!bearings.length) return close();
     const found = bearings.length === 1 ? '1 bearing' : `${bearings.length} bearings`;
-    said.textContent = sameSize ? `${asked} is not in the catalogue; ${found} of its size. Enter without a choice estimates ${asked}.` : `${found} of the catalogue. Arrow keys choose.`;
+    said.textContent = sameSize ? `${asked} is not in the catalogue; ${found} of the same size. Press Enter without a choice to estimate ${asked}.` : `${found} in the catalogue. Choose with the arrow keys.`;
     options = bearings.map((b, k) => {
       const option = el('li', { role: 'option', id: `${list.id}-${k}`, 'aria-selected': 'false' }, el('b', {}, b.name), ' ', el('span', { class: 'size' }, words(b)));
       // The field keeps the focus.

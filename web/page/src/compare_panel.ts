@@ -27,7 +27,7 @@ function sliders(s: State, actions: Actions): HTMLElement | undefined {
     input.addEventListener('change', () => void actions.dragEnd('friction', name, rounded()));
     return el('label', { class: 'slide' }, el('span', {}, name), input, value, el('span', { class: 'note' }, `${unitText(shift.unit)} refitted ${number(shift.before, 4)}`));
   });
-  return el('section', { class: 'list sliders' }, el('h3', {}, 'The model as entered: drag a number'), ...rows);
+  return el('section', { class: 'list sliders' }, el('h3', {}, 'Model as entered: drag a number'), ...rows);
 }
 
 export function comparePanel(actions: Actions): Panelled {
@@ -44,12 +44,12 @@ export function comparePanel(actions: Actions): Panelled {
 function pictures(s: State): Child[] {
   const report = s.result?.compared;
   const names = s.result?.names ?? [];
-  if (!report) return [el('p', { class: 'quiet' }, 'Measured and predicted torque stand here when the data and the bearing are known.')];
+  if (!report) return [el('p', { class: 'quiet' }, 'Measured and predicted torque appear here when the data and the bearing are known.')];
   if (report.kind === 'record') {
     const title = document.title;
     const [, ...pictures] = record(report);
     document.title = title;
-    return [el('p', { class: 'note' }, `Models in their order: ${names.join(', ')}.${s.until ? ` Only readings after ${s.until} count here; none of them was fitted to.` : ''}`), ...pictures];
+    return [el('p', { class: 'note' }, `Models in order: ${names.join(', ')}.${s.until ? ` Only readings after ${s.until} count here. No fit used them.` : ''}`), ...pictures];
   }
   const all = 'models' in report.results ? report.results.models : [report.results];
   report.models.forEach((m, k) => (m.name = names[k] ?? m.name));
@@ -70,7 +70,7 @@ function pictures(s: State): Child[] {
         { noise, source: noiseSources[source] ?? source, unit: unitOfKey(first.unit), key: first.unit },
       ),
     ),
-    section('Where it fits, and where not', choices(view), grid(parity(view), ...residuals(view), misfitMap(view))),
+    section('Agreement and residuals', choices(view), grid(parity(view), ...residuals(view), misfitMap(view))),
     notes(report.results.said),
   ];
 }

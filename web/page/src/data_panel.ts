@@ -45,7 +45,7 @@ function mappingRow(m: Mapped, header: string[], s: State, actions: Actions): HT
   select.addEventListener('change', () => void actions.mapColumn(m.ours, { column: select.value, number: '' }));
   // Of a column its unit; where there is none, a number for all rows.
   const field = m.column
-    ? el('input', { type: 'text', id: `unit-${m.ours}`, class: 'unit', size: '8', 'aria-label': `Unit of ${label} in the file`, placeholder: 'by its name' })
+    ? el('input', { type: 'text', id: `unit-${m.ours}`, class: 'unit', size: '8', 'aria-label': `Unit of ${label} in the file`, placeholder: 'from its name' })
     : el('input', { type: 'text', id: `number-${m.ours}`, class: 'unit', size: '8', inputmode: 'decimal', 'aria-label': `${label} of all rows, ${unit}`, placeholder: unit ? `… ${unit}` : '' });
   field.value = m.column ? m.unit : m.number;
   field.addEventListener('change', () => {
@@ -75,7 +75,7 @@ function rawRows(s: State, names: string[]): HTMLElement | undefined {
     { class: 'list' },
     el('h3', {}, `First rows of ${file.name}`),
     el('div', { class: 'scroll', tabindex: '0' }, el('table', { class: 'raw' }, el('thead', {}, head), el('tbody', {}, ...rows.map((line) => el('tr', {}, ...line.map((cell) => el('td', {}, cell))))))),
-    el('p', { class: 'note' }, `${rows.length} of ${total} lines, as they stand in the file.`),
+    el('p', { class: 'note' }, `${rows.length} of ${total} lines, as in the file.`),
   );
 }
 
@@ -87,14 +87,14 @@ function pasteBox(actions: Actions): HTMLElement {
 
 /// A record is cut into what is fitted to and what judges.
 function untilField(s: State, actions: Actions): HTMLElement {
-  const input = el('input', { type: 'text', id: 'until', size: '8', placeholder: 'all of it', 'aria-describedby': 'until-note' });
+  const input = el('input', { type: 'text', id: 'until', size: '8', placeholder: 'whole record', 'aria-describedby': 'until-note' });
   input.value = s.until;
   input.addEventListener('change', () => void actions.cut(input.value.replace(/\s+/g, '')));
   return el(
     'section',
     { class: 'list' },
     el('label', { class: 'choice' }, el('span', {}, 'Fit to readings until'), input),
-    el('p', { class: 'note', id: 'until-note' }, 'A time such as 26h, 90min or 3600s. What follows judges: no fit sees it. Empty: all readings are fitted to, and parts left out judge.'),
+    el('p', { class: 'note', id: 'until-note' }, 'A time such as 26h, 90min or 3600s. Later readings test the model, and no fit uses them. If this field is empty, the fit uses all readings, and held-out parts test the model.'),
   );
 }
 
@@ -126,7 +126,7 @@ export function dataPanel(actions: Actions): Panelled {
           { class: 'drop', id: 'drop' },
           el('p', {}, el('b', {}, 'Drop a CSV file anywhere on this page'), ', or '),
           filePicker(actions, 'choose files', 'file-2'),
-          el('p', { class: 'note' }, 'Speed, loads, temperature and friction torque, a row for each reading. Several files are one record. Nothing leaves this computer.'),
+          el('p', { class: 'note' }, 'Speed, loads, temperature and friction torque, with one row for each reading. Several files are one record. Your data stay on this computer.'),
           pasteBox(actions),
           s.example ? '' : el('p', { class: 'choice' }, el('span', { class: 'note' }, 'Or look at an example'), exampleButtons(s.example, actions, 'see')),
         ),
@@ -135,7 +135,7 @@ export function dataPanel(actions: Actions): Panelled {
           ? undefined
           : callout(
               'doubt',
-              el('span', {}, el('b', {}, 'Proposed by words and units: '), 'look through the columns below. Nothing is computed before you agree.'),
+              el('span', {}, el('b', {}, 'Proposed from words and units: '), 'check the columns below. The page computes nothing before you agree.'),
               button('These columns are right', () => void actions.confirmColumns(), { class: 'primary', id: 'confirm-columns' }),
             ),
         list.length
@@ -156,8 +156,8 @@ export function dataPanel(actions: Actions): Panelled {
               el(
                 'p',
                 { class: 'options' },
-                option('drop-nan', 'Leave out rows with an empty cell, nan or #N/A in a column that counts', s.dropNan, (on) => void actions.readAs({ dropNan: on })),
-                option('rows', 'Keep rows of a logger apart, instead of their means at equal settings', s.rows, (on) => void actions.readAs({ rows: on })),
+                option('drop-nan', 'Leave out rows with an empty cell, nan or #N/A in a column that the model uses', s.dropNan, (on) => void actions.readAs({ dropNan: on })),
+                option('rows', 'Use every row of a logger instead of means at equal settings', s.rows, (on) => void actions.readAs({ rows: on })),
               ),
               ...(unused.length ? [el('p', { class: 'note' }, `Not used: ${unused.join(', ')}.`)] : []),
             )

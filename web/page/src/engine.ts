@@ -52,7 +52,7 @@ class WorkerEngine implements Engine {
     worker.addEventListener('error', (event) => {
       event.preventDefault();
       this.dismiss();
-      this.end((w) => w.fail(new Error(`The engine ended with an error: ${event.message || 'unknown'}. The next question starts a new one.`)));
+      this.end((w) => w.fail(new Error(`The engine ended with an error: ${event.message || 'unknown'}. The next calculation starts it again.`)));
     });
     if (this.module) worker.postMessage({ module: this.module });
     else if (this.packed) worker.postMessage({ packed: this.packed });

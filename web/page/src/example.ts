@@ -20,7 +20,7 @@ interface Example {
 /// The 34 h are in the page as compressed text (bundle.mjs), since they are a megabyte.
 async function record(): Promise<string> {
   const packed = document.getElementById('spindle-record')?.textContent;
-  if (!packed) throw new Error('This page holds no spindle record.');
+  if (!packed) throw new Error('This page contains no spindle record.');
   return new TextDecoder().decode(await unpacked(packed));
 }
 

@@ -37,7 +37,7 @@ function summary(panel: Panel, s: State): string {
       return last ? `error ${number(last.rmse, 3)} ${unitOfKey(last.unit)}` : 'measured and predicted';
     }
     case 'missing':
-      return s.on.length ? `${s.on.length} effect${s.on.length > 1 ? 's' : ''} on` : 'candidates by click';
+      return s.on.length ? `${s.on.length} effect${s.on.length > 1 ? 's' : ''} on` : 'click to add effects';
     case 'steady':
       return `${s.speed} rpm${s.coolantOff ? ', coolant off' : ''}`;
     case 'programme':
@@ -140,7 +140,7 @@ export function frame(root: HTMLElement, actions: Actions, state: () => State, c
       (s) => {
         if (!s.job) return [s.took ? el('span', { class: 'took' }, `${s.took.label}: ${s.took.ms < 995 ? `${Math.round(s.took.ms)} ms` : `${(s.took.ms / 1000).toFixed(1)} s`}`) : undefined];
         clock.textContent = '';
-        return [el('span', { class: 'spinner', 'aria-hidden': 'true' }), el('span', {}, `${s.job.label} `), clock, button('Stop', () => actions.stop(), { id: 'stop', class: 'small', title: 'Ends this question (Escape)' })];
+        return [el('span', { class: 'spinner', 'aria-hidden': 'true' }), el('span', {}, `${s.job.label} `), clock, button('Stop', () => actions.stop(), { id: 'stop', class: 'small', title: 'Stops this calculation (Escape)' })];
       },
     ),
     new Part(
@@ -159,7 +159,7 @@ export function frame(root: HTMLElement, actions: Actions, state: () => State, c
                   'span',
                   { class: 'step' },
                   el('span', { class: 'numeral', 'aria-hidden': 'true' }, String(k + 1)),
-                  el('span', { class: 'words' }, el('b', {}, names[name]), el('span', { class: 'summary' }, wrong ? 'needs a look' : summary(name, s))),
+                  el('span', { class: 'words' }, el('b', {}, names[name]), el('span', { class: 'summary' }, wrong ? 'needs attention' : summary(name, s))),
                 ),
                 () => actions.show(name),
                 { id: `step-${name}`, ...(s.panel === name ? { 'aria-current': 'step' } : {}), class: wrong ? 'wrong' : '' },

@@ -7,7 +7,7 @@ export function historyPanel(actions: Actions): Panelled {
   return {
     needs: (s) => [s.history, s.at, s.until],
     make: (s) => {
-      if (!s.history.length) return [el('p', { class: 'quiet' }, 'Each step stands here with its error.')];
+      if (!s.history.length) return [el('p', { class: 'quiet' }, 'Each step appears here with its error.')];
       const spindle = s.history.every((line) => line.spindle);
       const rows = s.history.map((line, k) => {
         const before = s.history[k - 1];
@@ -46,7 +46,7 @@ export function historyPanel(actions: Actions): Panelled {
                 el(
                   'tr',
                   {},
-                  ...['no.', 'step', ...(spindle ? ['nose before', 'nose after', 'front set'] : ['error before', 'error after', s.until ? `after ${s.until}` : 'on rows left out']), ''].map((h, k) =>
+                  ...['no.', 'step', ...(spindle ? ['nose before', 'nose after', 'front set'] : ['error before', 'error after', s.until ? `after ${s.until}` : 'on held-out rows']), ''].map((h, k) =>
                     h ? el('th', { scope: 'col', class: k === 0 || (k > 1 && k < 5) ? 'number' : '' }, h) : el('td', {}),
                   ),
                 ),
@@ -54,7 +54,7 @@ export function historyPanel(actions: Actions): Panelled {
               el('tbody', {}, ...rows),
             ),
           ),
-          el('p', { class: 'note' }, `${spindle ? 'Displacement of the nose and axial force of the front set in the steady state.' : 'RMS error of the refitted model.'} A new step after going back replaces the later ones.`),
+          el('p', { class: 'note' }, `${spindle ? 'Displacement of the nose and axial force of the front set in the steady state.' : 'RMS error of the refitted model.'} If you go back, the next step replaces the later steps.`),
         ),
       ];
     },

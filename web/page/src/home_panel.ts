@@ -28,7 +28,7 @@ function listing(title: string, text: string, name: string, id: string): HTMLEle
     () =>
       void navigator.clipboard.writeText(text).then(
         () => (said.textContent = 'copied'),
-        () => (said.textContent = 'not allowed here: save it'),
+        () => (said.textContent = 'The browser does not allow copying. Save the file instead.'),
       ),
     { class: 'small' },
   );
@@ -59,7 +59,7 @@ function exports(model: string, trust: Trust | undefined, actions: Actions): HTM
     ['python', 'correction.py', 'Python, one file'],
     ['c', 'correction.h', 'C99, one header'],
     ['csv', 'correction.csv', 'Table of numbers'],
-    ['linuxcnc', 'thermal.py', 'LinuxCNC, a component of HAL'],
+    ['linuxcnc', 'thermal.py', 'LinuxCNC, HAL component'],
   ];
   const said = el('div', { role: 'status' });
   const write = (format: string, name: string, untrusted = false) =>
@@ -72,7 +72,7 @@ function exports(model: string, trust: Trust | undefined, actions: Actions): HTM
         // The command asks for --accept-untrusted where a correction is not to be used.
         const may = /--accept-untrusted/.test(error.message);
         const words = error.message.replace(/\. --accept-untrusted.*$/s, '.');
-        said.replaceChildren(callout(may ? 'doubt' : 'error', el('span', {}, printed(words)), may ? button('Export it all the same', () => write(format, name, true), { id: 'accept-untrusted', class: 'small' }) : undefined));
+        said.replaceChildren(callout(may ? 'doubt' : 'error', el('span', {}, printed(words)), may ? button('Export it anyway', () => write(format, name, true), { id: 'accept-untrusted', class: 'small' }) : undefined));
       },
     );
   return el(
@@ -96,16 +96,16 @@ function homeOfSpindle(s: State): HTMLElement[] {
       el(
         'ul',
         { class: 'files' },
-        item('Model', 'What stands in the step Model.', 'model.toml', s.model?.text, 'application/toml', 'save-model'),
+        item('Model', 'The model of the step Model.', 'model.toml', s.model?.text, 'application/toml', 'save-model'),
         ...(s.programme ? [item('Programme', 'The speeds over time, CSV.', s.programme.name, s.programme.text, 'text/csv', 'save-programme')] : []),
         item('Report of the steady state', 'One page with all pictures, for any browser, offline.', 'steady.html', steady?.page, 'text/html', 'save-steady'),
-        item('Report of the programme', run ? 'The same, over time.' : 'Look at the step Programme first.', 'programme.html', run?.page, 'text/html', 'save-run'),
+        item('Report of the programme', run ? 'The same pictures over time.' : 'Open the step Programme first.', 'programme.html', run?.page, 'text/html', 'save-run'),
         item('Rows of the programme', 'Displacement, forces, heat and temperatures over time, CSV.', 'run.csv', run?.rows, 'text/csv', 'save-rows'),
-        item('Report of the modes', modes ? 'Campbell diagram and shapes.' : 'Look at the step Modes first.', 'modes.html', modes?.page, 'text/html', 'save-modes'),
+        item('Report of the modes', modes ? 'Campbell diagram and shapes.' : 'Open the step Modes first.', 'modes.html', modes?.page, 'text/html', 'save-modes'),
       ),
     ),
-    listing('The commands that do the same', shellCommands(of), 'commands.sh', 'shell'),
-    listing('The same in Python', pythonCommands(of), 'commands.py', 'python'),
+    listing('The same steps as commands', shellCommands(of), 'commands.sh', 'shell'),
+    listing('The same steps in Python', pythonCommands(of), 'commands.py', 'python'),
   ];
 }
 
@@ -126,16 +126,16 @@ export function homePanel(actions: Actions): Panelled {
             'ul',
             { class: 'files' },
             item('Improved model', `The model ${what}: parameters with their uncertainty, TOML.`, 'improved.toml', s.result?.model, 'application/toml', 'save-improved'),
-            item('Model as entered', 'What stands in the step Model.', 'model.toml', s.model?.text, 'application/toml', 'save-model'),
-            ...(s.start ? [item('Model before the lags were found', 'From it the commands below begin.', 'start.toml', s.start.text, 'application/toml', 'save-start')] : []),
-            item('Map of columns', 'Which column of your file is which quantity, with its unit.', 'columns.toml', map || undefined, 'application/toml', 'save-columns'),
+            item('Model as entered', 'The model of the step Model.', 'model.toml', s.model?.text, 'application/toml', 'save-model'),
+            ...(s.start ? [item('Model before the lags were found', 'The commands below start from this model.', 'start.toml', s.start.text, 'application/toml', 'save-start')] : []),
+            item('Map of columns', 'Quantity and unit of each column of your file.', 'columns.toml', map || undefined, 'application/toml', 'save-columns'),
             ...(s.example && s.data[0] ? [item('Data', 'The rows of the built-in example, CSV.', s.data[0].name, s.data[0].text, 'text/csv', 'save-data')] : []),
             item('Report', 'One page with all pictures, for any browser, offline.', 'report.html', s.result?.report, 'text/html', 'save-report'),
           ),
         ),
         s.result?.model && isCorrection(s.result.model) ? exports(s.result.model, s.result.trust, actions) : undefined,
-        listing('The commands that do the same', shellCommands(of), 'commands.sh', 'shell'),
-        listing('The same in Python', pythonCommands(of), 'commands.py', 'python'),
+        listing('The same steps as commands', shellCommands(of), 'commands.sh', 'shell'),
+        listing('The same steps in Python', pythonCommands(of), 'commands.py', 'python'),
       ];
     },
   };

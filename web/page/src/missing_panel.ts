@@ -51,7 +51,7 @@ function candidates(s: State, result: Result): Candidate[] {
   const own = plainValue(valueOf(s.model?.text ?? '', 'friction', 'law') ?? 'palmgren');
   const current = s.law || own;
   for (const { law, rmse, held } of s.laws) {
-    const c: Candidate = { id: `law:${law}`, on: current === law, rmse, held, gain: undefined, size: `in place of ${own}, nothing else added`, inVerdict: false, law: true };
+    const c: Candidate = { id: `law:${law}`, on: current === law, rmse, held, gain: undefined, size: `instead of ${own}, without effects`, inVerdict: false, law: true };
     const at = list.findIndex((l) => !l.on && (l.rmse ?? 0) > rmse);
     list.splice(at < 0 || c.on ? (c.on ? 0 : list.length) : at, 0, c);
   }
@@ -77,7 +77,7 @@ function row(c: Candidate, s: State, result: Result, actions: Actions): HTMLElem
     el('span', { class: 'name' }, el('b', {}, capital(inWords(c.id))), el('span', { class: 'size' }, card?.title ?? c.size)),
     el('span', { class: 'bar-track', 'aria-hidden': 'true' }, bar, line),
     el('span', { class: 'number' }, `${number(c.rmse, 3)}`, el('span', { class: 'visually-hidden' }, ` ${unit} RMS error`)),
-    el('span', { class: 'number held' }, c.held === null || c.held === undefined ? '–' : number(c.held, 3), el('span', { class: 'visually-hidden' }, ` ${unit} on rows left out`)),
+    el('span', { class: 'number held' }, c.held === null || c.held === undefined ? '–' : number(c.held, 3), el('span', { class: 'visually-hidden' }, ` ${unit} on held-out rows`)),
   );
   b.addEventListener('click', press);
   const li = el('li', {}, b);
@@ -97,7 +97,7 @@ function measureNext(d: Diagnosis): HTMLElement | undefined {
       ? [
           valueList(
             'Measure next',
-            [...inputs.map(axisTitle), 'repeats', 'tells apart'],
+            [...inputs.map(axisTitle), 'repeats', 'distinguishes'],
             next.map((m: Suggested) => [...inputs.map((name) => plain(m[name] as number, 4)), String(m.repeats), m.separates.split(' / ').map(inWords).join(' or ')]),
           ),
         ]
@@ -110,7 +110,7 @@ function measureNext(d: Diagnosis): HTMLElement | undefined {
 function curves(result: Result, s: State): HTMLElement | undefined {
   const source = result.added ?? result.base;
   const name = s.on.length ? `with ${s.on.map(inWords).join(' and ')}` : `with ${(result.base.results.explanations[0] ?? []).map(inWords).join(' and ') || 'the candidate'}`;
-  source.models.forEach((m, k) => (m.name = k === 0 ? 'nothing added' : name));
+  source.models.forEach((m, k) => (m.name = k === 0 ? 'no effect added' : name));
   if (source.kind === 'record') return source.models.some((m) => m.parts) ? overTimeSection(new RecordView(source, source.models.length - 1)) : undefined;
   const models = result.added ? source.models.slice(0, 2) : source.models.slice(0, 1);
   return overSpeed(new FitView({ ...source, models } as AddReport | DiagnoseReport, models.length - 1));
@@ -126,7 +126,7 @@ export function missingPanel(actions: Actions): Panelled {
           ? callout(
               'error',
               el('span', {}, s.problem.text),
-              button('Ask again', () => void actions.evaluate(), { class: 'small' }),
+              button('Calculate again', () => void actions.evaluate(), { class: 'small' }),
             )
           : undefined;
       const { result } = s;
@@ -136,7 +136,7 @@ export function missingPanel(actions: Actions): Panelled {
           el(
             'p',
             { class: 'quiet' },
-            s.problem ? 'The verdict stands here when the question can be answered.' : s.model && s.data.length ? 'The candidates stand here in a moment.' : 'The candidates stand here when the data and the bearing are known.',
+            s.problem ? 'The verdict appears here when the error is corrected.' : s.model && s.data.length ? 'The candidates appear here in a moment.' : 'The candidates appear here when the data and the bearing are known.',
           ),
         ];
       const d = (result.rest ?? result.base).results;
@@ -163,11 +163,14 @@ export function missingPanel(actions: Actions): Panelled {
       const planned = view && diagnosed.kind !== 'record' ? plan(diagnosed, view) : undefined;
       const next = d.suggested_measurements.length > 0;
       // Drawn when it is opened: a picture in a closed box has no width.
-      const shows = view && diagnosed.kind !== 'record' ? el('details', { class: 'list' }, el('summary', {}, 'What would have been found, and where was measured'), grid(next ? undefined : planned, detectable(diagnosed, view))) : undefined;
+      const shows =
+        view && diagnosed.kind !== 'record'
+          ? el('details', { class: 'list' }, el('summary', {}, 'Smallest effects that these data would show, and measured points'), grid(next ? undefined : planned, detectable(diagnosed, view)))
+          : undefined;
       shows?.addEventListener('toggle', drawNew);
       return [
         problem,
-        s.law ? callout('note', `The law ${s.law} stands in place of that of the model; its numbers are fitted to the data and stand in the improved model.`) : undefined,
+        s.law ? callout('note', `The law ${s.law} replaces the law of the model. Its parameters are fitted to the data and written into the improved model.`) : undefined,
         el(
           'div',
           { class: 'two' },
@@ -178,9 +181,13 @@ export function missingPanel(actions: Actions): Panelled {
               'div',
               { class: 'head' },
               el('h3', {}, 'Candidates'),
-              el('span', { class: 'note' }, `RMS error ${s.on.length && !result.rest?.results.effects.length ? 'of each instead' : s.on.length ? 'with each as well' : 'with each'}, all refitted [${unit}]`),
+              el(
+                'span',
+                { class: 'note' },
+                `RMS error ${s.on.length && !result.rest?.results.effects.length ? 'with each candidate instead' : s.on.length ? 'with each candidate in addition' : 'with each candidate'}, all refitted [${unit}]`,
+              ),
             ),
-            el('p', { class: 'columns', 'aria-hidden': 'true' }, el('span', {}, 'click to add or take off'), el('span', { class: 'number' }, 'fit'), el('span', { class: 'number held' }, 'left out')),
+            el('p', { class: 'columns', 'aria-hidden': 'true' }, el('span', {}, 'click to add or remove'), el('span', { class: 'number' }, 'fit'), el('span', { class: 'number held' }, 'held out')),
             rows,
             ...(more ? [more] : []),
           ),
@@ -191,7 +198,7 @@ export function missingPanel(actions: Actions): Panelled {
           ? el(
               'details',
               { class: 'list' },
-              el('summary', {}, `${d.not_testable.length} effects could not have been found`),
+              el('summary', {}, `These data cannot show ${d.not_testable.length} effects`),
               valueList(
                 '',
                 ['effect', 'why'],
@@ -199,7 +206,7 @@ export function missingPanel(actions: Actions): Panelled {
               ),
             )
           : undefined,
-        d.said.length ? el('section', { class: 'list' }, el('h3', {}, 'Said of these data'), el('ul', { class: 'said' }, ...d.said.map((n) => el('li', { 'data-kind': n.kind }, printed(n.text))))) : undefined,
+        d.said.length ? el('section', { class: 'list' }, el('h3', {}, 'Notes on these data'), el('ul', { class: 'said' }, ...d.said.map((n) => el('li', { 'data-kind': n.kind }, printed(n.text))))) : undefined,
       ];
     },
   };

@@ -27,7 +27,7 @@ const words: Record<string, string> = {
   coolant: 'Coolant',
   ambient: 'Surroundings',
   sensor: 'Sensor',
-  heat: 'Heat at a place',
+  heat: 'Heat sources',
   spindle: 'Spindle',
 };
 const hidden = /^(effect|columns|calibration\.covariance|correction|shaft\.segment)/;
@@ -100,7 +100,7 @@ export function designation(s: State, actions: Actions): HTMLElement {
   const spindle = alone(s);
   const name = el('input', { type: 'text', id: 'designation', autocomplete: 'off', spellcheck: 'false', placeholder: '7014 AC' });
   const oil = el('input', { type: 'text', id: 'oil', list: 'grades', autocomplete: 'off', placeholder: 'VG 32' });
-  const load = el('input', { type: 'text', id: 'preload', inputmode: 'decimal', size: '8', placeholder: spindle ? 'by its rating' : 'as measured' });
+  const load = el('input', { type: 'text', id: 'preload', inputmode: 'decimal', size: '8', placeholder: spindle ? 'from its rating' : 'as measured' });
   name.value = s.designation;
   oil.value = s.oil;
   const make = () => void (name.value.trim() && actions.designate(name.value.trim(), oil.value, load.value, spindle));
@@ -109,9 +109,9 @@ export function designation(s: State, actions: Actions): HTMLElement {
     { class: 'designation' },
     withCatalogue('Designation of the bearing', name, actions),
     el('label', {}, el('span', {}, 'Oil, ISO VG grade'), oil),
-    el('label', {}, el('span', {}, spindle ? 'Preload as mounted [N]' : 'Preload [N], where the data have no axial load'), load),
+    el('label', {}, el('span', {}, spindle ? 'Preload as mounted [N]' : 'Preload [N], if the data have no axial load'), load),
     el('datalist', { id: 'grades' }, ...grades.map((grade) => el('option', { value: `VG ${grade}` }))),
-    el('button', { type: 'submit', class: 'primary', id: 'make-model' }, spindle ? 'Make a spindle on three of these' : s.model ? 'Make a new model' : 'Make the model'),
+    el('button', { type: 'submit', class: 'primary', id: 'make-model' }, spindle ? 'Make a spindle with three of these bearings' : s.model ? 'Make a new model' : 'Make the model'),
   );
   form.addEventListener('submit', (event) => {
     event.preventDefault();
@@ -166,7 +166,7 @@ function defaults(): Part {
       const marked = assumedIn(s.model?.text ?? '');
       const list = (s.reading?.defaults ?? []).filter((line) => !marked.has((line.split(' = ')[0] as string).replace(/\[\d+\]/g, '')));
       if (!list.length) return [];
-      return [el('details', { class: 'list' }, el('summary', {}, `${list.length} more values are not in the model: their defaults hold`), el('ul', { class: 'said' }, ...list.map((line) => el('li', {}, printed(line)))))];
+      return [el('details', { class: 'list' }, el('summary', {}, `${list.length} more values are not in the model: their defaults apply`), el('ul', { class: 'said' }, ...list.map((line) => el('li', {}, printed(line)))))];
     },
   );
 }
@@ -187,8 +187,8 @@ export function modelPanel(actions: Actions, change: (part: Partial<State>) => v
           'p',
           { class: 'note' },
           spindle
-            ? 'As S 6010 E or 7014 C. The numbers that the template assumes are marked below. Or drop a model file (TOML).'
-            : 'As 7014 C, 7014 AC, HCB7014 or S 6014 C; the catalogue or its rules fill in the rest. Or drop a model file (TOML).',
+            ? 'For example S 6010 E or 7014 C. The page marks the numbers that the template assumes. You can also drop a model file (TOML).'
+            : 'For example 7014 C, 7014 AC, HCB7014 or S 6014 C. The other values come from the catalogue or are estimated. You can also drop a model file (TOML).',
         ),
       );
       if (!s.model) {
@@ -253,7 +253,7 @@ export function modelPanel(actions: Actions, change: (part: Partial<State>) => v
       toml.addEventListener('toggle', () => toml.open !== s.toml && change({ toml: toml.open }));
       const correction = isCorrection(text);
       const channels = channelsOf(text);
-      const choice = el('select', { id: 'channel', 'aria-label': 'Displacement in question' }, ...channels.map((c) => el('option', { value: c }, c)));
+      const choice = el('select', { id: 'channel', 'aria-label': 'Displacement' }, ...channels.map((c) => el('option', { value: c }, c)));
       choice.value = s.channel;
       choice.addEventListener('change', () => void actions.takeChannel(choice.value));
       const lags = correction
@@ -262,12 +262,12 @@ export function modelPanel(actions: Actions, change: (part: Partial<State>) => v
             { class: 'list', id: 'lags' },
             el('h3', {}, 'Lags from the record'),
             ...(channels.length ? [el('p', { class: 'choice' }, el('span', {}, 'Displacement'), choice)] : []),
-            el('p', { class: 'note' }, 'Gains and time constants of each channel, chosen by the error on parts of the record that no fit saw.'),
+            el('p', { class: 'note' }, 'Gains and time constants of each channel, chosen by the error on held-out parts of the record.'),
             el(
               'p',
               { class: 'actions' },
               button('Find the lags of these channels', () => void actions.identify(false), { id: 'identify', class: 'primary' }),
-              button('Take all sensors, each through a bank of lags', () => void actions.identify(true), { id: 'identify-bank' }),
+              button('Find the lags of all sensors', () => void actions.identify(true), { id: 'identify-bank' }),
             ),
           )
         : undefined;
@@ -277,7 +277,7 @@ export function modelPanel(actions: Actions, change: (part: Partial<State>) => v
         spindle ? crossSection() : undefined,
         correction ? undefined : form,
         ...s.modelNotes.map((note) => callout('doubt', note)),
-        count ? callout('doubt', el('b', {}, `${count} values are assumed or estimated`), ': they are marked below. Put in what you know better.') : undefined,
+        count ? callout('doubt', el('b', {}, `${count} values are assumed or estimated`), ': they are marked below. Enter better values if you know them.') : undefined,
         lags,
         defaults(),
         toml,

@@ -162,8 +162,8 @@ export function shellCommands(of: Case): string {
   const make = new Lines();
   const spindle = of.model !== undefined && isSpindle(of.model.text);
   const lines = spindle && !of.data.length ? ofSpindle(of, make) : ofData(of, make);
-  if (of.designation) lines.unshift('# The model of this page, if it was saved here; else as the catalogue or its rules have it.', make.unlessSaved('model.toml', ...newModel(of.designation, spindle, of.oil).arguments.slice(0, -2)));
-  if (make.written.size) lines.unshift('# Files that are written anew below are kept under another name.', `for file in ${[...make.written].map(forShell).join(' ')}; do [ ! -e $file ] || mv $file before-$file; done`);
+  if (of.designation) lines.unshift('# Without a saved model.toml, this command writes the model from the designation.', make.unlessSaved('model.toml', ...newModel(of.designation, spindle, of.oil).arguments.slice(0, -2)));
+  if (make.written.size) lines.unshift('# Existing files with these names are renamed first.', `for file in ${[...make.written].map(forShell).join(' ')}; do [ ! -e $file ] || mv $file before-$file; done`);
   return `${lines.join('\n')}\n`;
 }
 

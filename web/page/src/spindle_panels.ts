@@ -27,9 +27,9 @@ export function spindleHead(s: State): Child[] {
   const head = (pageOf(s.machine, s.panel) ?? pageOf(s.machine, 'steady'))?.head;
   if (head instanceof Element) {
     for (const words of head.querySelectorAll('#sentence, .more')) words.textContent = printed(words.textContent ?? '');
-    if (s.stale) head.querySelector('#sentence')?.before(el('span', { class: 'badge open', id: 'stale' }, s.job ? 'updating' : 'of the case before'));
+    if (s.stale) head.querySelector('#sentence')?.before(el('span', { class: 'badge open', id: 'stale' }, s.job ? 'updating' : 'previous case'));
   }
-  return [head ?? el('h1', { id: 'sentence' }, s.problem ? 'No answer yet.' : 'Asking the engine …')];
+  return [head ?? el('h1', { id: 'sentence' }, s.problem ? 'No answer yet.' : 'Calculating …')];
 }
 
 /// A field of a question.
@@ -66,12 +66,12 @@ export function steadyPanel(actions: Actions): Panelled {
         { class: 'list questions' },
         ...present(
           asked('speed', 'Speed, or from:to:step', 'rpm', s.speed, (speed) => void actions.choose({ speed }, `speed ${speed} rpm`)),
-          asked('axial-load', 'Axial load at the nose', 'N', s.axialLoad, (axialLoad) => void actions.choose({ axialLoad }, `axial load ${axialLoad || 'as the model has it'} N`), { placeholder: 'of the model' }),
+          asked('axial-load', 'Axial load at the nose', 'N', s.axialLoad, (axialLoad) => void actions.choose({ axialLoad }, `axial load ${axialLoad || 'of the model'} N`), { placeholder: 'of the model' }),
           asked('radial-load', 'Radial load at the nose', 'N', s.radialLoad, (radialLoad) => void actions.choose({ radialLoad }, `radial load ${radialLoad || '0'} N`), { placeholder: '0' }),
           coolant(s, actions),
         ),
       ),
-      ...(pageOf(s.machine, 'steady')?.below ?? [waiting(s, 'The steady state stands here in a moment.')]),
+      ...(pageOf(s.machine, 'steady')?.below ?? [waiting(s, 'The steady state appears here in a moment.')]),
     ],
   };
 }
@@ -95,7 +95,7 @@ export function programmePanel(actions: Actions): Panelled {
           el('details', s.programme && s.problem?.at !== 'programme' ? {} : { open: '' }, el('summary', {}, 'Text of the programme'), area, el('p', { class: 'actions' }, run)),
           ...present(coolant(s, actions)),
         ),
-        ...(pageOf(s.machine, 'programme')?.below ?? (s.programme ? [waiting(s, 'The run stands here when it is through.')] : [])),
+        ...(pageOf(s.machine, 'programme')?.below ?? (s.programme ? [waiting(s, 'The run appears here when it is complete.')] : [])),
       ];
     },
   };
@@ -111,7 +111,7 @@ export function modesPanel(actions: Actions): Panelled {
         { class: 'list questions' },
         asked('mode-speeds', 'Speeds, from:to:step', 'rpm', s.modeSpeeds, (modeSpeeds) => void actions.choose({ modeSpeeds }, `modes at ${modeSpeeds} rpm`)),
       ),
-      ...(pageOf(s.machine, 'modes')?.below ?? [waiting(s, 'The modes stand here in a moment.')]),
+      ...(pageOf(s.machine, 'modes')?.below ?? [waiting(s, 'The modes appear here in a moment.')]),
     ],
   };
 }
@@ -126,7 +126,7 @@ export function crossSection(): Part {
       if (!section) return [];
       const speeds = section.moments.map((m) => `${m.speed_rpm} rpm`);
       return [
-        s.stale ? el('p', { class: 'note', role: 'status' }, s.job ? 'The picture follows in a moment.' : 'The picture is of the last model that could be solved.') : undefined,
+        s.stale ? el('p', { class: 'note', role: 'status' }, s.job ? 'The picture follows in a moment.' : 'The picture shows the last model with a solution.') : undefined,
         sectionFigure(section, 'speed', speeds, speeds.length - 1).element,
       ];
     },

@@ -27,7 +27,7 @@ export function errors({ base, added, before: start, ...result }: Result, until:
 
 /// Bars that move where they stand, so that they are seen to fall.
 class ErrorBars implements Shown {
-  private readonly rows = ['in the fit', 'on rows left out'].map((label) => {
+  private readonly rows = ['in the fit', 'on held-out rows'].map((label) => {
     const bar = el('div', { class: 'bar-now' });
     const ghost = el('div', { class: 'bar-before' });
     const noise = el('div', { class: 'bar-noise' });
@@ -39,7 +39,7 @@ class ErrorBars implements Shown {
   private seen: unknown[] = [];
 
   constructor(private readonly element: HTMLElement) {
-    element.append(el('h2', { class: 'bars-title' }, 'RMS error against the noise'), ...this.rows.map((r) => r.element), this.legend);
+    element.append(el('h2', { class: 'bars-title' }, 'RMS error compared with the noise'), ...this.rows.map((r) => r.element), this.legend);
   }
 
   update({ result, on, problem, until }: State): void {
@@ -57,7 +57,7 @@ class ErrorBars implements Shown {
     [fit, held].forEach((e, k) => {
       const row = this.rows[k];
       if (!row) return;
-      if (k === 1) row.words.textContent = until ? `after ${until.replace(/(\d)([a-z])/, '$1\u00a0$2')}, not fitted to` : 'on rows left out';
+      if (k === 1) row.words.textContent = until ? `after ${until.replace(/(\d)([a-z])/, '$1\u00a0$2')}, not fitted` : 'on held-out rows';
       row.element.hidden = !e;
       if (!e) return;
       row.bar.style.width = share(e.now);
@@ -103,14 +103,14 @@ export function verdict(head: HTMLElement, actions: Actions): Shown[] {
         const next = !s.data.length
           ? 'Drop a file with measured friction torque: CSV, or a table pasted from a spreadsheet.'
           : !s.confirmed
-            ? 'Look through the columns.'
+            ? 'Check the columns.'
             : s.problem
               ? s.problem.at === 'data'
-                ? 'The data cannot be read as they are.'
+                ? 'The data cannot be read in this form.'
                 : 'No verdict yet.'
               : !s.model
                 ? 'Which bearing was measured? Type its designation.'
-                : 'Asking the engine …';
+                : 'Calculating …';
         return [problem, el('h1', { id: 'sentence' }, next)];
       }
       const shown = s.on.length ? result.rest : result.base;
@@ -122,18 +122,18 @@ export function verdict(head: HTMLElement, actions: Actions): Shown[] {
       const sets = d.explanations.filter((set) => set.some((id) => !s.on.includes(id))).slice(0, 3);
       const laws = (id: string) => id.startsWith('law:');
       const adds = sets.map((set, k) =>
-        button(`Add ${set.map(inWords).join(' and ')}`, () => void actions.turnOn(set), { class: k === 0 || d.verdict === 'ambiguous' ? 'primary' : '', id: `add-${k}`, ...(set.some(laws) ? { title: 'Takes this base law' } : {}) }),
+        button(`Add ${set.map(inWords).join(' and ')}`, () => void actions.turnOn(set), { class: k === 0 || d.verdict === 'ambiguous' ? 'primary' : '', id: `add-${k}`, ...(set.some(laws) ? { title: 'Uses this base law' } : {}) }),
       );
       const removes = s.on.map((id) => button(`Remove ${inWords(id)}`, () => void actions.toggle(id), { id: `remove-${id}` }));
       const lags =
         isCorrection(s.model?.text ?? '') && !s.start && d.verdict !== 'nothing-missing' && !s.on.length
-          ? [button('Find the lags of all sensors', () => void actions.identify(true), { class: 'primary', id: 'find-lags', title: 'Every sensor through a bank of lags: identify --lags auto' })]
+          ? [button('Find the lags of all sensors', () => void actions.identify(true), { class: 'primary', id: 'find-lags', title: 'Bank of lags for every sensor: identify --lags auto' })]
           : [];
       const refused = result.refused
         ? callout(
             'doubt',
-            el('span', {}, `The engine does not take it: ${printed(result.refused)}.`),
-            button('Add it all the same', () => void actions.force(), { class: 'small', id: 'force' }),
+            el('span', {}, `The program refuses this effect: ${printed(result.refused)}.`),
+            button('Add it anyway', () => void actions.force(), { class: 'small', id: 'force' }),
           )
         : undefined;
       return [
@@ -141,9 +141,9 @@ export function verdict(head: HTMLElement, actions: Actions): Shown[] {
         el('p', { class: 'eyebrow' }, s.example ? examples[s.example].eyebrow : s.data.map((f) => f.name).join(', ')),
         el('span', { class: `badge ${kind}`, id: 'verdict' }, badge),
         result.recorded
-          ? el('span', { class: 'badge open', id: 'stale' }, 'recorded when this page was made; the engine is being asked')
+          ? el('span', { class: 'badge open', id: 'stale' }, 'recorded when this page was made; the calculation is running')
           : s.stale
-            ? el('span', { class: 'badge open', id: 'stale' }, s.job ? 'updating' : 'of the case before')
+            ? el('span', { class: 'badge open', id: 'stale' }, s.job ? 'updating' : 'previous case')
             : undefined,
         el('h1', { id: 'sentence' }, printed(sentence)),
         result.trust && !s.stale ? trustLine(result.trust) : undefined,
@@ -160,7 +160,7 @@ export function verdict(head: HTMLElement, actions: Actions): Shown[] {
           { class: 'why' },
           el('summary', {}, 'Why, in numbers'),
           el('p', {}, printed(d.sentence)),
-          el('p', {}, `Misfit by chance: ${probability(d.p_value)}; ${d.rows} rows; ${d.candidates_tried} explanations tried; gain needed ${number(d.needed_gain, 3)}.`),
+          el('p', {}, `p-value of the misfit: ${probability(d.p_value)}. Rows: ${d.rows}. Explanations tried: ${d.candidates_tried}. Gain needed: ${number(d.needed_gain, 3)}.`),
         ),
       ];
     },
