@@ -22,8 +22,8 @@ struct LubricantViscosity {
   static constexpr std::string_view title = "the oil is of another grade than entered";
   static constexpr std::string_view datum = "the oil card";
   static constexpr std::string_view mechanism =
-      "Wrong data, not missing physics: the oil in the bearing has another viscosity than the "
-      "model, by one factor at all temperatures.";
+      "Wrong data, not missing physics: the viscosity of the oil in the bearing differs from the "
+      "entered viscosity by the same factor at all temperatures.";
   static constexpr std::string_view formula = "nu40 -> k nu40, nu100 -> k nu100";
   static constexpr std::string_view source = "definition; grades of ISO 3448";
   static constexpr std::array<std::string_view, 2> confused_with{"f0", "viscosity-slope"};
