@@ -90,7 +90,7 @@ void check(const ArrangementDesign& d) {
     std::ostringstream text;
     text << "rear = " << d.rear.size();
     if (tandem) {
-      text << ": must be 0, a tandem has no second set";
+      text << ": must be 0, because a tandem arrangement has no second set";
     } else {
       text << ": must be from 1 to " << most << " bearings";
     }
@@ -99,7 +99,8 @@ void check(const ArrangementDesign& d) {
   check(d.front, "front");
   check(d.rear, "rear");
   if (tandem && d.mounting == Mounting::rigid)
-    throw std::invalid_argument("mounting = rigid: a tandem is held by a spring");
+    throw std::invalid_argument(
+        "mounting = rigid: not possible, because a tandem arrangement needs a spring");
   if (const auto* offset = std::get_if<PreloadOffset>(&d.preload)) {
     if (d.mounting == Mounting::spring)
       throw std::invalid_argument("preload_offset: a spring has a preload force, not an offset");
@@ -110,7 +111,8 @@ void check(const ArrangementDesign& d) {
   require_between("spring_rate", d.spring_rate, 0.0, 1e12, N_per_um, "N/um");
   require_between("other_mounting", d.other_mounting, 0.0, 1.0, 1.0, "");
   if (tandem && d.other_mounting != 0.0)
-    throw std::invalid_argument("other_mounting: not for a tandem, which only has its spring");
+    throw std::invalid_argument(
+        "other_mounting: not possible, because a tandem arrangement needs a spring");
   require_between("shaft_stiffness", d.shaft_stiffness, 1e3, infinite, N_per_um, "N/um");
   require_between("housing_stiffness", d.housing_stiffness, 1e3, infinite, N_per_um, "N/um");
   require_between("distance", d.distance, 0.0, 100.0, mm, "mm");

@@ -18,9 +18,9 @@ void check(const Arrangement& arrangement, const ArrangementCondition& c,
   require_between("external_load", c.external_load, -1e8, 1e8, 1.0, "N");
   require_between("elongation", c.elongation, -10 * mm, 10 * mm, um, "um");
   if (!c.shifts.empty() && c.shifts.size() != arrangement.bearings().size())
-    throw std::invalid_argument("shifts: as many as bearings are needed, or none");
+    throw std::invalid_argument("shifts: give one for each bearing, or none");
   if (!options.rotations.empty() && options.rotations.size() != arrangement.bearings().size())
-    throw std::invalid_argument("rotations: as many as bearings are needed, or none");
+    throw std::invalid_argument("rotations: give one for each bearing, or none");
   for (const RingShift& s : c.shifts)
     for (const double value : {s.axial, s.radial, s.inner_length, s.outer_length})
       require_between("shift", value, -1 * mm, 1 * mm, um, "um");
@@ -271,7 +271,8 @@ void solve_arrangement(const Arrangement& arrangement,
                        std::span<ArrangementEquilibrium> results,
                        const EquilibriumOptions& options) {
   if (conditions.size() != results.size())
-    throw std::invalid_argument("solve_arrangement: as many results as conditions are needed");
+    throw std::invalid_argument(
+        "solve_arrangement: the number of results must equal the number of conditions");
   ShaftSystem system(arrangement, options);
   const ArrangementEquilibrium* neighbour = nullptr;
   for (std::size_t i = 0; i < conditions.size(); ++i) {

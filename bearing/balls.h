@@ -77,7 +77,7 @@ class Balls {
     return ball;
   }
   [[nodiscard]] BallEquilibrium at(std::size_t k) const {
-    if (k >= size()) throw std::out_of_range("the bearing has no such ball");
+    if (k >= size()) throw std::out_of_range("the bearing has no ball with this number");
     return (*this)[k];
   }
 

@@ -48,8 +48,8 @@ BearingGeometry validated(BearingGeometry g) {
   if (g.contact_angle > 0.0 && g.radial_clearance != 0.0) {
     std::ostringstream text;
     text << "radial_clearance = " << g.radial_clearance / um
-         << " um: only with contact_angle = 0; an angular-contact bearing's play follows from its "
-            "contact angle";
+         << " um: only possible with contact_angle = 0; the clearance of an angular-contact "
+            "bearing follows from its contact angle";
     throw std::invalid_argument(text.str());
   }
   require_between("radial_clearance", g.radial_clearance, 0.0, g.groove_centre_distance(), um,

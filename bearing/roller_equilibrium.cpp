@@ -369,7 +369,8 @@ void require(const OperatingPoint& point) {
   if (point.axial_load != 0.0) {
     std::ostringstream text;
     text << "axial_load = " << point.axial_load
-         << " N: must be 0, a cylindrical roller bearing of type N carries none";
+         << " N: must be 0, because a cylindrical roller bearing of type N cannot carry an axial "
+            "load";
     throw std::invalid_argument(text.str());
   }
 }

@@ -141,7 +141,8 @@ class Chunk {
 
 void require_available(InstructionSet set) {
   if (!available(set))
-    throw std::invalid_argument("this machine has no instructions " + std::string(name(set)));
+    throw std::invalid_argument("this computer does not have the instructions " +
+                                std::string(name(set)));
 }
 
 template <typename Body>
@@ -196,7 +197,8 @@ void solve_many(const Bearing& bearing, std::span<const OperatingPoint> points,
                 std::span<BearingEquilibrium> results, const EquilibriumOptions& options,
                 InstructionSet set) {
   if (points.size() != results.size())
-    throw std::invalid_argument("solve_many: as many results as points are needed");
+    throw std::invalid_argument(
+        "solve_many: the number of results must equal the number of points");
   require_available(set);
   for (const OperatingPoint& p : points) validate(p);
   for_chunks(points.size(), [&](std::size_t first, std::size_t count) {
@@ -208,7 +210,7 @@ void solve_many(const Bearing& bearing, std::span<const OperatingPoint> points,
 void solve_many(std::span<const BearingCase> cases, std::span<BearingEquilibrium> results,
                 const EquilibriumOptions& options, InstructionSet set) {
   if (cases.size() != results.size())
-    throw std::invalid_argument("solve_many: as many results as cases are needed");
+    throw std::invalid_argument("solve_many: the number of results must equal the number of cases");
   require_available(set);
   for (const BearingCase& c : cases) validate(c.point);
   for_chunks(cases.size(), [&](std::size_t first, std::size_t count) {

@@ -65,9 +65,10 @@ Run setup_compare(CLI::App& command) {
       ->allow_extra_args(false)
       ->type_name("NAMES");
   command
-      .add_option("--zero", flags->how.zero,
-                  "for corrections, the constant that is subtracted before the comparison:\nmean "
-                  "(smallest residual; default), first (reading of a run), none")
+      .add_option(
+          "--zero", flags->how.zero,
+          "for corrections, the error of each run that is subtracted before the comparison:\nmean "
+          "(mean error of the run; default), first (error of its first reading), none")
       ->check(CLI::IsMember({"mean", "first", "none"}))
       ->type_name("WHICH");
   declare(command, flags->loop);

@@ -77,7 +77,8 @@ void LearnFlags::declare(CLI::App& command) {
       ->type_name("TIME");
   command
       .add_option("--forget", choices.forget,
-                  "with --learn: time in which gains return to the values of the model; default 7d")
+                  "with --learn: time constant with which the gains return to the values of the "
+                  "model; default 7d")
       ->type_name("TIME");
   command
       .add_option("--save", save,
@@ -96,7 +97,8 @@ void LearnFlags::check(text::IfExists if_exists) const {
   needs(save, "--save");
   choices.check();
   if (save == "-")
-    throw text::InputError("--save -: stdout shows the numbers; name a file", {.key = "--save"});
+    throw text::InputError("--save -: not possible, because stdout shows the numbers; name a file",
+                           {.key = "--save"});
   if (!save.empty()) text::require_writable(save, if_exists);
 }
 

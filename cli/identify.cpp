@@ -107,29 +107,29 @@ Run setup_identify(CLI::App& command) {
   command
       .add_option("--order", flags->choices.order,
                   "number of sections of each channel, such as 2, or a range such as 1:3, from "
-                  "which the held-out error decides; default 1:3")
+                  "which the program chooses by the held-out error; default 1:3")
       ->type_name("N");
   command
       .add_option("--inputs", flags->choices.inputs,
-                  "columns that may become channels, separated by commas, or all; a column is "
-                  "added while the held-out error falls")
+                  "columns that may become channels, separated by commas, or all; the program adds "
+                  "a column only if the held-out error falls")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("COLUMNS");
   command
       .add_option("--lags", flags->choices.lags,
                   "bank of lags for machines with many sensors: time constants in s, separated by "
-                  "commas; 0 has no lag; auto follows the length of the record. Ridge regression "
-                  "fits the gains. Default of --inputs: all")
+                  "commas; 0 means no lag; auto chooses them from the length of the record. Ridge "
+                  "regression fits the gains. Default of --inputs: all")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("S,...")
       ->excludes("--order");
   command
-      .add_option(
-          "--baseline", flags->choices.baseline,
-          "method instead of sections: regression (multiple linear regression on the inputs) or "
-          "arx (transfer functions from least squares of one step, printed with their simulation)")
+      .add_option("--baseline", flags->choices.baseline,
+                  "method instead of sections: regression (multiple linear regression on the "
+                  "inputs) or arx (transfer functions that predict one step ahead; the errors of "
+                  "their simulation are also printed)")
       ->check(CLI::IsMember({"regression", "arx"}))
       ->excludes("--lags")
       ->type_name("WHICH");

@@ -111,7 +111,7 @@ Run setup_sensitivity(CLI::App& command) {
       ->type_name("SAMPLES");
   command.add_option("--seed", flags->seed, "random seed of the samples; default 1")
       ->type_name("N");
-  command.add_flag("--all", flags->all, "print also data with an influence of less than 0.1 %");
+  command.add_flag("--all", flags->all, "also list the numbers with a share below 0.1 %");
   declare_json(command, flags->json);
   command.footer(
       "Example:\n"

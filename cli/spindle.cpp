@@ -166,7 +166,7 @@ Run setup_spindle(CLI::App& command) {
   add_number(command, "--belt-force", flags->belt_force_N, load_range,
              "belt force [N]; needs --steady; default: [drive] of the model");
   add_number(command, "--motor-power", flags->motor_power_W, power_range,
-             "power of the motor [W], for formulas of heat; needs --steady");
+             "motor power [W], for heat formulas with motor_power_W; needs --steady");
   flags->declare_output(
       command, "CSV file to write, - for stdout: displacement, forces, heat and temperatures");
   command

@@ -110,7 +110,8 @@ int run(const StepFlags& flags) {
 Run setup_step_response(CLI::App& command) {
   auto flags = std::make_shared<StepFlags>();
   command
-      .add_option("MODEL", flags->model, "model file (TOML) of a spindle; with --import any shaft")
+      .add_option("MODEL", flags->model,
+                  "model file (TOML) of a spindle; with --import, of any shaft")
       ->type_name("");
   command
       .add_option("--speed", flags->speed,
@@ -119,11 +120,11 @@ Run setup_step_response(CLI::App& command) {
       ->type_name("VALUES");
   command
       .add_option("--axial-load", flags->axial_load,
-                  "axial loads of load steps at the nose of the spindle in its steady state [N], "
-                  "positive towards the tool, such as --axial-load=-500,500")
+                  "axial load steps at the spindle nose [N], applied in the steady state at each "
+                  "speed; positive towards the tool, such as --axial-load=-500,500")
       ->type_name("VALUES");
   command
-      .add_option("--radial-load", flags->radial_load, "radial loads of load steps at the nose [N]")
+      .add_option("--radial-load", flags->radial_load, "radial load steps at the spindle nose [N]")
       ->type_name("VALUES");
   command
       .add_option("--load-speed", flags->load_speed,

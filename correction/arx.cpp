@@ -239,7 +239,7 @@ ArxBaseline arx_baseline(const Model& model, const std::vector<const Channel*>& 
     if (c.input.window && !c.input.window->of_input) {
       result.messages.push_back(record::note::limits(
           fmt::format(
-              "channel {}: the regression does not use its window of inputs; it is left out",
+              "channel {}: a regression cannot use an input window, so this window is left out",
               c.name),
           {.key = c.name}));
       c.input.window.reset();

@@ -226,8 +226,7 @@ void CorrectionSubject::require(const fit::Record& record) const {
     throw std::invalid_argument("a displacement over time needs a column time_s");
   for (const Channel* c : inputs_of(model_))
     if (!record.has(*c))
-      throw std::invalid_argument(
-          fmt::format("column {} is missing, which the model needs", c->name));
+      throw std::invalid_argument(fmt::format("column {} is missing; the model needs it", c->name));
   for (const Effect& e : model_.effects) {
     const Input input = input_of(e, model_);
     if (!input.formula || e.off) continue;
@@ -430,11 +429,13 @@ Effect CorrectionSubject::as_switched_on(const std::string& id) const {
   for (const Effect& e : model_.effects)
     if (full_id(e) == id)
       throw std::invalid_argument(e.off ? fmt::format("{}: needs {}", id, e.own->card().needs)
-                                        : fmt::format("{}: the model has this effect already", id));
+                                        : fmt::format("{}: the model already has this effect", id));
   if (const EffectCard* const card = find_card(id))
-    throw std::invalid_argument(
-        card->evidence ? fmt::format("{}: follows from the record and has no parameter", id)
-                       : fmt::format("{}: needs {}", id, card->needs));
+    throw std::invalid_argument(card->evidence
+                                    ? fmt::format("{}: the record itself shows this effect; it has "
+                                                  "no parameter, so it cannot be added",
+                                                  id)
+                                    : fmt::format("{}: needs {}", id, card->needs));
   throw std::invalid_argument(
       fmt::format("unknown effect \"{}\"; nearest: {}", id, record::nearest_names(id, known, 3)));
 }

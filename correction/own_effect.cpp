@@ -64,7 +64,7 @@ OwnEffect::OwnEffect(Given given) : given_(std::move(given)) {
   card_ = {.id = given_.id,
            .title = given_.title,
            .form = given_.formula,
-           .needs = "the columns of its formula, of which one varies",
+           .needs = "the columns of its formula; at least one of them must vary",
            .confused = "",
            .numbers = numbers_};
 }

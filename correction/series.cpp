@@ -43,7 +43,7 @@ Series::Series(const record::Record& record) : record_(record) {
     const double step = begins ? 0.0 : time[k] - time[k - 1];
     if (!(step > 0.0) && !begins)
       throw std::invalid_argument(fmt::format(
-          "time_s of {} is {:.10g} s, which is {} {:.10g} s in the row before: time must rise "
+          "time_s of {} is {:.10g} s, which is {} {:.10g} s in the row before: time must increase "
           "within a run",
           record.place(k), time[k], step == 0.0 ? "the same as" : "earlier than", time[k - 1]));
     clock_.steps.push_back(step);
@@ -136,7 +136,7 @@ std::vector<double> Series::formula(const Input& input) const {
     columns.push_back(record_.values(*c));
     if (columns.back().empty())
       throw std::invalid_argument(
-          fmt::format("column {} is missing, which the formula of {} needs", c->name, input.name));
+          fmt::format("column {} is missing; the formula of {} needs it", c->name, input.name));
   }
   const bool from_first = effect.follows_a_temperature();
   std::vector<double> list, row(columns.size()), scratch;
@@ -170,7 +170,7 @@ std::vector<double> Series::shares(const Window& window) const {
   const std::span<const double> values = record_.values(*window.column);
   if (values.empty())
     throw std::invalid_argument(
-        fmt::format("column {} is missing, which the model needs", window.column->name));
+        fmt::format("column {} is missing; the model needs it", window.column->name));
   const bool by_amount = record::acts_by_amount(*window.column);
   std::vector<double> list;
   for (const double v : values) list.push_back(window(by_amount ? std::abs(v) : v));
@@ -222,7 +222,7 @@ void Series::fill(const Input& input, std::vector<double>& out) const {
     const std::span<const double> values = record_.values(channel);
     if (values.empty())
       throw std::invalid_argument(
-          fmt::format("column {} is missing, which the model needs", channel.name));
+          fmt::format("column {} is missing; the model needs it", channel.name));
     double first = 0.0;
     for (std::size_t k = 0; k < rows(); ++k) {
       if (clock_.begins[k]) first = from_first ? values[k] : 0.0;

@@ -112,8 +112,9 @@ struct Responder {
     return r;
   }
   std::optional<StepResponse> operator()(const MotorShare& s) const {
-    return of_one_size(fmt::format("exp(-n/{:.4g} rpm) of the motor, turning", s.decay_speed),
-                       s.gain, s.time_constant);
+    return of_one_size(
+        fmt::format("exp(-n/{:.4g} rpm) of the motor, while the spindle turns", s.decay_speed),
+        s.gain, s.time_constant);
   }
   std::optional<StepResponse> operator()(const SettlingShare& s) const {
     return of_one_size("the start of the record", s.size, s.time_constant);

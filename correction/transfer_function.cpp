@@ -271,7 +271,7 @@ ParallelForm parallel_form(const TransferFunction& printed) {
     for (const Extended other : rates)
       if (std::abs(rate - other) <= 1e-6L * rate)
         throw std::invalid_argument(
-            fmt::format("the pole {:.10g} comes twice, but parallel lags need different poles",
+            fmt::format("the pole {:.10g} occurs twice, but parallel lags need different poles",
                         static_cast<double>(1 - rate)));
     rates.push_back(rate);
   }

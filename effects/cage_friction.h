@@ -25,7 +25,8 @@ struct CageFriction {
       "Petroff's law; Harris and Kotzalas, Rolling Bearing Analysis, vol. 2, ch. 5";
   static constexpr std::array<std::string_view, 4> confused_with{"f0", "viscous-exponent",
                                                                  "rig-viscous-drag", "churning"};
-  static constexpr std::string_view settled_by = "the same points with a cage of another clearance";
+  static constexpr std::string_view settled_by =
+      "the same points with a cage of different clearance";
   static constexpr std::array parameters{Parameter{.name = "torque_at_10000_rpm_Nmm",
                                                    .unit = "N mm",
                                                    .initial = 10.0,

@@ -145,7 +145,7 @@ std::string_view text(Need need) {
     case Need::ring_temperatures:
       return "inner_ring_temperature_C and outer_ring_temperature_C of every row";
     case Need::loads:
-      return "a load on every row, to solve for the balls";
+      return "a load in every row, for the equilibrium of the balls";
     case Need::several_axial_loads:
       return "more than one axial load";
     case Need::several_bearings:
@@ -160,11 +160,11 @@ std::string_view text(Need need) {
     case Need::opposed_sets:
       return "bearings at both ends of the shaft: the spring of a tandem keeps its preload";
     case Need::torque_standard:
-      return "a known torque to compare with: measured torque alone does not separate it from a "
-             "common factor on all moments";
+      return "a known torque to compare with: the measured torque alone does not separate the "
+             "effect from a common factor on all moments";
     case Need::cold_friction:
       return "a model whose friction uses the forces of the cold sets (preload_feedback = false): "
-             "with the forces of the warm sets it is already included";
+             "the forces of the warm sets already include the effect";
   }
   return "";
 }

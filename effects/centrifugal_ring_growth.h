@@ -73,7 +73,8 @@ struct ShaftCentrifugalRingGrowth : RingGrowthAtSpeed {
   static constexpr std::string_view formula =
       "inner raceway grows by c (n/10000 rpm)^2 in radius, in the equilibrium of the sets";
   static constexpr std::string_view source =
-      "thin ring at speed, rho w^2 r^3/E, to solid disc, (1 - nu)/4 of it; derived";
+      "from a thin ring at speed, rho w^2 r^3/E, to a solid disc, (1 - nu)/4 of this value; "
+      "derived";
   static constexpr std::array<std::string_view, 4> confused_with{
       "thermal-preload", "shaft-contraction", "interference-fit", "mounting"};
   static constexpr std::array parameters{Parameter{.name = "growth_at_10000_rpm_um",

@@ -25,8 +25,8 @@ struct DifferentialSlip {
   static constexpr std::string_view id = "differential-slip";
   static constexpr std::string_view title = "slip across the curved contact (Heathcote slip)";
   static constexpr std::string_view mechanism =
-      "The points of the curved contact ellipse have different radii, so only two lines of it roll "
-      "without slip; the rest slides forward or backward.";
+      "The points of the curved contact ellipse have different radii, so only two lines of the "
+      "ellipse roll without slip; the rest slides forward or backward.";
   static constexpr std::string_view formula =
       "M = sum of 0.0806 mu Q a^2/R w_roll/w over the contacts, R = 2 f D/(2 f + 1)";
   static constexpr std::string_view within_contacts =

@@ -30,7 +30,8 @@ struct ElasticHysteresis {
   static constexpr std::string_view within_contacts = "hysteresis_factor under [friction]";
   static constexpr std::string_view not_for_rollers = "its formula is for point contacts";
   static constexpr std::string_view source =
-      "[Houpert2002] as quoted by [Balan2015, eq. 9], prints not seen; (E'_steel/E')^(1/3) derived";
+      "[Houpert2002] as quoted by [Balan2015, eq. 9], originals not seen; (E'_steel/E')^(1/3) "
+      "derived";
   static constexpr std::array<std::string_view, 3> confused_with{"z", "load-exponent",
                                                                  "differential-slip"};
   static constexpr std::array parameters{Parameter{.name = "factor",

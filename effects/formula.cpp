@@ -30,9 +30,9 @@ constexpr std::array known_variables{
     Variable{"viscosity_mm2_s", "kinematic viscosity of the film",
              [](const In& i) { return i.state.kinematic_viscosity / mm2_per_s; }},
     Variable{"time_s", "time by the clock of the file", nullptr, &record::time},
-    Variable{"inner_ring_temperature_C", "measured with the row", nullptr,
+    Variable{"inner_ring_temperature_C", "measured in the same row", nullptr,
              &record::inner_ring_temperature},
-    Variable{"outer_ring_temperature_C", "measured with the row", nullptr,
+    Variable{"outer_ring_temperature_C", "measured in the same row", nullptr,
              &record::outer_ring_temperature},
     Variable{"load_torque_Nmm", "load moment of the base law",
              [](const In& i) { return i.base.load / N_mm; }},
@@ -229,7 +229,7 @@ Effect make_effect(const UserMadeEffect& given) {
 Effect make_effect(const UserMadeEffect& given, std::unique_ptr<OwnMoment> moment) {
   const std::shared_ptr<Owner> owner = owner_of(given);
   owner->moment = std::move(moment);
-  return effect_of(owner, "A function of the user's own.",
+  return effect_of(owner, "A function that the user wrote.",
                    [](std::size_t, std::span<const double>) { return true; });
 }
 

@@ -21,7 +21,7 @@ namespace raceway::effects {
 /// Domain:   every load; zero without load.
 struct LoadExponent {
   static constexpr std::string_view id = "load-exponent";
-  static constexpr std::string_view title = "another exponent of the load moment";
+  static constexpr std::string_view title = "a different exponent of the load moment";
   static constexpr std::string_view mechanism =
       "The load exponent of the load moment is a mean over many bearings. A slightly wrong "
       "exponent looks like missing physics over the whole range.";

@@ -26,7 +26,7 @@ struct LoadOffset {
   static constexpr std::array<std::string_view, 4> confused_with{"seal-friction", "torque-offset",
                                                                  "load-exponent", "z"};
   static constexpr std::string_view settled_by =
-      "the zero of the load cell on the unloaded rig, before and after";
+      "the zero of the load cell on the unloaded rig, before and after the test";
   static constexpr std::array parameters{Parameter{.name = "force_N",
                                                    .unit = "N",
                                                    .initial = 50.0,

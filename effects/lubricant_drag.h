@@ -21,14 +21,14 @@ struct LubricantDrag {
   static constexpr std::string_view id = "lubricant-drag";
   static constexpr std::string_view title = "drag of balls and cage in the lubricant";
   static constexpr std::string_view mechanism =
-      "Balls and cage push lubricant aside outside of the contacts. Its inertia causes a drag with "
-      "the square of speed, which does not depend on load or viscosity.";
+      "Balls and cage push lubricant aside outside of the contacts. Its inertia causes a drag "
+      "proportional to the square of speed, which does not depend on load or viscosity.";
   static constexpr std::string_view formula = "M = c (n/10000 rpm)^2";
   static constexpr std::string_view source = "form of the SKF drag moment, first term";
   static constexpr std::array<std::string_view, 4> confused_with{
       "windage", "centrifugal-ring-growth", "gyroscopic-slip", "cage-friction"};
   static constexpr std::string_view settled_by =
-      "the torque with the supply of oil shut off for a minute";
+      "the torque while the oil supply is shut off for a minute";
   static constexpr std::array parameters{Parameter{.name = "torque_at_10000_rpm_Nmm",
                                                    .unit = "N mm",
                                                    .initial = 20.0,

@@ -30,8 +30,8 @@ struct OtherMounting {
   static constexpr std::string_view title =
       "spring preload instead of rigid preload, or the reverse";
   static constexpr std::string_view mechanism =
-      "With a spring or a flexible housing, the preload varies less than in rigid sets. The shaft "
-      "then moves by another amount as the contact angles open.";
+      "With a spring or a flexible housing, the preload varies less than in rigid sets. The "
+      "displacement of the shaft is then different when the contact angles change.";
   static constexpr std::string_view formula =
       "the variation of the preload is reduced by the share c; if a spring is entered, it is "
       "changed by the share c towards rigid";

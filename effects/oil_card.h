@@ -19,11 +19,11 @@ namespace raceway::effects {
 ///           with viscosity.
 struct LubricantViscosity {
   static constexpr std::string_view id = "lubricant-viscosity";
-  static constexpr std::string_view title = "the oil is of another grade than entered";
+  static constexpr std::string_view title = "the oil grade differs from the entered grade";
   static constexpr std::string_view datum = "the oil card";
   static constexpr std::string_view mechanism =
-      "Wrong data, not missing physics: the oil in the bearing has another viscosity than the "
-      "model, by one factor at all temperatures.";
+      "Wrong data, not missing physics: the viscosity of the oil in the bearing differs from the "
+      "entered viscosity by the same factor at all temperatures.";
   static constexpr std::string_view formula = "nu40 -> k nu40, nu100 -> k nu100";
   static constexpr std::string_view source = "definition; grades of ISO 3448";
   static constexpr std::array<std::string_view, 2> confused_with{"f0", "viscosity-slope"};
@@ -57,11 +57,11 @@ struct LubricantViscosity {
 struct ViscositySlope {
   static constexpr std::string_view id = "viscosity-slope";
   static constexpr std::string_view title =
-      "the viscosity falls with temperature at another rate than entered";
+      "the viscosity falls faster or more slowly with temperature than entered";
   static constexpr std::string_view datum = "the oil card";
   static constexpr std::string_view mechanism =
-      "Wrong data, not missing physics: the viscosity of the oil in the bearing falls with "
-      "temperature at another rate than in the model.";
+      "Wrong data, not missing physics: the viscosity of the oil in the bearing falls faster or "
+      "more slowly with temperature than in the model.";
   static constexpr std::string_view formula = "nu100 -> k nu100, nu40 unchanged";
   static constexpr std::string_view source = "definition; viscosity index of ISO 2909";
   static constexpr std::array<std::string_view, 4> confused_with{

@@ -25,7 +25,7 @@ struct PreloadGrowth {
       "rise, and the front bearings become still hotter.";
   static constexpr std::string_view formula = "P = (1 - s) P(cold sets) + s P(warm sets)";
   static constexpr std::string_view source =
-      "derived; loop of [BossmannsTu1999], share between two models";
+      "derived; feedback loop of [BossmannsTu1999]; s interpolates between two models";
   static constexpr std::array<std::string_view, 4> confused_with{
       "bearing-conductance", "seat-conductance", "z", "lubricant-drag"};
   static constexpr std::array parameters{Parameter{.name = "share",

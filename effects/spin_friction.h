@@ -33,7 +33,7 @@ struct SpinFriction {
   static constexpr std::array<std::string_view, 3> confused_with{"z", "gyroscopic-slip",
                                                                  "thermal-preload"};
   static constexpr std::string_view settled_by =
-      "the same points with a bearing of another contact angle";
+      "the same points with a bearing of different contact angle";
   static constexpr std::array parameters{Parameter{.name = "friction_coefficient",
                                                    .unit = "1",
                                                    .initial = 0.06,

@@ -28,7 +28,8 @@ struct SleeveCoolant {
       "A fluid around the housing between the sets removes the heat quickly: the time constant is "
       "short, the housing is cold, and the preload rises because the shaft stays warm.";
   static constexpr std::string_view formula = "q = G (T_housing - T_in) between the sets";
-  static constexpr std::string_view source = "film towards a fluid of one temperature, definition";
+  static constexpr std::string_view source =
+      "heat transfer to a fluid at one temperature; definition";
   static constexpr std::array<std::string_view, 4> confused_with{
       "convection-factor", "flange-conductance", "structure-temperature", "f0"};
   static constexpr std::array parameters{Parameter{.name = "conductance_W_K",

@@ -48,7 +48,7 @@ struct SpindleFactor {
 inline constexpr SpindleFactorCard<4> seat_conductance{
     .factor = &SpindleCondition::outer_seat_factor,
     .id = "seat-conductance",
-    .title = "other thermal conductance of the outer seats than their fit gives",
+    .title = "the thermal conductance of the outer seats differs from the value of their fit",
     .mechanism =
         "A gap, a cover or a wrong fit keeps the heat in the outer rings: they become hot and the "
         "preload falls, while the housing hardly changes. Without a sensor on a ring, only the "
@@ -90,7 +90,7 @@ inline constexpr SpindleFactorCard<4> convection_factor{
 inline constexpr SpindleFactorCard<4> bearing_conductance{
     .factor = &SpindleCondition::bearing_conductance_factor,
     .id = "bearing-conductance",
-    .title = "other thermal conductance of balls and lubricant than entered",
+    .title = "the thermal conductance of balls and lubricant differs from the entered value",
     .mechanism =
         "The heat of the inner rings leaves through balls, oil film and lubricant. With a lower "
         "conductance, shaft and inner rings become hot, and preload and displacement rise; sensors "
@@ -110,7 +110,7 @@ inline constexpr SpindleFactorCard<4> bearing_conductance{
 inline constexpr SpindleFactorCard<4> flange_conductance{
     .factor = &SpindleCondition::flange_conductance_factor,
     .id = "flange-conductance",
-    .title = "other thermal conductance of the flange than entered",
+    .title = "the thermal conductance of the flange differs from the entered value",
     .mechanism =
         "More or less heat flows through the flange into the machine: the steady level changes, "
         "but not the time constant. Without a sensor at the flange it looks like convection.",

@@ -58,8 +58,8 @@ struct SupportBearings {
   }
 
   static std::string correction(std::span<const double> values) {
-    return fmt::format("{:.3g} N mm at 10 000 rpm, of which {:.3g} N mm at any speed", values[0],
-                       values[0] * values[1]);
+    return fmt::format("{:.3g} N mm at 10 000 rpm, of which {:.3g} N mm does not depend on speed",
+                       values[0], values[0] * values[1]);
   }
 };
 

@@ -22,7 +22,7 @@ struct PreloadByOwnHeat {
   static constexpr std::string_view title =
       "preload that grows with the friction heat of the bearing";
   static constexpr std::string_view source =
-      "steady heat flow, derived; loop of [SteinTu1994], [BossmannsTu1999]";
+      "steady heat flow, derived; feedback loop of [SteinTu1994], [BossmannsTu1999]";
   static constexpr bool follows_heat = true;
   static constexpr bool uses_power = true;
   static constexpr std::string_view not_for_rollers = "it depends on the contact angle";

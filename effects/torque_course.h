@@ -91,7 +91,7 @@ struct SpeedHysteresis {
   }
 
   static std::string correction(std::span<const double> values) {
-    return fmt::format("it reads {:.3g} N mm {} at rising speed than at falling speed",
+    return fmt::format("the sensor reads {:.3g} N mm {} at rising speed than at falling speed",
                        std::abs(values[0]), values[0] > 0.0 ? "more" : "less");
   }
 };

@@ -21,7 +21,7 @@ namespace raceway::effects {
 /// Domain:   speed >= 0; constant below ν n = 2000, like the law of Palmgren.
 struct ViscousExponent {
   static constexpr std::string_view id = "viscous-exponent";
-  static constexpr std::string_view title = "another exponent of the viscous moment";
+  static constexpr std::string_view title = "a different exponent of the viscous moment";
   static constexpr std::string_view mechanism =
       "The exponent 2/3 of speed and viscosity is a mean over many bearings. A slightly wrong "
       "exponent looks like missing physics over the whole range.";

@@ -31,7 +31,7 @@ struct Windage {
   static constexpr std::array<std::string_view, 4> confused_with{
       "lubricant-drag", "centrifugal-ring-growth", "cage-friction", "gyroscopic-slip"};
   static constexpr std::string_view settled_by =
-      "the torque with the supply of oil shut off for a minute";
+      "the torque while the oil supply is shut off for a minute";
   static constexpr std::array parameters{Parameter{.name = "torque_at_10000_rpm_Nmm",
                                                    .unit = "N mm",
                                                    .initial = 10.0,

@@ -216,7 +216,7 @@ void require_columns(const text::CsvTable& table, const ReadOptions& options, Re
       continue;
     }
     throw text::InputError(
-        fmt::format("{}: the column \"{}\" is missing, which {} uses for {}{}; the header has {}",
+        fmt::format("{}: the column \"{}\" is missing; {} uses it for {}{}; the header has {}",
                     table.header_place().text(), rule.header, rule.place.text(), rule.key,
                     text::suggestion(rule.header, table.header), text::listed(table.header)),
         table.header_place(rule.header));

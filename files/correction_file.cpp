@@ -77,7 +77,7 @@ constexpr Key correction_channel_keys[]{
      "temperature column whose rise is subtracted from the rise of the input"},
     {"sections", a_list, unset, "lags of the channel, each with gain and time constant"},
     {"scale", between(-1e6, 1e6), 1.0,
-     "factor on the whole channel, such as the gain of a sister spindle"},
+     "factor on the whole channel, for example to adapt it to another spindle of the same type"},
     {"window", a_table, unset,
      "{ column, points, acts_on }: share of the channel as a function of an axis position"},
     {"friction_table", a_text, unset,
@@ -107,8 +107,8 @@ constexpr Key window_keys[]{
      "to, 1 between full_from and full_to, and linear between. [from, to] has sharp edges; -inf or "
      "inf: no edge on this side"},
     {"acts_on", one_of("displacement|input"), "displacement",
-     "factor that the share multiplies: displacement (a body that acts only there) or input (heat "
-     "that arises only there)"},
+     "quantity that is multiplied by the share: displacement (a body that acts only there) or "
+     "input (heat that arises only there)"},
 };
 // Of an input in kelvin; the names of others end in their unit.
 constexpr Key feedthrough_keys[]{{"feedthrough_um_K", between(-most, most, "um/K"), 0.0,
@@ -381,8 +381,8 @@ class CorrectionReader {
                fmt::format("{}: must be a number, or a column {}", of.name,
                            record::is_temperature(of) ? "NAME_temperature_C" : "that ends in _N"));
       if (axis.size() < 2)
-        s.fail(of.name, fmt::format("{} = \"{}\": the friction table has only one value of it, so "
-                                    "the column would have no effect",
+        s.fail(of.name, fmt::format("{} = \"{}\": the friction table has only one value of this "
+                                    "quantity, so the column would have no effect",
                                     of.name, c->name));
       return {.column = c};
     }

@@ -34,7 +34,7 @@ constexpr Key correction_residual_keys[]{
 constexpr Key correction_trust_keys[]{
     {"error_um", between(0, 1e9, "um"), unset,
      "RMS error on held-out readings; missing if there were none. Written by identify, calibrate "
-     "and add; export reads this table to decide about the trust"},
+     "and add; export uses this table to rate the trust in the correction"},
     {"uncorrected_um", between(0, 1e9, "um"), is_required,
      "RMS of the readings after a constant is subtracted"},
     {"duration_s", between(0, 1e12, "s"), is_required,

@@ -209,23 +209,23 @@ std::optional<Doubt> factor_of_readings(const model::ModelSubject& subject, cons
   };
   const std::array factors{
       NamedFactor{1000.0, 5.0, 3.0,
-                  timed    ? "are values in N m in a column of N mm, or in ms in a column of s"
-                  : moment ? "are values in N m in a column of N mm"
-                           : "are values in mm in a column of um",
+                  timed    ? "are the values in N m instead of N mm, or in ms instead of s"
+                  : moment ? "are the values in N m instead of N mm"
+                           : "are the values in mm instead of um",
                   of_readings(moment ? "Nm" : "mm", "ms")},
       NamedFactor{
           1e6, 5.0, 3.0,
-          moment ? "are values in kN m in a column of N mm" : "are values in m in a column of um",
+          moment ? "are the values in kN m instead of N mm" : "are the values in m instead of um",
           of_readings(moment ? "kNm" : "m", "us")},
       NamedFactor{60.0,
                   2.0,
                   1.4,
-                  "are values in min instead of s, or in 1/s instead of rpm",
+                  "are the values in min instead of s, or in 1/s instead of rpm",
                   {{&record::speed, "1_s"}, {&record::time, "min"}}},
       NamedFactor{9.7,
                   1.4,
                   1.4,
-                  "are values in kgf instead of N, or in rad/s instead of rpm",
+                  "are the values in kgf instead of N, or in rad/s instead of rpm",
                   {{&record::axial_load, "kgf"}, {&record::speed, "rad_s"}}}};
   if (!ratio.far() || (!moment && std::abs(ratio.correlation) < 0.9)) return std::nullopt;
   for (const NamedFactor& f : factors) {
@@ -288,7 +288,7 @@ std::optional<Doubt> unit_of_speed(const model::ModelSubject& subject, const Rec
   constexpr double never = 6e6, usual = 3e6;
   if (speed_factor(fastest) > never && speed_factor(fastest * rpm) < usual)
     return Doubt{fmt::format("speeds up to {:.4g} rpm are impossible for a bearing of this size (n "
-                             "d_m = {:.2g} mm/min): are values in rpm in a column of rad/s or 1/s?",
+                             "d_m = {:.2g} mm/min): are the values in rpm instead of rad/s or 1/s?",
                              fastest / rpm, speed_factor(fastest)),
                  {{&record::speed, "rpm"}}};
   if (!ratio.far()) return std::nullopt;
@@ -298,8 +298,8 @@ std::optional<Doubt> unit_of_speed(const model::ModelSubject& subject, const Rec
     if (speed_factor(range_of_values(changed.values(record::speed)).second) > usual) continue;
     const Ratio other = ratio_of(subject, changed);
     if (other.known() && std::abs(other.middle) < std::log(2.0))
-      return Doubt{fmt::format("speeds up to {:.4g} rpm do not agree with the readings: are values "
-                               "in {} in a column of rpm?",
+      return Doubt{fmt::format("speeds up to {:.4g} rpm do not agree with the readings: are the "
+                               "values in {} instead of rpm?",
                                fastest / rpm, unit.words),
                    {{&record::speed, unit.suffix}}};
   }
@@ -347,7 +347,7 @@ std::optional<Doubt> unit_of_shaft_load(const model::ModelSubject& subject, cons
       if (!(other < good) || misfit(subject, data) < other / far_better) continue;
       return Doubt{
           fmt::format("{}s of {:.4g} to {:.4g} N do not agree with the readings, but {:.4g} to "
-                      "{:.4g} N do: are values in {} in a column of N?",
+                      "{:.4g} N do: are the values in {} instead of N?",
                       channel->words, least, largest, unit.to_SI(least), unit.to_SI(largest), name),
           {{channel, unit.suffix}}};
     }
@@ -373,7 +373,7 @@ std::optional<Doubt> unit_of_coast_down(const model::ModelSubject& subject, cons
   }
   if (!in_unit) return std::nullopt;
   return Doubt{fmt::format("readings of friction torque are about {:.2g} times too {} for the "
-                           "model: are times in {} in a column of s?",
+                           "model: are the times in {} instead of s?",
                            std::exp(std::abs(ratio.middle)), ratio.middle < 0 ? "small" : "large",
                            in_unit->words),
                {{&record::time, in_unit->suffix}}};
@@ -386,14 +386,14 @@ std::optional<Doubt> unit_of_load(const model::ModelSubject& subject, const Reco
   const double highest = range_of_values(data.values(record::axial_load)).second;
   const auto usual = [&](double load) { return load > 2e-3 * rating && load < 0.5 * rating; };
   if (highest > 0 && highest < 5e-5 * rating && usual(1e3 * highest))
-    return Doubt{fmt::format("axial loads up to {:.4g} N are very small for C0 = {:.4g} N: are "
-                             "values in kN in a column of N?",
+    return Doubt{fmt::format("axial loads up to {:.4g} N are very small for C0 = {:.4g} N: are the "
+                             "values in kN instead of N?",
                              highest, rating),
                  {{&record::axial_load, "kN"}}};
   if (highest > 5.0 * rating && usual(1e-3 * highest))
     return Doubt{
         fmt::format(
-            "axial loads up to {:.4g} N are {:.2g} times C0: are values in N in a column of kN?",
+            "axial loads up to {:.4g} N are {:.2g} times C0: are the values in N instead of kN?",
             highest, highest / rating),
         {{&record::axial_load, "N"}}};
   // A load in kilograms: the law makes up for it with numbers that no bearing has.
@@ -402,7 +402,7 @@ std::optional<Doubt> unit_of_load(const model::ModelSubject& subject, const Reco
   const text::Unit& kgf = *text::find_unit("kgf", text::Dimension::force);
   if (evidence_for(subject, data, in_other_unit(data, record::axial_load, kgf)) > remarkable)
     return Doubt{fmt::format("axial loads of {:.4g} to {:.4g} N do not agree with the readings, "
-                             "but {:.4g} to {:.4g} N do: are values in kgf in a column of N?",
+                             "but {:.4g} to {:.4g} N do: are the values in kgf instead of N?",
                              least, largest, kgf.to_SI(least), kgf.to_SI(largest)),
                  {{&record::axial_load, "kgf"}}};
   return std::nullopt;

@@ -45,7 +45,7 @@ const Key control_keys[]{
      "longest time without a change of an input; 0: no limit; one number for all temperatures, or "
      "{ COLUMN = ... } for any input"},
     {"smoothing_s", between(0, 1e6, "s"), usual_control.smoothing_s.all,
-     "time constant of a filter on the inputs of instant parts, for sensors with coarse "
+     "time constant of a filter on the inputs of parts without lag, for sensors with coarse "
      "resolution; for all inputs, or { COLUMN = ... }"},
     {"on_fault", one_of("hold|last-safe|zero"), usual_control.on_fault,
      "reaction to a faulty input after hold_s: hold (use its last value), last-safe (fade to the "
@@ -61,9 +61,9 @@ const Key control_keys[]{
      "longest time between two calls; a longer time means that the clock was set, and the offsets "
      "keep their values"},
     {"restart", one_of("decay|resume|rest"), usual_control.restart,
-     "sections after the control was off for longer than longest_gap_s: decay (assume speeds and "
-     "feeds of 0 in this time), resume (assume that no time has passed) or rest (start from a "
-     "machine at rest)"},
+     "state of the sections after the control was off for longer than longest_gap_s: decay (assume "
+     "speeds and feeds of 0 in this time), resume (assume that no time has passed) or rest (start "
+     "from a machine at rest)"},
     {"touch_off", one_of("keep|clear"), usual_control.touch_off,
      "offset after a touch-off: keep the applied offset, or clear it to 0; later offsets are "
      "measured from this value"},
@@ -71,8 +71,8 @@ const Key control_keys[]{
      "offsets when the correction is disabled: zero (go to 0 at their slew rate) or freeze (keep "
      "their values)"},
     {"beyond_range", one_of("linear|hold"), usual_control.beyond_range,
-     "sections for inputs outside [correction.range]: linear (extrapolate) or hold (use the value "
-     "at the edge, as for instant parts)"},
+     "inputs of the sections outside [correction.range]: linear (extrapolate) or hold (use the "
+     "value at the edge, as for parts without lag)"},
 };
 
 class ExportReader {

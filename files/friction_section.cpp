@@ -67,7 +67,7 @@ const Key palmgren_keys[]{
     number_of(FrictionLaw::palmgren, "y",
               "exponent of the load moment; required without the key catalogue"),
     {"f1_load", one_of(words_of_load), "P0",
-     "load in the factor f1: static equivalent load P0, or load F_b of the moment"},
+     "load in the factor f1: static equivalent load P0, or F_b, the load of the load moment"},
 };
 constexpr std::string_view replenishment =
     "replenishment constant; bath or jet: 3e-8, grease or oil-air: 6e-8, 0: off";

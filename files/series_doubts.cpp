@@ -217,7 +217,7 @@ Doubt other_unit_of_spindle(const Record& data, const Channel& channel, const te
   if (channel == record::time) return Clock(data).looks_like(unit);
   const double fastest = extent_of(data.values(channel)).upper;
   return {.text = fmt::format("speeds up to {:.4g} rpm do not agree with the readings, but {:.4g} "
-                              "rpm do: are values in {} in a column of rpm?",
+                              "rpm do: are the values in {} instead of rpm?",
                               channel.in_unit(fastest),
                               channel.in_unit(unit.to_SI(channel.in_unit(fastest))), unit.words),
           .units = {{&channel, unit.suffix}}};

@@ -49,7 +49,7 @@ void require_power(const record::Record& record, const model::Spindle& spindle) 
       if (model::heat_variables[k] == record::motor_power.name &&
           !(table == "motor" && record.has(record::motor_heat)))
         throw text::InputError(
-            fmt::format("{}: column {} is missing, which the heat of {} needs: \"{}\"",
+            fmt::format("{}: column {} is missing; the heat formula of {} needs it: \"{}\"",
                         record.source, record::motor_power.name, source.name,
                         source.formula->text()),
             {.file = record.source, .key = std::string(record::motor_power.name)});

@@ -61,7 +61,8 @@ class Screening {
       point[at(candidate_.size)] += score_step * screened_.unit_size;
       const Eigen::VectorXd column = (response_.readings(point) - without_) / score_step;
       if (!column.allFinite()) {
-        screened_.not_testable = the_data_lack("rows that the model with it can predict");
+        screened_.not_testable =
+            "the model with this effect does not give a prediction for every reading";
         break;
       }
       if (column.cwiseAbs().maxCoeff() > no_change * without_.cwiseAbs().maxCoeff())
@@ -218,7 +219,7 @@ void screen_candidates(Problem& problem, const Saturation& saturation,
     if (!s.not_testable.empty() || s.scores.cols() > 0) continue;
     const std::string levels = problem.subject->lacks_levels(s.id(), *problem.record);
     s.not_testable = the_data_lack(
-        levels.empty() ? "a quantity that it changes at these operating points" : levels);
+        levels.empty() ? "a quantity that the effect changes at these operating points" : levels);
   }
 }
 

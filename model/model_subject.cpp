@@ -197,9 +197,9 @@ std::unique_ptr<fit::Subject> ModelSubject::with_shape(const std::string& id,
 effects::Effect ModelSubject::from_catalogue(const std::string& id) const {
   const effects::Form form = model_.form();
   if (find_effect(model_, id))
-    throw std::invalid_argument(fmt::format("{}: the model has this effect already", id));
+    throw std::invalid_argument(fmt::format("{}: the model already has this effect", id));
   if (id == fmt::format("law:{}", friction::name(model_.law)))
-    throw std::invalid_argument(fmt::format("{}: the model has this law already", id));
+    throw std::invalid_argument(fmt::format("{}: the model already has this law", id));
   const effects::Description* const d = effects::find(id, form);
   if (!d) {
     std::vector<std::string> known = waiting_;
@@ -207,8 +207,8 @@ effects::Effect ModelSubject::from_catalogue(const std::string& id) const {
     refuse_unknown(id, std::move(known), form, leading_channel());
   }
   if (!moves(*d))
-    throw std::invalid_argument(
-        fmt::format("{}: does not change the {}, which is measured", id, leading_channel().words));
+    throw std::invalid_argument(fmt::format("{}: this effect does not change the measured {}", id,
+                                            leading_channel().words));
   if (!candidate_of(*d, model_))
     throw std::invalid_argument("an effect without a size cannot be added");
   effects::Effect effect{.description = d, .values = effects::initial_values(*d)};

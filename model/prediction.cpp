@@ -101,9 +101,10 @@ void predict_sweep(const Model& model, std::span<const bearing::OperatingPoint> 
                    std::span<FrictionPrediction> predictions, bool with_equilibrium,
                    std::span<const effects::Record> records) {
   if (points.size() != predictions.size())
-    throw std::invalid_argument("predict_sweep: as many predictions as points are needed");
+    throw std::invalid_argument(
+        "predict_sweep: the number of predictions must equal the number of points");
   if (!records.empty() && records.size() != points.size())
-    throw std::invalid_argument("predict_sweep: as many records as points are needed, or none");
+    throw std::invalid_argument("predict_sweep: give one record for each point, or none");
   const Steps steps(model, with_equilibrium);
   const std::size_t chunks = (points.size() + points_of_a_thread - 1) / points_of_a_thread;
   tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t k) {

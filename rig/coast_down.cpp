@@ -39,7 +39,8 @@ void check(const record::Record& record, const model::Rig& rig, const CoastDownO
   if (options.windows < 1 || options.fewest_samples < 5 ||
       !(options.largest_fall > 0.0 && options.largest_fall < 1.0))
     throw std::invalid_argument(
-        "coast-down options: windows from 1, fewest_samples from 5, largest_fall between 0 and 1");
+        "coast-down options: windows must be at least 1, fewest_samples at least 5, and "
+        "largest_fall between 0 and 1");
   if (record.rows() == 0)
     throw std::invalid_argument(record.source + ": the coast-down record has no samples");
   const auto times = record.values(record::time), speeds = record.values(record::speed);

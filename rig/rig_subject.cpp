@@ -41,8 +41,8 @@ void require_no_axial_load(const fit::Record& record) {
   for (std::size_t i = 0; i < loads.size(); ++i)
     if (loads[i] != 0.0)
       throw std::invalid_argument(
-          fmt::format("{}: axial_load_N = {:.6g}: must be 0, a cylindrical roller bearing of type "
-                      "N carries none",
+          fmt::format("{}: axial_load_N = {:.6g}: must be 0, because a cylindrical roller bearing "
+                      "of type N cannot carry an axial load",
                       record.place(i), loads[i]));
 }
 

@@ -39,7 +39,7 @@ double pair_rigidity(const bearing::Bearing& bearing, double preload) {
 ConformityFit fit_conformity(const bearing::Bearing& bearing,
                              std::span<const PairRigidity> classes) {
   if (classes.empty())
-    throw std::invalid_argument("no preload class with a rigidity: nothing to fit");
+    throw std::invalid_argument("no preload class has a rigidity, so there is nothing to fit");
   for (const PairRigidity& c : classes)
     if (!(c.preload > 0.0 && c.printed > 0.0 && std::isfinite(c.preload + c.printed)))
       throw std::invalid_argument(

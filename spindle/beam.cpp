@@ -28,7 +28,7 @@ void add_element(Triplets& to, std::size_t first_node, const Eigen::Matrix4d& ma
 void check_body(const model::ShaftBody& body) {
   using bearing::require_between;
   if (body.segments.empty())
-    throw std::invalid_argument("[shaft] segment: at least one piece is needed");
+    throw std::invalid_argument("[shaft] segment: at least one segment is needed");
   double length = 0.0;
   for (const model::Segment& s : body.segments) {
     require_between("length", s.length, 1e-3 * mm, 1e5 * mm, mm, "mm");
@@ -185,7 +185,7 @@ Beam::Beam(const model::ShaftBody& body, std::span<const double> places, const B
 Eigen::SparseMatrix<double> Beam::held_by(std::span<const double> places,
                                           std::span<const PlaneSpring> springs) const {
   if (places.size() != springs.size())
-    throw std::invalid_argument("springs: as many as places are needed");
+    throw std::invalid_argument("springs: give one for each position");
   Eigen::SparseMatrix<double> held = stiffness_;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto v = static_cast<Eigen::Index>(2 * node_at(places[i]));

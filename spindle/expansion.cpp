@@ -14,7 +14,7 @@ double free_elongation(std::span<const HeatedLength> lengths) {
 
 void displace_by_substitute_forces(std::span<const HeatedLength> lengths, std::span<double> nodes) {
   if (nodes.size() != lengths.size() + 1)
-    throw std::invalid_argument("nodes: one more than lengths is needed");
+    throw std::invalid_argument("nodes: the number of nodes must be the number of lengths + 1");
   // Each length is a spring E A / l between its nodes; its forces pull both outwards.
   const std::size_t n = lengths.size();
   std::vector<double> force(n + 1, 0.0), diagonal(n + 1, 0.0), below(n + 1, 0.0);

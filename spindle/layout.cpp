@@ -96,7 +96,8 @@ void add_housing_piece(const Region& whole, std::span<const model::Coolant> chan
 /// Circuits share no part of the housing. Throws std::invalid_argument otherwise.
 void require_separate(const Spindle& s) {
   if (!s.coolant && !s.circuits.empty())
-    throw std::invalid_argument("coolant: further circuits need a first one");
+    throw std::invalid_argument(
+        "coolant: further circuits are only possible if [coolant] is given");
   const std::vector<model::Coolant> channels = s.channels();
   for (std::size_t k = 1; k < channels.size(); ++k)
     for (std::size_t j = 0; j < k; ++j)
@@ -336,7 +337,8 @@ void find_means(Layout& layout) {
     place.housing_above = mean_over(mesh, cells_between(mesh, Body::housing, from, to));
     if (place.inner_seat.empty() || place.outer_seat.empty())
       throw std::invalid_argument(fmt::format(
-          "bearing {} at {:.6g} mm: its {} does not sit on the {}, whose diameter there is another",
+          "bearing {} at {:.6g} mm: its {} does not touch the {}, because the diameters at this "
+          "position are different",
           b + 1, 1e3 * place.position, place.inner_seat.empty() ? "inner ring" : "outer ring",
           place.inner_seat.empty() ? "shaft" : "housing"));
   }

@@ -103,7 +103,7 @@ std::string_view name(Whirl whirl) {
 }
 
 Modes find_modes(const Beam& beam, std::span<const Spring> springs, double speed, int count) {
-  if (count < 1) throw std::invalid_argument("modes: at least one must be asked for");
+  if (count < 1) throw std::invalid_argument("number of modes: must be at least 1");
   std::vector<double> places;
   std::vector<PlaneSpring> in_y, in_z;
   bool one_plane = true;
@@ -156,7 +156,7 @@ Modes find_modes(const Beam& beam, std::span<const Spring> springs, double speed
 std::vector<Modes> campbell(const Beam& beam, std::span<const double> speeds,
                             std::span<const std::vector<Spring>> springs, int count) {
   if (speeds.size() != springs.size())
-    throw std::invalid_argument("campbell: one set of springs for each speed is needed");
+    throw std::invalid_argument("campbell: give one set of springs for each speed");
   std::vector<Modes> results(speeds.size());
   tbb::parallel_for(std::size_t{0}, speeds.size(), [&](std::size_t i) {
     results[i] = find_modes(beam, springs[i], speeds[i], count);

@@ -129,7 +129,8 @@ MonotoneCurve::MonotoneCurve(std::vector<double> x, std::vector<double> y)
   if (x_.empty() || x_.size() != y_.size())
     throw std::invalid_argument("a curve needs a value for each of its points");
   if (std::adjacent_find(x_.begin(), x_.end(), std::greater_equal<>()) != x_.end())
-    throw std::invalid_argument("the points of a curve must rise");
+    throw std::invalid_argument(
+        "the points of a curve must be in ascending order, without duplicates");
   const std::size_t n = x_.size();
   if (n < 2) return;
   std::vector<double> width, secant;

@@ -51,9 +51,9 @@ std::vector<ProfileRow> profile_of(const record::Record& record) {
   rows.reserve(record.rows());
   for (std::size_t row = 0; row < record.rows(); ++row) {
     if (row > 0 && !(time[row] > time[row - 1]))
-      throw std::invalid_argument(
-          fmt::format("{}: time_s = {:.10g} s: time must rise; {:.10g} s stands before it",
-                      record.place(row), time[row], time[row - 1]));
+      throw std::invalid_argument(fmt::format(
+          "{}: time_s = {:.10g} s: time must increase, but the row before has {:.10g} s",
+          record.place(row), time[row], time[row - 1]));
     if (time[row] - time[0] > longest)
       throw std::invalid_argument(
           fmt::format("{}: time_s = {:.10g} s: a programme lasts at most {:g} s, 10 years",

@@ -27,7 +27,7 @@ std::string_view words(Status status) {
     case Status::thermal_runaway:
       return "thermal runaway: friction heat raises the preload faster than heat can leave";
     case Status::step_limit:
-      return "the limit of steps was reached";
+      return "the maximum number of steps was reached";
     case Status::not_run:
       break;
   }

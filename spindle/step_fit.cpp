@@ -113,8 +113,9 @@ class ProjectedStep {
 
 void check_step(std::span<const double> time, std::span<const double> displacement) {
   if (time.size() != displacement.size())
-    throw std::invalid_argument(fmt::format("{} times and {} displacements: must be as many",
-                                            time.size(), displacement.size()));
+    throw std::invalid_argument(
+        fmt::format("{} times and {} displacements: both numbers must be equal", time.size(),
+                    displacement.size()));
   double first = std::numeric_limits<double>::infinity(), last = 0.0, largest = 0.0;
   for (std::size_t k = 0; k < time.size(); ++k) {
     if (!std::isfinite(time[k]) || time[k] < 0.0)
@@ -129,7 +130,7 @@ void check_step(std::span<const double> time, std::span<const double> displaceme
     largest = std::max(largest, std::abs(displacement[k]));
   }
   if (!(last > first))
-    throw std::invalid_argument("a step response needs rows at two times after 0 s at least");
+    throw std::invalid_argument("a step response needs rows at two or more times after 0 s");
   if (largest == 0.0)
     throw std::invalid_argument("the displacement is 0 at all times: there is no step response");
 }

@@ -173,10 +173,11 @@ std::vector<LoadSteps> load_step_responses(const model::Model& model, Stepped st
                                            const StepOptions& options) {
   check_step_options(speeds, options);
   if (std::adjacent_find(loads.begin(), loads.end(), std::greater_equal<>()) != loads.end())
-    throw std::invalid_argument("the loads of steps must rise");
+    throw std::invalid_argument("the load steps must be in ascending order, without duplicates");
   for (const double load : loads)
     if (load == 0.0 || !std::isfinite(load))
-      throw std::invalid_argument(fmt::format("load = {:.6g} N: a step needs another", load));
+      throw std::invalid_argument(
+          fmt::format("load = {:.6g} N: a load step needs a finite load other than 0", load));
   std::vector<LoadSteps> result(speeds.size());
   Simulator simulator(model);
   simulator.stop_on(options.cancelled);

@@ -393,7 +393,7 @@ std::string p_value_text(double p) {
 Comparison compare(std::span<const double> predicted, const record::Record& record,
                    const fit::Measured& measured, int fitted_parameters) {
   if (predicted.size() != record.rows())
-    throw std::invalid_argument("compare: one prediction per row is needed");
+    throw std::invalid_argument("compare: give one prediction for each row");
   if (record.rows() == 0) throw std::invalid_argument(record.source + ": no rows to compare with");
   Comparison result{.channel = measured.channel};
   result.tolerance = fit::tolerance_of(measured, record);

@@ -64,7 +64,7 @@ std::vector<fit::Fault> ExchangedColumns::faults(const FittedRecord& in) const {
     list.push_back({.id = std::string(exchanged_card.id),
                     .certain = false,
                     .datum = fmt::format("the columns {} and {}", a->name, b->name),
-                    .correction = "each has the values of the other",
+                    .correction = "each column has the values of the other column",
                     .without = std::move(without)});
   }
   return list;

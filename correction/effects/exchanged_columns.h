@@ -11,9 +11,9 @@ struct ExchangedColumns final : EffectKind {
   static constexpr EffectCard exchanged_card{
       .id = "exchanged-columns",
       .title = "the columns of two temperatures are swapped",
-      .form = "T1 of column T2, and T2 of column T1",
-      .needs = "two temperatures that vary, of which the model uses one",
-      .confused = "motor-heat and other effects of the column that was exchanged",
+      .form = "T1 is read from column T2, and T2 from column T1",
+      .needs = "two temperatures that vary; the model uses at least one of them",
+      .confused = "motor-heat and other effects that use a swapped column",
       .numbers = {},
       .of_reading = true,
       .evidence = true};

@@ -11,7 +11,7 @@ struct LooseSensor final : EffectKind {
   static constexpr EffectCard loose_card{
       .id = "loose-sensor",
       .title = "a temperature sensor was loose for a while",
-      .form = "T between two times is the room + (T - room)/share seen",
+      .form = "between two times, T_read = T_room + share (T - T_room)",
       .needs = "a temperature of the model that jumps towards the room temperature and back",
       .confused = "a body that cools quickly; offset-jump",
       .numbers = {},

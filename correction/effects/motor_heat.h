@@ -14,8 +14,10 @@ struct MotorHeat final : EffectKind {
   static constexpr std::array all{gain_number, time_constant_number, decay_speed};
   static constexpr EffectCard motor_card{
       .id = "motor-heat",
-      .title = "the heat of a motor moves the displacement",
-      .form = "+ K/(1 + tau s) T of the motor; without that column of exp(-n/n0), n > 0",
+      .title = "the heat of a motor moves the machine",
+      .form =
+          "+ K/(1 + tau s) u; u is the motor temperature, or exp(-n/n0) for n > 0 if it is not "
+          "recorded",
       .needs = "a temperature of the motor, or speeds that change",
       .confused = "speed-dependent-time-constant; a body that follows the motor",
       .numbers = all};

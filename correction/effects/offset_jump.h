@@ -19,15 +19,14 @@ struct OffsetJump final : EffectKind {
   static constexpr std::array jumps{jump_size("size"),   jump_time("time_s"),
                                     jump_size("size_2"), jump_time("time_2_s"),
                                     jump_size("size_3"), jump_time("time_3_s")};
-  static constexpr EffectCard jump_card{.id = "offset-jump",
-                                        .title = "the reading jumps: a collet, a probe, a cable",
-                                        .form = "+ sum of c H(t - t1), three at most",
-                                        .needs = "dense readings with a jump",
-                                        .confused =
-                                            "kinematic-displacement, a hidden heat that is "
-                                            "switched on",
-                                        .numbers = jumps,
-                                        .of_reading = true};
+  static constexpr EffectCard jump_card{
+      .id = "offset-jump",
+      .title = "the reading jumps: a collet, a probe, a cable",
+      .form = "+ sum of c H(t - t1), at most three jumps",
+      .needs = "closely spaced readings before and after a jump",
+      .confused = "kinematic-displacement, an unmeasured heat source that is switched on",
+      .numbers = jumps,
+      .of_reading = true};
 
   [[nodiscard]] const EffectCard& card() const override { return jump_card; }
 

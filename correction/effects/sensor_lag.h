@@ -9,14 +9,15 @@ struct SensorLag final : EffectKind {
   static constexpr record::NumberCard lag{
       "sensor_time_constant_s", "s", 0.0, 0.0, 3600, 0.0, 3600, 0.0};
   static constexpr std::array one{lag};
-  static constexpr EffectCard sensor_card{.id = "sensor-lag",
-                                          .title = "the sensor follows its temperature with a lag",
-                                          .form = "the input is T (1 + tau s s)",
-                                          .needs = "a temperature as input",
-                                          .confused = "second-time-constant, nearly the same",
-                                          .numbers = one,
-                                          .of_channel = true,
-                                          .at_channel = true};
+  static constexpr EffectCard sensor_card{
+      .id = "sensor-lag",
+      .title = "the sensor follows its temperature with a lag",
+      .form = "the input is (1 + tau_s s) T, with the sensor time constant tau_s",
+      .needs = "a temperature as input",
+      .confused = "second-time-constant, which looks nearly the same",
+      .numbers = one,
+      .of_channel = true,
+      .at_channel = true};
 
   [[nodiscard]] const EffectCard& card() const override { return sensor_card; }
 

@@ -10,9 +10,9 @@ struct ThermalAsymmetry final : EffectKind {
   static constexpr std::array one{ratio};
   static constexpr EffectCard asymmetry_card{
       .id = "thermal-asymmetry",
-      .title = "the machine cools at another rate than it warms up",
-      .form = "tau times the ratio where u < x",
-      .needs = "falls from one speed to another speed above zero",
+      .title = "the machine cools more slowly or faster than it warms up",
+      .form = "tau is multiplied by the ratio where u < x",
+      .needs = "steps down from one speed to a lower speed above zero",
       .confused = "speed-dependent-time-constant",
       .numbers = one,
       .of_channel = true,

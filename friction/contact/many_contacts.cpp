@@ -323,9 +323,10 @@ std::array<NamedColumn, 12> named_columns(const FrictionColumns& c) {
 void contact_results(std::span<const BearingState<double>> states, std::span<const double> values,
                      std::span<ContactResult> results, bearing::InstructionSet set) {
   if (states.size() != results.size())
-    throw std::invalid_argument("contact_results: as many results as states are needed");
+    throw std::invalid_argument(
+        "contact_results: the number of results must equal the number of states");
   if (!bearing::available(set))
-    throw std::invalid_argument("this machine has no instructions " +
+    throw std::invalid_argument("this computer does not have the instructions " +
                                 std::string(bearing::name(set)));
   if (states.empty()) return;
   thread_local KernelMemory memory;
@@ -343,7 +344,7 @@ void friction_of_many(const FrictionOfMany& asked, std::span<const bearing::Oper
   const std::array<NamedColumn, 12> named = named_columns(columns);
   for (const NamedColumn& c : named)
     if (!c.numbers.empty() && c.numbers.size() != points.size())
-      throw std::invalid_argument("friction_of_many: every column needs one number for each point");
+      throw std::invalid_argument("friction_of_many: each column needs one number for each point");
   const std::size_t chunks = (points.size() + points_of_chunk - 1) / points_of_chunk;
   tbb::parallel_for(
       std::size_t{0}, chunks,

@@ -487,10 +487,10 @@ TEST(Arrangement, WrongDesignsAreNamed) {
   d = spindle();
   d.layout = Layout::tandem;
   d.mounting = Mounting::spring;
-  EXPECT_THAT(message(d), HasSubstr("tandem has no second set"));
+  EXPECT_THAT(message(d), HasSubstr("a tandem arrangement has no second set"));
   d.rear.clear();
   d.mounting = Mounting::rigid;
-  EXPECT_THAT(message(d), HasSubstr("held by a spring"));
+  EXPECT_THAT(message(d), HasSubstr("a tandem arrangement needs a spring"));
   d = spindle();
   d.preload = PreloadForce{-5};
   EXPECT_THAT(message(d), HasSubstr("preload_force = -5 N: must be from 0"));

@@ -55,8 +55,8 @@ struct WrongUnit {
   std::string model = folder.write("m.toml", model_text);
   std::string data = folder.write("d.csv", rows());
   std::string question =
-      "readings of friction torque are about 1000 times too small for the model: are values in N m "
-      "in a column of N mm?";
+      "readings of friction torque are about 1000 times too small for the model: are the values in "
+      "N m instead of N mm?";
 
   std::string map = folder.write(
       "map.toml",

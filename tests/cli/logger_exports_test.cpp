@@ -190,7 +190,7 @@ TEST(LoggerExports, UnitsOfARecordOfASpindleAreAskedAboutBeforeAnyResult) {
                                             {std::acos(-1.0) / 30.0, "rad/s", "rad_s"},
                                             {1e-3, "krpm", "krpm"}})
     refused(speed, factor, 0.0,
-            fmt::format("are values in {} in a column of rpm? If so, set the unit in [columns]: "
+            fmt::format("are the values in {} instead of rpm? If so, set the unit in [columns]: "
                         "speed_rpm = {{ column = "
                         "\"speed_rpm\", unit = \"{}\" }}",
                         words, unit));

@@ -192,9 +192,8 @@ TEST(ColumnMap, WhatIsWrongInItIsNamedWithItsLine) {
   EXPECT_THAT(
       map_error(data, "[bearing]\n"),
       HasSubstr(": a file for --columns may have only the tables [columns] and [transducers]"));
-  EXPECT_THAT(
-      map_error("n,friction_torque_Nmm\n1000,5\n", "[columns]\nspeed_rpm = \"N\"\n"),
-      HasSubstr("d.csv:1: the column \"N\" is missing, which map.toml:2 uses for speed_rpm"));
+  EXPECT_THAT(map_error("n,friction_torque_Nmm\n1000,5\n", "[columns]\nspeed_rpm = \"N\"\n"),
+              HasSubstr("d.csv:1: the column \"N\" is missing; map.toml:2 uses it for speed_rpm"));
 }
 
 TEST(ColumnMap, StandsInAModelToo) {

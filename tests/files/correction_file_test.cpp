@@ -155,10 +155,9 @@ TEST(CorrectionFile, AFrictionTableIsReadAtRecordedLoads) {
   const auto reads = [&](const std::string& keys) { return [=] { (void)input(keys); }; };
   EXPECT_THAT(reads("axial_load_N = \"x_feed_m_min\"\nradial_load_N = 0\n"),
               refused("axial_load_N: must be a number, or a column that ends in _N"));
-  EXPECT_THAT(
-      reads("radial_load_N = 0\ntemperature_C = \"oil_temperature_C\"\n"),
-      refused(
-          "\": the friction table has only one value of it, so the column would have no effect"));
+  EXPECT_THAT(reads("radial_load_N = 0\ntemperature_C = \"oil_temperature_C\"\n"),
+              refused("\": the friction table has only one value of this quantity, so the column "
+                      "would have no effect"));
 }
 
 TEST(CorrectionFile, AWindowRises) {

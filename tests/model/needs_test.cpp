@@ -56,7 +56,7 @@ TEST(Needs, AnotherSupplyRulesOut) {
 
 TEST(Needs, AreALoadOnEveryRowWhateverItsDirection) {
   DataSet data = factorial_plan({1000, 2000}, {0, 200}, {40});
-  EXPECT_THAT(missing("spin-friction", synthetic_model(), data), HasSubstr("a load on every row"));
+  EXPECT_THAT(missing("spin-friction", synthetic_model(), data), HasSubstr("a load in every row"));
   data.rows[0].point.radial_load = 50.0;
   data.rows[1].point.radial_load = 50.0;
   EXPECT_THAT(missing("spin-friction", synthetic_model(), data), IsEmpty());

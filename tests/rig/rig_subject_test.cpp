@@ -204,11 +204,11 @@ TEST(RigSubject, SwitchesCandidatesOnAtTheirInitialValues) {
 TEST(RigSubject, RefusesWhatIsNoCandidate) {
   const RigSubject subject(with_effect(synthetic_model(), "spin-friction", {0.06}));
   EXPECT_EQ(refusal(subject, {"spin-friction"}),
-            "spin-friction: the model has this effect already");
-  EXPECT_EQ(refusal(subject, {"law:palmgren"}), "law:palmgren: the model has this law already");
+            "spin-friction: the model already has this effect");
+  EXPECT_EQ(refusal(subject, {"law:palmgren"}), "law:palmgren: the model already has this law");
   EXPECT_EQ(refusal(subject, {"windage", "windage"}), "windage is listed twice");
   EXPECT_EQ(refusal(subject, {"shaft-contraction"}),
-            "shaft-contraction: does not change the friction torque, which is measured");
+            "shaft-contraction: this effect does not change the measured friction torque");
   EXPECT_THAT(refusal(subject, {"windge"}),
               HasSubstr("unknown effect \"windge\"; nearest: windage"));
 }

@@ -186,9 +186,9 @@ TEST(RollerEquilibrium, CarriesNoAxialLoad) {
     (void)solve_roller_bearing(with_clearance(0.0), {.axial_load = 10.0, .radial_load = 100.0});
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "axial_load = 10 N: must be 0, a cylindrical roller bearing of type N carries none");
+    EXPECT_STREQ(error.what(),
+                 "axial_load = 10 N: must be 0, because a cylindrical roller bearing of type N "
+                 "cannot carry an axial load");
   }
 }
 

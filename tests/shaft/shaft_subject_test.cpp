@@ -77,7 +77,7 @@ TEST(ShaftSubject, HasCandidatesThatMoveIt) {
     FAIL() << "seal friction moves no shaft";
   } catch (const std::invalid_argument& e) {
     EXPECT_STREQ(e.what(),
-                 "seal-friction: does not change the axial displacement, which is measured");
+                 "seal-friction: this effect does not change the measured axial displacement");
   }
   EXPECT_THAT(subject.lacks("seal-friction", shaft_plan(ShaftPlan::sweep)),
               HasSubstr("friction torque"));
