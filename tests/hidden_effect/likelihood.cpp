@@ -127,6 +127,10 @@ Likelihood::Likelihood(const Rig& rig, std::span<const Reading> rows, Eigen::Vec
   if (rig.second_record > 0) bearings_.push_back(bearing_of_second_record(rig.setup));
 }
 
+Eigen::Index Likelihood::base_numbers() const {
+  return Factors(rig_.setup.law).count() * static_cast<Eigen::Index>(bearings_.size());
+}
+
 double Likelihood::log_determinant() const { return 2.0 * lower_.diagonal().array().log().sum(); }
 
 /// x = numbers of the base law of each record; for each effect size and ln shape; the datum's size.
@@ -212,7 +216,7 @@ double Likelihood::scale_of(const Hypothesis& one, double largest,
 
 double Likelihood::least(const Hypothesis& hypothesis) const {
   const Factors factors(rig_.setup.law);
-  const Eigen::Index base = factors.count() * static_cast<Eigen::Index>(bearings_.size());
+  const Eigen::Index base = base_numbers();
   const Eigen::Index count = base + hypothesis.numbers();
   Eigen::VectorXd start(count), step = Eigen::VectorXd::Constant(count, 1e-6), lower(count),
                                 upper(count);
