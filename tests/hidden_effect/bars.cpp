@@ -484,6 +484,10 @@ std::vector<Carried> carried(const std::vector<Outcome>& judged) {
     const bool wrong = o.names_wrong(), misnames = oracle.misnames();
     if (!oracle.something) {
       add(kind, "nothing missing", {!o.alarm(), wrong}, {!oracle.detects(), misnames});
+      if (oracle.learned_detection) {
+        const bool quiet = *oracle.learned_detection <= oracle.learned_from;
+        add(kind, "the same, scatter of zeros unknown", {!o.alarm(), wrong}, {quiet, !quiet});
+      }
       continue;
     }
     add(kind, "something missing", {o.alarm(), wrong}, {oracle.detects(), misnames});

@@ -93,9 +93,7 @@ Eigen::MatrixXd covariance_of_noise(const Rig& rig, std::span<const Reading> row
   const auto n = static_cast<Eigen::Index>(rows.size());
   Eigen::MatrixXd C = Eigen::MatrixXd::Zero(n, n);
   // The zeros of the runs are in proportion to the rms torque, as in misread_torques().
-  double square = 0.0;
-  for (const Reading& r : rows) square += r.torque * r.torque;
-  const double zero = s.mistake.reset * std::sqrt(square / static_cast<double>(n));
+  const double zero = s.mistake.reset * rms_torque(rows);
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index k = 0; k < n; ++k) {
       const Reading &a = rows[static_cast<std::size_t>(i)], &b = rows[static_cast<std::size_t>(k)];

@@ -172,6 +172,18 @@ std::optional<OracleAnswer> ask_oracle(const Rig& rig, std::span<const Reading> 
         boost::math::complement(boost::math::students_t(others), 0.5 * alarm_level));
     answer.learned_from = runs * std::log1p(t * t / others);
   }
+  if (causes == 0 && setup.mistake.reset > 0.0) {
+    const Eigen::MatrixXd zeros = common_to_runs(seen, one);
+    const double zero = setup.mistake.reset * rms_torque(rows);
+    const Eigen::MatrixXd rest = covariance - zero * zero * zeros;
+    double best = infinity;
+    for (const Effect* e : entries)
+      best = std::min(best, least_with_scatter(rig, seen, rest, zeros, {.effects = {e}}));
+    for (const Datum& d : data_of_the_files())
+      best = std::min(best, least_with_scatter(rig, seen, rest, zeros, {.datum = &d}));
+    answer.learned_detection = least_with_scatter(rig, seen, rest, zeros, {}) - best;
+    answer.learned_from = answer.needed;
+  }
   if (causes < 2) {
     answer.lead = wrong_single.cost - true_cost;
     answer.rival = wrong_single.name;

@@ -33,6 +33,8 @@ struct OracleAnswer {
   /// For a wrong datum and noise with offsets of runs: the same two where the observer does not
   /// know the size of the offsets and learns it from the record. The limit is that of Student's
   /// law.
+  /// Nothing hidden, but zeros that are set before each run: the gain and limit of the best single
+  /// cause where the observer does not know their scatter.
   std::optional<double> learned_detection;
   double learned_from = 0.0;
   bool something = false;  ///< a cause is hidden
