@@ -210,6 +210,10 @@ bool Outcome::includes_truth() const {
   return in_set();
 }
 
+bool Outcome::names_wrong() const {
+  return (is({"effect"}) && !names_a_right()) || (is({"several-effects"}) && !names_every_hidden());
+}
+
 bool Outcome::only_truth() const {
   if (trial.setup.hidden.empty() && accepted.empty()) return !alarm();
   if (outside) return is({"not-in-catalogue"});
@@ -458,13 +462,18 @@ Interval wilson(int successes, int trials) {
 
 std::vector<Carried> carried(const std::vector<Outcome>& judged) {
   std::vector<Carried> table;
-  const auto add = [&](const std::string& kind, const char* what, bool diagnosis, bool oracle) {
+  struct Said {
+    bool right, wrong;
+  };
+  const auto add = [&](const std::string& kind, const char* what, Said diagnosis, Said oracle) {
     auto entry = std::find_if(table.begin(), table.end(),
                               [&](const Carried& c) { return c.kind == kind && c.what == what; });
     if (entry == table.end()) entry = table.insert(entry, {.kind = kind, .what = what});
-    entry->diagnosis += diagnosis ? 1 : 0;
-    entry->oracle += oracle ? 1 : 0;
-    entry->both += diagnosis && oracle ? 1 : 0;
+    entry->diagnosis += diagnosis.right ? 1 : 0;
+    entry->oracle += oracle.right ? 1 : 0;
+    entry->both += diagnosis.right && oracle.right ? 1 : 0;
+    entry->diagnosis_wrong += diagnosis.wrong ? 1 : 0;
+    entry->oracle_wrong += oracle.wrong ? 1 : 0;
     ++entry->cases;
   };
   for (const Outcome& o : judged) {
@@ -472,24 +481,42 @@ std::vector<Carried> carried(const std::vector<Outcome>& judged) {
     std::string kind(o.trial.kind.empty() ? o.trial.block : o.trial.kind);
     if (o.trial.block == "two") kind += ", " + std::string(name(o.trial.setup.plan));
     const OracleAnswer& oracle = *o.oracle;
+    const bool wrong = o.names_wrong(), misnames = oracle.misnames();
     if (!oracle.something) {
-      add(kind, "nothing missing", !o.alarm(), !oracle.detects());
+      add(kind, "nothing missing", {!o.alarm(), wrong}, {!oracle.detects(), misnames});
+      if (oracle.learned_detection) {
+        const bool quiet = *oracle.learned_detection <= oracle.learned_from;
+        add(kind, "the same, scatter of zeros unknown", {!o.alarm(), wrong}, {quiet, !quiet});
+      }
       continue;
     }
-    add(kind, "something missing", o.alarm(), oracle.detects());
+    add(kind, "something missing", {o.alarm(), wrong}, {oracle.detects(), misnames});
     if (oracle.learned_detection)
-      add(kind, "the same, offsets of runs unknown", o.alarm(),
-          *oracle.learned_detection > oracle.learned_from);
-    add(kind, "truth in the verdict", o.includes_truth(), oracle.includes());
-    add(kind, "only the truth", o.only_truth(), oracle.decides());
+      add(kind, "the same, offsets of runs unknown", {o.alarm(), wrong},
+          {*oracle.learned_detection > oracle.learned_from, misnames});
+    // The verdict may be the one with another base law.
+    const bool with_other_law =
+        std::any_of(o.accepted.begin(), o.accepted.end(),
+                    [&](const auto& ids) { return has_name(o.answer.names_given_it, ids); });
+    add(kind, "truth in the verdict", {o.includes_truth() || with_other_law, wrong},
+        {oracle.includes(), misnames});
+    add(kind, "only the truth", {o.only_truth(), wrong}, {oracle.decides(), misnames});
     if (oracle.entry_lead)
-      add(kind, "right entry ranks first", o.right_first(), *oracle.entry_lead > 0.0);
+      add(kind, "right entry ranks first", {o.right_first(), wrong},
+          {*oracle.entry_lead > 0.0, *oracle.entry_lead < -within_reach});
+    if (oracle.misfit_excess) {
+      const bool beyond = *oracle.misfit_excess > 0.0;
+      add(kind, "no entry fits, formula unknown", {o.only_truth(), wrong}, {beyond, !beyond});
+      if (o.visibility.separation >= 50.0)
+        add(kind, "the same, lambda_sep >= 50", {o.only_truth(), wrong}, {beyond, !beyond});
+    }
     if (o.trial.setup.hidden.size() == 2)
-      add(kind, "only the truth, each loses 60", o.only_truth(),
-          oracle.decides() && oracle.least_loss >= 60.0);
+      add(kind, "only the truth, each loses 60", {o.only_truth(), wrong},
+          {oracle.decides() && oracle.least_loss >= 60.0, misnames});
     if (o.oracle_after_proposed)
-      add(kind, "only the truth, 12 proposed points", o.right_after_proposed,
-          o.oracle_after_proposed->decides());
+      add(kind, "only the truth, 12 proposed points",
+          {o.right_after_proposed, o.wrong_after_proposed},
+          {o.oracle_after_proposed->decides(), o.oracle_after_proposed->misnames()});
   }
   return table;
 }

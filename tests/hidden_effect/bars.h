@@ -55,6 +55,8 @@ struct Outcome {
   [[nodiscard]] bool includes_truth() const;
   /// The same, without rivals.
   [[nodiscard]] bool only_truth() const;
+  /// A statement without rivals that excludes the truth.
+  [[nodiscard]] bool names_wrong() const;
 };
 
 /// Ids and what they ask, in the order in which they run.
@@ -100,6 +102,7 @@ struct Bar {
 struct Carried {
   std::string kind, what;
   int diagnosis = 0, oracle = 0, both = 0, cases = 0;
+  int diagnosis_wrong = 0, oracle_wrong = 0;  ///< wrong names without rivals
 };
 /// Counts right answers of the diagnosis and of the oracle, by kind and question. Records without
 /// an answer of the oracle are left out.

@@ -93,9 +93,7 @@ Eigen::MatrixXd covariance_of_noise(const Rig& rig, std::span<const Reading> row
   const auto n = static_cast<Eigen::Index>(rows.size());
   Eigen::MatrixXd C = Eigen::MatrixXd::Zero(n, n);
   // The zeros of the runs are in proportion to the rms torque, as in misread_torques().
-  double square = 0.0;
-  for (const Reading& r : rows) square += r.torque * r.torque;
-  const double zero = s.mistake.reset * std::sqrt(square / static_cast<double>(n));
+  const double zero = s.mistake.reset * rms_torque(rows);
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index k = 0; k < n; ++k) {
       const Reading &a = rows[static_cast<std::size_t>(i)], &b = rows[static_cast<std::size_t>(k)];
@@ -125,6 +123,10 @@ Likelihood::Likelihood(const Rig& rig, std::span<const Reading> rows, Eigen::Vec
       independent_(covariance.isDiagonal(0.0)),
       bearings_{rig.bearing} {
   if (rig.second_record > 0) bearings_.push_back(bearing_of_second_record(rig.setup));
+}
+
+Eigen::Index Likelihood::base_numbers() const {
+  return Factors(rig_.setup.law).count() * static_cast<Eigen::Index>(bearings_.size());
 }
 
 double Likelihood::log_determinant() const { return 2.0 * lower_.diagonal().array().log().sum(); }
@@ -212,7 +214,7 @@ double Likelihood::scale_of(const Hypothesis& one, double largest,
 
 double Likelihood::least(const Hypothesis& hypothesis) const {
   const Factors factors(rig_.setup.law);
-  const Eigen::Index base = factors.count() * static_cast<Eigen::Index>(bearings_.size());
+  const Eigen::Index base = base_numbers();
   const Eigen::Index count = base + hypothesis.numbers();
   Eigen::VectorXd start(count), step = Eigen::VectorXd::Constant(count, 1e-6), lower(count),
                                 upper(count);

@@ -41,6 +41,8 @@ class Likelihood {
 
   /// Returns the least -2 ln L without its constant, r' C^-1 r, by a Levenberg-Marquardt method.
   [[nodiscard]] double least(const Hypothesis& hypothesis) const;
+  /// Free numbers of the base law, of all records.
+  [[nodiscard]] Eigen::Index base_numbers() const;
   /// Returns ln det C.
   [[nodiscard]] double log_determinant() const;
 

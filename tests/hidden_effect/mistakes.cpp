@@ -28,12 +28,6 @@ double opposed_load(const Bearing& bearing, const Mistake& mistake, const Point&
   return 0.5 * (a + b);
 }
 
-double rms_torque(std::span<const Reading> rows) {
-  double square = 0.0;
-  for (const Reading& r : rows) square += r.torque * r.torque;
-  return std::sqrt(square / static_cast<double>(rows.size()));
-}
-
 }  // namespace
 
 double torque_of_rig(const Bearing& bearing, const BaseLaw& law, const Mistake& mistake,
@@ -47,6 +41,12 @@ double torque_of_rig(const Bearing& bearing, const BaseLaw& law, const Mistake& 
   // A bearing without load still drags its oil.
   pressed.load = std::max(pressed.load, 1.0);
   return torque(bearing, law, real, hidden) + torque(bearing, law, pressed, hidden);
+}
+
+double rms_torque(std::span<const Reading> rows) {
+  double square = 0.0;
+  for (const Reading& r : rows) square += r.torque * r.torque;
+  return std::sqrt(square / static_cast<double>(rows.size()));
 }
 
 double share_of_day(double time) {

@@ -53,6 +53,9 @@ struct Reading {
                                    const Mistake& mistake, const Point& point,
                                    std::span<const Hidden> hidden);
 
+/// Root mean square of the torques without noise [N mm].
+[[nodiscard]] double rms_torque(std::span<const Reading> rows);
+
 /// Share of a day of measuring that has passed at a time [s].
 [[nodiscard]] double share_of_day(double time);
 

@@ -52,6 +52,12 @@ Eigen::VectorXd measured(std::span<const Reading> rows) {
   return y;
 }
 
+/// The value that chance exceeds in 1 %.
+double limit_of_chi_squared(double degrees) {
+  return boost::math::quantile(
+      boost::math::complement(boost::math::chi_squared(degrees), alarm_level));
+}
+
 /// Products of a figure of two rows where both are of one run.
 Eigen::MatrixXd common_to_runs(std::span<const Reading> rows, double (*figure)(const Reading&)) {
   const auto n = static_cast<Eigen::Index>(rows.size());
@@ -100,6 +106,10 @@ bool OracleAnswer::decides() const {
   return something ? gain > needed && lead > within_reach : -lead <= needed;
 }
 
+bool OracleAnswer::misnames() const {
+  return something ? gain - lead > needed && lead < -within_reach : -lead > needed;
+}
+
 std::optional<OracleAnswer> ask_oracle(const Rig& rig, std::span<const Reading> rows) {
   const Setup& setup = rig.setup;
   const std::optional<const Datum*> datum = datum_of(setup.mistake);
@@ -123,8 +133,12 @@ std::optional<OracleAnswer> ask_oracle(const Rig& rig, std::span<const Reading> 
   for (const Effect& e : catalogue_effects())
     if (!setup.law.contacts || !within_contacts(e.id)) entries.push_back(&e);
   Scored single, right_single, wrong_single;
+  double excess = infinity;
+  const auto degrees =
+      static_cast<double>(rows.size()) - static_cast<double>(likelihood.base_numbers());
   const auto score = [&](const Hypothesis& one, std::string_view id) {
     const double cost = likelihood.least(one);
+    excess = std::min(excess, cost - limit_of_chi_squared(degrees - one.numbers()));
     single.take(cost, std::string(id));
     (contains(right, id) ? right_single : wrong_single).take(cost, std::string(id));
   };
@@ -143,10 +157,10 @@ std::optional<OracleAnswer> ask_oracle(const Rig& rig, std::span<const Reading> 
   answer.needed =
       std::log(static_cast<double>(rows.size())) + 2.0 * std::log(causes > 1 ? tried - 1.0 : tried);
   answer.detection = nothing - true_cost;
-  if (causes > 0)
-    answer.detected_from = boost::math::quantile(
-        boost::math::complement(boost::math::chi_squared(truth.numbers()), alarm_level));
+  if (causes > 0) answer.detected_from = limit_of_chi_squared(truth.numbers());
   answer.gain = (causes > 1 ? std::min(nothing, single.cost) : nothing) - true_cost;
+  if (causes == 1 && truth.datum == nullptr && truth.effects.front()->kind == Kind::outside)
+    answer.misfit_excess = excess;
   if (truth.datum != nullptr && setup.noise == Noise::run_offsets) {
     const Eigen::MatrixXd offsets = common_to_runs(seen, size_of);
     const Eigen::MatrixXd rest = covariance - setup.detail.offset * setup.detail.offset * offsets;
@@ -157,6 +171,18 @@ std::optional<OracleAnswer> ask_oracle(const Rig& rig, std::span<const Reading> 
     const double t = boost::math::quantile(
         boost::math::complement(boost::math::students_t(others), 0.5 * alarm_level));
     answer.learned_from = runs * std::log1p(t * t / others);
+  }
+  if (causes == 0 && setup.mistake.reset > 0.0) {
+    const Eigen::MatrixXd zeros = common_to_runs(seen, one);
+    const double zero = setup.mistake.reset * rms_torque(rows);
+    const Eigen::MatrixXd rest = covariance - zero * zero * zeros;
+    double best = infinity;
+    for (const Effect* e : entries)
+      best = std::min(best, least_with_scatter(rig, seen, rest, zeros, {.effects = {e}}));
+    for (const Datum& d : data_of_the_files())
+      best = std::min(best, least_with_scatter(rig, seen, rest, zeros, {.datum = &d}));
+    answer.learned_detection = least_with_scatter(rig, seen, rest, zeros, {}) - best;
+    answer.learned_from = answer.needed;
   }
   if (causes < 2) {
     answer.lead = wrong_single.cost - true_cost;

@@ -23,6 +23,9 @@ struct OracleAnswer {
   /// Lead of the best right entry of the catalogue over all other entries. Unset: no entry is
   /// right.
   std::optional<double> entry_lead;
+  /// A truth outside the catalogue, for an observer who does not know its formula: excess of the
+  /// least squared misfit of all entries over the limit that noise exceeds in 1 %.
+  std::optional<double> misfit_excess;
 
   double detected_from = 0.0;  ///< gain over the base law that chance exceeds in 1 %
   double detection = 0.0;      ///< lead of the truth over the base law
@@ -30,6 +33,8 @@ struct OracleAnswer {
   /// For a wrong datum and noise with offsets of runs: the same two where the observer does not
   /// know the size of the offsets and learns it from the record. The limit is that of Student's
   /// law.
+  /// Nothing hidden, but zeros that are set before each run: the gain and limit of the best single
+  /// cause where the observer does not know their scatter.
   std::optional<double> learned_detection;
   double learned_from = 0.0;
   bool something = false;  ///< a cause is hidden
@@ -41,6 +46,9 @@ struct OracleAnswer {
   [[nodiscard]] bool includes() const;
   /// The truth is admitted and ahead of each rival by more than `within_reach`.
   [[nodiscard]] bool decides() const;
+  /// A rival is admitted and ahead of the truth by more than `within_reach`. Nothing is hidden: the
+  /// best single cause is admitted.
+  [[nodiscard]] bool misnames() const;
 };
 
 /// Distance in -2 ln L within which the diagnosis names two causes together.

@@ -124,6 +124,17 @@ TEST(Oracle, KnowsTheCovarianceOfTheNoise) {
   }
 }
 
+TEST(Oracle, FindsThatNoEntryFitsAnEffectOutsideTheCatalogue) {
+  const auto excess = [](std::string_view id, double share) {
+    const Rig rig =
+        make_rig({.machine = machines().data(), .hidden = {{.id = id, .share = share}}, .seed = 7});
+    return ask_oracle(rig, rig.train)->misfit_excess;
+  };
+  EXPECT_GT(excess("cage-resonance", 0.1), 100.0);
+  EXPECT_LT(excess("cage-resonance", 0.001), 0.0);
+  EXPECT_FALSE(excess("spin-friction", 0.1));
+}
+
 TEST(Oracle, HasNoAnswerWhereItKnowsNoFormula) {
   const Rig rig = make_rig({.machine = machines().data(), .mistake = {.pair_preload = 1500.0}});
   EXPECT_FALSE(ask_oracle(rig, rig.train));

@@ -130,12 +130,13 @@ std::string share_text(int count, int cases) {
 
 /// The shares of the diagnosis beside those of the oracle, the honest bar.
 void print_carried(const std::vector<Carried>& table) {
-  std::printf("\n%-40s %-34s %6s  %-22s %-22s %s\n", "what the data can carry", "", "cases",
-              "diagnosis", "oracle", "oracle alone");
+  std::printf("\n%-40s %-34s %6s  %-22s %-22s %-12s %s\n", "what the data can carry", "", "cases",
+              "diagnosis", "oracle", "oracle alone", "wrong names of both");
   for (const Carried& c : table)
-    std::printf("%-40s %-34s %6d  %-22s %-22s %d\n", c.kind.c_str(), c.what.c_str(), c.cases,
-                share_text(c.diagnosis, c.cases).c_str(), share_text(c.oracle, c.cases).c_str(),
-                c.oracle - c.both);
+    std::printf("%-40s %-34s %6d  %-22s %-22s %-12d %d, %d\n", c.kind.c_str(), c.what.c_str(),
+                c.cases, share_text(c.diagnosis, c.cases).c_str(),
+                share_text(c.oracle, c.cases).c_str(), c.oracle - c.both, c.diagnosis_wrong,
+                c.oracle_wrong);
 }
 
 std::string oracle_text(const OracleAnswer& o) {
@@ -255,6 +256,8 @@ void print_json(const std::vector<Bar>& table, const std::vector<Carried>& by_or
                                    {"diagnosis", c.diagnosis},
                                    {"oracle", c.oracle},
                                    {"both", c.both},
+                                   {"diagnosis_wrong", c.diagnosis_wrong},
+                                   {"oracle_wrong", c.oracle_wrong},
                                    {"cases", c.cases}});
   std::puts(document.dump(1).c_str());
 }
