@@ -18,6 +18,9 @@ using model::Spindle;
 
 /// Places of faces closer than this are the same.
 constexpr double same_place = 1e-7;
+/// A shoulder closer than this to the outer face of the last bearing belongs to its seat: the nut
+/// covers it. Positions in files are rounded.
+constexpr double at_bearing = 10e-6;
 
 struct CellSize {
   double axial, radial;  // [m]
@@ -236,7 +239,7 @@ class Joiner {
       case Body::shaft:
         if (face.side == FaceSide::inner) break;  // its bore is closed
         if (place < layout_.housing_start - same_place) layout_.nose.push_back(joint);
-        if (place > layout_.last_bearing_rear + same_place) layout_.rear.push_back(joint);
+        if (place > layout_.last_bearing_rear + at_bearing) layout_.rear.push_back(joint);
         break;
       case Body::housing:
         if (face.side == FaceSide::inner) break;
