@@ -28,7 +28,7 @@ struct LoadExponent {
   static constexpr std::string_view formula =
       "M1 (P0 / 200 N)^e in place of M1; with f1_load = \"F_b\" M1 (F_b / 1000 N)^e";
   static constexpr std::string_view within_contacts =
-      "rolling_factor under [friction]: its exponents follow from the contacts";
+      "rolling_factor under [friction], whose exponents follow from the contacts";
   static constexpr std::string_view not_for_rollers =
       "the load moment of rollers is in proportion to the load";
   static constexpr std::string_view source =

@@ -27,7 +27,7 @@ struct ViscousExponent {
       "exponent looks like missing physics over the whole range.";
   static constexpr std::string_view formula = "M0 (nu n / 300000)^e in place of M0";
   static constexpr std::string_view within_contacts =
-      "rolling_factor under [friction]: its exponents follow from the contacts";
+      "rolling_factor under [friction], whose exponents follow from the contacts";
   static constexpr std::string_view source =
       "form of Palmgren's law, Ball and Roller Bearing Engineering, 3rd ed.; range assumed";
   static constexpr std::array<std::string_view, 4> confused_with{

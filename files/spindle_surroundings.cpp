@@ -24,7 +24,7 @@ constexpr Key ambient_keys[]{
     {"convection_factor", between(0, 20), usual_air.convection_factor,
      "factor on the free convection of housing and end faces"},
     {"rotating_convection", one_of("becker|kendoush|anderson-saunders"), "becker",
-     "correlation for the convection of rotating surfaces, by its author"},
+     "author of the correlation for the convection of rotating surfaces"},
 };
 
 constexpr Key coolant_keys[]{

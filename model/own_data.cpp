@@ -30,9 +30,8 @@ std::vector<std::string> names_of(const Parts& parts) {
 
 constexpr double usual_inlet_error_K = 8.0;
 constexpr std::string_view where_inlets_stand =
-    "the inlet temperature of a spindle's coolant, under [coolant], and of each "
-    "[[coolant.circuit]] "
-    "with its own, as coolant-inlet:NAME";
+    "the inlet temperature of the coolant of a spindle, under [coolant]; a [[coolant.circuit]] "
+    "with its own inlet temperature is tested as coolant-inlet:NAME";
 
 // A bearing of 15 for 18 deg or 25 for 26.5 is another variant of its series; makers let the angle
 // of one bearing differ by some 2 deg. Groove radii are 0.51 to 0.54 of the ball diameter and are
@@ -49,7 +48,7 @@ constexpr std::array all{
              [](const Spindle& s) { return names_of(s.circuits); }},
     OwnDatum{"sensor-place:{}", "sensor.{}.position_mm", "position",
              "the place of the thermometer {}", 25.0, true,
-             "the position_mm of a [[sensor]] in a spindle, one candidate for each of them, as "
+             "the position_mm of a [[sensor]] in a spindle; each sensor is tested separately, as "
              "sensor-place:NAME",
              [](const Spindle& s) { return names_of(s.sensors); }}};
 

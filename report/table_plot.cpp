@@ -92,7 +92,8 @@ std::string names_of_curves(std::vector<CurveName> names) {
 
 std::string table_svg(const friction::StribeckTable& table, std::string_view title) {
   if (table.slab.count != 1)
-    throw text::InputError("--plot draws a whole table, no slab of it", {.key = "--plot"});
+    throw text::InputError("--plot draws only a whole table; join the slabs first",
+                           {.key = "--plot"});
   const friction::TableAxes& axes = table.axes;
   const bool by_load = axes.axial_load.size() > 1 || axes.temperature.size() == 1;
   const std::size_t curves = by_load ? axes.axial_load.size() : axes.temperature.size();
