@@ -248,7 +248,7 @@ TEST(AddToAShaft, RefusesWhatDoesNotHelpAndWhatMovesNothing) {
     (void)add(two_against_one(), friction, data);
     FAIL() << "seal friction moves no shaft";
   } catch (const std::invalid_argument& e) {
-    EXPECT_THAT(e.what(), HasSubstr("does not change the axial displacement"));
+    EXPECT_THAT(e.what(), HasSubstr("does not change the measured axial displacement"));
   }
 }
 
