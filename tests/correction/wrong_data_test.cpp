@@ -112,7 +112,8 @@ TEST(WrongData, OneEndIsEnough) {
   const verdict::Diagnosis d = diagnosed(made);
   ASSERT_FALSE(d.sets.empty()) << d.sentence;
   EXPECT_THAT(d.sets.front(), ElementsAre("loose-sensor")) << d.sentence;
-  EXPECT_THAT(datum_of(d, "loose-sensor"), HasSubstr("to 10 h it showed 50 % of the temperature rise"));
+  EXPECT_THAT(datum_of(d, "loose-sensor"),
+              HasSubstr("to 10 h it showed 50 % of the temperature rise"));
 }
 
 TEST(WrongData, ALeapIsOneOfTheSensorAndNoBody) {
