@@ -1,17 +1,13 @@
 #include <fmt/core.h>
 
-#include <cmath>
-
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "cli/number_flag.h"
 #include "cli/shared_flags.h"
 #include "cli/text_table.h"
-#include "files/catalogue_file.h"
-#include "files/designation.h"
 #include "record/units.h"
 #include "results/results.h"
-#include "text/error.h"
+#include "session/catalogues.h"
 
 namespace raceway::cli {
 namespace {
@@ -22,49 +18,10 @@ struct BearingsFlags {
   bool json = false;
 };
 
-/// As printed: to a tenth of a millimetre.
-bool is_size(double wanted, double size) {
-  return std::isnan(wanted) || std::abs(wanted - size) < 0.05 * mm;
-}
-
-/// Bearings of the size that a designation has which no catalogue lists.
-std::vector<files::CatalogueBearing> of_same_size(const std::vector<files::CatalogueBearing>& rows,
-                                                  const std::string& designation) {
-  files::require_angular_contact(designation);
-  const std::string size = files::read_designation(designation).size();
-  std::vector<files::CatalogueBearing> same;
-  if (size.empty()) return same;
-  for (const files::CatalogueBearing& row : rows)
-    if (files::read_designation(row.designation).size() == size) same.push_back(row);
-  if (!same.empty())
-    tell(
-        {fmt::format("{0} is not in the catalogue. These bearings have the same size; raceway new "
-                     "\"{0}\" estimates this bearing",
-                     designation)});
-  return same;
-}
-
-int list_bearings(const BearingsFlags& flags) {
-  const auto all = files::read_catalogues();
-  auto rows = files::matching_bearings(all, flags.filter);
-  if (rows.empty()) rows = of_same_size(all, flags.filter);
-  std::erase_if(rows, [&](const files::CatalogueBearing& r) {
-    return !is_size(flags.bore, r.geometry.bore) ||
-           !is_size(flags.outer_diameter, r.geometry.outer_diameter);
-  });
-  const bool json = flags.json;
-  if (rows.empty())
-    throw text::InputError(
-        fmt::format(
-            "raceway bearings: no bearing has \"{}\" in its name{}; {}without a filter, the "
-            "command lists all bearings",
-            flags.filter,
-            std::isnan(flags.bore) && std::isnan(flags.outer_diameter) ? "" : " and this size",
-            files::read_designation(flags.filter).boundary()
-                ? fmt::format("raceway new \"{}\" estimates this bearing; ", flags.filter)
-                : ""),
-        {.key = "FILTER"});
-  if (json) {
+int run(const BearingsFlags& flags) {
+  const auto rows =
+      session::find_bearings(messages(), flags.filter, flags.bore, flags.outer_diameter);
+  if (flags.json) {
     put_document(results::bearings_json(rows));
   } else {
     TextTable table({{"bearing", "", true},
@@ -100,7 +57,7 @@ Run setup_bearings(CLI::App& command) {
              "only bearings with this outer diameter, in mm or with a unit");
   declare_json(command, flags->json);
   command.footer("Example:\n  raceway bearings \"S 60\"\n  raceway bearings --bore 70");
-  return [flags] { return list_bearings(*flags); };
+  return [flags] { return run(*flags); };
 }
 
 }  // namespace raceway::cli

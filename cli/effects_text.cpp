@@ -66,7 +66,11 @@ std::string needs_of(const Description& d) {
 
 void print_effect_list(std::span<const Description> list) {
   TextTable table({{"effect", "", true}, {"what it is", "", true, true}});
-  for (const Description& d : list) table.add({std::string(d.id), std::string(d.title)});
+  std::string_view before;
+  for (const Description& d : list) {
+    if (d.id != before) table.add({std::string(d.id), std::string(d.title)});
+    before = d.id;
+  }
   fmt::print("{}", table.text(terminal_width()));
 }
 

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "correction/catalogue.h"
+#include "effects/effect.h"
+#include "files/catalogue_file.h"
+#include "session/messages.h"
+
+/// Questions about the catalogues of effects and bearings.
+namespace raceway::session {
+
+struct FoundEffects {
+  std::vector<effects::Description> effects{};
+  std::vector<correction::EffectCard> of_records{};  ///< effects on a displacement over time
+  bool is_list = true;                               ///< false: one effect, in all its forms
+  std::string own_datum{};  ///< explains an id that is a number of the model, not an effect
+
+  /// Throws text::InputError if there is no effect.
+  [[nodiscard]] std::string json() const;
+};
+
+/// Finds an effect by its id or by words of its description, or all effects if `asked` is empty.
+/// Throws text::InputError if no effect matches.
+[[nodiscard]] FoundEffects find_effects(const std::string& asked);
+
+/// Finds the bearings whose name contains `name`. If there are none, finds the bearings of the same
+/// size, with a note. NaN accepts every bore and outer diameter [m]. Throws text::InputError if no
+/// bearing matches.
+[[nodiscard]] std::vector<files::CatalogueBearing> find_bearings(Messages& messages,
+                                                                 const std::string& name,
+                                                                 double bore,
+                                                                 double outer_diameter);
+
+}  // namespace raceway::session
