@@ -433,8 +433,8 @@ std::string Averaged::statement() const {
     text += fmt::format("; {} dwell{} cut where the temperature moved by 1 K", split,
                         split == 1 ? " is" : "s are");
   if (correlation_time > 0.0)
-    text +=
-        fmt::format("; the scatter within has a correlation time of {:.2g} s", correlation_time);
+    text += fmt::format("; the scatter within a dwell has a correlation time of {:.2g} s",
+                        correlation_time);
   return text;
 }
 

@@ -224,7 +224,8 @@ void Judge::add_notes(Findings& findings) const {
       findings.push_back(
           finding_of(limit, worst, unit, count(worst) + std::move(text) + where(worst)));
   };
-  add(lost, lost_, 1.0, fmt::format("balls have lost the inner race, up to {:.0f}", lost_.value));
+  add(lost, lost_, 1.0,
+      fmt::format("balls have lost contact with the inner race, up to {:.0f}", lost_.value));
   add(bottom, bottom_, 1.0,
       fmt::format(
           "there is no axial load, so the balls carry at the bottom of the grooves at about 0 deg; "
@@ -252,22 +253,21 @@ void Judge::add_speeds(Findings& findings) const {
                     catalogue_.place.empty() ? "" : catalogue_.place + ": ",
                     catalogue_.point.speed / rpm, catalogue_.limit / rpm, lubrication(*model_))));
   if (speed_factor_.points > 0)
-    findings.push_back(finding_of(
-        limits::speed_factor, speed_factor_, 1.0,
-        fmt::format(
-            "{}the speed factor n d_m of {:.3g} mm/min is above {:.3g} mm/min, the limit of the "
-            "fastest bearings of the catalogue with {}: the friction law is far from "
-            "where it was measured",
-            before(speed_factor_), speed_factor_.value, speed_factor_.limit,
-            lubrication(*model_))));
+    findings.push_back(
+        finding_of(limits::speed_factor, speed_factor_, 1.0,
+                   fmt::format("{}the speed factor n d_m of {:.3g} mm/min is above {:.3g} mm/min, "
+                               "the limit of the fastest bearings of the catalogue with {}: the "
+                               "friction law is far outside the range of its measurements",
+                               before(speed_factor_), speed_factor_.value, speed_factor_.limit,
+                               lubrication(*model_))));
 }
 
 void Judge::add_heat(Findings& findings) const {
   if (ring_.points > 0)
     findings.push_back(
         finding_of(limits::ring_temperature, ring_, 1.0,
-                   fmt::format("{}the ring has {:.4g} C, above {:.4g} C: grease and oil age fast. "
-                               "Less preload, speed or oil, or more cooling reduces it",
+                   fmt::format("{}the ring temperature is {:.4g} C, above {:.4g} C: grease and oil "
+                               "age fast. Less preload, speed or oil, or more cooling reduces it",
                                before(ring_), celsius(ring_.value), limits::ring_temperature.value),
                    celsius_zero));
   if (preload_.points > 0)
@@ -293,8 +293,8 @@ void Judge::add_heat(Findings& findings) const {
   if (hot_.points > 0)
     findings.push_back(
         finding_of(limits::oil_hot, hot_, 1.0,
-                   fmt::format("{}the lubricant has {:.4g} C, above {:.4g} C: the rings change "
-                               "their size and the oil decomposes",
+                   fmt::format("{}the lubricant temperature is {:.4g} C, above {:.4g} C: the rings "
+                               "change their size and the oil decomposes",
                                before(hot_), celsius(hot_.value), limits::oil_hot.value),
                    celsius_zero));
 }

@@ -108,10 +108,9 @@ std::string table_report(const std::string& model_file, const model::Model& mode
                          const record::Record* measured, const std::vector<ModelOfPage>& facts,
                          const std::vector<std::string>& warnings) {
   if (model.bearing.rollers())
-    throw text::InputError(
-        model_file +
-        ": the page of a table draws the balls of a bearing; of cylindrical rollers "
-        "there are --output, --json and --plot");
+    throw text::InputError(model_file +
+                           ": --report is not possible for cylindrical roller bearings, because "
+                           "the page draws balls; use --output, --json or --plot");
   Document document("table");
   document.add("assumed", model_facts(facts));
   document.add("results", {{"model", model_file},

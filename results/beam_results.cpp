@@ -295,7 +295,7 @@ std::string campbell_text(const Arrangement& a, const std::vector<ModesAtSpeed>&
 std::string mode_shapes_text(const spindle::Beam& beam, const std::vector<ModesAtSpeed>& speeds,
                              std::string_view source, std::string_view model_text) {
   fmt::memory_buffer out;
-  head(out, "Shapes of the modes of the shaft, the largest amplitude is 1", source, model_text);
+  head(out, "Mode shapes of the shaft, scaled to a largest amplitude of 1", source, model_text);
   const auto put = std::back_inserter(out);
   fmt::format_to(put, "speed_rpm,mode,frequency_Hz,whirl,position_mm,y_amplitude,z_amplitude\n");
   for (const ModesAtSpeed& m : speeds)

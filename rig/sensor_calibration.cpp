@@ -142,8 +142,8 @@ class Calibrator {
     if (const auto turn =
             turning_torque(fit.unscaled(), levels_.front().torque, levels_.back().torque))
       throw std::invalid_argument(
-          fmt::format("the signal turns at {:.4g} N m: one signal belongs to two torques, so the "
-                      "curve has no inverse",
+          fmt::format("the signal changes direction at {:.4g} N m: one signal belongs to two "
+                      "torques, so the curve has no inverse",
                       *turn));
   }
 
@@ -293,12 +293,11 @@ class Calibrator {
     const double t2 = h.mean * h.mean * h.torques;
     h.p_value = p_of_F(t2, 1, square, h.torques - 1, floor_);  // the square of Student's t
     if (h.p_value < sensor_significance)
-      result_.warnings.push_back(record::note::misfit(
-          fmt::format("hysteresis: at falling torque the signal differs from that at rising torque "
-                      "by {:+.3g} V on "
-                      "average and by {:+.3g} V ({:.2g} % of the range) at {:.4g} N m ({}); the "
-                      "curve is in the middle, and the scatter includes half of the difference",
-                      h.mean, h.largest, percent(h.largest), h.largest_at, chance(h.p_value))));
+      result_.warnings.push_back(record::note::misfit(fmt::format(
+          "hysteresis: the signal at falling torque differs from the signal at rising torque by "
+          "{:+.3g} V on average and by {:+.3g} V ({:.2g} % of the range) at {:.4g} N m ({}); the "
+          "curve is in the middle, and the scatter includes half of the difference",
+          h.mean, h.largest, percent(h.largest), h.largest_at, chance(h.p_value))));
   }
 
   /// N R² of the squared residuals over the torque [Koenker1981].

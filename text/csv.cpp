@@ -93,7 +93,8 @@ ParsedNumber parse_number(std::string_view cell, bool decimal_comma) {
     return {none, '\0', "is too large or too small for a number"};
   if (error != std::errc() || stop != end) {
     if (cell.find(';') != cell.npos || cell.find('\t') != cell.npos)
-      return {none, '\0', "is not a number; does this row have another separator than the header?"};
+      return {none, '\0',
+              "is not a number; does this row have a different separator from the header?"};
     return {none, '\0', "is not a number"};
   }
   return {value, mark, {}};

@@ -39,7 +39,7 @@ Recorded means_of_record(const fit::Subject& subject, const record::Record& reco
 void require_readings(const Approximation& a, const Recorded& on, const record::Record& record) {
   if (on.means.list.size() < 2 * a.names.size())
     throw std::invalid_argument(
-        fmt::format("{}: {} readings at different minutes for {} free parameters: too few",
+        fmt::format("{}: {} readings at different minutes are too few for {} free parameters",
                     record.source, on.means.list.size(), a.names.size()));
 }
 

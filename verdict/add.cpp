@@ -90,7 +90,7 @@ class Addition {
       const auto s = std::find_if(problem_.candidates.begin(), problem_.candidates.end(),
                                   [&](const fit::Screened& c) { return c.id() == id; });
       if (s == problem_.candidates.end())
-        throw std::invalid_argument("an effect without a size cannot be added");
+        throw std::invalid_argument("an effect without a size parameter cannot be added");
       const auto k = static_cast<std::size_t>(s - problem_.candidates.begin());
       if (!s->not_testable.empty())
         throw std::invalid_argument(fmt::format("{}: {}", id, s->not_testable));

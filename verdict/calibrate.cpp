@@ -36,8 +36,8 @@ double error_factor(double misfit, bool noise_known, Calibration& result) {
   const int freedom = result.degrees_of_freedom;
   if (freedom < 1) {
     if (noise_known) return 1.0;
-    result.messages.push_back(
-        record::note::not_identifiable("as many rows as parameters: no standard errors"));
+    result.messages.push_back(record::note::not_identifiable(
+        "there are as many rows as parameters, so there are no standard errors"));
     return unset;
   }
   const double reduced = misfit / freedom;

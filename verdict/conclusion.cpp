@@ -237,7 +237,7 @@ std::string Investigation::bent_text() const {
 std::string Investigation::partly_text() const {
   return fmt::format(
       "An important effect is missing; {} explains more than half of the misfit, {}: {}. Several "
-      "effects are missing, or another law.",
+      "effects are missing, or the model needs another law.",
       joined_sets(finding_.set), size_text(problem_, *finding_.set.front()), remains_text());
 }
 

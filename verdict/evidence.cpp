@@ -55,10 +55,9 @@ void require_levels(const record::Record& record) {
   }
   if (found.empty()) return;
   if (combinations < 2)
-    throw std::invalid_argument(
-        record.source +
-        ": all rows stand at one operating point: a verdict needs at least three levels of one "
-        "setting, better of several");
+    throw std::invalid_argument(record.source +
+                                ": all rows are at one operating point: a verdict needs at least "
+                                "three levels of one setting, better of several");
   if (most < 3)
     throw std::invalid_argument(
         fmt::format("{}: {}: a verdict needs three levels of at least one of them", record.source,

@@ -176,7 +176,7 @@ void Investigation::tell_of_records() {
       texts.push_back(fmt::format("{} {:.2g} times", record_.parts.at(k).name, d.noise.records[k]));
     if (!texts.empty())
       result_.messages.push_back(
-          record::note::noise(fmt::format("the records have different noise, relative to the "
+          record::note::noise(fmt::format("the noise differs between the records; factors on the "
                                           "common noise: {}. The rows are weighted accordingly",
                                           joined(texts, "and"))));
   }

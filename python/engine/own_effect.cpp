@@ -114,7 +114,7 @@ std::vector<OwnEffect> own_effects(const py::list& given) {
         one.cast<std::tuple<std::string, std::string, std::vector<Number>, py::object>>();
     OwnEffect effect{.described = {.id = id,
                                    .title = title,
-                                   .torque_Nmm = "a function of Python",
+                                   .torque_Nmm = "a Python function",
                                    .parameters = {}},
                      .function = function};
     for (const auto& [name, unit, value, lower, upper] : numbers)

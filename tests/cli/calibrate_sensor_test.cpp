@@ -44,7 +44,7 @@ TEST(CalibrateSensor, PrintsCurveTestsAndTheErrorOfARow) {
   EXPECT_THAT(r.out, HasSubstr("M = (signal - 0.0311258 V) / 4.86855 V/Nm"));
   EXPECT_THAT(r.out, HasSubstr("lack of fit F(9, 31) = 0.359, p = 0.95"));
   EXPECT_THAT(r.out, HasSubstr("torque  std of a reading  common to all"));
-  EXPECT_THAT(r.err, HasSubstr("warning: hysteresis: at falling torque the signal differs"));
+  EXPECT_THAT(r.err, HasSubstr("warning: hysteresis: the signal at falling torque differs"));
   EXPECT_THAT(run("calibrate-sensor " + weights + " --quiet").err, Not(HasSubstr("note:")));
 }
 

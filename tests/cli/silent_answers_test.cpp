@@ -130,9 +130,10 @@ TEST_F(SilentAnswers, BallsThatHaveLostTheRaceAreCountedInTables) {
                                     solved["lost_balls"].get<int>())));
   EXPECT_THAT(
       command("table", model_text, "--speed 20000 --axial-load 100,5000 --radial-load 300").err,
-      HasSubstr(fmt::format("1 of 2 points: balls have lost the inner race, up to {} at "
-                            "20000 rpm, 100 N axial, 300 N radial",
-                            solved["lost_balls"].get<int>())));
+      HasSubstr(
+          fmt::format("1 of 2 points: balls have lost contact with the inner race, up to {} at "
+                      "20000 rpm, 100 N axial, 300 N radial",
+                      solved["lost_balls"].get<int>())));
 }
 
 TEST_F(SilentAnswers, ContactPressureStandsInSolveAndTable) {

@@ -189,7 +189,7 @@ TEST(SensorCalibration, HysteresisIsFoundAtItsSizeAndPlace) {
   EXPECT_NEAR(c.hysteresis.largest, 0.02, 3e-3);  // three standard errors
   EXPECT_NEAR(c.hysteresis.largest_at, 5.0, 1.5);
   EXPECT_THAT(texts(c.warnings),
-              Contains(HasSubstr("hysteresis: at falling torque the signal differs")));
+              Contains(HasSubstr("hysteresis: the signal at falling torque differs")));
 }
 
 TEST(SensorCalibration, SaysWhatItCouldNotLookFor) {
@@ -271,7 +271,7 @@ TEST(SensorCalibration, RefusesASignalThatTurns) {
   };
   const auto list = readings(up_and_down(1), turning);
   for (const std::optional<int> degree : {std::optional<int>(), std::optional(1)})
-    EXPECT_THAT(refusal(list, degree), HasSubstr("the signal turns at 6.2"));
+    EXPECT_THAT(refusal(list, degree), HasSubstr("the signal changes direction at 6.2"));
 }
 
 TEST(SensorCalibration, RefusesASignalThatIsNoneOfTheTorque) {

@@ -76,8 +76,9 @@ TEST(Csv, AnotherSeparatorBelowTheHeaderIsNamed) {
   EXPECT_THAT(error_of("a\tb\n1,2\n"), HasSubstr("tabs as separators, but this row has commas"));
   EXPECT_THAT(error_of("a,b;c\n1;2\n"), StartsWith("d.csv:1: the header has"));
   const CsvTable t = parse_csv("a,b\n1,5;2\n", "d.csv");
-  EXPECT_THAT(tests::message_of([&] { (void)t.number(0, 1); }),
-              HasSubstr("is not a number; does this row have another separator than the header?"));
+  EXPECT_THAT(
+      tests::message_of([&] { (void)t.number(0, 1); }),
+      HasSubstr("is not a number; does this row have a different separator from the header?"));
 }
 
 TEST(Csv, ColumnsThatStandTwiceOrHaveNoNameAreErrors) {
