@@ -5,10 +5,11 @@
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/messages.h"
 #include "cli/output_flags.h"
 #include "cli/text_table.h"
 #include "files/sensor_file.h"
-#include "session/reading.h"
+#include "session/sensor_calibration.h"
 #include "text/error.h"
 
 namespace raceway::cli {
@@ -99,26 +100,16 @@ int run(const SensorFlags& flags) {
   refuse_two_on_stdout("calibrate-sensor", flags.json, flags.output);
   flags.require_writable();
 
-  const files::SensorReadings read =
-      files::read_sensor_readings(flags.readings, flags.reading.options());
-  tell(read.notes);
-  const rig::SensorCalibration c = [&] {
-    try {
-      return rig::calibrate_sensor(read.readings, degree);
-    } catch (const std::invalid_argument& e) {
-      throw text::InputError(read.source + ": " + e.what(), {.file = read.source});
-    }
-  }();
-  tell(c.notes);
-  tell(c.warnings);
+  const session::CalibratedSensor found =
+      session::calibrate_sensor(messages(), flags.readings, flags.reading, degree);
   if (flags.json) {
-    put_document(files::sensor_calibration_json(c, read.source));
+    put_document(found.json());
   } else if (flags.output != "-") {
-    print_curve(c, read.source);
-    print_tests(c);
-    print_errors(c);
+    print_curve(found.calibration, found.source);
+    print_tests(found.calibration);
+    print_errors(found.calibration);
   }
-  if (!flags.output.empty()) flags.put(files::torque_sensor_text(c, read.source));
+  if (!flags.output.empty()) flags.put(found.text());
   return done;
 }
 
