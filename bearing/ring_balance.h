@@ -11,7 +11,7 @@
 
 // Equilibrium of one inner ring: sums over its balls with derivatives, and the report of each ball.
 // All unknowns are lengths and all loads are forces: tilts are multiplied by R_i, and moments are
-// divided by R_i. One scale then fits all components.
+// divided by R_i. One load then scales the imbalances of all components.
 namespace raceway::bearing {
 
 /// Model of a ball: two springs in series (at rest), or the equilibrium of an orbiting ball under

@@ -9,7 +9,8 @@
 namespace raceway::bearing {
 
 /// Ring and ball positions. Tilts are multiplied by R_i and moments are divided by R_i, so all
-/// positions are lengths and all loads are forces. One scale then fits all components.
+/// positions are lengths and all loads are forces. One load then scales the imbalances of all
+/// components.
 struct RingState {
   Vector5 ring = Vector5::Zero();
   std::vector<Plane> balls;

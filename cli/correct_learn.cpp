@@ -67,9 +67,10 @@ void print_gains(const results::Learnt& one, bool several) {
 }  // namespace
 
 void LearnFlags::declare(CLI::App& command) {
-  command.add_flag("--learn", learn,
-                   "learn zero, states and gains from the readings in time order; each prediction "
-                   "uses only earlier readings");
+  command.add_flag(
+      "--learn", learn,
+      "update the zero, the states of the lags and the gains with each reading, in the "
+      "order of time; each prediction uses only earlier readings");
   command
       .add_option("--every", choices.every,
                   "with --learn: shortest time between two readings for learning, such as 4h; the "

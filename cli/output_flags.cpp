@@ -63,7 +63,7 @@ void ResultFlags::put_table(const std::function<std::string()>& table,
 void refuse_two_on_stdout(const std::string& command, bool json, const std::string& output) {
   if (json && output == "-")
     throw text::InputError(
-        "raceway " + command + ": --json and --output - both write to stdout; choose one",
+        "raceway " + command + ": both --json and \"--output -\" write to stdout; omit one of them",
         {.key = "--output"});
 }
 

@@ -314,10 +314,11 @@ class Search {
           record::note::limits("too few readings to hold parts out: the order follows from the "
                                "error of the fit itself"));
     if (result_.condition > 1e6)
-      tell(record::note::not_identifiable(
-          fmt::format("the columns of the fit are nearly dependent (condition {:.1e}): only the "
-                      "sum of their gains is certain, not each gain",
-                      result_.condition)));
+      tell(record::note::not_identifiable(fmt::format(
+          "some fitted parameters are nearly dependent (condition number {:.1e}): the record "
+          "determines only combinations of them, such as the sum of two gains; vary "
+          "the inputs independently",
+          result_.condition)));
   }
 
   const IdentifyOptions& options_;

@@ -125,8 +125,8 @@ constexpr Key element_gain_keys[]{
      "slope_um_N ..."},
     {"offset_um", between(-most, most, "um"), unset, "value of the straight line at input 0"},
     {"factor", between(-most, most, "um"), unset,
-     "factor in factor x^exponent; x is the input in its unit"},
-    {"exponent", between(-10, 10), unset, "exponent in factor x^exponent"},
+     "factor in time constant = factor * x^exponent; x is the input in its unit"},
+    {"exponent", between(-10, 10), unset, "exponent in time constant = factor * x^exponent"},
     {"table", a_text, unset,
      "CSV with gain_um and power_W, or the column of the input, in the folder of the model"},
 };
@@ -136,8 +136,8 @@ constexpr Key element_time_keys[]{
      "slope_min_W, slope_min_N ..."},
     {"offset_min", between(-most, most, "min"), unset, "value of the straight line at input 0"},
     {"factor", between(-most, most, "min"), unset,
-     "factor in factor x^exponent; x is the input in its unit"},
-    {"exponent", between(-10, 10), unset, "exponent in factor x^exponent"},
+     "factor in time constant = factor * x^exponent; x is the input in its unit"},
+    {"exponent", between(-10, 10), unset, "exponent in time constant = factor * x^exponent"},
     {"table", a_text, unset,
      "CSV with time_constant_min and power_W, or the column of the input, in the folder of the "
      "model"},

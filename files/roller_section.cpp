@@ -165,7 +165,8 @@ std::string name_on_shaft(const Section& s, const std::vector<model::RollerOnSha
         "must be letters, digits and _, because it becomes part of column names such as "
         "NAME_clearance_um");
   for (const char* set : {"front_", "rear_"})
-    if (name.starts_with(set)) fail("is the name of a bearing in the sets; choose another name");
+    if (name.starts_with(set))
+      fail("must not begin with front_ or rear_, because the bearings of the sets have such names");
   for (const model::RollerOnShaft& other : before)
     if (other.name == name) fail("another roller bearing has this name; choose another name");
   return name;

@@ -195,7 +195,9 @@ model::Spindle read_spindle(ModelTables& tables, const NamedBearing& bearing,
   if (shaft->arrangement.design().rear.empty())
     tables.section("arrangement")
         .fail("layout",
-              "layout = \"tandem\": not possible, because a spindle needs a front and a rear set");
+              "a tandem layout is not possible, because a spindle needs a front and a rear set; "
+              "use O "
+              "or X");
   Spindle spindle;
   read_name(tables, bearing.name, spindle);
   read_rings(tables, bearing, spindle);

@@ -26,7 +26,7 @@ struct Isolated {
   bool by_model = false;    ///< true if the residuals of a model showed the readings
 
   [[nodiscard]] bool any() const { return !rows.empty(); }
-  /// Describes the result: "56 readings of axial displacement leave and return ...".
+  /// Describes the result: "56 readings of axial displacement jump and return ...".
   [[nodiscard]] std::string statement() const;
 };
 
@@ -61,9 +61,10 @@ struct PossibleRows {
 
 /// Removes impossible rows of a rig or shaft, at most a tenth: rows with a temperature below -60 or
 /// above 200 C, and rows with an extreme reading of the first measured channel. A reading is
-/// extreme if its distance from all others is three times their range while its inputs are within
-/// the range of the other rows. The range excludes two readings, or a hundredth of the readings, at
-/// either end. Records with fewer than 15 rows are not changed.
+/// extreme if it lies outside the range of the readings by more than three times this range,
+/// although the inputs of its row are within the range of the other rows. The range excludes two
+/// readings, or a hundredth of the readings, at either end. Records with fewer than 15 rows are not
+/// changed.
 [[nodiscard]] PossibleRows without_impossible_rows(const record::Record& record);
 
 }  // namespace raceway::fit

@@ -25,8 +25,9 @@ struct CatalogueConformity {
   [[nodiscard]] std::string json() const;
 };
 
-/// Fits the conformity of a model file with [bearing] catalogue, or of a designation of the
-/// catalogue. Throws text::InputError for a bearing without printed rigidities.
+/// Fits the groove conformity of a catalogue bearing to its printed rigidities. `model` is a
+/// designation, or a model file with the key `catalogue` under [bearing]. Throws text::InputError
+/// for a bearing without printed rigidities.
 [[nodiscard]] CatalogueConformity catalogue_conformity(Messages& messages,
                                                        const std::string& model);
 

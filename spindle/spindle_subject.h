@@ -32,8 +32,8 @@ class SpindleSubject : public model::ModelSubject {
   /// Describes the runs of a record that start warm, one sentence each.
   [[nodiscard]] std::vector<std::string> warm_starts(const fit::Record& record) const;
 
-  /// Excludes effects on the condition of rotating sets, because the spindle model computes the
-  /// temperatures.
+  /// Returns the candidates without effects on the load or the condition of the turning bearings.
+  /// A spindle has effects of its own for heat and friction.
   [[nodiscard]] std::vector<fit::Candidate> candidates() const override;
   [[nodiscard]] std::vector<std::string> catalogue() const override;
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;

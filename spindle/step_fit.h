@@ -7,7 +7,7 @@
 
 namespace raceway::spindle {
 
-/// One minute [s], the unit of time constants in files.
+/// One minute [s], the unit of time constants in results of step responses.
 inline constexpr double one_minute = 60.0;
 
 /// Response of a body to a step: gain (1 - exp(-t/time_constant)).

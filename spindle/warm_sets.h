@@ -62,7 +62,7 @@ class WarmSets {
   [[nodiscard]] double position() const { return sets_.position + more_position_; }
   [[nodiscard]] double front_force() const { return sets_.front_force + more_front_; }
   [[nodiscard]] double rear_force() const { return sets_.rear_force + more_rear_; }
-  /// Returns the position of the sets at standstill without load and heat [m].
+  /// Returns the position of the shaft at standstill without load and heat [m].
   [[nodiscard]] double rest() const { return rest_; }
 
  private:

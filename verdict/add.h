@@ -15,7 +15,8 @@ namespace raceway::verdict {
 /// Improvement of one measured channel when the effects are switched on.
 struct ChannelGain {
   Comparison before{}, after{};  ///< errors in sample; both models are refitted to the same rows
-  /// Noise that weights the readings. Readings are in the order of the errors.
+  /// Noise model that determines the weights of the readings. Readings are in the order of the
+  /// errors.
   fit::NoiseModel noise{};
   double tolerance = unset;  ///< tolerance in SI units; NaN if not given
   /// Held-out errors of both fits [SI]. If a tolerance is given, they cover the measured range

@@ -153,8 +153,10 @@ std::string Investigation::single_text() const {
   }
   if (result_.tolerance_limited())
     return fmt::format(
-        "{}: {}. The others are equally good, so these data do not decide between them.{}{}",
-        joined_sets(set), remains_text(), data_text(set), measure_text(result_));
+        "{}: these explanations are equally good, so these data do not decide between them. With "
+        "{}, "
+        "{}.{}{}",
+        joined_sets(set), id_of(best), remains_text(), data_text(set), measure_text(result_));
   return fmt::format(
       "These data cannot separate {} (difference {:.1f}, needed {:.0f}); one of them is {} "
       "({}).{}{}",

@@ -87,8 +87,8 @@ struct Correlation {
   Eigen::MatrixXd matrix{};
 };
 
-/// Contribution of one effect to the readings [SI]. Readings are in the order of the channels and
-/// of their `baseline.errors`.
+/// Contribution of one effect to the readings [SI], channel by channel. In a channel, readings are
+/// in the order of ChannelDiagnosis::baseline.errors.
 struct EffectShare {
   std::string id;
   std::vector<double> readings{};

@@ -76,7 +76,7 @@ TEST(CalibrateSensor, RefusesInOneMessage) {
               HasSubstr("--degree = 4: must be 1, 2, 3 or auto"));
   EXPECT_EQ(run("calibrate-sensor " + weights + " --degree line").status, 1);
   EXPECT_THAT(run("calibrate-sensor " + weights + " --json -o -").err,
-              HasSubstr("--json and --output - both write to stdout"));
+              HasSubstr("both --json and \"--output -\" write to stdout"));
   const ScratchFolder scratch;
   const std::string one = scratch.write("one.csv", "reference_Nm,signal_V\n1,1\n1,2\n1,3\n");
   const Result r = run("calibrate-sensor " + one + " -o " + scratch.file("s.toml"));

@@ -280,7 +280,7 @@ TEST_F(Displacement, WrongUseIsRefused) {
                  "--axial-load = -5 N: must be from 0 to 100000000 N");
   expect_refused(raceway("displacement", "--speed 5:1:1"), "the end of a range");
   expect_refused(raceway("displacement", "--speed 0 --json -o -"),
-                 "both write to stdout; choose one");
+                 "write to stdout; omit one of them");
 }
 
 }  // namespace

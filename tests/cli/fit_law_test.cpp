@@ -125,7 +125,7 @@ TEST(FitLaw, SaysWhatIsWrongWithItsInput) {
   expect_refused(run("fit-law nothing.csv"), "nothing.csv: no such file");
   expect_refused(run_shell("$raceway fit-law < /dev/null"), "standard input: the file is empty");
   expect_refused(run("fit-law a.csv --at -5"), "--at = -5 rpm: must be from 0");
-  expect_refused(run("fit-law a.csv --json -o -"), "both write to stdout");
+  expect_refused(run("fit-law a.csv --json -o -"), "write to stdout; omit one of them");
 }
 
 TEST(FitLaw, SaysThatADisplacementAtStandstillIsNotTheLaws) {

@@ -68,7 +68,7 @@ TEST_F(Table, OnStdoutIsTheFile) {
   const std::string axes = "--speed 0,1000 --axial-load 100 -o ";
   EXPECT_EQ(table(axes + file).status, 0);
   EXPECT_EQ(table(axes + "-").out, file_text(file));
-  expect_refused(table(axes + "- --json"), "--json and --output - both write to stdout");
+  expect_refused(table(axes + "- --json"), "both --json and \"--output -\" write to stdout");
 }
 
 TEST_F(Table, JsonHasTheUnitsOfTheFile) {

@@ -218,8 +218,7 @@ TEST(SpindleSection, ARollerBearingThatCannotStandThereIsRefused) {
   EXPECT_THAT(why(with_rollers("inner_interference_um = 310\n")), HasSubstr("the ring yields"));
   EXPECT_THAT(why(with_rollers("z = 0.0007\n")),
               HasSubstr("unknown key in [shaft.roller_bearing]"));
-  EXPECT_THAT(why(with_rollers("", "front_9")),
-              HasSubstr("is the name of a bearing in the sets; choose another name"));
+  EXPECT_THAT(why(with_rollers("", "front_9")), HasSubstr("must not begin with front_ or rear_"));
   EXPECT_THAT(why(with(with_rollers(), "width_mm = 18\n", "")), HasSubstr("width_mm is missing"));
   EXPECT_THAT(why(with(with_rollers(), "roller_count = 20", "roller_count = 40")),
               HasSubstr("roller_count"));
