@@ -316,8 +316,8 @@ class Search {
     if (result_.condition > 1e6)
       tell(record::note::not_identifiable(fmt::format(
           "some fitted parameters are nearly dependent (condition number {:.1e}): the record "
-          "determines only combinations of them, such as the sum of two gains; vary "
-          "the inputs independently",
+          "determines only combinations of them, such as the sum of two gains; vary the inputs "
+          "independently",
           result_.condition)));
   }
 

@@ -19,7 +19,7 @@ constexpr double at_the_bound = 1e-4;
 constexpr double almost_undamped = 1e-9;
 constexpr double far_from_begin = 0.2;  // on the scale of a parameter
 constexpr double takes_nothing = 0.9;   // of the misfit without a candidate
-constexpr double takes_little = 0.95;   // of the same, by derivatives
+constexpr double takes_little = 0.95;   // of the linearised misfit without a candidate
 
 bool spans_a_decade(const Parameter& p) {
   return p.lower > 0.0 && std::isfinite(p.upper) && p.upper > 10.0 * p.lower;

@@ -73,8 +73,9 @@ class CostlyProblem {
   [[nodiscard]] CostlyFit with_candidates(const CostlyFit& base, const Eigen::VectorXd& initial,
                                           const std::vector<std::size_t>& sizes) const;
   [[nodiscard]] bool is_far(const CostlyFit& base) const;
-  /// Returns true if the derivatives of the candidates in `first` lower the misfit of a linearised
-  /// fit that starts at `from`, a fit without them.
+  /// Returns true if the candidates lower the misfit of a linearised fit by more than 5 %. The fit
+  /// starts at `from`, a fit without candidates. The derivatives of the candidates are those of
+  /// `first`, so no prediction is needed.
   [[nodiscard]] bool gains(const CostlyFit& from, const CostlyFit& first,
                            const std::vector<std::size_t>& sizes) const;
   /// Scaled values, and the steps that their bounds and the largest step of a fit allow.

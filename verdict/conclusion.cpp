@@ -153,9 +153,8 @@ std::string Investigation::single_text() const {
   }
   if (result_.tolerance_limited())
     return fmt::format(
-        "{}: these explanations are equally good, so these data do not decide between them. With "
-        "{}, "
-        "{}.{}{}",
+        "{}: these explanations are equally good, so these data do not decide between them. "
+        "With {}, {}.{}{}",
         joined_sets(set), id_of(best), remains_text(), data_text(set), measure_text(result_));
   return fmt::format(
       "These data cannot separate {} (difference {:.1f}, needed {:.0f}); one of them is {} "
