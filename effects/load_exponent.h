@@ -48,8 +48,8 @@ struct LoadExponent {
   static double moment(const MomentInputs& in, std::span<const double> values) {
     const double load = friction::f1_load(in.state);
     if (!(load > 0.0)) return 0.0 * load;
-    const double unchanged = in.state.f1_load == friction::F1Load::P0 ? 200.0 : 1000.0;  // [N]
-    return in.base.load * (std::pow(load / unchanged, values[0]) - 1.0);
+    return in.base.load *
+           (std::pow(load / friction::medium_load(in.state.f1_load), values[0]) - 1.0);
   }
 };
 

@@ -69,6 +69,12 @@ const Key palmgren_keys[]{
     {"f1_load", one_of(words_of_load), "P0",
      "load in the factor f1: static equivalent load P0, or F_b, the load of the load moment"},
 };
+const Key powers_keys[]{
+    number_of(FrictionLaw::powers, "viscous_exponent",
+              "exponent of viscosity times speed in the viscous moment"),
+    number_of(FrictionLaw::powers, "viscous_load_exponent",
+              "exponent of the load in the viscous moment"),
+};
 constexpr std::string_view replenishment =
     "replenishment constant; bath or jet: 3e-8, grease or oil-air: 6e-8, 0: off";
 const Key skf_keys[]{
@@ -116,6 +122,13 @@ const Key roller_skf_keys[]{
     number_of(FrictionLaw::roller_skf, "K_rs", replenishment),
 };
 
+/// True for f0, z and y.
+bool is_of_palmgren(std::string_view name) {
+  const auto numbers = friction::parameters(FrictionLaw::palmgren);
+  return std::any_of(numbers.begin(), numbers.end(),
+                     [&](const friction::Parameter& p) { return p.name == name; });
+}
+
 /// Those that stand with a law alone.
 Keys keys_of_law(FrictionLaw law) {
   switch (law) {
@@ -127,6 +140,8 @@ Keys keys_of_law(FrictionLaw law) {
       return {contact_law_keys, contact_keys("friction")};
     case FrictionLaw::table:
       return {table_law_keys};
+    case FrictionLaw::powers:
+      return {palmgren_keys, powers_keys};
     case FrictionLaw::roller_palmgren:
       return {roller_palmgren_keys};
     case FrictionLaw::roller_skf:
@@ -230,6 +245,7 @@ std::vector<KeyTable> friction_tables() {
         std::pair(FrictionLaw::contact, "law contact"), std::pair(FrictionLaw::table, "law table")})
     for (const std::span<const Key> keys : keys_of_law(law))
       tables.push_back({"friction", keys, only});
+  tables.push_back({"friction", powers_keys, "law powers"});
   tables.push_back({"friction", roller_law_keys, "cylindrical rollers"});
   tables.push_back({"friction", roller_load_keys, "cylindrical rollers"});
   tables.push_back({"friction", roller_palmgren_keys, "cylindrical rollers, law palmgren"});
@@ -264,15 +280,17 @@ LawOfFile read_friction(ModelTables& tables, bool from_catalogue, const Keys& fu
   for (const Keys& keys : {keys_of_law(result.law), further})
     known.insert(known.end(), keys.begin(), keys.end());
   const Section s = table.with(known);
-  if (result.law == FrictionLaw::palmgren)
+  if (friction::has_palmgren_load(result.law))
     result.f1_load =
         tables.choice(s, "f1_load") == friction::name(F1Load::P0) ? F1Load::P0 : F1Load::F_b;
   // The factors of the SKF law are published constants, those of the contacts are 1; those of
   // Palmgren depend on the bearing, and only a catalogue's user may leave them out.
-  const bool required = result.law == FrictionLaw::palmgren && !from_catalogue;
+  const auto required = [&](const friction::Parameter& p) {
+    return friction::has_palmgren_load(result.law) && !from_catalogue && is_of_palmgren(p.name);
+  };
   for (const friction::Parameter& p : friction::parameters(result.law))
     result.values.push_back(friction::of_the_lubricant(p) ? lubricant_number(tables, p.name)
-                            : required                    ? s.required(p.name)
+                            : required(p)                 ? s.required(p.name)
                                                           : tables.number(s, p.name));
   result.table = read_table_of_law(tables, s, result.law);
   return result;
@@ -307,7 +325,8 @@ Names missing_keys_of_friction(const ModelTables& tables) {
   const Section s = tables.part("friction", {law_keys, palmgren_keys});
   const Section bearing = tables.part("bearing", {bearing_keys()});
   if (bearing.find("catalogue") ||
-      s.text("law").value_or("palmgren") != friction::name(FrictionLaw::palmgren))
+      !friction::has_palmgren_load(friction::find_friction_law(s.text("law").value_or("palmgren"))
+                                       .value_or(FrictionLaw::skf)))
     return missing;
   for (const std::string& one : bearing.lacking({"static_load_rating_N"})) missing.push_back(one);
   for (const friction::Parameter& p : friction::parameters(FrictionLaw::palmgren))
@@ -317,8 +336,9 @@ Names missing_keys_of_friction(const ModelTables& tables) {
 
 void require_data(FrictionLaw law, const bearing::Bearing& bearing, const Section& table) {
   const Section s = table.part({bearing_keys()});
-  if (law == FrictionLaw::palmgren && std::isnan(bearing.geometry().static_load_rating))
-    s.fail_missing("static_load_rating_N", ", which the friction law palmgren needs");
+  if (friction::has_palmgren_load(law) && std::isnan(bearing.geometry().static_load_rating))
+    s.fail_missing("static_load_rating_N",
+                   fmt::format(", which the friction law {} needs", friction::name(law)));
   try {
     friction::require_data(law, bearing);
   } catch (const std::invalid_argument& error) {

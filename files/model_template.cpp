@@ -75,6 +75,7 @@ std::string friction_lines(friction::FrictionLaw law) {
           "share of the free space that is filled with oil; 0: no drag");
       break;
     case friction::FrictionLaw::table:
+    case friction::FrictionLaw::powers:
       break;  // measurements make such a model
     case friction::FrictionLaw::roller_palmgren:
     case friction::FrictionLaw::roller_skf:

@@ -120,6 +120,9 @@ struct OtherBase {
   /// `lacks`).
   std::shared_ptr<const Subject> subject{};
   std::string lacks{};  ///< data that this base model needs and that the subject lacks
+  /// True if the exponents are fitted too. Such a base model describes the data but is no law, so
+  /// that it is used only where no law does as well.
+  bool fitted_form = false;
 };
 
 /// Interface of a model for the loop: its predictions, its parameters, and candidates for missing

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "friction/contact/contact_law.h"
 #include "friction/roller_friction.h"
@@ -13,6 +14,9 @@ namespace {
 
 constexpr std::array palmgren_parameters{PalmgrenViscous::parameters[0],
                                          PalmgrenLoad::parameters[0], PalmgrenLoad::parameters[1]};
+constexpr std::array powers_parameters{PalmgrenViscous::parameters[0], PalmgrenLoad::parameters[0],
+                                       PalmgrenLoad::parameters[1], PowersViscous::parameters[0],
+                                       PowersViscous::parameters[1]};
 constexpr std::array skf_parameters{SkfSliding::parameters[0], SkfSliding::parameters[1],
                                     SkfRolling::parameters[0]};
 
@@ -28,6 +32,8 @@ std::string_view name(FrictionLaw law) {
       return "skf";
     case FrictionLaw::table:
       return "table";
+    case FrictionLaw::powers:
+      return "powers";
     case FrictionLaw::contact:
       break;
   }
@@ -56,6 +62,7 @@ std::optional<FrictionLaw> find_friction_law(std::string_view text) {
 
 std::span<const Parameter> parameters(FrictionLaw law) {
   if (law == FrictionLaw::palmgren) return palmgren_parameters;
+  if (law == FrictionLaw::powers) return powers_parameters;
   if (law == FrictionLaw::skf) return skf_parameters;
   if (law == FrictionLaw::table) return TorqueTable::parameters;
   if (of_rollers(law)) return roller_parameters(law);
@@ -66,7 +73,7 @@ bool of_the_lubricant(const Parameter& number) { return number.name == "limiting
 
 std::span<const std::string_view> bearing_data(FrictionLaw law) {
   // The load moments take in all that the other moment does (tests).
-  if (law == FrictionLaw::palmgren) return PalmgrenLoad::bearing_data;
+  if (has_palmgren_load(law)) return PalmgrenLoad::bearing_data;
   if (law == FrictionLaw::contact || law == FrictionLaw::table || of_rollers(law)) return {};
   return SkfSliding::bearing_data;
 }
@@ -80,10 +87,10 @@ BaseMoments<double> table_moments(const BearingState<double>& state,
 
 void require_data(FrictionLaw law, const bearing::Bearing& bearing) {
   const bearing::BearingGeometry& g = bearing.geometry();
-  if (law == FrictionLaw::palmgren) {
+  if (has_palmgren_load(law)) {
     if (std::isnan(g.static_load_rating))
-      throw std::invalid_argument(
-          "static_load_rating is missing: the law palmgren needs a rating above 0 N");
+      throw std::invalid_argument("static_load_rating is missing: the law " +
+                                  std::string(name(law)) + " needs a rating above 0 N");
   } else if (law == FrictionLaw::skf && g.contact_angle <= 0.0) {
     throw std::invalid_argument(
         "contact_angle = 0 deg: must be above 0 deg for the skf law, whose constants are for "

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "friction/palmgren.h"
+#include "friction/powers.h"
 #include "friction/skf.h"
 #include "friction/state.h"
 
@@ -14,18 +15,23 @@ namespace raceway::friction {
 
 /// Base law of a model. `contact` sums friction over the balls in equilibrium
 /// (friction/contact/contact_law.h). `table` is a measured table (friction/torque_table.h). The
-/// others are formulas for the whole bearing. Laws of cylindrical rollers have other parameters
-/// (friction/roller_friction.h). In files they have the names of the ball laws; the type of the
-/// bearing selects the law.
-enum class FrictionLaw { palmgren, skf, contact, table, roller_palmgren, roller_skf };
+/// others are formulas for the whole bearing; `powers` is fitted to measurements. Laws of
+/// cylindrical rollers have other parameters (friction/roller_friction.h). In files they have the
+/// names of the ball laws; the type of the bearing selects the law.
+enum class FrictionLaw { palmgren, skf, contact, table, powers, roller_palmgren, roller_skf };
 /// Laws of ball bearings.
 inline constexpr std::array all_friction_laws{FrictionLaw::palmgren, FrictionLaw::skf,
-                                              FrictionLaw::contact, FrictionLaw::table};
+                                              FrictionLaw::contact, FrictionLaw::table,
+                                              FrictionLaw::powers};
 /// Laws of cylindrical roller bearings.
 inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
                                                  FrictionLaw::roller_skf};
 [[nodiscard]] constexpr bool of_rollers(FrictionLaw law) {
   return law == FrictionLaw::roller_palmgren || law == FrictionLaw::roller_skf;
+}
+/// True if the load moment is Palmgren's, with the parameters f0, z and y and the load `f1_load`.
+[[nodiscard]] constexpr bool has_palmgren_load(FrictionLaw law) {
+  return law == FrictionLaw::palmgren || law == FrictionLaw::powers;
 }
 /// Returns all laws for the kind of bearing to which this law belongs.
 [[nodiscard]] constexpr std::span<const FrictionLaw> laws_of_same_bearing(FrictionLaw law) {
@@ -42,7 +48,7 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 
 /// Parameters of the law, in the order of the values that base_moments() expects.
 ///   palmgren: f0, z, y        skf: mu_bl, mu_EHL, K_rs        contact: contact_parameters
-///   table: scale
+///   table: scale              powers: f0, z, y, viscous_exponent, viscous_load_exponent
 ///   roller_palmgren: f0, f1   roller_skf: mu_bl, mu_EHL, K_rs
 [[nodiscard]] std::span<const Parameter> parameters(FrictionLaw law);
 
@@ -51,7 +57,7 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 
 /// Bearing data that the law uses, as keys of a model file without units. Other bearing data do not
 /// change the moments.
-///   palmgren: contact_angle, pitch_diameter, static_load_rating
+///   palmgren, powers: contact_angle, pitch_diameter, static_load_rating
 ///   skf:      ball_material (its density), bore, outer_diameter
 ///   table: none; contact and laws of rollers: all data; in these cases the list is empty
 [[nodiscard]] std::span<const std::string_view> bearing_data(FrictionLaw law);
@@ -61,8 +67,9 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
   return law == FrictionLaw::contact;
 }
 
-/// Throws std::invalid_argument if the bearing lacks data that the law needs: C0 for Palmgren, an
-/// angular contact for SKF. It is called once for each model; the laws do not check again.
+/// Throws std::invalid_argument if the bearing lacks data that the law needs: C0 for Palmgren and
+/// `powers`, an angular contact for SKF. It is called once for each model; the laws do not check
+/// again.
 void require_data(FrictionLaw law, const bearing::Bearing& bearing);
 
 /// Friction moments of the base law [N m]. For SKF, `load` is the sliding moment and `viscous` the
@@ -98,9 +105,11 @@ BaseMoments<T> base_moments(FrictionLaw law, const BearingState<T>& state,
     if (law == FrictionLaw::table) return table_moments(state, values);
     if (of_rollers(law)) return roller_moments(law, state, values);
   }
-  if (law == FrictionLaw::palmgren)
+  if (has_palmgren_load(law))
     return {PalmgrenLoad::moment(state, values[1], values[2]),
-            PalmgrenViscous::moment(state, values[0])};
+            law == FrictionLaw::palmgren
+                ? PalmgrenViscous::moment(state, values[0])
+                : PowersViscous::moment(state, values[0], values[3], values[4])};
   return {SkfSliding::moment(state, values[0], values[1]), SkfRolling::moment(state, values[2])};
 }
 

@@ -72,6 +72,12 @@ T f1_load(const BearingState<T>& s) {
   return s.f1_load == F1Load::P0 ? static_equivalent_load(s) : palmgren_load(s);
 }
 
+/// Load in the middle of the range of spindle bearings [N]: F_b = 1000 N, or the P0 of about the
+/// same thrust. Fitted load exponents refer to it.
+[[nodiscard]] constexpr double medium_load(F1Load load) {
+  return load == F1Load::P0 ? 200.0 : 1000.0;
+}
+
 /// Load ratio in the power law of f1 [1]: P0/C0 or F_b/C0.
 template <typename T>
 T f1_ratio(const BearingState<T>& s) {

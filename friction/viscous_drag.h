@@ -6,6 +6,9 @@
 
 namespace raceway::friction {
 
+/// ν n in the middle of the range of spindles [mm²/s rpm]. Fitted exponents of ν n refer to it.
+inline constexpr double medium_nu_n = 300000.0;
+
 /// Friction moment of a bearing that rotates in its lubricant without load [N m].
 ///
 ///   M0 = 1e-7 f0 (ν n)^(2/3) d_m³      ν n >= 2000

@@ -43,7 +43,7 @@ std::string lacking_datum(const ModelBearing& bearing, FrictionLaw law) {
                : "";
   }
   const bearing::BearingGeometry& g = bearing.geometry();
-  if (law == FrictionLaw::palmgren && std::isnan(g.static_load_rating))
+  if (friction::has_palmgren_load(law) && std::isnan(g.static_load_rating))
     return "static_load_rating_N under [bearing]";
   if (law == FrictionLaw::skf && !(g.contact_angle > 0.0))
     return "a contact angle above 0: the constants of the skf law are for angular contact "

@@ -451,6 +451,8 @@ void set(Model& model, const Parameter& parameter, double value) {
 
 std::vector<std::string> default_free(friction::FrictionLaw law) {
   if (law == friction::FrictionLaw::palmgren) return {"f0", "z"};
+  if (law == friction::FrictionLaw::powers)
+    return {"f0", "z", "y", "viscous_exponent", "viscous_load_exponent"};
   if (law == friction::FrictionLaw::contact) return {"rolling_factor"};
   if (law == friction::FrictionLaw::roller_palmgren) return {"f0", "f1"};
   if (law == friction::FrictionLaw::table) return {"scale"};

@@ -224,6 +224,7 @@ text::json other_base_object(const verdict::OtherBaseTried& b, const Counts& cou
                  {"rmse_cross_validated", in_unit(b.rmse_held_out, 0, first)},
                  {"remaining_p_value", b.remaining_p_value},
                  {"explains", b.explains},
+                 {"fitted_form", b.fitted_form},
                  {"parameters", base_objects(b.parameters)}});
   for (auto& [_, p] : result["parameters"].items()) {
     p["value"] = p["after"];

@@ -296,7 +296,9 @@ std::string Investigation::other_bases_text() const {
       "error {:.3g} -> {}, gain {:.0f} (needed {:.1f})", first.rmse_before / first.channel().factor,
       reading_text(first.channel(), best.rmse.front()), best.gain, result_.needed_gain);
   const std::string take = fmt::format("use it with: raceway add MODEL {}", best.id);
-  if (best.explains) return fmt::format(" {} explains these data: {}; {}.", best.words, fall, take);
+  if (best.explains)
+    return fmt::format(" {} {} these data: {}; {}.", best.words,
+                       best.fitted_form ? "describes" : "explains", fall, take);
   std::vector<std::string> sets;
   for (const std::vector<std::string>& set : result_.given_other_base->sets)
     sets.push_back(joined(set, "and"));

@@ -78,11 +78,12 @@ Diagnosis with_data_of_each_record(Diagnosis given, const fit::Subject& subject,
   }
   const std::vector<const record::Parameter*> wrong = wrong_ones(found, given);
   if (!is_single(found) || wrong.empty()) return given;
-  // One effect stays unless another oil is clearly better; two at once, which another oil looks
-  // like, only where they are.
+  // One effect stays unless another oil is clearly better. Several at once, which another oil looks
+  // like, stay only where they are clearly better and something is missing with that oil too.
   const double better = bic_of(given) - bic_of(found);
   if ((is_single(given) && !(better > clearly)) ||
-      (given.verdict == Verdict::several_effects && !(better > -clearly)))
+      (given.verdict == Verdict::several_effects && found.verdict != Verdict::nothing_missing &&
+       !(better > -clearly)))
     return given;
   for (const record::Parameter* const p : wrong) {
     const std::size_t dot = p->name.find('.'), at = p->name.rfind('@');

@@ -151,6 +151,7 @@ struct OtherBaseTried {
   std::vector<record::Parameter> parameters{};
   double remaining_p_value = unset;  ///< p of the gate on its residuals; NaN if not tested
   bool explains = false;             ///< true if the data show no missing effect in this base model
+  bool fitted_form = false;          ///< OtherBase::fitted_form
 };
 
 struct Diagnosis {

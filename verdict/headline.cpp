@@ -178,7 +178,8 @@ std::string by_verdict(const Diagnosis& d) {
 std::string other_base(const Diagnosis& d) {
   const OtherBaseTried& base = d.other_bases.front();
   const record::Channel& channel = d.channels.front().channel();
-  return fmt::format("{} explains these data, but no effect does: error {:.3g} -> {}", base.words,
+  return fmt::format("{} {} these data, but no effect does: error {:.3g} -> {}", base.words,
+                     base.fitted_form ? "describes" : "explains",
                      d.channels.front().rmse_before / channel.factor,
                      reading_text(channel, base.rmse.front()));
 }

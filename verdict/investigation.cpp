@@ -511,7 +511,8 @@ RankedEffect Investigation::rank(const Explanation& e, std::size_t member, bool 
 
 OtherBaseTried Investigation::tried(CalibratedBase& found) const {
   Explanation& e = found.explanation;
-  OtherBaseTried result{.id = found.base.id, .words = found.base.words};
+  OtherBaseTried result{
+      .id = found.base.id, .words = found.base.words, .fitted_form = found.base.fitted_form};
   if (!e.fit.converged) return result;
   attribution_.recheck(e);
   result.gain = e.gain;
@@ -589,6 +590,9 @@ void Investigation::try_other_bases() {
   const std::vector<Explanation>& singles = search_->singles();
   const double rival =
       singles.empty() || !singles.front().fit.converged ? 0.0 : singles.front().gain;
+  // The first that is an offer; before it one with which at most an effect is missing.
+  std::shared_ptr<const Diagnosis> offer;
+  std::size_t offered = bases.size();
   for (std::size_t k = 0; k < bases.size(); ++k) {
     const Explanation& found = bases[k].explanation;
     const bool as_well = leads && k == 0;
@@ -597,16 +601,17 @@ void Investigation::try_other_bases() {
         !(as_well || found.fit.misfit < worth_an_offer * evidence_.base.misfit))
       continue;
     std::shared_ptr<const Diagnosis> given_this = given(bases[k]);
-    // One that leaves more than an effect does is an offer if an effect explains the rest.
-    if (!as_well && !(found.gain > rival) && !(given_this && explains(given_this->verdict)))
-      continue;
-    to_front(result_.other_bases, k);
-    result_.given_other_base = std::move(given_this);
-    result_.other_bases.front().explains =
-        as_well && result_.given_other_base &&
-        result_.given_other_base->verdict == Verdict::nothing_missing;
-    return;
+    const bool explained_by_this = given_this && explains(given_this->verdict);
+    if (!as_well && !explained_by_this && (offer || !(found.gain > rival))) continue;
+    offer = std::move(given_this);
+    offered = k;
+    if (as_well || explained_by_this) break;
   }
+  if (offered == bases.size()) return;
+  to_front(result_.other_bases, offered);
+  result_.other_bases.front().explains =
+      leads && offered == 0 && offer && offer->verdict == Verdict::nothing_missing;
+  result_.given_other_base = std::move(offer);
 }
 
 void Investigation::propose() {

@@ -50,7 +50,7 @@ std::vector<CalibratedBase> calibrate_other_bases(const Evidence& evidence) {
     return b.not_testable.empty() && b.explanation.fit.converged ? b.explanation.gain : -HUGE_VAL;
   };
   std::stable_sort(list.begin(), list.end(), [&](const CalibratedBase& a, const CalibratedBase& b) {
-    return gain(a) > gain(b);
+    return a.base.fitted_form != b.base.fitted_form ? b.base.fitted_form : gain(a) > gain(b);
   });
   return list;
 }

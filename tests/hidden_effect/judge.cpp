@@ -92,7 +92,9 @@ void fill(Answer& answer, const verdict::Diagnosis& d) {
   for (const verdict::DetectableSize& s : d.would_have_been_found)
     answer.stated.emplace_back(s.id, s.share_of_reading);
   for (const verdict::OtherBaseTried& base : d.other_bases) answer.tried_laws.push_back(base.id);
-  if (!d.other_bases.empty() && d.other_bases.front().explains)
+  // A fitted form is no law: what it describes has no explanation yet.
+  if (!d.other_bases.empty() && d.other_bases.front().explains &&
+      !d.other_bases.front().fitted_form)
     answer.other_law = d.other_bases.front().id.substr(std::string_view("law:").size());
   if (d.given_other_base)
     for (const verdict::RankedEffect& e : d.given_other_base->effects)

@@ -10,6 +10,8 @@
 namespace hidden_effect {
 namespace {
 
+using testing::HasSubstr;
+
 // A small study with fixed seeds. Its limits are those that a share of so few cases may still have
 // if the bar itself is met; scripts/study measures the bars.
 
@@ -90,6 +92,19 @@ TEST(SmallStudy, RigsAsPeopleBuildThemAreSeldomMisjudged) {
         "preload grows"}) {
     SCOPED_TRACE(kind);
     expect_within_reach(small_study("real", 4, 1, kind), {"r"});
+  }
+}
+
+TEST(SmallStudy, ALawOfNoCatalogueIsDescribedByItsExponents) {
+  const std::vector<Outcome> outcomes = small_study("real", 2, 1, "of ours");
+  expect_within_reach(outcomes, {"r"});
+  for (const Outcome& o : outcomes) {
+    const std::vector<std::string>& with_powers = o.answer.names_given_it;
+    const bool constant = o.trial.kind.find("constant") != std::string::npos;
+    EXPECT_EQ(with_powers.empty(), !constant) << o.answer.sentence;
+    EXPECT_THAT(o.answer.sentence,
+                HasSubstr(constant ? "law = powers (fitted exponents) fits better"
+                                   : "law = powers (fitted exponents) describes"));
   }
 }
 

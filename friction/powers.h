@@ -1,0 +1,52 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "friction/palmgren.h"
+
+namespace raceway::friction {
+
+/// Viscous moment of the law `powers` [N m]: Palmgren's, with free exponents.
+///
+///   M0 = 1e-7 f0 300000^(2/3) (max(ν n, 2000)/300000)^a (P/P_m)^b d_m³
+///
+/// ν n [mm²/s rpm] and d_m [mm] as in palmgren_viscous_moment(). P is the load f1_load(), and P_m
+/// is medium_load(). With a = 2/3 and b = 0 the moment is Palmgren's for ν n >= 2000. The
+/// references 300 000 and P_m separate the exponents from f0. The load moment of the law is
+/// PalmgrenLoad; its exponent 1 + y is fitted too. Source:   form of the rolling moments a (ν
+/// n)^0.6 F^0.54 [SKFGeneral] and U^0.66 W^0.47
+///           [BibouletHoupert2010]. The exponents have no published values for a bearing: they are
+///           fitted.
+/// Domain:   the measured speeds, loads and temperatures. Zero at zero load for b > 0.
+/// Accuracy: that of the fit; an extrapolation has none.
+struct PowersViscous {
+  static constexpr std::array parameters{Parameter{.name = "viscous_exponent",
+                                                   .unit = "1",
+                                                   .initial = 2.0 / 3.0,
+                                                   .lower = 0.2,
+                                                   .upper = 1.2},
+                                         Parameter{.name = "viscous_load_exponent",
+                                                   .unit = "1",
+                                                   .initial = 0.0,
+                                                   .lower = -0.3,
+                                                   .upper = 1.0}};
+
+  template <typename T>
+  static T moment(const BearingState<T>& s, const T& f0, const T& exponent,
+                  const T& load_exponent) {
+    using std::pow;
+    const T load = f1_load(s);
+    if (load <= 0.0) return T(0.0);  // 0^b has no finite derivatives
+    const T nu_n = (s.kinematic_viscosity / mm2_per_s) * (s.speed / rpm);
+    const T share = nu_n < 2000.0 ? T(2000.0 / medium_nu_n) : T(nu_n / medium_nu_n);
+    // The moment of ν n = 300 000, at which viscosity and speed need not be known.
+    const T medium =
+        palmgren_viscous_moment(f0, T(medium_nu_n * mm2_per_s), T(1.0 * rpm), s.pitch_diameter());
+    return medium * pow(share, exponent) * pow(load / medium_load(s.f1_load), load_exponent);
+  }
+};
+
+}  // namespace raceway::friction

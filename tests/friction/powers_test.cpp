@@ -1,0 +1,103 @@
+#include "friction/powers.h"
+
+#include <span>
+#include <vector>
+
+#include "effects/load_exponent.h"
+#include "effects/viscous_exponent.h"
+#include "friction/friction_law.h"
+#include "tests/friction/sample.h"
+
+namespace raceway {
+namespace {
+
+using friction::BearingState;
+using friction::F1Load;
+using friction::FrictionLaw;
+using friction::PalmgrenViscous;
+using friction::PowersViscous;
+
+BearingState<double> at(const bearing::Bearing& bearing, double speed, double axial_load,
+                        double viscosity) {
+  BearingState<double> s;
+  s.bearing = &bearing;
+  s.speed = speed;
+  s.axial_load = axial_load;
+  s.kinematic_viscosity = viscosity;
+  return s;
+}
+
+friction::BaseMoments<double> moments(FrictionLaw law, const BearingState<double>& state,
+                                      const std::vector<double>& values) {
+  return friction::base_moments(law, state, std::span<const double>(values));
+}
+
+TEST(Powers, WithTheExponentsOfPalmgrenItIsPalmgrens) {
+  const bearing::Bearing bearing = tests::spindle_bearing();
+  for (const F1Load load : {F1Load::P0, F1Load::F_b})
+    for (const double speed : {200 * rpm, 4000 * rpm, 18000 * rpm})
+      for (const double viscosity : {8 * mm2_per_s, 40 * mm2_per_s}) {
+        BearingState<double> s = at(bearing, speed, 700.0, viscosity);
+        s.f1_load = load;
+        s.radial_load = 150.0;
+        const auto palmgren = moments(FrictionLaw::palmgren, s, {2.0, 0.001, 0.33});
+        const auto powers = moments(FrictionLaw::powers, s, {2.0, 0.001, 0.33, 2.0 / 3.0, 0.0});
+        EXPECT_EQ(powers.load, palmgren.load);
+        // Below ν n = 2000 the constant of Palmgren's law is rounded.
+        const bool slow = speed / rpm * viscosity / mm2_per_s < 2000.0;
+        tests::expect_relative(powers.viscous, palmgren.viscous, slow ? 0.009 : 1e-12);
+      }
+}
+
+TEST(Powers, HasTheExponentsOfTheEffectsThatCorrectPalmgrensLaw) {
+  const bearing::Bearing bearing = tests::spindle_bearing();
+  const BearingState<double> s = at(bearing, 9000 * rpm, 1200.0, 22 * mm2_per_s);
+  const auto palmgren = moments(FrictionLaw::palmgren, s, {2.0, 0.001, 0.33});
+  effects::MomentInputs in{.state = s, .base = palmgren};
+  const double viscous_change = -0.07, load_change = 0.12;
+  const double viscous = effects::ViscousExponent::moment(in, std::span(&viscous_change, 1));
+  const double load = effects::LoadExponent::moment(in, std::span(&load_change, 1));
+  // z refers to the rating, the effect to a medium load.
+  const double medium = friction::medium_load(s.f1_load) / 43000;
+  const auto powers = moments(FrictionLaw::powers, s,
+                              {2.0, 0.001 * std::pow(medium, -load_change), 0.33 + load_change,
+                               2.0 / 3.0 + viscous_change, 0.0});
+  tests::expect_relative(powers.viscous, palmgren.viscous + viscous, 1e-12);
+  tests::expect_relative(powers.load, palmgren.load + load, 1e-12);
+}
+
+TEST(Powers, TheViscousMomentGoesWithThePowersOfItsExponents) {
+  const bearing::Bearing bearing = tests::spindle_bearing();
+  const double a = 0.656, b = 0.466;
+  const auto moment = [&](double speed, double load, double viscosity) {
+    return PowersViscous::moment(at(bearing, speed, load, viscosity), 1.5, a, b);
+  };
+  const double reference = moment(5000 * rpm, 400.0, 20 * mm2_per_s);
+  tests::expect_relative(moment(10000 * rpm, 400.0, 20 * mm2_per_s), std::pow(2.0, a) * reference,
+                         1e-12);
+  tests::expect_relative(moment(5000 * rpm, 400.0, 60 * mm2_per_s), std::pow(3.0, a) * reference,
+                         1e-12);
+  tests::expect_relative(moment(5000 * rpm, 3600.0, 20 * mm2_per_s), std::pow(9.0, b) * reference,
+                         1e-12);
+}
+
+TEST(Powers, HasDerivativesAndIsFiniteAtTheEdges) {
+  const auto law = [](const auto& state, const auto& p) {
+    return PowersViscous::moment(state, p[0], p[1], p[2]);
+  };
+  const bearing::Bearing bearing = tests::spindle_bearing();
+  tests::expect_derivatives<3>(bearing, {8000 * rpm, 600.0, 100.0, 22 * mm2_per_s},
+                               {1.5, 0.66, 0.45}, law);
+  tests::expect_finite_at_the_edges<3>(bearing, {1.5, 0.66, 0.45}, law);
+}
+
+TEST(Powers, NeedsTheStaticLoadRating) {
+  bearing::BearingGeometry g = tests::spindle_geometry();
+  g.static_load_rating = unset;
+  const bearing::Bearing bearing(g, bearing::steel(), bearing::steel());
+  EXPECT_EQ(tests::message_of([&] { friction::require_data(FrictionLaw::powers, bearing); }),
+            "static_load_rating is missing: the law powers needs a rating above 0 N");
+}
+
+}  // namespace
+}  // namespace raceway
