@@ -89,8 +89,8 @@ struct TransferFunctionCheck {
 };
 
 /// Checks printed coefficients. `quantum` is the resolution of the input's sensor in its unit.
-/// `unit` is the unit of the displacement; resolution steps of more than a tenth of it are
-/// reported.
+/// `unit` is the unit of the displacement. The check reports a step of the resolution that moves
+/// the displacement by more than a tenth of this unit.
 [[nodiscard]] TransferFunctionCheck check(const TransferFunction& printed, double quantum = 0.1,
                                           std::string_view unit = "um");
 

@@ -16,8 +16,9 @@ namespace raceway::fit {
 /// Observations as a function of a few parameters. The function is a black box with numerical
 /// derivatives.
 ///
-/// Many models are affine in their parameters. The program tests this at points within the bounds.
-/// If they agree to rounding, `constant + slope x` is stored, and fits need no iteration.
+/// Many models are affine in their parameters. The program compares an affine form with the
+/// predictions at points within the bounds. If both agree to rounding, `constant + slope x` is
+/// stored, and fits need no iteration.
 struct Response {
   std::vector<Parameter> parameters{};  ///< fits begin at `start`
   /// Predicted observations [SI]; NaN for a missing prediction.
