@@ -37,9 +37,10 @@ void forget_what_was_seen(Model& model);
 ///
 ///   d = sqrt(zᵀ (R + 0.01 I)^-1 z),   z = (x - mean)/std, R: correlation of the inputs
 ///
-/// This is the distance of [Mahalanobis1936]. It grows with the distance of one input in units of
-/// its spread. It also grows if correlated inputs do not follow their correlation. The term 0.01
-/// lets two exactly correlated inputs differ by a tenth of their spread per unit of distance.
+/// This is the distance of [Mahalanobis1936]. The distance grows with the deviation of one input
+/// from the mean, in units of the spread of this input. It also grows if correlated inputs do not
+/// follow their correlation. The term 0.01 lets two exactly correlated inputs differ by a tenth of
+/// their spread per unit of distance.
 class Distance {
  public:
   explicit Distance(const SeenTogether& seen);

@@ -36,9 +36,9 @@ class SeveralRecords : public Subject {
   /// shared parameters are unchanged. The name is empty for a parameter of another record.
   [[nodiscard]] std::string name_in(std::size_t record, const std::string& name) const;
 
-  /// Adds data that may differ between records, such as the oil (Candidate::of_each_record), to the
-  /// own parameters. Returns null if no datum may differ, or if the records do not determine these
-  /// data.
+  /// Returns a subject in which data that may differ between records, such as the oil
+  /// (Candidate::of_each_record), are also own parameters. Null if no datum may differ, or if the
+  /// records do not determine these data.
   [[nodiscard]] std::unique_ptr<SeveralRecords> with_data_of_each_record(
       const Record& record) const;
 

@@ -210,7 +210,7 @@ struct BearingFriction {
   return ball_motion(g, r, inner, ball.outer_contact_angle, speed);
 }
 
-/// Both contacts of a ball. The inner one is meaningless if the ball has lost this contact.
+/// Both contacts of a ball. The inner contact has no meaning if the ball has lost the inner race.
 struct ContactsOfBall {
   ContactFriction inner, outer;
 };
