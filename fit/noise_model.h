@@ -31,8 +31,8 @@ struct NoiseModel {
   double correlation = 0.0;        ///< φ of neighbours in time, at the median time step [1]
   double run_share = 0.0;  ///< share of the variance that is common to the rows of a run [1]
   /// Size of offsets that all readings of a run share [SI]. The variance of the offsets is
-  /// `run_share` times the square of this size. It is 0 if the offset is proportional to the
-  /// standard deviation of each reading.
+  /// `run_share` times the square of this size. The size is 0 if the offset of a reading is
+  /// proportional to the standard deviation of this reading.
   double run_unit = 0.0;
   double state_share = 0.0;  ///< share of the variance that is common to the pieces of a dwell [1]
   double degrees_of_freedom = unset;  ///< degrees of freedom of the variance

@@ -82,10 +82,10 @@ struct ResponseFit {
                                        const Eigen::VectorXd& measured,
                                        const std::vector<Eigen::VectorXd>& starts);
 
-/// Runs one search from one start. Use this for a first ranking of many fits; a few of them are
-/// then repeated in full. It stops if a step promises a fall of the misfit below 0.05, or below
-/// 1e-4 of the misfit if that is larger. A fit that stops for this reason counts as converged. The
-/// response must not be affine.
+/// Runs one search from one start. Use this function for a first ranking of many fits, and repeat
+/// the best of them in full. The search stops if a step promises a fall of the misfit below 0.05,
+/// or below 1e-4 of the misfit if that is larger. A fit that stops for this reason counts as
+/// converged. The response must not be affine.
 [[nodiscard]] ResponseFit coarse_fit(const Response& response, const Whitening& whitening,
                                      const Eigen::VectorXd& measured, const Eigen::VectorXd& start);
 

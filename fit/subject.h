@@ -57,7 +57,7 @@ class Predictor {
   virtual void readings(std::span<const double> values, std::span<double> out) = 0;
   /// Returns false only if it is certain that `parameter` never changes the readings per unit of
   /// the linear parameter `of`. `none` stands for the readings with all linear parameters at zero.
-  /// Both are indices of the names given to predictor(). Default: true.
+  /// `parameter` and `of` are indices of the names given to predictor(). Default: true.
   [[nodiscard]] virtual bool bends(std::size_t parameter, std::size_t of) {
     (void)parameter, (void)of;
     return true;

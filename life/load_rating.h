@@ -10,8 +10,9 @@ namespace raceway::life {
 ///
 /// Source:   [ISO281, table 2], read in two transcripts that agree, not checked against the print.
 /// Domain:   γ from 0.01 to 0.40; NaN outside.
-/// Trap:     it is valid for grooves with f_i <= 0.52, f_o <= 0.53. Closer grooves do not raise it.
-///           Wider grooves lower the true rating; for them the standard refers to ISO/TR 1281-1.
+/// Trap:     the factor is valid for grooves with f_i <= 0.52, f_o <= 0.53. Closer grooves do not
+///           raise the rating. Wider grooves lower the true rating; for them the standard refers to
+///           ISO/TR 1281-1.
 [[nodiscard]] double rating_factor(double gamma);
 
 /// Dynamic radial load rating of one row of balls [N]: 90 % of bearings survive a million

@@ -70,7 +70,7 @@ class JudgedColumns {
                                     std::span<const spindle::ProfileRow> profile,
                                     const spindle::Run& run);
 
-/// Judges a bent shaft. Throws text::InputError if it bends too far for beam theory.
+/// Judges a bent shaft. Throws text::InputError if the shaft bends too far for beam theory.
 [[nodiscard]] model::Findings judge(const model::Model& model, const bearing::Arrangement& mounted,
                                     const results::DeflectionResult& result, Wording wording);
 

@@ -27,8 +27,8 @@ namespace raceway::tolerance {
 /// the same factor. The relative standard error is 1/sqrt(2 T/30 min) for a record of duration T.
 ///
 /// A candidate is close to the best one if its held-out error is at most a fifth larger, or if
-/// lambda = T/(30 min) (r²/best² - 1) is below 20. It must also remove at least half as much of the
-/// mean square error as the best one.
+/// lambda = T/(30 min) (r²/best² - 1) is below 20. A close candidate must also remove at least half
+/// as much of the mean square error as the best one.
 [[nodiscard]] verdict::Diagnosis diagnose_approximation(const fit::Subject& subject,
                                                         const record::Record& record,
                                                         const verdict::DiagnoseOptions& options);
