@@ -130,7 +130,7 @@ class Arrangement {
 struct LiftOff {
   double front = unset;  ///< the front set loses its load; positive towards the tool
   /// the rear set loses its load. The value is NaN if a spring keeps the set loaded, or if the
-  /// front set would be dented at a much smaller load.
+  /// contacts of the front set would be dented before.
   double rear = unset;
 };
 

@@ -25,8 +25,8 @@ namespace raceway::life {
 /// Source:   [ISO281, eqs. 1, 2, table 1 for 1.3], read in transcripts, not checked against the
 ///           print.
 /// Domain:   α from 0 to 45 deg (a radial bearing) and γ of rating_factor(); NaN outside.
-/// Accuracy: the formula to rounding. Catalogues of bearings of good steel have up to 15 % higher
-///           ratings.
+/// Accuracy: the code agrees with the formula to rounding error. Catalogues of bearings of good
+///           steel have up to 15 % higher ratings.
 [[nodiscard]] double dynamic_load_rating(const bearing::BearingGeometry& geometry);
 
 /// Largest contact angle of a radial bearing [rad].
