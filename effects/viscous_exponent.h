@@ -10,7 +10,7 @@
 
 namespace raceway::effects {
 
-/// Correction of the exponent of speed and viscosity in the viscous moment [N m], added:
+/// Additional moment that corrects the exponent of speed and viscosity in the viscous moment [N m]:
 ///
 ///   M = M0 ((max(ν n, 2000)/300000)^e - 1)        ν n in mm²/s rpm
 ///

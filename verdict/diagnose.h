@@ -19,7 +19,7 @@ struct DiagnoseOptions {
   int most_rows = most_rows_of_a_fit;
   bool pairs = true;
   /// True if the other base models of the subject are also tried when no candidate explains the
-  /// misfit.
+  /// misfit, or when one candidate fits only with another law or an implausible size.
   bool other_bases = true;
   fit::NoiseOptions noise{};
   std::function<void(double share, std::string_view step)> progress{};
