@@ -19,7 +19,7 @@ namespace raceway::tolerance {
 ///   refit -> held-out parts -> within the tolerance: no missing effect matters
 ///   each candidate -> one within the tolerance, together with all close to it
 ///   a fault that the record itself shows, if no single candidate is within the tolerance
-///   pairs, if no single candidate is within -> a pair that gains a further fifth
+///   pairs, if no single candidate is within -> a pair with at most 1/1.2 of the best single error
 ///   otherwise: effect-like (a candidate explains half of the mean square) or not-in-catalogue
 ///
 /// The error with a single candidate also counts as within the tolerance if it exceeds the
