@@ -130,7 +130,7 @@ class Arrangement {
 struct LiftOff {
   double front = unset;  ///< the front set loses its load; positive towards the tool
   /// the rear set loses its load. The value is NaN if a spring keeps the set loaded, or if the
-  /// front set would be dented at a much smaller load.
+  /// contacts of the front set would be dented before.
   double rear = unset;
 };
 
@@ -143,10 +143,11 @@ struct LiftOff {
 /// Displacement under an axial force >= 0 [m]; the inverse of axial_force_at_rest().
 [[nodiscard]] double displacement_at_rest(const Bearing& bearing, double force);
 
-/// Gap of bearings whose faces are ground flush under the force of a preload class: the
-/// displacement of one front bearing and one rear bearing under the force printed for a pair. Sets
-/// of universally matched bearings have a higher preload than the pair: 1.35 times for two bearings
-/// against one, 2 times for two against two [SNFA, p. 31].
+/// Preload gap of bearings whose faces are ground so that they are flush under the force of a
+/// preload class. The gap is the sum of the displacements of one front bearing and one rear
+/// bearing, each under the force printed for a pair. Sets of universally matched bearings have a
+/// higher preload than the pair: 1.35 times for two bearings against one, 2 times for two against
+/// two [SNFA, p. 31].
 [[nodiscard]] PreloadOffset matched_preload(const Bearing& front, double front_force,
                                             const Bearing& rear, double rear_force);
 

@@ -22,11 +22,12 @@ struct ScannedSet {
 /// each ball separately. A ball has up to three states: on the inner race at a larger or a smaller
 /// contact angle, or off it. For one ball after the other, the scan selects the state that reduces
 /// the imbalance of the ring most. The sets that occur are returned in rising order of imbalance. A
-/// set is returned from its first node. It is returned again from a later node if its imbalance
-/// there is at most 0.7 times the imbalance of the node returned last.
+/// set is returned with the positions at the first node at which it occurs. It is returned again
+/// for a later node if the imbalance at this node is at most 0.7 times the imbalance for which the
+/// set was returned last.
 ///
-/// A set is a starting state, not an equilibrium. Newton's method decides if its contacts are
-/// valid.
+/// A set is a starting state, not an equilibrium. Newton's method decides whether the contacts of
+/// the set are valid.
 ///
 /// Source:   the brute-force search of bench/equilibrium_scan.h, accelerated. The state of a ball
 ///           depends only on its groove position, so the scan reads balls from a table over these

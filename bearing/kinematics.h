@@ -32,8 +32,8 @@ T cage_speed_ratio(RaceControl control, const T& cos_inner, const T& cos_outer,
 ///
 /// The ball rolls without slip at both contacts about an axis at pitch β; the creep m_c is added.
 /// β, m_c and the given frictions stay constant while the contact angles change. The frictions
-/// become zero when the inner contact is lost. The default is outer control of a ball without inner
-/// contact, where αo = 0.
+/// become zero when the inner contact is lost. The default values describe a ball without inner
+/// contact under outer control, where αo = 0.
 struct GivenRotation {
   double cos_pitch = 1.0, sin_pitch = 0.0;            ///< cosine and sine of β
   double creep = 0.0;                                 ///< m_c [1]

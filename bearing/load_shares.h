@@ -7,8 +7,8 @@
 
 namespace raceway::bearing {
 
-/// Finds the balls that can keep the inner race under inner control, and the positions of ring and
-/// balls, from statics without a Newton step.
+/// Finds the balls that can stay in contact with the inner race under inner control, and the
+/// positions of ring and balls. It uses statics only, without a Newton step.
 ///
 /// The axial force of the kept balls is linear in c = cos(ψ - φ), where φ is the direction of the
 /// load; with locked tilt, the slope is the one at which the ring does not tilt. A kept ball
@@ -27,10 +27,11 @@ class LoadShares {
   /// Chooses the kept balls. Returns false if statics cannot decide, for example for a load without
   /// an axial part.
   [[nodiscard]] bool choose(std::vector<InnerContact>& contacts, RingState& state) const;
-  /// Computes ring and balls with these contacts. The lost balls lie against the outer race.
+  /// Computes the positions of the ring and the balls for these contacts. The lost balls lie
+  /// against the outer race.
   [[nodiscard]] bool spread(const std::vector<InnerContact>& contacts, RingState& state) const;
-  /// Computes ring and balls like spread(). Returns the largest distance by which a ball violates
-  /// its assumed contact state [m]; NaN if no ring position is found.
+  /// Computes the positions like spread(). Returns the largest distance by which a ball violates
+  /// the assumed state of its contact [m]; NaN if no ring position is found.
   [[nodiscard]] double violation(const std::vector<InnerContact>& contacts, RingState& state) const;
   /// Balls in decreasing order of c.
   [[nodiscard]] const std::vector<std::size_t>& order() const { return order_; }
@@ -53,8 +54,8 @@ class LoadShares {
     Plane groove, ball;
   };
 
-  /// Share of a ball under this axial force with its groove centre at this radius. The iteration
-  /// starts from `near`.
+  /// Computes the share of a kept ball that carries this axial force with its inner groove centre
+  /// at this radius. The iteration starts from `near`.
   [[nodiscard]] Share share_at(double axial, double radius, const Share& near) const;
   /// Computes the other members of `share` from the inner angle.
   void set_outer_angle(double axial, Share& share) const;

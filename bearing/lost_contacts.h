@@ -18,8 +18,8 @@ class ContactSearch {
 
   /// Searches from the kept balls that statics chooses (load_shares.h). Each ball on the wrong side
   /// changes sides, until no ball is on the wrong side. If a set recurs, the search tries similar
-  /// sets in the order of their fit to statics. It then tries sets that differ by one ball from
-  /// sets that have an equilibrium with a ball on the wrong side.
+  /// sets, the ones that fit statics best first. It then starts from the sets whose equilibrium has
+  /// a ball on the wrong side, and tries all sets that differ from them by one ball.
   [[nodiscard]] bool settle(RingState& state);
   /// Tries again sets that differ by one ball, with more Newton steps for each.
   [[nodiscard]] bool widen(RingState& state);

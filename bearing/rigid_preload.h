@@ -15,7 +15,7 @@ namespace raceway::bearing {
 ///
 /// preload > 0 and load >= 0 [N], speed in rad/s. All rings have the same temperature. The
 /// displacements come from thrust_start.h, so the error of the result is at most 1e-3 of the
-/// preload. It is NaN if a bearing has no equilibrium.
+/// preload. The result is NaN if a bearing has no equilibrium.
 [[nodiscard]] double relieved_thrust(const Bearing& bearing, double preload, double load,
                                      double speed);
 

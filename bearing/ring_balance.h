@@ -258,7 +258,8 @@ struct RingSums {
   }
 };
 
-/// Sums over the circle, from the balls that are unknowns, for all coordinates.
+/// Sums over all balls of the circle for all coordinates, computed from the balls that are
+/// unknowns.
 template <typename T>
 void complete(const BallCircle& circle, RingSums<AllCoordinates, T>& sums) {
   T(&k)[5][5] = sums.stiffness;
@@ -287,7 +288,7 @@ void complete(const BallCircle& circle, RingSums<AllCoordinates, T>& sums) {
 }
 
 /// Largest relative error allowed when the loads are summed again from the reported balls. Every
-/// solve makes this check. Rounding causes a thousandth of this limit.
+/// solve makes this check. Rounding errors are about a thousandth of this limit.
 inline constexpr double largest_load_error = 1e-8;
 
 /// Result of a ring in equilibrium.

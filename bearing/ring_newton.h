@@ -11,12 +11,12 @@ namespace raceway::bearing {
 struct NewtonLimits {
   double tolerance;  ///< limit of the scaled residual [1]
   int steps;         ///< largest number of steps of one lane
-  /// Factor by which a full step may raise the merit. A ball that gains or loses contact may raise
-  /// it once.
+  /// Factor by which a full step may raise the merit, the sum of the squares of the scaled
+  /// imbalances. A ball that gains or loses contact may raise the merit once.
   double rise = 4.0;
 };
 
-/// Progress of the lanes; each lane is true in at most one of these.
+/// Progress of the lanes. A lane is true in at most one of the masks after `taken`.
 template <typename T>
 struct NewtonProgress {
   Mask<T> taken;      ///< moved to the trial state; continues unless it is in a mask below

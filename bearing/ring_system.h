@@ -9,8 +9,8 @@
 namespace raceway::bearing {
 
 /// Ring and ball positions. Tilts are multiplied by R_i and moments are divided by R_i, so all
-/// positions are lengths and all loads are forces. One load then scales the imbalances of all
-/// components.
+/// positions are lengths and all loads are forces. The imbalances of all components can then be
+/// divided by one load (load_scale).
 struct RingState {
   Vector5 ring = Vector5::Zero();
   std::vector<Plane> balls;

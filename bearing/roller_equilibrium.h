@@ -54,8 +54,8 @@ struct RollerEquilibrium {
   std::vector<LoadedRoller> rollers;
   double clearance = unset;          ///< s of this equilibrium [m]
   double centrifugal_force = unset;  ///< force on one roller [N]
-  /// ∂(Σ Qi)/∂s at constant forces on the ring and constant tilt, below zero [N/m]. Σ Qo has the
-  /// same derivative. It is the loss of roller load by additional clearance.
+  /// ∂(Σ Qi)/∂s at constant forces on the ring and constant tilt, always negative [N/m]: the loss
+  /// of roller load by additional clearance. Σ Qo has the same derivative.
   double sum_by_clearance = unset;
   /// True if there is no load and no inner contact: the position of the ring within its clearance
   /// is undefined. This is a valid equilibrium without displacement and stiffness.

@@ -40,7 +40,7 @@ struct ShoulderMargins {
                                                const BearingEquilibrium& equilibrium);
 
 /// Pure axial load at standstill under which the ellipse of a race reaches the edge of its shoulder
-/// [N]. The program solves the equilibrium of the bearing at each load.
+/// [N]. The function solves the equilibrium of the bearing at each load that it tries.
 ///
 /// Domain:   NaN without a shoulder; 0 if the edge lies below the nominal contact; infinite if no
 ///           load up to 1e8 N reaches the edge.

@@ -16,7 +16,8 @@ struct KernelBlock {
 };
 
 /// Points with equal ball count, symmetry, ball model and free coordinates. If they do not fill the
-/// last block, any point fills the rest.
+/// last block, the caller fills the other lanes with any point. The results of these lanes are not
+/// used.
 struct KernelCall {
   BallCircle circle;
   BallModel model;

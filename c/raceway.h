@@ -130,8 +130,8 @@ RACEWAY_API int raceway_table(const raceway_model* model, const double* speed_rp
 
 /// Predicts the reading of a rig [N mm]: the friction torque of all its bearings (`bearings` under
 /// [rig]) with the effects of the model on the sensor. The column friction_torque_Nmm is for one
-/// bearing without these effects. The balls are solved only if the model needs them. The function
-/// is then several times faster than raceway_solve().
+/// bearing without these effects. The balls are solved only if the model needs them. For a model
+/// that does not need them, the function is several times faster than raceway_solve().
 ///
 /// States, strides, return values and errors are as in raceway_solve(). `readings_Nmm` [count],
 /// `status` [count] or NULL. A shaft is wrong input, and so is a model with an effect that needs

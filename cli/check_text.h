@@ -13,8 +13,8 @@ namespace raceway::cli {
 /// Prints rows, noise and columns of a record, the parameters that can be fitted and the effects
 /// that can be tested.
 void print_check(const loop::Check& check, const record::Record& data);
-/// Prints the time range in which the settings of a row apply, from the previous row or to the next
-/// row.
+/// Prints whether the settings of a row apply from the previous row to this row, or from this row
+/// to the next row.
 void print_settings_hold(record::SettingsHold hold);
 /// Prints clock, noise, last digits and transfer functions of a record over time.
 void print_check(const correction::RecordCheck& check);

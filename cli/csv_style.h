@@ -20,7 +20,8 @@ struct CsvStyle {
   /// Declares the flags. `others` are further names that --format accepts, with their `help`.
   void declare(CLI::App& command, const std::vector<std::string>& others = {},
                const std::string& help = {});
-  /// Throws text::InputError for marks without --format excel, and if both marks are the same.
+  /// Throws text::InputError for `--separator` or `--decimal-mark` without `--format excel`, and if
+  /// both are the same character.
   void check() const;
   /// Throws text::InputError if put() would fail.
   void require_writable(const std::string& path, text::IfExists if_exists) const;

@@ -4,7 +4,8 @@
 
 namespace raceway::cli {
 
-/// Prints the data of the model in order of influence; `all` includes data of little influence.
+/// Prints the numbers of the model in the order of their influence. If `all` is true, the table
+/// includes numbers with a share below 0.1 %.
 void print_sensitivity(const results::Sensitivity& sensitivity, bool all);
 
 }  // namespace raceway::cli

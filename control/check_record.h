@@ -26,8 +26,8 @@ namespace raceway::control {
 [[nodiscard]] ControlCheck made_up_check(const ControlPlan& plan,
                                          const std::vector<correction::Model>& models);
 
-/// Returns one sentence for each unsmoothed sensor for which a step of the last digit in the record
-/// moves an axis by half a micrometre or more at once.
+/// Returns one sentence for each unsmoothed sensor and each axis that a step of the last digit of
+/// this sensor moves by half a micrometre or more at once.
 [[nodiscard]] std::vector<std::string> coarse_sensors(const ControlPlan& plan,
                                                       const record::Record& record);
 

@@ -40,7 +40,7 @@ struct ControlInput {
 };
 
 /// Joint range of the inputs in the data of the fit: |weights (x - mean)| is at most `farthest`.
-/// All inputs except temperatures enter with their absolute value.
+/// Speeds, feeds and the coolant state enter with their absolute value.
 struct ControlTogether {
   std::vector<std::size_t> inputs{};
   std::vector<double> mean{};
@@ -76,9 +76,8 @@ struct ControlDrive {
   double decay_rpm = unset;                ///< n0 of a motor
   double lowest = unset, highest = unset;  ///< range of a power, as for an input
   std::string unit{};                      ///< "K"
-  /// Input of the window, the position of an axis. The window is the share of the parts of the
-  /// drive: 0 outside the outer points, 1 between the inner points, and linear between an outer and
-  /// an inner point.
+  /// Input of the window, the position of an axis. The window is a factor: 0 outside the outer
+  /// points, 1 between the inner points, and linear between an outer and an inner point.
   std::size_t window = nowhere;
   double window_from = unset, window_full_from = unset, window_full_to = unset, window_to = unset;
   bool window_of_drive = false;  ///< true: the window multiplies u, else the displacement

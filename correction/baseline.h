@@ -14,8 +14,9 @@ namespace raceway::correction {
 
 /// Fits a multiple linear regression on the inputs of the model's channels and on further columns.
 /// Each input becomes a channel with only a feedthrough, so the result runs like every other model.
-/// The model has no memory and extrapolates linearly. The fit omits power, with a message. It also
-/// omits inputs that never vary or that depend linearly on other inputs.
+/// The model has no memory and extrapolates linearly. The fit leaves out channels driven by a
+/// power, inputs that never vary, and inputs that depend linearly on other inputs. A message names
+/// each of them.
 ///
 /// Source:   least squares by QR, see regression.h. Standard errors are widened for the
 /// autocorrelation of the residual. The held-out error comes from eight parts of the record. Each

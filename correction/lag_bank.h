@@ -27,24 +27,26 @@ struct LagBankOptions {
 ///
 /// x_ij is input i after lag j, and g is its gain [um/K, um/(m/min), um/1000 rpm]. λ [um² per
 /// square of that unit] is the strength. s is 1 except for speeds. Slow lags have larger penalties,
-/// because they affect the prediction for the longest time after the record. The instant response
-/// has the penalty of τ = 600 s. A speed has two inputs: n, and n (n/1000 rpm)^0.5, which rises
-/// like the friction. A speed has no instant share. The program tries λ from 0.01 to 10 and s of
-/// speeds from 0.1 to 1. Each combination is fitted to up to six initial parts of the record (0.59
-/// to 0.88 of its length) and judged by the error on the rest of the record. The final gains are
-/// the mean over all combinations, weighted by this error to the power -4. Held-out parts from the
-/// middle of the record would favour gains that are valid only within the record. The choice of a
-/// single best strength would depend mostly on chance.
+/// because they affect the prediction for the longest time after the record. Lags below 600 s and
+/// the instant response have the penalty of τ = 600 s. A speed has two inputs: n, and n (n/1000
+/// rpm)^0.5, which rises like the friction. A speed has no instant share. The program tries λ from
+/// 0.01 to 10 and s of speeds from 0.1 to 1. Each combination is fitted to six initial parts of the
+/// record (0.59 to 0.88 of the record) and judged by the error on the rest of the record. The final
+/// gains are the mean over all combinations, weighted by this error to the power -4. Held-out parts
+/// from the middle of the record would favour gains that are valid only within the record. The
+/// choice of a single best strength would depend mostly on chance.
 ///
-/// If many sensors are on unknown bodies, this model predicts better than a few sections with their
-/// own time constants. Such sections fit equally well but extrapolate badly. The gains have no
-/// physical meaning. They have no standard error, because the ridge shrinks them towards 0. If the
-/// model does not list its free parameters, only the offset remains free after this fit.
+/// If many sensors measure bodies whose influence on the displacement is unknown, this model
+/// predicts better than a few sections with fitted time constants. Such sections fit equally well
+/// but extrapolate badly. The gains have no physical meaning. They have no standard error, because
+/// the ridge shrinks them towards 0. If the model does not list its free parameters, only the
+/// offset remains free after this fit.
 /// Source: ridge regression [HoerlKennard1970]. The lags and weights are our choice, based on the
 /// record of docs/spindle-record.md.
 ///
 /// Throws std::invalid_argument for a model with channels, a kinematic law, effects or a free
-/// initial state, without an input, for too few readings, and for a negative time constant.
+/// initial state, without an input, for too few readings, and for a time constant that is negative
+/// or infinite.
 [[nodiscard]] Identification identify_lag_bank(const Model& model, const record::Record& record,
                                                const LagBankOptions& options);
 

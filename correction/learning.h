@@ -71,8 +71,8 @@ struct Learning {
   /// Number of rows whose uncertainty exceeds the tolerance.
   std::size_t rows_beyond_tolerance = 0;
   /// Time from the last row until the uncertainty of the prediction exceeds the tolerance, with
-  /// constant inputs [s]. 0 means immediately, and infinite means never. NaN means that the
-  /// tolerance or a reading is missing.
+  /// constant inputs [s]. 0 means immediately, and infinite means not within 30 days. NaN means
+  /// that the tolerance or a reading is missing.
   double next_reading = unset;
   double level = 1.0;  ///< ratio of actual to expected residual of the model [1]
   double misfit = unset, reading_std = unset;  ///< values that were used [m]
@@ -95,7 +95,7 @@ struct Learning {
 /// forgetting time. v is the noise of a reading. One UnknownsFilter estimates all of them together.
 /// The readings determine the size of these unknowns relative to v: the variance of the unknowns is
 /// multiplied by level². level² is the mean ratio of actual to expected variance over about the
-/// last 32 readings, and the expectation of the model has the weight of 8 readings.
+/// last 32 readings. The mean includes the expected ratio of 1 with the weight of 8 readings.
 ///
 /// A reading is rejected if it differs from the prediction by more than 5 expected standard
 /// deviations. The next reading is then offered regardless of the interval. The zero is reset if

@@ -8,8 +8,9 @@
 
 namespace raceway::correction {
 
-/// Returns the last digit of a column [SI]: the largest step for which all differences between
-/// values are multiples of the step. NaN if there is no such step, or for fewer than three values.
+/// Returns the last digit of a column [SI]: the smallest difference between two values, if all
+/// other differences are multiples of it. Otherwise the result is NaN. It is also NaN for fewer
+/// than three or more than 2000 different values.
 [[nodiscard]] double quantum_of(const record::Channel& channel, std::span<const double> values);
 
 /// Longest time step within a record, in multiples of the usual step. A longer step is a gap

@@ -24,9 +24,8 @@ void see(Model& model, const record::Record& record);
 /// evidence.
 void forget_what_was_seen(Model& model);
 
-/// Returns the range in the data of the fit: of a column (by absolute value, except temperatures)
-/// [SI], of the speed [rpm], or of the power of a channel [W]. The range is unbounded if it is
-/// unknown.
+/// Returns the range in the data of the fit: of a column [SI] (speeds and feeds by absolute value),
+/// of the speed [rpm], or of the power of a channel [W]. The range is unbounded if it is unknown.
 [[nodiscard]] Interval seen_of(const Model& model, const Channel& column);
 [[nodiscard]] Interval seen_speed(const Model& model);
 [[nodiscard]] Interval seen_power(const Model& model, const DrivenChannel& channel);
@@ -34,13 +33,14 @@ void forget_what_was_seen(Model& model);
 [[nodiscard]] Interval seen_by_element(const Model& model, const DrivenChannel& channel);
 
 /// Returns the distance of inputs x from their mean in the data of the fit [1]. x follows
-/// `columns`, in SI and by absolute value except temperatures.
+/// `columns`, in SI; speeds and feeds enter by their absolute value.
 ///
 ///   d = sqrt(zᵀ (R + 0.01 I)^-1 z),   z = (x - mean)/std, R: correlation of the inputs
 ///
-/// This is the distance of [Mahalanobis1936]. It grows with the distance of one input in units of
-/// its spread. It also grows if correlated inputs do not follow their correlation. The term 0.01
-/// lets two exactly correlated inputs differ by a tenth of their spread per unit of distance.
+/// This is the distance of [Mahalanobis1936]. The distance grows with the deviation of one input
+/// from the mean, in units of the spread of this input. It also grows if correlated inputs do not
+/// follow their correlation. The term 0.01 lets two exactly correlated inputs differ by a tenth of
+/// their spread per unit of distance.
 class Distance {
  public:
   explicit Distance(const SeenTogether& seen);

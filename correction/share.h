@@ -45,8 +45,8 @@ struct JumpShare {
 using Share =
     std::variant<std::monostate, DrivenShare, MotorShare, SettlingShare, JumpShare, Kinematic>;
 
-/// Receives a weight [m] and a factor for each row. A Series stores its factors, so equal
-/// parameters give the same object.
+/// Receives a weight [m] and a factor for each row. A Series stores the factors, so calls with
+/// equal parameters receive the same object.
 using Sink = std::function<void(double weight, const Series::Values& values)>;
 
 /// Simulates a share on a record. `seen` is the speed range of the fit [rpm]. Beyond this range,

@@ -30,9 +30,9 @@ struct TransferFunction {
 [[nodiscard]] TransferFunction reduced(const TransferFunction& printed);
 
 /// Returns the reduced function with a numerator in um per `unit` [SI] of the input and with two
-/// polynomials of equal length. Coefficients have 15 digits. With slow poles, more digits would
+/// polynomials of equal length. Coefficients have 15 digits. With slow poles, the omitted digits
 /// change the gain by 1e-9. All programs that run the function therefore use these rounded
-/// coefficients.
+/// coefficients, so that their results agree.
 [[nodiscard]] TransferFunction direct_form(const TransferFunction& printed, double unit);
 
 /// Runs the function from rest in double precision. The input has the sampling time of the
@@ -89,8 +89,8 @@ struct TransferFunctionCheck {
 };
 
 /// Checks printed coefficients. `quantum` is the resolution of the input's sensor in its unit.
-/// `unit` is the unit of the displacement; resolution steps of more than a tenth of it are
-/// reported.
+/// `unit` is the unit of the displacement. The check reports a step of the resolution that moves
+/// the displacement by more than a tenth of this unit.
 [[nodiscard]] TransferFunctionCheck check(const TransferFunction& printed, double quantum = 0.1,
                                           std::string_view unit = "um");
 

@@ -20,7 +20,7 @@ struct Trust {
   std::string because{};  ///< reason in one clause; empty for good
 };
 
-/// Returns one line for the reader: "good", "inside its range only: ...", "do not use, because
+/// Returns one line for the reader: "good", "only inside its range: ...", "do not use, because
 /// ...", "not known: ...".
 [[nodiscard]] std::string line_of(const Trust& trust);
 

@@ -219,8 +219,8 @@ struct Requirements {
 
 /// Base laws that already contain an effect, and bearings that do not have it.
 struct Exclusions {
-  /// Keys of the contact law that replace the effect, in words, if this law already contains it.
-  /// Empty if the effect may be added to the contact law.
+  /// Text with the keys of the contact law that replace the effect, if the contact law already
+  /// contains the effect. Empty if the effect may be added to the contact law.
   std::string_view within_contacts = {};
   bool within_oil_fraction = false;  ///< true: the contact law contains it if oil_fraction > 0
   /// True: the effect changes the viscous moment, which a friction table does not separate from the

@@ -9,7 +9,7 @@
 
 namespace raceway::effects {
 
-/// Friction moment of grease during the churning phase [N m], added:
+/// Additional friction moment of grease during the churning phase [N m]:
 ///
 ///   M = A M0 exp(-t/τ)
 ///

@@ -10,7 +10,7 @@
 
 namespace raceway::effects {
 
-/// Correction of the load exponent in the load moment [N m], added:
+/// Additional moment that corrects the load exponent in the load moment [N m]:
 ///
 ///   M = M1 ((P0/200 N)^e - 1),   with f1_load = F_b: M1 ((F_b/1000 N)^e - 1)
 ///

@@ -28,8 +28,8 @@ namespace raceway::effects {
 /// Domain:   P >= 0, 0 <= u <= 2. Two equal bearings under pure thrust.
 /// Accuracy: exact for the sum of both load moments with y = 1/3. For other laws and for effects
 ///           that use ball loads, the load is an average over both bearings.
-/// Trap:     z is the same for both bearings, and both have the load of the set, as without this
-///           effect. z is therefore half of the z of one bearing.
+/// Trap:     the load gives the sum of the moments of both bearings, and a rig with two bearings
+///           counts this sum twice. The fitted z is therefore half of the z of one bearing.
 struct SetPreload {
   static constexpr std::string_view id = "set-preload";
   static constexpr Form form = Form::rig;

@@ -55,8 +55,8 @@ struct ThermalRingGrowth : GrowthByRingTemperatures {
   }
 };
 
-/// Additional radial growth of the inner raceway relative to the outer one from the ring
-/// temperatures, beyond the free expansion of the rings, in the sets of a shaft [m].
+/// Radial growth of the inner raceway relative to the outer one, caused by the ring temperatures
+/// and not included in the free expansion of the rings, in the sets of a shaft [m].
 ///
 ///   g = c (T_i - T_o)
 ///

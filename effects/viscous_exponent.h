@@ -10,11 +10,11 @@
 
 namespace raceway::effects {
 
-/// Correction of the exponent of speed and viscosity in the viscous moment [N m], added:
+/// Additional moment that corrects the exponent of speed and viscosity in the viscous moment [N m]:
 ///
 ///   M = M0 ((max(ν n, 2000)/300000)^e - 1)        ν n in mm²/s rpm
 ///
-/// M0 is then proportional to (ν n)^(2/3 + e). It is unchanged at ν n = 300 000, in the middle of
+/// M0 is then proportional to (ν n)^(2/3 + e). M0 is unchanged at ν n = 300 000, in the middle of
 /// the range of spindles. This reference separates e from f0.
 /// Source:   tests show exponents from 0.55 to 0.75 instead of 2/3, so e is -0.12 to 0.08
 ///           [Palmgren1959, form of the law; range assumed].

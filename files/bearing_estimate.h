@@ -22,8 +22,8 @@ struct BearingOutline {
   std::string ball_material = "steel";
 };
 
-/// An estimated number with its lower and upper value. They come from ratios in the rows of a
-/// catalogue.
+/// An estimated number with its lower and upper value. The limits come from the ratios in the rows
+/// of a catalogue.
 struct Estimate {
   double value = unset;
   double lower = unset, upper = unset;

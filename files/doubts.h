@@ -17,9 +17,10 @@ namespace raceway::files {
 ///               rows are not judged.
 /// Temperatures: the test uses the range of the values.
 /// Refits:       a refit of the free parameters in each unit tests for degrees Fahrenheit (if no
-///               row is colder than 59 C), loads in kgf, preloads of a shaft, and times of a
-///               coast-down in min, ms or h. The test compares the errors of the refits and how
-///               usual the fitted values are.
+///               row is colder than 59 C), axial loads of a bearing in kgf, and times of a
+///               coast-down in min, h or ms. The test compares the errors of the refits and how
+///               usual the fitted values are. Preloads and loads of a shaft are tested for kgf and
+///               kN without a refit.
 /// Columns:      two columns look exchanged if the record agrees with the model only after the
 ///               exchange.
 [[nodiscard]] std::vector<Doubt> doubts(const model::ModelSubject& subject,

@@ -16,8 +16,8 @@ struct NewCorrection {
 
 /// Makes a first model file for the displacements of a record over time. The file has one channel
 /// for each temperature that varies by more than 0.5 K. If there is no such temperature, the file
-/// has one channel for the speed. If there are more than four, it has no channel. A comment in the
-/// file then gives the command for a bank of lags.
+/// has one channel for the speed. If there are more than four such temperatures, the file has no
+/// channel. A comment in the file then gives the command for a bank of lags.
 ///
 /// Assumed values are marked: the tolerance is a tenth of the range of the displacement, a time
 /// constant is a tenth of the record, and each channel gets an equal share of the range as its

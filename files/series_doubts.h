@@ -11,7 +11,7 @@ namespace raceway::files {
 
 /// Returns doubts about the units of a record over time.
 ///
-/// Time:          steps of two hours or more look like ms, us or ns. A record that is shorter
+/// Time:          steps of more than two hours look like ms, us or ns. A record that is shorter
 ///                than a time constant of `models` looks like minutes, hours or days under two
 ///                conditions: in this unit the record is longer than the time constant, and the
 ///                lags of the model explain the readings much better.
@@ -19,8 +19,9 @@ namespace raceway::files {
 ///                sensor was ever colder than 59 C, or the surroundings never colder than 50 C. A
 ///                single sensor looks like Fahrenheit if its coldest reading, converted from
 ///                Fahrenheit, nearly equals the coldest reading of all sensors.
-/// Displacements: less than 0.02 or more than 300 um per kelvin look like mm or nm. Machines
-///                usually move by 0.1 to 50 um per kelvin.
+/// Displacements: less than 0.02 or more than 300 um per kelvin look like mm, m or nm (angles:
+///                arcsec, mrad, deg or rad), if the values are then 0.05 to 100 um or urad per
+///                kelvin.
 [[nodiscard]] std::vector<Doubt> series_doubts(const record::Record& data,
                                                const std::vector<correction::Model>& models);
 

@@ -23,8 +23,8 @@ struct LoadCase {
 
 /// Reads a CSV with time_s, axial_displacement_um, and power_W or speed_rpm or both. Names with
 /// other units are allowed ("time_min", "axial_displacement [mm]"). A column load_case separates
-/// load cases of equal size. Without this column, all rows with the same power are one case. If the
-/// file has no power, all rows with the same speed are one case. The rows may be in any order.
+/// load cases with equal loads. Without this column, all rows with the same power are one case. If
+/// the file has no power, all rows with the same speed are one case. The rows may be in any order.
 ///
 /// Throws InputError for a missing column, a cell that is not a number, a time below 0, a time that
 /// occurs twice in a case, and a speed that changes within a case.

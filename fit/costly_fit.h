@@ -48,9 +48,9 @@ class CostlyProblem {
   /// Continues from `base`, a fit of the first of these parameters. The remaining parameters belong
   /// to candidates. `sizes` are the indices of the candidate parameters that were neutral at the
   /// end of `base`. `initial` contains values that are not neutral. If a fit stops at a bound or
-  /// gains nothing, it starts again from the start of `base`, if that point is far away and the
-  /// derivatives promise a gain there. The reason: in `base`, parameters may have moved to absorb
-  /// the missing effect, and these values may block the candidate.
+  /// lowers the misfit by less than 10 %, it starts again from the start of `base`, if that point
+  /// is far away and the derivatives promise a gain there. In `base`, parameters may have moved to
+  /// absorb the missing effect, and these values may block the candidate.
   [[nodiscard]] CostlyFit beyond(const CostlyFit& base, const Eigen::VectorXd& initial,
                                  const std::vector<std::size_t>& sizes, const CostlyEnd& end) const;
   /// Continues a fit of these parameters.
@@ -68,14 +68,15 @@ class CostlyProblem {
   /// differences at `best`.
   [[nodiscard]] CostlyFit descend(SeparableFit best, Eigen::MatrixXd slope, bool is_fresh,
                                   const CostlyEnd& end) const;
-  /// Switches the candidates on at the end of another fit. Returns the first values with a better
-  /// fit.
+  /// Switches the candidates on at the end of another fit, and computes the derivatives with
+  /// respect to their sizes. The result begins at the best of the points that these derivatives
+  /// need.
   [[nodiscard]] CostlyFit with_candidates(const CostlyFit& base, const Eigen::VectorXd& initial,
                                           const std::vector<std::size_t>& sizes) const;
   [[nodiscard]] bool is_far(const CostlyFit& base) const;
   /// Returns true if the candidates lower the misfit of a linearised fit by more than 5 %. The fit
-  /// starts at `from`, a fit without candidates. The derivatives of the candidates are those of
-  /// `first`, so no prediction is needed.
+  /// starts at `from`, a fit without candidates. The derivatives with respect to the candidates are
+  /// taken from `first`, so no prediction is needed.
   [[nodiscard]] bool gains(const CostlyFit& from, const CostlyFit& first,
                            const std::vector<std::size_t>& sizes) const;
   /// Scaled values, and the steps that their bounds and the largest step of a fit allow.

@@ -34,16 +34,17 @@ struct Isolated {
 /// and return while speed and loads are steady. Example: a chip touches the probe.
 ///
 /// Both neighbours must be on the same side of the reading. The distance of the reading from each
-/// of them must be at least 6 robust standard deviations and three times their distance from each
-/// other. The robust standard deviation is 1.4826 times the median distance of readings from the
-/// middle of their four neighbours. Its lower limit is 0.3 % of the range of the central 90 % of
-/// the readings. A rise after a standstill, a peak at a change of speed and a lasting jump are not
-/// isolated readings. At any speed, a reading is isolated if its distance from both neighbours
-/// exceeds `by.impossible` times the range of the readings (without the outermost 1 % at either
-/// end). If this rule would remove more than a tenth of the readings, none is removed.
+/// neighbour must be more than 6 robust standard deviations and more than three times the distance
+/// between the two neighbours. The robust standard deviation is 1.4826 times the median distance of
+/// readings from the middle of their four neighbours. Its lower limit is 0.3 % of the range of the
+/// central 90 % of the readings. A rise after a standstill, a peak at a change of speed and a
+/// lasting jump are not isolated readings. At any speed, a reading is isolated if its distance from
+/// both neighbours exceeds `by.impossible` times the range of the readings (without two readings,
+/// or the outermost 1 %, at either end). If both rules together would remove more than a tenth of
+/// the readings, none is removed.
 [[nodiscard]] Isolated without_isolated_readings(const record::Record& record);
 
-/// Removes isolated readings of another channel. If `predicted` gives a value for each row, the
+/// Removes isolated readings of the given channel. If `predicted` gives a value for each row, the
 /// test uses the residuals of the model. With residuals, settings may change, except for a speed or
 /// load that jumps and returns together with the reading. Up to three successive rows may jump, and
 /// the last ones of a record need not return.
@@ -59,12 +60,12 @@ struct PossibleRows {
   std::vector<std::string> statements{};
 };
 
-/// Removes impossible rows of a rig or shaft, at most a tenth: rows with a temperature below -60 or
-/// above 200 C, and rows with an extreme reading of the first measured channel. A reading is
-/// extreme if it lies outside the range of the readings by more than three times this range,
-/// although the inputs of its row are within the range of the other rows. The range excludes two
-/// readings, or a hundredth of the readings, at either end. Records with fewer than 15 rows are not
-/// changed.
+/// Removes impossible rows of a rig or shaft: rows with a temperature below -60 or above 200 C, and
+/// rows with an extreme reading of the first measured channel. A test that would remove more than a
+/// tenth of the rows removes none. A reading is extreme if it lies outside the range of the
+/// readings by more than three times this range, although the inputs of its row are within the
+/// range of the other rows. The range excludes two readings, or a hundredth of the readings, at
+/// either end. Records with fewer than 15 rows are not changed.
 [[nodiscard]] PossibleRows without_impossible_rows(const record::Record& record);
 
 }  // namespace raceway::fit

@@ -110,13 +110,13 @@ class Judged {
 
   // Noise and hold-out.
   /// Returns the columns of the saturated regression. Default: a polynomial of degree four in the
-  /// first varying input, and for every other input the square and the products with the first
-  /// input.
+  /// first input, and for every other input its value, its square, and its products with the first
+  /// input and with the square of the first input.
   [[nodiscard]] virtual Saturation saturation(const Record& record) const;
   /// Returns the inputs whose recorded values scatter around the true values. Default: none.
   [[nodiscard]] virtual std::vector<const Channel*> scattering(const Record& record) const;
   /// Returns the factors by whose powers the law of a candidate may be multiplied. Default: the
-  /// inputs that vary.
+  /// inputs with a value in every row.
   [[nodiscard]] virtual std::vector<Factor> factors(const Record& record) const;
   /// Returns the formula of a shape; empty if the model supports none.
   [[nodiscard]] virtual std::optional<Formula> formula(const Record& record) const;

@@ -59,8 +59,8 @@ struct Repeatability {
                                           const record::Channel& measured);
 
 /// Returns the scatter of single readings [SI], from stops if there are any, otherwise from
-/// neighbouring readings. NaN if the readings are too far apart in time to separate noise from real
-/// motion.
+/// neighbouring readings. NaN if there are fewer than 32 readings, or if they are too far apart in
+/// time to separate noise from real motion.
 [[nodiscard]] double noise_of_neighbours(const record::Record& record,
                                          const record::Channel& measured);
 

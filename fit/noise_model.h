@@ -31,8 +31,8 @@ struct NoiseModel {
   double correlation = 0.0;        ///< φ of neighbours in time, at the median time step [1]
   double run_share = 0.0;  ///< share of the variance that is common to the rows of a run [1]
   /// Size of offsets that all readings of a run share [SI]. The variance of the offsets is
-  /// `run_share` times the square of this size. It is 0 if the offset is proportional to the
-  /// standard deviation of each reading.
+  /// `run_share` times the square of this size. The size is 0 if the offset of a reading is
+  /// proportional to the standard deviation of this reading.
   double run_unit = 0.0;
   double state_share = 0.0;  ///< share of the variance that is common to the pieces of a dwell [1]
   double degrees_of_freedom = unset;  ///< degrees of freedom of the variance
@@ -101,10 +101,10 @@ struct ChannelReadings {
 
 /// Estimates the noise from the saturated regression `columns` (SI, full rank) by restricted
 /// maximum likelihood. `size` is a typical size of each reading [SI, > 0]; it affects only the
-/// first weights. Readings beyond the scatter, as rare as 3.5 standard deviations of a known normal
-/// law, get a smaller weight the further away they are. They add no degree of freedom. The function
-/// tests for growth of the scatter with the swept input before it calls a reading an outlier.
-/// Readings that gather at one level of a setting are not outliers.
+/// first weights. Outliers get a weight that falls with their distance. An outlier is a reading as
+/// improbable as one beyond 3.5 standard deviations of a known normal distribution. Outliers add no
+/// degree of freedom. The function tests for growth of the scatter with the swept input before it
+/// calls a reading an outlier. Readings that gather at one level of a setting are not outliers.
 [[nodiscard]] NoiseModel estimate_noise_model(const ChannelReadings& readings,
                                               const Eigen::MatrixXd& columns,
                                               const Eigen::VectorXd& size,
@@ -119,13 +119,13 @@ struct ChannelReadings {
 /// the error is smaller.
 [[nodiscard]] double beyond_noise(double error, double noise);
 
-/// Adds the coarseness of the model to the noise as scatter: `error` [SI] is equal for every
-/// reading.
+/// Adds the declared error of the model to the noise as independent scatter. `error` [SI] is the
+/// same for every reading.
 void add_model_error(NoiseModel& noise, const ChannelReadings& readings, double error);
 
 /// Returns known noise: a given standard deviation of every reading, with independent readings. Use
-/// this function for readings that come from a regression. Such a regression determines the scatter
-/// from many more samples than readings.
+/// this function for readings that come from a regression over many more samples than there are
+/// readings, because the regression then determines the scatter well.
 [[nodiscard]] NoiseModel known_noise_model(const ChannelReadings& readings);
 
 }  // namespace raceway::fit

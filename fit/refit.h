@@ -16,7 +16,7 @@ struct HeldOutReading {
   double residual = unset;  ///< prediction minus reading [SI]
 };
 
-/// A model that only approximates, after a fit.
+/// Fit of a model that only approximates the readings (Subject::approximates()).
 struct Refit {
   std::shared_ptr<const Subject> subject{};
   std::vector<HeldOutReading> held_out{};

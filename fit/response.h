@@ -16,8 +16,9 @@ namespace raceway::fit {
 /// Observations as a function of a few parameters. The function is a black box with numerical
 /// derivatives.
 ///
-/// Many models are affine in their parameters. The program tests this at points within the bounds.
-/// If they agree to rounding, `constant + slope x` is stored, and fits need no iteration.
+/// Many models are affine in their parameters. The program compares an affine form with the
+/// predictions at points within the bounds. If both agree to rounding, `constant + slope x` is
+/// stored, and fits need no iteration.
 struct Response {
   std::vector<Parameter> parameters{};  ///< fits begin at `start`
   /// Predicted observations [SI]; NaN for a missing prediction.
@@ -81,10 +82,10 @@ struct ResponseFit {
                                        const Eigen::VectorXd& measured,
                                        const std::vector<Eigen::VectorXd>& starts);
 
-/// Runs one search from one start. Use this for a first ranking of many fits; a few of them are
-/// then repeated in full. It stops if a step promises a fall of the misfit below 0.05, or below
-/// 1e-4 of the misfit if that is larger. A fit that stops for this reason counts as converged. The
-/// response must not be affine.
+/// Runs one search from one start. Use this function for a first ranking of many fits, and repeat
+/// the best of them in full. The search stops if a step promises a fall of the misfit below 0.05,
+/// or below 1e-4 of the misfit if that is larger. A fit that stops for this reason counts as
+/// converged. The response must not be affine.
 [[nodiscard]] ResponseFit coarse_fit(const Response& response, const Whitening& whitening,
                                      const Eigen::VectorXd& measured, const Eigen::VectorXd& start);
 

@@ -24,8 +24,9 @@ struct Means {
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(list.size()); }
 };
 
-/// Returns the tolerance of a channel [SI]: the given value, otherwise the model's declared
-/// coarseness combined with the noise of a reading. It is NaN if neither is given.
+/// Returns the tolerance of a channel [SI]: the given value. Without a given value, a model that
+/// only approximates has the tolerance of its declared error combined with the noise of a reading.
+/// Otherwise NaN.
 [[nodiscard]] double tolerance_of(const Measured& measured, const Record& record);
 
 /// Returns means over `width` [s], each within one run and one block. A width of 0 keeps single

@@ -36,9 +36,9 @@ class SeveralRecords : public Subject {
   /// shared parameters are unchanged. The name is empty for a parameter of another record.
   [[nodiscard]] std::string name_in(std::size_t record, const std::string& name) const;
 
-  /// Adds data that may differ between records, such as the oil (Candidate::of_each_record), to the
-  /// own parameters. Returns null if no datum may differ, or if the records do not determine these
-  /// data.
+  /// Returns a subject in which data that may differ between records, such as the oil
+  /// (Candidate::of_each_record), are also own parameters. Null without own parameters, if no datum
+  /// may differ, or if the records do not determine these data.
   [[nodiscard]] std::unique_ptr<SeveralRecords> with_data_of_each_record(
       const Record& record) const;
 
@@ -65,7 +65,8 @@ class SeveralRecords : public Subject {
   [[nodiscard]] std::unique_ptr<Subject> without_free_candidates() const override;
   [[nodiscard]] std::unique_ptr<Subject> with_shape(const std::string& id,
                                                     const Shape& shape) const override;
-  /// Returns the other base models that contain the own parameters.
+  /// Returns the other base models. A base model that lacks an own parameter has no subject, and
+  /// OtherBase::lacks gives the reason.
   [[nodiscard]] std::vector<OtherBase> other_bases() const override;
   [[nodiscard]] std::string rules_out(const std::string& id) const override;
   [[nodiscard]] std::string correction(const std::string& id,

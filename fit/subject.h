@@ -23,13 +23,13 @@ using record::Parameter;
 /// A channel that a subject predicts, and prior knowledge about the readings of this channel.
 struct Measured {
   const Channel* channel = nullptr;
-  /// Share of the rms of all readings. Below this share, errors do not become smaller with the
-  /// reading. It is 1 for a sensor whose scatter does not depend on the reading.
+  /// Size of a reading, relative to the rms of all readings, below which the scatter no longer
+  /// falls with the reading. It is 1 for a sensor whose scatter does not depend on the reading.
   double floor = 1.0;
   /// Largest relative scatter of the sensor at equal settings. Larger scatter comes from an input
   /// that was not recorded. NaN if unknown.
   double most_scatter = unset;
-  /// Coarseness of the model itself [SI]. Residuals up to this size count as noise. For a model
+  /// Declared error of the model itself [SI]. Residuals up to this size count as noise. For a model
   /// that only approximates, they count as within the tolerance.
   double model_error = 0.0;
   /// Standard deviation of a single reading, if the model declares it [SI].
@@ -39,7 +39,8 @@ struct Measured {
   /// True if the residuals remain correlated in time, whatever effect is added (see
   /// Subject::approximates()). Tests against noise are then meaningless.
   bool approximate = false;
-  /// True if the zero of the readings has no meaning. Errors are then given relative to their mean.
+  /// True if the zero of the readings has no meaning. Errors are then given after subtracting the
+  /// mean error.
   bool any_zero = false;
   /// Errors below this tolerance do not matter to users of the model [SI]; NaN if not given.
   double tolerance = unset;
@@ -56,7 +57,7 @@ class Predictor {
   virtual void readings(std::span<const double> values, std::span<double> out) = 0;
   /// Returns false only if it is certain that `parameter` never changes the readings per unit of
   /// the linear parameter `of`. `none` stands for the readings with all linear parameters at zero.
-  /// Both are indices of the names given to predictor(). Default: true.
+  /// `parameter` and `of` are indices of the names given to predictor(). Default: true.
   [[nodiscard]] virtual bool bends(std::size_t parameter, std::size_t of) {
     (void)parameter, (void)of;
     return true;

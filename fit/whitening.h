@@ -31,12 +31,12 @@ struct RowOrder {
 ///
 /// Each reading has the standard deviation s [SI]. The noise is a first-order autoregression along
 /// time, plus offsets common to the rows of a run and of a dwell. If a run offset is proportional
-/// to s, r = 1. If it is equal for all readings of the run, like a zero that is set before the run,
-/// r_i = u/s_i. The variance of a reading then differs from s². A reading may have a white part
-/// that is independent of its neighbours. Then c s replaces s, and s² (1 - c²) is added to its own
-/// variance. The result consists of the innovations of the Kalman filter with these states, divided
-/// by their standard deviations. It is exact and needs time and memory proportional to the number
-/// of rows.
+/// to s, r = 1. If the offset is equal for all readings of the run, like a zero that is set before
+/// the run, r_i = u/s_i. The variance of a reading then differs from s². A reading may have a white
+/// part that is independent of its neighbours. Then c s replaces s, and s² (1 - c²) is added to its
+/// own variance. The result consists of the innovations of the Kalman filter with these states,
+/// divided by their standard deviations. It is exact and needs time and memory proportional to the
+/// number of rows.
 class Whitening {
  public:
   Whitening() = default;

@@ -68,8 +68,8 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 }
 
 /// Throws std::invalid_argument if the bearing lacks data that the law needs: C0 for Palmgren and
-/// `powers`, an angular contact for SKF. It is called once for each model; the laws do not check
-/// again.
+/// `powers`, an angular contact for SKF. The program calls this function once for each model; the
+/// laws do not check again.
 void require_data(FrictionLaw law, const bearing::Bearing& bearing);
 
 /// Friction moments of the base law [N m]. For SKF, `load` is the sliding moment and `viscous` the

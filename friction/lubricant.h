@@ -31,8 +31,8 @@ enum class Supply { oil_air, grease, jet, bath };
 /// Domain:   ν at 40 °C from 1 to 100 000 mm²/s; ν at 100 °C at least 0.5 mm²/s and below ν at 40
 ///           °C; T > 0. The source covers liquid hydrocarbons from -70 to 370 °C and ν above 0.21
 ///           mm²/s. Outside this range, ν continues to fall with T, towards 0.1 mm²/s.
-/// Accuracy: the equations to rounding. For an oil of 100 mm²/s at 40 °C the error is below 3 %
-///           from 50 to 80 °C. Near the pour point a real oil is thicker.
+/// Accuracy: the code agrees with the equations to rounding error. For an oil of 100 mm²/s at 40 °C
+///           the error is below 3 % from 50 to 80 °C. Near the pour point a real oil is thicker.
 class Lubricant {
  public:
   /// Throws std::invalid_argument naming the value that is missing or out of range.

@@ -98,8 +98,8 @@ T f1_ratio(const BearingState<T>& s) {
 ///           (P0/C0)^y was read in [KRW2006, p. 116-118], with z = 0.00067 and y = 0.33 for angular
 ///           contact. Other makers have z up to 0.001. With F_b: [CaseStudy, eqs. 20, 21].
 /// Domain:   F_b >= 0, zero at zero load; C0 given (require_data() in friction_law.h).
-/// Accuracy: the formula to rounding. For one bearing type, z of different makers differs by half;
-///           calibration fits z.
+/// Accuracy: the code agrees with the formula to rounding error. For one bearing type, z of
+///           different makers differs by half; calibration fits z.
 struct PalmgrenLoad {
   static constexpr std::string_view id = "palmgren_load";
   static constexpr std::array parameters{
@@ -121,8 +121,8 @@ struct PalmgrenLoad {
 ///
 /// Source:   f0 from about 1.3 (grease) to 6.6 (oil jet) for angular contact, depending on the
 ///           maker [KRW2006, p. 116-118].
-/// Accuracy: the formula to rounding. Measured moments scatter about the formula; calibration fits
-///           f0.
+/// Accuracy: the code agrees with the formula to rounding error. Measured moments scatter about the
+///           formula; calibration fits f0.
 struct PalmgrenViscous {
   static constexpr std::string_view id = "palmgren_viscous";
   static constexpr std::array parameters{

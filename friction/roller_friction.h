@@ -91,7 +91,7 @@ struct RollerSkf {
 [[nodiscard]] std::optional<FrictionLaw> find_roller_law(std::string_view name);
 
 /// Throws std::invalid_argument if the bearing lacks data that the law needs: bore and outer
-/// diameter for SKF. It is called once for each model.
+/// diameter for SKF. The program calls this function once for each model.
 void require_data(FrictionLaw law, const bearing::RollerBearing& bearing);
 
 /// Friction moments of a law of rollers [N m], in the same form as for balls.

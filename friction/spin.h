@@ -20,9 +20,9 @@ namespace raceway::friction {
 ///
 /// Source:   [Harris2006, vol. 2, ch. 5; CaseStudy, eq. 23].
 /// Domain:   every load; 0 where Q <= 0.
-/// Accuracy: the formula to rounding. Physical assumptions: one friction coefficient over the whole
-///           ellipse, and no sliding except spin. Additional sliding in another direction lowers
-///           the true moment.
+/// Accuracy: the code agrees with the formula to rounding error. Physical assumptions: one friction
+///           coefficient over the whole ellipse, and no sliding except spin. Additional sliding in
+///           another direction lowers the true moment.
 [[nodiscard]] inline double unit_spin_moment(const bearing::HertzContact& contact, double load) {
   if (load <= 0.0) return 0.0;
   return 0.375 * load * contact.semi_major_axis(load) * contact.second_integral;

@@ -30,9 +30,9 @@ struct RaceRatings {
 /// Domain:   the inner ring rotates. NaN if a load is NaN; infinite without load. At speed, the
 ///           life uses the loads of each race; the standard does not cover the effect of speed on
 ///           the loads.
-/// Accuracy: the formula to rounding. For hybrid bearings it is the formula for steel with the ball
-///           loads of the hybrid bearing, which is the practice of makers. ISO 281 has no formula
-///           for hybrid bearings.
+/// Accuracy: the code agrees with the formula to rounding error. For hybrid bearings, the formula
+///           for steel is used with the ball loads of the hybrid bearing, as makers do. ISO 281 has
+///           no formula for hybrid bearings.
 [[nodiscard]] double reference_life(const RaceRatings& ratings, const bearing::Balls& balls);
 
 /// Reference life from the equivalent loads Q_ei and Q_ee [N].

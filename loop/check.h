@@ -42,7 +42,7 @@ struct Check {
 };
 
 /// Checks a record. `judged` is the record for calibrate() and diagnose(), in which means of dwells
-/// replace rows. If it is null, they use `record`.
+/// replace rows. If `judged` is null, these functions use `record`.
 [[nodiscard]] Check check(const fit::Subject& subject, const record::Record& record,
                           const record::Record* judged = nullptr);
 

@@ -11,10 +11,10 @@ namespace raceway::model {
 /// law.
 [[nodiscard]] std::string lacks_for_law(const Model& model, friction::FrictionLaw law);
 
-/// Returns the model with another base law. The law has its published parameters; its usual
-/// parameters are free (default_free()), and so are the parameters of effects that were free
-/// before. Settings that belong only to the contact law are replaced: traction-controlled balls
-/// become outer-race-controlled. All other settings are unchanged.
+/// Returns the model with another base law. The law starts with the published parameters. The usual
+/// parameters of the law are free (default_free()). The parameters of effects stay free if they
+/// were free before. Settings that belong only to the contact law are replaced: traction-controlled
+/// balls become outer-race-controlled. All other settings are unchanged.
 [[nodiscard]] Model with_law(Model model, friction::FrictionLaw law);
 
 }  // namespace raceway::model

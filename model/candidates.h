@@ -18,7 +18,7 @@ namespace raceway::model {
 [[nodiscard]] std::vector<std::string> waiting_effects(const Model& model);
 
 /// Returns an effect as a candidate; empty for an effect without a size parameter. For a coast-down
-/// rig, effects that grow with the rotor have no upper limit of a plausible size.
+/// rig, effects to which all rotating parts contribute have no upper limit of a plausible size.
 [[nodiscard]] std::optional<fit::Candidate> candidate_of(const effects::Description& effect,
                                                          const Model& model);
 

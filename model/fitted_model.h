@@ -17,8 +17,9 @@ class FittedModel {
   [[nodiscard]] const Model& model() const { return model_; }
   /// Returns true if there are no parameters to set.
   [[nodiscard]] bool as_entered() const { return places_.empty(); }
-  /// Sets the values in the order of the places. Returns the first stage that differs from the last
-  /// keep(). Throws std::invalid_argument for values that the model does not accept.
+  /// Sets the values in the order of the places. Returns the first stage with values that differ
+  /// from the values of the last keep(). Throws std::invalid_argument for values that the model
+  /// does not accept.
   [[nodiscard]] Stage set(std::span<const double> values);
   /// Tells this object that all predictions now correspond to these values, which must be the
   /// values of the last set().

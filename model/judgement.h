@@ -115,7 +115,7 @@ class Judge {
   /// range of the table.
   void look_at_table(const std::string& place, const bearing::OperatingPoint& point,
                      double axial_load, double radial_load);
-  /// Judges the forces of both sets relative to the mounted force [N].
+  /// Judges the smaller force of the two sets relative to the mounted force [N].
   void look_at_preload(const bearing::OperatingPoint& point, double front_force, double rear_force,
                        double mounted);
   /// Adds the findings of another judge for the same model.

@@ -37,7 +37,7 @@ struct Rig {
   [[nodiscard]] bool coasts_down() const { return inertia > 0.0 || unknown_inertia; }
 };
 
-/// Shaft with its sets of bearings; a model without it is one bearing on a rig.
+/// Shaft with its sets of bearings. A model without a shaft is one bearing on a rig.
 struct Shaft {
   bearing::Arrangement arrangement;
   double external_load = 0.0;  ///< axial load, positive towards the tool [N]

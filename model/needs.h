@@ -12,8 +12,9 @@ namespace raceway::model {
 /// another lubricant supply. The text is empty if the effect can act.
 [[nodiscard]] std::string ruled_out(const effects::Description& effect, const Model& model);
 
-/// Explains why the base law of a model excludes an effect: the law already contains it, or
-/// cylindrical rollers do not have it. The text is empty if the effect is allowed.
+/// Explains why the base law of a model excludes an effect: the law already contains the effect,
+/// cylindrical rollers do not have it, or it changes a part of the moment that a friction table
+/// does not separate. The text is empty if the effect is allowed.
 [[nodiscard]] std::string refused_by_law(const effects::Description& effect, const Model& model);
 
 /// Returns the measured channel of a record for sets on a shaft: the axial displacement, or the

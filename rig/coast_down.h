@@ -51,10 +51,10 @@ struct CoastDownTorque {
 /// for p = 2/3 and 1 % for p = 2 at s = 0.25.
 ///
 /// The standard deviation of a row is the residual scale of the whole run (robust, Huber's proposal
-/// 2) times the gain of the slope. If neighbouring residuals are correlated (filtered signals), it
-/// is increased by the factor of a first-order autoregression. Samples more than 8 robust
-/// deviations from a robust local parabola are excluded and listed in the notes. Windows do not
-/// span gaps. Dense records are first averaged in blocks, at most 32 in a window.
+/// 2) times the gain of the slope. If neighbouring residuals are correlated (filtered signals), the
+/// standard deviation is increased by the factor of a first-order autoregression. Samples more than
+/// 8 robust deviations from a robust local parabola are excluded and listed in the notes. Windows
+/// do not span gaps. Dense records are first averaged in blocks, at most 32 in a window.
 ///
 /// The line number of a row is the line in the middle of its window. The notes give the place of
 /// all samples that were excluded or averaged.

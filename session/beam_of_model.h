@@ -41,7 +41,7 @@ struct BeamOfModel {
 /// bends it.
 [[nodiscard]] bool bends(const model::Spindle& spindle);
 
-/// Returns the reason why switching off the coolant has no effect. The text is empty if it has an
+/// Returns the reason why switching off the coolant has no effect; empty if switching it off has an
 /// effect.
 [[nodiscard]] std::string unused_coolant_off(const model::Model& model, bool coolant_on, bool warm);
 

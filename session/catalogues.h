@@ -21,8 +21,8 @@ struct FoundEffects {
   [[nodiscard]] std::string json() const;
 };
 
-/// Finds an effect by its id or by words of its description, or all effects if `asked` is empty.
-/// Throws text::InputError if no effect matches.
+/// Finds an effect by its id or by words of its description. If `asked` is empty, finds all
+/// effects. Throws text::InputError if no effect matches.
 [[nodiscard]] FoundEffects find_effects(const std::string& asked);
 
 /// Finds the bearings whose name contains `name`. If there are none, finds the bearings of the same

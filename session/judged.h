@@ -70,12 +70,13 @@ class JudgedColumns {
                                     std::span<const spindle::ProfileRow> profile,
                                     const spindle::Run& run);
 
-/// Judges a bent shaft. Throws text::InputError if it bends too far for beam theory.
+/// Judges a bent shaft. Throws text::InputError if the shaft bends too far for beam theory.
 [[nodiscard]] model::Findings judge(const model::Model& model, const bearing::Arrangement& mounted,
                                     const results::DeflectionResult& result, Wording wording);
 
-/// Returns a note for answers that do not keep the states of the bearings: the states outside the
-/// friction table of the spindle are not counted. Models with other friction laws give no note.
+/// Returns a note for an answer that does not store the states of the bearings. The note says that
+/// states outside the friction table of the spindle are not counted. Models with other friction
+/// laws give no note.
 [[nodiscard]] std::vector<record::Note> states_not_counted(const model::Model& model);
 
 /// Judges speeds only [rad/s].

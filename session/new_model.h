@@ -13,7 +13,8 @@ namespace raceway::session {
 struct NewModel {
   std::string bearing{};  ///< designation in the catalogue
   files::BearingOutline
-      /// outline of a bearing outside the catalogue; the element material applies to every bearing
+      /// outline of a bearing outside the catalogue; its material of balls or rollers is also used
+      /// for a catalogue bearing
       outline{};
   double contact_angle = unset;  ///< contact angle of a bearing outside the catalogue [deg]
   /// Friction law: "palmgren", "skf" or "contact". Empty means contact for balls on a rig and

@@ -48,9 +48,9 @@ struct SensitivityQuestion {
 ///
 /// The derivative is the central difference at two steps, h and h/2, extrapolated: (4 D(h/2) -
 /// D(h))/3. The difference is one-sided if the model rejects values on the other side. The step h
-/// is 0.1 % of the datum, or 0.1 K for a temperature. For a spindle, the step is ten times larger,
-/// because the steady state is found by iteration. The step of a count is 1, and there is no second
-/// step.
+/// is 0.1 % of the datum, or 0.1 K for a temperature. For steady states of a spindle, the step is
+/// ten times larger, because a steady state is found by iteration. The step of a count is 1, and
+/// there is no second step.
 ///
 /// The spreads come from the question. Otherwise, the spread of a fitted number is sqrt(3) times
 /// its standard error. This is half the width of a uniform distribution whose standard deviation is

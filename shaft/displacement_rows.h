@@ -34,9 +34,10 @@ class DisplacementRows {
 };
 
 /// Returns the displacement of the shaft at the rows of a record [m]: ShaftPrediction::displacement
-/// plus the contributions of effects on the reading. It is NaN if the sets have no equilibrium or
-/// an effect has no value. Loads, preload and temperatures of a row come from BalancedRows. Throws
-/// std::invalid_argument for a model without a shaft, and like add_expansion().
+/// plus the contributions of effects on the reading. The value of a row is NaN if the sets have no
+/// equilibrium or an effect has no value. Loads, preload and temperatures of a row come from
+/// BalancedRows. Throws std::invalid_argument for a model without a shaft, and like
+/// add_expansion().
 [[nodiscard]] std::vector<double> predict_displacement(const Model& model,
                                                        const record::Record& record);
 

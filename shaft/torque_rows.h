@@ -41,9 +41,9 @@ class TorqueRows {
 };
 
 /// Returns the friction torque of the sets on a shaft at the rows of a record [N m]: the sum over
-/// all bearings in their equilibrium, plus the contributions of effects on the reading. It is NaN
-/// if the sets have no equilibrium or an effect has no value. Loads, preload and temperatures of a
-/// row come from BalancedRows. Throws std::invalid_argument like BalancedRows.
+/// all bearings in their equilibrium, plus the contributions of effects on the reading. The value
+/// of a row is NaN if the sets have no equilibrium or an effect has no value. Loads, preload and
+/// temperatures of a row come from BalancedRows. Throws std::invalid_argument like BalancedRows.
 [[nodiscard]] std::vector<double> predict_torque(const Model& model, const record::Record& record);
 
 }  // namespace raceway::shaft

@@ -93,7 +93,7 @@ class Beam {
   [[nodiscard]] const Eigen::SparseMatrix<double>& stiffness() const { return stiffness_; }
   [[nodiscard]] const Eigen::SparseMatrix<double>& mass() const { return mass_; }
   [[nodiscard]] const Eigen::SparseMatrix<double>& gyroscopic() const { return gyroscopic_; }
-  /// Returns the stiffness with springs at nodes.
+  /// Returns the stiffness matrix including springs at nodes.
   [[nodiscard]] Eigen::SparseMatrix<double> held_by(std::span<const double> places,
                                                     std::span<const PlaneSpring> springs) const;
 

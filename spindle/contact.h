@@ -48,9 +48,9 @@ struct RoughContact {
 /// Thermal conductivity λ of the air in gaps of seats [W/(m K)].
 inline constexpr double gap_conductivity = 0.027;
 
-/// Returns the conductance of the air between rough surfaces [W/(m² K)], λ/(3 Ra + gap). It remains
-/// when a seat becomes loose. `gap` is the distance of the mean planes minus the roughness, >= 0
-/// [m].
+/// Returns the conductance of the air between rough surfaces [W/(m² K)], λ/(3 Ra + gap). This
+/// conductance remains when a seat becomes loose. `gap` is the distance of the mean planes minus
+/// the roughness, >= 0 [m].
 [[nodiscard]] inline double gas_gap(double roughness, double gap,
                                     double conductivity = gap_conductivity) {
   return conductivity / (3.0 * roughness + std::max(gap, 0.0));

@@ -56,8 +56,8 @@ struct LagAt {
 struct PowerLaws {
   StraightLine gain_line = {}, time_line = {};  ///< [m/W], [m]; [s/W], [s]
   PowerLaw gain_power = {}, time_power = {};    ///< NaN if values differ in sign
-  /// Range of P in which both lines have the same sign as between the points [W]; the limits are
-  /// infinite if the sign never changes.
+  /// Range of P in which both lines have the same sign as between the points [W]; from 0 to
+  /// infinity if the sign never changes.
   double valid_from = unset, valid_to = unset;
 };
 

@@ -44,8 +44,7 @@ struct StepFit {
 /// Accuracy: time constants to 1e-9 if the rows follow the law exactly.
 /// Traps:    subtract the kinematic part from the displacement first, because this immediate part
 ///           would look like a fast lag. Throws std::invalid_argument for too few rows, for a value
-///           that is
-/// not finite, for a negative time, and if all displacements are zero.
+///           that is not finite, for a negative time, and if all displacements are zero.
 [[nodiscard]] StepFit fit_step(std::span<const double> time, std::span<const double> displacement);
 
 /// Returns the time constants of one or two lags with known gains that decay to zero [s].

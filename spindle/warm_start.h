@@ -23,8 +23,9 @@ struct WarmStart {
 };
 
 /// Finds the past operation that agrees best with the thermometers in the first row of a run. The
-/// result is empty if the thermometers are within 2 K of a cold start, if the record has no ambient
-/// temperature, or if no past operation halves the error of a cold start.
+/// result is empty unless two thermometers (or the only one) are more than 2 K above a cold start.
+/// It is also empty if the record has no ambient temperature, or if no past operation halves the
+/// error of a cold start.
 ///
 /// Candidates are constant speeds (of the first row, the mean and the highest) for a quarter of an
 /// hour to eight hours, with the other inputs of the first row. The displacement is treated as set

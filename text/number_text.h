@@ -16,8 +16,8 @@ namespace raceway::text {
 /// read.
 [[nodiscard]] std::string toml_float(double value);
 
-/// Returns a number for readers, with this number of significant digits. It has an exponent only if
-/// it is very large or very small. NaN gives "-".
+/// Returns a number for readers, with this number of significant digits. The text has an exponent
+/// only for very large and very small numbers. NaN gives "-".
 [[nodiscard]] std::string number(double value, int digits = 4);
 
 /// Returns a value of a channel in its unit, without the rounding error of a large offset: 60 C

@@ -34,7 +34,7 @@ struct Unit {
   Dimension dimension;
   double factor;        ///< SI = factor * value + offset
   double offset = 0.0;  ///< [K] for temperatures
-  /// Other spellings with blanks between them, in the form that in_short() gives to the text of a
+  /// Other spellings, separated by blanks, in the form that in_short() returns for the text of a
   /// file.
   std::string_view spellings = {};
   std::string_view names = {};  ///< further spellings, in lower case, read in any case

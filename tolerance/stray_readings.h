@@ -15,8 +15,9 @@ struct WithoutStrays {
 
 /// Removes readings whose residual jumps and returns (fit/isolated_readings.h), for example because
 /// chips touch a probe that measures every few minutes. The model is refitted without these
-/// readings. If the new fit shows further readings of this kind, the step is repeated, at most
-/// three times. The record is unchanged for costly models and for models that cannot be fitted.
+/// readings. If the new fit shows further readings of this kind, the step is repeated; there are at
+/// most three rounds. The record is unchanged for costly models and for models that cannot be
+/// fitted.
 [[nodiscard]] WithoutStrays without_strays(const fit::Subject& subject,
                                            const record::Record& record);
 

@@ -48,10 +48,12 @@ struct AddResult {
 /// an OtherBase replaces the base model by the calibrated other base model. Such an id must be the
 /// only id. Shapes and base models are judged like effects.
 ///
-/// The result is rejected in three cases. First: the error on blocks of held-out rows does not
-/// improve. It must improve in two of the blockings and become significantly worse in none. Second:
-/// chance could explain the fall of -2 ln L. Third: a single effect leaves structure in the
-/// residuals, although another effect explains the data up to the noise.
+/// The result is rejected if the fit does not converge, and in five more cases. First: the error on
+/// blocks of held-out rows does not improve. It must improve in two of the blockings and become
+/// significantly worse in none. Second: chance could explain the fall of -2 ln L. Third: a
+/// tolerance is given, and the held-out error without the effects is within it. Fourth: one of
+/// several effects explains nothing beyond the others. Fifth: a single effect leaves structure in
+/// the residuals, although another effect explains the data up to the noise.
 ///
 /// Throws std::invalid_argument without an effect, for an unknown effect (with the nearest ids),
 /// for an effect that the model already has, for an effect whose inputs the data lack (with their

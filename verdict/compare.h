@@ -93,9 +93,9 @@ struct Comparison {
   std::string statement{};  ///< one sentence: size and place of the error, structure or noise
 };
 
-/// Returns the noise of a measured channel: the noise that the model declares, if any. Otherwise
-/// the noise is estimated, by estimate_noise(), or from neighbours in time for a model that only
-/// approximates.
+/// Returns the noise of a measured channel, by estimate_noise(). For a model that only
+/// approximates, it is the standard deviation that the model declares, otherwise the scatter of
+/// readings that are neighbours in time.
 [[nodiscard]] fit::Noise noise_of(const record::Record& record, const fit::Measured& measured);
 
 /// Compares a model with every measured channel of the record. `fitted_parameters` is the number of
@@ -117,8 +117,9 @@ void add_groups(Comparison& comparison, const record::Channel& kind,
                 const std::vector<std::string>& group);
 
 /// Fills Comparison::estimated_noise and the standard deviations of rows whose noise is unknown.
-/// The values come from a saturated regression, as in a diagnosis. They do not change the verdict
-/// on structure or noise.
+/// The values come from a saturated regression, as in a diagnosis. For a model that only
+/// approximates, noise_of_calm_readings() gives an upper bound instead. The values do not change
+/// the verdict on structure or noise.
 void estimate_unknown_noise(const fit::Subject& subject, const record::Record& record,
                             std::vector<Comparison>& comparisons);
 

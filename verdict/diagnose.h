@@ -19,7 +19,7 @@ struct DiagnoseOptions {
   int most_rows = most_rows_of_a_fit;
   bool pairs = true;
   /// True if the other base models of the subject are also tried when no candidate explains the
-  /// misfit.
+  /// misfit, or when one candidate fits only with another law or an implausible size.
   bool other_bases = true;
   fit::NoiseOptions noise{};
   std::function<void(double share, std::string_view step)> progress{};
@@ -50,9 +50,10 @@ struct DiagnoseOptions {
 /// matters on held-out blocks within the measured range. Nothing is missing if the refitted model
 /// stays within the tolerance on these blocks. An effect explains the data if it brings the error
 /// within the tolerance. Effects whose error is at most a fifth larger are also named. Two effects
-/// explain the data if no single effect does and the pair reduces the error by a further fifth.
-/// Throws std::invalid_argument if the data do not support a verdict, and Cancelled if the caller
-/// cancels. Models that only approximate need loop/loop.h instead.
+/// explain the data if no single effect does and if the error of the best single effect is at least
+/// a fifth larger than the error of the pair. Throws std::invalid_argument if the data do not
+/// support a verdict, and Cancelled if the caller cancels. Models that only approximate need
+/// loop/loop.h instead.
 [[nodiscard]] Diagnosis diagnose_by_noise(const fit::Subject& subject, const record::Record& record,
                                           const DiagnoseOptions& options = {});
 

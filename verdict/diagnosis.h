@@ -198,7 +198,8 @@ struct Diagnosis {
   int rows = 0;                                 ///< used
   std::vector<std::size_t> outliers;            ///< rows with reduced weight
   std::vector<std::size_t> rows_not_predicted;  ///< rows
-  /// Other base models, best first. They are tried if no candidate explains the misfit.
+  /// Other base models, best first. They are tried if no candidate explains the misfit, or if one
+  /// candidate fits only with another law or an implausible size.
   std::vector<OtherBaseTried> other_bases{};
   /// Diagnosis with the best of these models as the base model, with single candidates only. Null
   /// if no other base model is good enough.

@@ -10,7 +10,8 @@
 namespace raceway::verdict {
 
 /// Returns the parameters of one candidate of an explanation, named without its id. A size is
-/// plausible within three times the range seen in practice, plus or minus two standard errors.
+/// plausible within three times the range seen in practice, plus or minus two standard errors. A
+/// wrong datum must be within the range itself.
 [[nodiscard]] std::vector<record::Parameter> sizes_of(const fit::Problem& problem,
                                                       const Explanation& e, std::size_t member);
 

@@ -63,8 +63,8 @@ class Search {
   [[nodiscard]] bool is_physics(const Explanation& e) const;
   [[nodiscard]] bool is_physics_alone(const Explanation& e) const;
   [[nodiscard]] std::vector<std::string> ids_of(const Explanation& e) const;
-  /// Returns true if the explanation raises the rms residual. Residuals are weighted by the noise
-  /// of each channel, without outliers.
+  /// Returns true if the explanation raises the rms residual. Each channel is weighted by its
+  /// noise, and outliers are left out.
   [[nodiscard]] bool raises_the_error(const Explanation& e) const;
   /// Returns true if the explanation lowers this rms residual by at least `share`.
   [[nodiscard]] bool lowers_the_error(const Explanation& e, double share) const;

@@ -6,8 +6,8 @@
 
 namespace raceway::correction {
 
-/// Ambient temperature moves the machine: a lag of the ambient temperatures, or of the base
-/// temperatures if there are none.
+/// The ambient temperature moves the machine. The effect is a lag of the ambient temperatures, or
+/// of the base temperatures if there are no ambient temperatures.
 struct AmbientDrift final : EffectKind {
   static constexpr EffectCard ambient_card{
       .id = "ambient-drift",

@@ -5,7 +5,7 @@
 
 namespace raceway::correction {
 
-/// The screw of an axis heats up as the axis moves: a lag of |feed|.
+/// The screw of an axis heats up as the axis moves. The effect is a lag of |feed|.
 struct FeedAxisHeat final : EffectKind {
   static constexpr EffectCard feed_card{
       .id = "feed-axis-heat",

@@ -5,7 +5,8 @@
 
 namespace raceway::correction {
 
-/// A second body behind the first: an additional lag of the recorded input of a channel.
+/// A second body warms up behind the first one. The effect is an additional lag of the recorded
+/// input of a channel.
 struct SecondTimeConstant final : EffectKind {
   static constexpr EffectCard second_card{
       .id = "second-time-constant",

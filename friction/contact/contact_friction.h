@@ -210,7 +210,7 @@ struct BearingFriction {
   return ball_motion(g, r, inner, ball.outer_contact_angle, speed);
 }
 
-/// Both contacts of a ball. The inner one is meaningless if the ball has lost this contact.
+/// Both contacts of a ball. The inner contact has no meaning if the ball has lost the inner race.
 struct ContactsOfBall {
   ContactFriction inner, outer;
 };
@@ -249,10 +249,10 @@ template <typename Contacts, typename Look>
 /// Source:   the laws of this folder; the sum of powers is derived.
 /// Domain:   speed >= 0; at standstill the result is the limit for slow rotation. Without a
 ///           converged equilibrium the result is NaN.
-/// Accuracy: the laws to rounding, sliding to 0.1 %. The friction level of a bearing at speed is
-///           uncertain by +-40 %, because of the oil supply of the inlets (flooded: +32 to +55 %)
-///           and their heating. The ratio of two bearings is much more accurate. `look` is
-///           described at sum_over_contacts().
+/// Accuracy: the code agrees with the laws to rounding error, sliding to 0.1 %. The friction level
+///           of a bearing at speed is uncertain by +-40 %, because of the oil supply of the inlets
+///           (flooded: +32 to +55 %) and their heating. The ratio of two bearings is much more
+///           accurate. `look` is described at sum_over_contacts().
 template <typename Look>
 [[nodiscard]] BearingFriction bearing_friction(const bearing::Bearing& bearing,
                                                const bearing::BearingEquilibrium& equilibrium,

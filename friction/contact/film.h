@@ -33,7 +33,8 @@ struct Film {
 /// Domain:   Q > 0, rolling along the short axis; zero at standstill. Fitted for U from about 1e-12
 ///           to 1e-11, W from 1e-7 to 1e-6, k from 1 to 8. In spindle bearings U is up to ten times
 ///           larger.
-/// Accuracy: the formula to rounding; 10 to 20 % compared with measured films.
+/// Accuracy: the code agrees with the formula to rounding error; 10 to 20 % compared with measured
+///           films.
 /// Trap:     U here is half the U of rolling_force().
 [[nodiscard]] inline Film isothermal_film(const RollingInlet& c, double ellipse_ratio) {
   if (!(c.speed > 0.0)) return {};  // powers without finite derivatives

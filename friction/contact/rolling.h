@@ -45,8 +45,9 @@ struct RollingEllipse {
 ///           the print layout.
 /// Domain:   Q > 0. The force is zero at standstill, where the slope is infinite and is returned as
 ///           zero.
-/// Accuracy: the formula to rounding; a flooded and a limited inlet differ by 30 to 55 % at spindle
-///           speeds, and the inlet condition is not known beforehand.
+/// Accuracy: the code agrees with the formula to rounding error; a flooded and a limited inlet
+///           differ by 30 to 55 % at spindle speeds, and the inlet condition is not known
+///           beforehand.
 /// Trap:     U has a factor 2 that Hamrock and Dowson's U lacks.
 [[nodiscard]] inline double rolling_force(const RollingEllipse& c, Inlet supply) {
   const RollingInlet& i = c.inlet;

@@ -122,8 +122,7 @@ class Correction(LoopModel):
         record : Record
             Record with ``time_s``, the inputs and the displacement. Cells of the displacement can be empty.
         inputs : str or iterable of str, optional
-            Columns that can become channels, or ``"all"``. The program adds a column if this reduces the held-out
-            error.
+            Columns that can become channels, or ``"all"``. The program adds a column if this reduces the held-out error by more than 5 %.
         order : int or (int, int)
             Number of lags of each channel, from 1 to 6. A pair gives the smallest and the largest number.
         lags_s : "auto" or iterable of float, optional

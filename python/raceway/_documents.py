@@ -57,7 +57,7 @@ UNITS = {
 
 
 def kind_of(result: object) -> str:
-    """Name of the first class in KINDS, in the order of the class hierarchy of the result; "" if there is none."""
+    """Return the name of the first class in the class hierarchy of the result that KINDS contains; "" if there is none."""
     for one in type(result).__mro__:
         if one.__name__ in KINDS:
             return one.__name__

@@ -54,7 +54,7 @@ def table(head: list[str], rows: list[list[str]], left: int = 1, units: int | No
 
 
 def bar(value: float, full: float, mark: float | None, kind: str) -> str:
-    """Return a bar of a ladder, with a mark at the noise."""
+    """Return the bar of one error of a ladder (`plot.ladder`), with a mark at the noise."""
     width = 0.0 if not full > 0.0 else BAR * max(0.0, min(value / full, 1.0))
     # Hollow for held-out rows, as in the picture of plot.ladder().
     body = (
@@ -85,7 +85,7 @@ def ladder_html(ladders: list[Ladder]) -> str:
 
 
 def ladders_html(result: object) -> str:
-    """Return one ladder for each quantity."""
+    """Return one ladder of error bars (`plot.ladder`) for each quantity."""
     groups: dict[tuple[str, str], list[Ladder]] = {}
     for one in ladders_of(result, "html_of()"):
         groups.setdefault((one.quantity, one.unit), []).append(one)
@@ -320,7 +320,7 @@ def _rows_html(result: Any) -> str:
 
 
 def _solution(result: Any) -> str:
-    """Return the numbers of one operating point, with the length of lists such as the balls. For several points, return their rows."""
+    """Return the numbers of one operating point. Of a list, such as the balls, only the length is shown. For several points, return their rows."""
     if result.data is None:
         return _rows_html(result)
     rows = []

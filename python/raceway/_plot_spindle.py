@@ -18,7 +18,7 @@ Row = dict[str, Any]
 
 
 def _largest(*endings: str) -> Callable[[Row], float]:
-    """Return a function of a row: the largest value of the columns with these endings, NaN without a value."""
+    """Return a function that gives the largest value of the columns with these endings in a row; NaN without a value."""
 
     def of(row: Row) -> float:
         values = [v for key, v in row.items() if key.endswith(endings) and v is not None]

@@ -128,7 +128,7 @@ class Solution(Mapping[str, numpy.ndarray]):
 
 
 class _Document:
-    """Base class of results that contain the document of the command with ``--json``."""
+    """Base class of results that contain the document that the command prints with ``--json``."""
 
     _data: dict[str, Any] | None = None
 

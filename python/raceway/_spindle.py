@@ -156,7 +156,7 @@ class StepResponses(_OfSpindle):
             File of the correction (TOML). The names of the table files begin with the name of this file.
         law : {"curve", "power", "line"}
             Law that describes K and T as functions of P: a table through all steps (``"curve"``), a power of P
-            (``"power"``), or a chord (``"line"``).
+            (``"power"``), or a straight line (``"line"``).
         lags : {"auto", "one", "two"}
             Number of delay elements. ``"auto"`` tries one and two elements on a day with changing speeds.
         overwrite : bool

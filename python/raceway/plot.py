@@ -245,7 +245,7 @@ def _bearing_curves(ax: Axes, frame: pd.DataFrame, places: list[str]) -> list[st
 
 
 def _table_curves(ax: Axes, frame: pd.DataFrame, by: list[str]) -> list[str]:
-    """Draw a band from the smallest to the largest angle for each value of the settings. If both are equal, draw a line."""
+    """Draw a band from the smallest to the largest angle for each value of the settings. If both angles are equal, draw a line."""
     caller = "contact_angles()"
     names = []
     for i, (values, rows) in enumerate(draw.groups_by(frame, by)):

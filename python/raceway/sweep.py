@@ -204,8 +204,7 @@ def run(
     Returns
     -------
     Sweep
-        Outcomes in the order of the items. A `raceway.Doubt` gives the number of items that failed or made
-        warnings.
+        Outcomes in the order of the items. A `raceway.Doubt` gives the number of items that failed or gave warnings.
 
     Raises
     ------
