@@ -120,8 +120,13 @@ void NoiseSearch::find_blocks() {
   // Neighbours in time are alike within a block, too: of blocks and a correlation the better one.
   const double with = value();
   const bool found = noise_.run_share > 0.0 && with < independent - blocks_found && with < before;
-  // Passages at a level each may be runs where nothing tells how much they differ.
-  const bool cautious = order.own_levels && noise_.unknown_runs;
+  // Passages at a level each may be runs: the columns of the levels hold whatever they differ by,
+  // even where the noise has a shape in which their offsets are no multiple of a column.
+  const bool cautious = order.own_levels && options_.runs;
+  if (cautious && !found) {
+    noise_.run_share = std::max(noise_.run_share, unknown_runs * (1.0 - noise_.state_share));
+    noise_.unknown_runs = true;
+  }
   if (found || cautious) {
     noise_.undeclared_blocks = true;
     return;
