@@ -11,7 +11,6 @@ namespace raceway::verdict {
 
 namespace {
 
-constexpr double beaten = 3.84;            // in -2 ln L: 95 % of one degree of freedom
 constexpr double loss_of_a_member = 60.0;  // of a pair, in -2 ln L
 constexpr double loss_of_a_third = 30.0;   // of a triple
 constexpr std::size_t most_bent = 3;       // candidates whose laws are bent
@@ -236,10 +235,10 @@ std::optional<Finding> Search::three_candidates() {
   return Finding{Finding::Kind::several, std::move(strong)};
 }
 
-/// True if a law bent to its limit is beaten by a plain power of the inputs, which has as many
+/// True if a law bent to its limit is no better than a plain power of the inputs, which has as many
 /// free numbers: what is missing then acts like something else.
 bool Search::bent_too_far(const Explanation& bent) const {
-  return bent.bent_to_a_bound() && shape_ && shape_->gain > bent.gain + beaten;
+  return bent.bent_to_a_bound() && shape_ && shape_->gain > bent.gain;
 }
 
 Finding Search::bent_law() {
