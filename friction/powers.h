@@ -41,11 +41,14 @@ struct PowersViscous {
     const T load = f1_load(s);
     if (load <= 0.0) return T(0.0);  // 0^b has no finite derivatives
     const T nu_n = (s.kinematic_viscosity / mm2_per_s) * (s.speed / rpm);
-    const T share = nu_n < 2000.0 ? T(2000.0 / medium_nu_n) : T(nu_n / medium_nu_n);
+    // Factors divide as in the code of automatic derivatives, so that values are equal to the last
+    // digit.
+    const T share = (nu_n < 2000.0 ? T(2000.0) : nu_n) * (1.0 / medium_nu_n);
     // The moment of ν n = 300 000, at which viscosity and speed need not be known.
     const T medium =
         palmgren_viscous_moment(f0, T(medium_nu_n * mm2_per_s), T(1.0 * rpm), s.pitch_diameter());
-    return medium * pow(share, exponent) * pow(load / medium_load(s.f1_load), load_exponent);
+    return medium * pow(share, exponent) *
+           pow(load * (1.0 / medium_load(s.f1_load)), load_exponent);
   }
 };
 

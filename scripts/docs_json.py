@@ -192,6 +192,7 @@ MEANINGS = {
         "base_parameters.NAME.before": "before and after alike where nothing is named",
         "correlation.names": "of the first explanation; of the model where there is none",
         "other_bases[].id": "other base laws that were tried, the best first",
+        "other_bases[].fitted_form": "true: the exponents are fitted too, so this base describes the data without explaining them",
         "given_other_base.verdict": "with the first of them, where it is worth it",
         "suggested_measurements[].difference_in_sigma": "of the explanations that the point separates",
         "shape.torque_Nmm": "where nothing in the catalogue explains the misfit",

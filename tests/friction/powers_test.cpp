@@ -3,8 +3,6 @@
 #include <span>
 #include <vector>
 
-#include "effects/load_exponent.h"
-#include "effects/viscous_exponent.h"
 #include "friction/friction_law.h"
 #include "tests/friction/sample.h"
 
@@ -49,21 +47,17 @@ TEST(Powers, WithTheExponentsOfPalmgrenItIsPalmgrens) {
       }
 }
 
-TEST(Powers, HasTheExponentsOfTheEffectsThatCorrectPalmgrensLaw) {
+TEST(Powers, KeepsPalmgrensMomentsAtTheMediumPoint) {
   const bearing::Bearing bearing = tests::spindle_bearing();
-  const BearingState<double> s = at(bearing, 9000 * rpm, 1200.0, 22 * mm2_per_s);
-  const auto palmgren = moments(FrictionLaw::palmgren, s, {2.0, 0.001, 0.33});
-  effects::MomentInputs in{.state = s, .base = palmgren};
-  const double viscous_change = -0.07, load_change = 0.12;
-  const double viscous = effects::ViscousExponent::moment(in, std::span(&viscous_change, 1));
-  const double load = effects::LoadExponent::moment(in, std::span(&load_change, 1));
-  // z refers to the rating, the effect to a medium load.
-  const double medium = friction::medium_load(s.f1_load) / 43000;
-  const auto powers = moments(FrictionLaw::powers, s,
-                              {2.0, 0.001 * std::pow(medium, -load_change), 0.33 + load_change,
-                               2.0 / 3.0 + viscous_change, 0.0});
-  tests::expect_relative(powers.viscous, palmgren.viscous + viscous, 1e-12);
-  tests::expect_relative(powers.load, palmgren.load + load, 1e-12);
+  // nu n = 300 000 and P0 = Y0 F_a = 200 N, with Y0 = 0.38 at 25 deg.
+  const BearingState<double> s = at(
+      bearing, 10000 * rpm, 200.0 / friction::static_load_factors(25 * degree).Y0, 30 * mm2_per_s);
+  const double viscous = moments(FrictionLaw::palmgren, s, {2.0, 0.001, 0.33}).viscous;
+  for (const double exponent : {0.5, 0.656, 0.8})
+    for (const double load_exponent : {0.0, 0.466})
+      tests::expect_relative(
+          moments(FrictionLaw::powers, s, {2.0, 0.001, 0.33, exponent, load_exponent}).viscous,
+          viscous, 1e-12);
 }
 
 TEST(Powers, TheViscousMomentGoesWithThePowersOfItsExponents) {
