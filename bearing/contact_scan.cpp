@@ -66,7 +66,7 @@ class ContactScan {
   }
 
   std::vector<ScannedSet> run() {
-    tabulate();
+    span_table();
     const int nodes = tilts_ ? free_tilt_nodes : locked_tilt_nodes;
     const double aside = farthest_aside * distance_, tilt = farthest_tilt * distance_;
     for (int i = 0; i < (tilts_ ? nodes : 1); ++i)
@@ -98,28 +98,30 @@ class ContactScan {
     return {free_.axial + ring.axial - ring.tilt * cosine, free_.radial + ring.along * cosine};
   }
 
-  /// Every ball in every way, over all places to which a groove comes with the ring on the grid.
-  void tabulate() {
+  /// The places to which a groove comes with the ring on the grid.
+  void span_table() {
     const double tilt = tilts_ ? farthest_tilt * distance_ : 0.0;
     const double aside = farthest_aside * distance_;
     low_ = {-tilt, free_.radial - aside};
     const Plane high{free_.axial + farthest_in * distance_ + tilt, free_.radial + aside};
     step_ = {(high.axial - low_.axial) / (groove_places - 1),
              (high.radial - low_.radial) / (groove_places - 1)};
-    table_.reserve(groove_places * groove_places);
-    for (std::size_t i = 0; i < groove_places; ++i)
-      for (std::size_t j = 0; j < groove_places; ++j)
-        table_.push_back(ways_at({low_.axial + static_cast<double>(i) * step_.axial,
-                                  low_.radial + static_cast<double>(j) * step_.radial}));
+    table_.resize(groove_places * groove_places);
   }
 
-  [[nodiscard]] const BallWays& ways_near(Plane groove) const {
+  /// A ball in every way at the nearest place, which is filled in when a ball first comes there.
+  const BallWays& ways_near(Plane groove) {
     const auto index = [](double x) {
       return static_cast<std::size_t>(
           std::clamp(std::lround(x), 0L, static_cast<long>(groove_places) - 1));
     };
-    return table_[index((groove.axial - low_.axial) / step_.axial) * groove_places +
-                  index((groove.radial - low_.radial) / step_.radial)];
+    const std::size_t i = index((groove.axial - low_.axial) / step_.axial);
+    const std::size_t j = index((groove.radial - low_.radial) / step_.radial);
+    std::optional<BallWays>& ways = table_[i * groove_places + j];
+    if (!ways)
+      ways = ways_at({low_.axial + static_cast<double>(i) * step_.axial,
+                      low_.radial + static_cast<double>(j) * step_.radial});
+    return *ways;
   }
 
   [[nodiscard]] BallWays ways_at(Plane groove) const {
@@ -251,11 +253,11 @@ class ContactScan {
   double cos_, sin_, arm_ = 0.0;
   bool tilts_;
   RingForce load_{};
-  std::vector<double> along_;          // cosines of the balls' azimuths to the load
-  Plane low_, step_;                   // first place of the table, and from one to the next [m]
-  std::vector<BallWays> table_;        // by axial and then by radial place of the groove
-  std::vector<const BallWays*> ways_;  // of each ball at the node in hand
-  std::vector<std::size_t> chosen_;    // one of these
+  std::vector<double> along_;  // cosines of the balls' azimuths to the load
+  Plane low_, step_;           // first place of the table, and from one to the next [m]
+  std::vector<std::optional<BallWays>> table_;  // by axial and then by radial place of the groove
+  std::vector<const BallWays*> ways_;           // of each ball at the node in hand
+  std::vector<std::size_t> chosen_;             // one of these
   std::map<std::vector<InnerContact>, double> nearest_;  // least imbalance of each set so far [N]
   std::vector<ScannedSet> sets_;
 };

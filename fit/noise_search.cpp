@@ -13,8 +13,7 @@ namespace raceway::fit {
 namespace {
 
 constexpr double fewest_degrees_of_a_scale = 3.0;
-constexpr double worth_an_input = 3.84;     // of -2 ln L: 5 % level of one parameter
-constexpr double worth_a_record = 3.84;     // the same
+constexpr double worth_a_record = 3.84;     // of -2 ln L: 5 % level of one parameter
 constexpr double fewest_of_a_record = 4.0;  // degrees of freedom, to tell its scatter
 constexpr double contradicted = 0.01;       // p of declared standard deviations
 constexpr Eigen::Index most_rows_of_a_search = 1500;
@@ -25,19 +24,6 @@ Eigen::MatrixXd gram_of(const Eigen::MatrixXd& x) {
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(x.cols(), x.cols());
   gram.selfadjointView<Eigen::Lower>().rankUpdate(x.transpose());
   return gram;
-}
-
-/// -2 ln of the restricted likelihood, with the common factor of the variance at its best.
-/// `deviation`: readings less any fit of the columns, which changes nothing but the rounding.
-double restricted(const Whitening& whitening, const Eigen::MatrixXd& columns,
-                  const Eigen::VectorXd& deviation) {
-  const Eigen::MatrixXd x = whitening(columns);
-  const Eigen::VectorXd y = whitening(deviation);
-  const auto freedom = static_cast<double>(x.rows() - x.cols());
-  const algebra::LowerRoot root(gram_of(x));
-  const double fitted = root.solve_root(x.transpose() * y).squaredNorm();
-  return freedom * std::log(y.squaredNorm() - fitted) + whitening.log_determinant() +
-         root.log_determinant();
 }
 
 /// Rows of contiguous stretches, spread over the data: what a search for variances needs of many.
@@ -63,6 +49,26 @@ T pick(const T& all, const std::vector<Eigen::Index>& rows) {
 }
 
 }  // namespace
+
+RestrictedFit::RestrictedFit(const Whitening& whitening, const Eigen::MatrixXd& columns,
+                             const Eigen::VectorXd& deviation)
+    : x_(whitening(columns)),
+      y_(whitening(deviation)),
+      gram_(gram_of(x_)),
+      projected_(x_.transpose() * y_) {
+  const algebra::LowerRoot root(gram_);
+  square_ = y_.squaredNorm() - root.solve_root(projected_).squaredNorm();
+  misfit_ = freedom() * std::log(square_) + whitening.log_determinant() + root.log_determinant();
+}
+
+Eigen::VectorXd RestrictedFit::residual() const {
+  const Eigen::MatrixXd root = algebra::inverse_lower_root(gram_);
+  return y_ - x_ * (root.transpose() * (root * projected_));
+}
+
+Eigen::VectorXd RestrictedFit::leverage() const {
+  return (x_ * algebra::inverse_lower_root(gram_).transpose()).rowwise().squaredNorm();
+}
 
 NoiseSearch::Regression NoiseSearch::regress(const Eigen::MatrixXd& x, const Eigen::VectorXd& y) {
   // The columns are independent, so their Gram matrix is regular.
@@ -148,14 +154,17 @@ NoiseModel NoiseSearch::run() {
   return std::move(noise_);
 }
 
-double NoiseSearch::misfit(double phi, double run_share, const Shares& shares) const {
-  const Parts some{
-      parts_.reading(some_), parts_.own(some_),
-      parts_.slope.size() > 0 ? Eigen::VectorXd(parts_.slope(some_)) : Eigen::VectorXd()};
+RestrictedFit NoiseSearch::restricted(double phi, double run_share, const Shares& shares) const {
+  const Parts some = some_parts();
   const Eigen::VectorXd std = shape(shares, some, stretched()(some_));
-  return restricted(Whitening(std, some_order_, phi, run_share, noise_.state_share,
-                              common(shares, some), run_unit(std)),
-                    some_columns_, some_deviation_);
+  return {Whitening(std, some_order_, phi, run_share, noise_.state_share, common(shares, some),
+                    run_unit(std)),
+          some_columns_, some_deviation_};
+}
+
+NoiseSearch::Parts NoiseSearch::some_parts() const {
+  return {parts_.reading(some_), parts_.own(some_),
+          parts_.slope.size() > 0 ? Eigen::VectorXd(parts_.slope(some_)) : Eigen::VectorXd()};
 }
 
 double NoiseSearch::run_unit(const Eigen::VectorXd& std) const {
@@ -166,34 +175,6 @@ Eigen::VectorXd NoiseSearch::common(const Shares& shares, const Parts& parts) co
   if (readings_.within.size() == 0 || declared_) return {};
   const Eigen::VectorXd all = shape(shares, parts, Eigen::VectorXd::Ones(parts.reading.size()));
   return (std::sqrt(shares.relative) * parts.reading.cwiseAbs()).cwiseQuotient(all);
-}
-
-std::vector<NoiseSearch::Shares> NoiseSearch::all_shares() const {
-  std::vector<Shares> list;
-  for (const double input : {0.0, 0.1, 0.25, 0.45, 0.7, 0.9}) {
-    if (input > 0.0 && parts_.slope.size() == 0) break;
-    for (const double s : {1.0, 0.998, 0.99, 0.97, 0.93, 0.85, 0.7, 0.5, 0.25, 0.1, 0.0})
-      list.push_back({.relative = s * (1.0 - input), .input = input});
-  }
-  return list;
-}
-
-double NoiseSearch::cost(const Shares& shares) {
-  // Fewer parts are preferred unless a mixture is clearly better. Scatter of an input is not
-  // declared by the record, so it has to gain more.
-  return static_cast<double>(shares.parts() - 1) + (shares.input > 0.0 ? worth_an_input : 0.0);
-}
-
-double NoiseSearch::find_shares(const std::vector<Shares>& list) {
-  double best = infinity;
-  for (const Shares& s : list) {
-    const double value = misfit(noise_.correlation, noise_.run_share, s) + cost(s);
-    if (value < best) {
-      best = value;
-      shares_ = s;
-    }
-  }
-  return best;
 }
 
 void NoiseSearch::find_records() {
@@ -274,8 +255,7 @@ void NoiseSearch::find_allowed() {
   };
   if (options_.absolute && !declared_) {
     std::optional<Shares> least, most, input;
-    for (const Shares& s : all_shares()) {
-      if (!allows(phi, g, s)) continue;
+    for (const Shares& s : shares_below(best + within_the_likely)) {
       if (!least || s.relative < least->relative) least = s;
       if (!most || s.relative > most->relative) most = s;
       if (!input || s.input > input->input) input = s;

@@ -10,6 +10,42 @@
 /// Declares the search for estimate_noise_model().
 namespace raceway::fit {
 
+/// Regression of whitened readings on columns, judged by restricted maximum likelihood. The common
+/// factor of the variance is at its best.
+class RestrictedFit {
+ public:
+  /// `deviation` is the readings minus any fit of the columns. The choice of this fit changes only
+  /// the rounding.
+  RestrictedFit(const Whitening& whitening, const Eigen::MatrixXd& columns,
+                const Eigen::VectorXd& deviation);
+
+  /// Returns -2 ln of the restricted likelihood.
+  [[nodiscard]] double misfit() const { return misfit_; }
+  /// Returns the sum of the squared residuals [1].
+  [[nodiscard]] double square() const { return square_; }
+  [[nodiscard]] double freedom() const { return static_cast<double>(x_.rows() - x_.cols()); }
+  /// Returns the residual of each row, whitened.
+  [[nodiscard]] Eigen::VectorXd residual() const;
+  /// Returns the leverage of each row.
+  [[nodiscard]] Eigen::VectorXd leverage() const;
+
+ private:
+  Eigen::MatrixXd x_;
+  Eigen::VectorXd y_;
+  Eigen::MatrixXd gram_;       // lower triangle of XᵀX
+  Eigen::VectorXd projected_;  // Xᵀy
+  double square_, misfit_;
+};
+
+/// Variances of the same readings for several shares, up to a common factor.
+struct Variances {
+  Eigen::MatrixXd parts;   ///< of each reading (rows) from each part (columns)
+  Eigen::MatrixXd shares;  ///< of each part (rows), in several cases (columns)
+  [[nodiscard]] Eigen::VectorXd operator[](Eigen::Index column) const {
+    return parts * shares.col(column);
+  }
+};
+
 /// Estimates the noise of one channel, one part after the other.
 class NoiseSearch {
  public:
@@ -49,7 +85,12 @@ class NoiseSearch {
                                const Eigen::VectorXd& widening);
   static Eigen::VectorXd of_rms_one(const Eigen::VectorXd& v);
 
-  [[nodiscard]] double misfit(double phi, double run_share, const Shares& shares) const;
+  [[nodiscard]] RestrictedFit restricted(double phi, double run_share, const Shares& shares) const;
+  [[nodiscard]] double misfit(double phi, double run_share, const Shares& shares) const {
+    return restricted(phi, run_share, shares).misfit();
+  }
+  /// Returns the parts at the rows of a search.
+  [[nodiscard]] Parts some_parts() const;
   /// Returns the share of each standard deviation that neighbours can have in common. This share
   /// excludes the scatter within a dwell and the scatter of an input. For single rows, nothing is
   /// excluded.
@@ -64,6 +105,13 @@ class NoiseSearch {
   /// Finds the best of these shares for the current memory. Returns the -2 ln L of this share,
   /// including the cost of the parts.
   double find_shares(const std::vector<Shares>& list);
+  /// Returns the shares whose -2 ln L is below a limit, for the current memory.
+  [[nodiscard]] std::vector<Shares> shares_below(double limit) const;
+  /// Returns -2 ln L of each of these shares plus its cost. The value is infinite for shares that
+  /// are certainly above `limit`. With costs, the limit falls to the least value that was found.
+  [[nodiscard]] std::vector<double> values(const std::vector<Shares>& list,
+                                           const std::vector<double>& costs, double limit) const;
+  [[nodiscard]] Variances variances_of(const std::vector<Shares>& list) const;
   /// Finds the growth of the relative part with the swept input. Each growth has its own doubtful
   /// readings. Each doubtful reading adds a cost to -2 ln L, which depends on the rarity of this
   /// reading.

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -163,6 +164,69 @@ NoiseModel noise_of_stairs(unsigned seed, const Share& share, std::vector<std::s
   const ChannelReadings readings =
       readings_of(record, observe(channels, record, record.values(data.measured())), 0);
   return estimate_noise_model(readings, truth, truth);
+}
+
+/// -2 ln of the restricted likelihood of independent readings, up to a constant.
+double restricted_misfit(const Eigen::VectorXd& variance, const Eigen::MatrixXd& x,
+                         const Eigen::VectorXd& y) {
+  const Eigen::VectorXd weight = variance.cwiseInverse();
+  const Eigen::LLT<Eigen::MatrixXd> gram(x.transpose() * weight.asDiagonal() * x);
+  const Eigen::VectorXd rest =
+      y - x * gram.solve(Eigen::VectorXd(x.transpose() * weight.cwiseProduct(y)));
+  return static_cast<double>(x.rows() - x.cols()) * std::log(weight.dot(rest.cwiseAbs2())) +
+         variance.array().log().sum() +
+         2.0 * Eigen::MatrixXd(gram.matrixL()).diagonal().array().log().sum();
+}
+
+/// Shares of the variance: in proportion to the reading, from the scatter of an input, and the
+/// rest.
+struct NoiseParts {
+  double relative, input;
+  [[nodiscard]] double absolute() const { return std::max(0.0, 1.0 - relative - input); }
+};
+
+/// The search leaves most shares out. It must not leave out better ones.
+TEST(Noise, HasThePartsThatAreBestOfAll) {
+  constexpr Eigen::Index rows = 90, columns = 8;
+  const Eigen::ArrayXd u = Eigen::ArrayXd::LinSpaced(rows, -1.0, 1.0);
+  const Eigen::VectorXd size = (1.5 * u).exp();
+  Eigen::MatrixXd x(rows, columns);
+  for (Eigen::Index k = 0; k < columns; ++k)
+    x.col(k) = (size.array() * (0.5 * pi * static_cast<double>(k) * (u + 1.0)).cos()).matrix();
+  ChannelReadings readings{.slope = (1.2 + (9.0 * u).sin()).matrix()};
+  readings.slope /= rms(readings.slope);
+  readings.order.step.assign(rows, std::numeric_limits<double>::infinity());
+  readings.order.new_run.assign(rows, false);
+  const NoiseOptions only_parts{
+      .correlation = false, .runs = false, .outliers = false, .growth = false};
+  std::mt19937 random(8);
+  std::normal_distribution<double> normal;
+  for (const NoiseParts& truth : {NoiseParts{1.0, 0.0}, {0.9, 0.0}, {0.4, 0.0}, {0.3, 0.6}})
+    for (int sample = 0; sample < 10; ++sample) {
+      const Eigen::ArrayXd variance = truth.relative * (size / rms(size)).array().square() +
+                                      truth.absolute() +
+                                      truth.input * readings.slope.array().square();
+      readings.measured = size;
+      for (Eigen::Index i = 0; i < rows; ++i)
+        readings.measured[i] += 0.01 * std::sqrt(variance[i]) * normal(random);
+      const NoiseModel noise = estimate_noise_model(readings, x, size, only_parts);
+      const double all = noise.rms * noise.rms;
+      const auto value = [&](const NoiseParts& s) {
+        const Eigen::ArrayXd square = s.relative * (size / rms(size)).array().square() +
+                                      s.absolute() + s.input * readings.slope.array().square();
+        const int parts = (s.relative > 0.0) + (s.input > 0.0) + (s.absolute() > 1e-12);
+        return restricted_misfit(square.matrix(), x, readings.measured) + parts +
+               (s.input > 0.0 ? 3.84 : 0.0);
+      };
+      double best = std::numeric_limits<double>::infinity();
+      for (const double input : {0.0, 0.1, 0.25, 0.45, 0.7, 0.9})
+        for (const double s : {1.0, 0.998, 0.99, 0.97, 0.93, 0.85, 0.7, 0.5, 0.25, 0.1, 0.0})
+          best = std::min(best, value({s * (1.0 - input), input}));
+      const double input = std::pow(noise.input, 2) / all;
+      const double absolute = std::pow(noise.absolute, 2) / all;
+      // The search takes the sizes of the fitted readings, which are 1 % off.
+      EXPECT_LT(value({1.0 - input - absolute, input}), best + 0.1) << truth.relative;
+    }
 }
 
 TEST(Noise, GrowsWithTheSpeedThatIsSwept) {
