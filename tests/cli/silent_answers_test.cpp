@@ -37,7 +37,7 @@ TEST_F(SilentAnswers, PalmgrenSaysThatItTakesNoAccountOfTheBalls) {
   const std::string expected =
       "my.toml: the friction torque by palmgren does not depend on ball_count, ball_diameter_mm, "
       "inner_conformity, outer_conformity, ball_material and running contact angles; law = \"skf\" "
-      "uses ball_material, law = \"contact\" all of them (docs/laws.md)\n";
+      "uses ball_material, and law = \"contact\" uses all of them (docs/laws.md)\n";
   const std::string hybrid = with_balls("silicon-nitride");
   for (const char* verb : {"solve", "table"}) {
     const Result r = command(verb, hybrid, at_a_point);
