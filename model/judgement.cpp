@@ -307,7 +307,7 @@ Findings Judge::findings() const {
     findings.push_back(finding_of(
         limits::running_pressure, running_, GPa,
         fmt::format("{}the contact pressure of the running bearing is {:.3g} GPa, above {:g} GPa: "
-                    "the raceways fatigue. Less load or preload lowers the pressure",
+                    "the raceways can fatigue. Less load or preload lowers the pressure",
                     before(running_), running_.value / GPa, limits::running_pressure.value)));
   if (table_.points > 0) {
     const bearing::OperatingPoint& at = table_.point;
