@@ -40,9 +40,9 @@ void print_errors(const verdict::AddResult& r, std::size_t channel) {
   const auto row = [&](const std::string& what, double before, double after) {
     errors.add({what, error_text(before, of), error_text(after, of)});
   };
-  row("on the rows it was fitted to", gain.before.rmse, gain.after.rmse);
+  row("on the rows of the fit", gain.before.rmse, gain.after.rmse);
   for (const fit::HoldOut& h : r.hold_out)
-    row("on rows left out by " + h.variable, h.rmse_before[channel], h.rmse_after[channel]);
+    row("on rows held out by " + h.variable, h.rmse_before[channel], h.rmse_after[channel]);
   fmt::print("{}\n{}\n", errors.text(terminal_width()), gain.after.statement);
 }
 

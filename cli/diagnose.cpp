@@ -37,7 +37,7 @@ struct OutOfTime : std::runtime_error {
 std::string out_of_time(const DiagnoseFlags& flags, const record::Record& data) {
   std::string text = fmt::format(
       "raceway diagnose: no verdict within {:.4g} s; allow more time with --time-limit {:.4g}{}",
-      flags.time_limit, 10.0 * flags.time_limit, flags.no_pairs ? "" : ", --no-pairs needs less");
+      flags.time_limit, 10.0 * flags.time_limit, flags.no_pairs ? "" : ", or use --no-pairs");
   const std::span<const double> speeds = data.values(record::speed);
   if (!speeds.empty()) {
     const auto [low, high] = std::minmax_element(speeds.begin(), speeds.end());

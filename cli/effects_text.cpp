@@ -88,8 +88,9 @@ void print_effect_card(const correction::EffectCard& card) {
   paragraph("needs", card.needs);
   paragraph("looks like", card.confused);
   if (card.of_reading)
-    paragraph("belongs", "only to this record: it is not used for other records or in a control");
-  if (card.evidence) paragraph("told", "from the record itself; it has no parameter");
+    paragraph("applies",
+              "only to this record; the program does not use it for other records or in a control");
+  if (card.evidence) paragraph("found", "from the record itself; the effect has no parameter");
   if (card.numbers.empty()) return;
   fmt::print("\n");
   TextTable table({{"parameter", "", true},
@@ -132,8 +133,8 @@ void print_effect_card(const Description& d) {
     paragraph("lubricated", fmt::format("by {}; not tested with another [lubricant] supply",
                                         effects::text(d.supplies)));
   if (!d.within_contacts.empty())
-    paragraph("not with",
-              fmt::format("law = \"contact\", which already includes it as {}", d.within_contacts));
+    paragraph("not with", fmt::format("law = \"contact\", which already includes this effect as {}",
+                                      d.within_contacts));
   std::string others;
   for (const std::string_view other : d.confused_with)
     others += (others.empty() ? "" : ", ") + std::string(other);
@@ -153,7 +154,7 @@ void print_effect_card(const Description& d) {
   fmt::print("{}", table.text(terminal_width()));
   if (d.size_power != 0.0)
     fmt::print(
-        "usual: at a pitch diameter of {:g} mm; proportional to the power {:g} of the pitch "
+        "usual: values at a pitch diameter of {:g} mm; they grow with the power {:g} of the pitch "
         "diameter\n",
         effects::size_of_ranges / mm, d.size_power);
   fmt::print("\nin a model file:\n\n  [[effect]]\n  id = \"{}\"\n", d.id);

@@ -99,8 +99,9 @@ void print(const ModesFlags& f, const session::SpindleModes& found) {
 
 int run(const ModesFlags& f) {
   if (f.json && f.shapes == "-")
-    throw text::InputError("raceway modes: --json and --shapes - both write to stdout; choose one",
-                           {.key = "--shapes"});
+    throw text::InputError(
+        "raceway modes: both --json and \"--shapes -\" write to stdout; omit one of them",
+        {.key = "--shapes"});
   f.check_results("modes");
   f.csv.require_writable(f.shapes, f.if_exists());
   const files::ModelFile file = session::open_model(messages(), f.model, session::Accepts::shaft);

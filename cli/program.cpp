@@ -57,7 +57,7 @@ constexpr std::array commands{
     Command{sensors, "calibrate-sensor", "Fit the curve of a torque sensor to known torques",
             setup_calibrate_sensor},
     Command{understand, "sensitivity",
-            "Rank the data of a model by their influence on the prediction", setup_sensitivity},
+            "Rank the numbers of a model by their influence on a prediction", setup_sensitivity},
     Command{understand, "workbench", "Write the workbench, an HTML page with this program in it",
             setup_workbench},
     Command{look_up, "bearings", "List the catalogue of bearings", setup_bearings},

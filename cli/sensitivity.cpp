@@ -93,20 +93,20 @@ Run setup_sensitivity(CLI::App& command) {
   command.add_flag("--no-coolant", flags->no_coolant, "with --steady: switch off the coolant flow");
   command
       .add_option("--spread", flags->spread,
-                  "possible error of the data in both directions, separated by commas, such as "
+                  "possible error of numbers in both directions, separated by commas, such as "
                   "ball_diameter_mm=0.01 or viscosity_40C_mm2_s=10%; or a file (TOML) with keys of "
                   "the model. Default: 1 %, 1 K for temperatures, 1 for counts, and the standard "
                   "error for fitted numbers")
       ->type_name("DATA");
   command
       .add_option("--data", flags->data,
-                  "data to vary, separated by commas; the name of a table means all its data, such "
-                  "as bearing,shaft")
+                  "numbers to vary, separated by commas; the name of a table means all its "
+                  "numbers, such as bearing,shaft")
       ->type_name("NAMES");
   command
       .add_option("--global", flags->samples,
-                  "number of samples for Sobol' indices, a power of two; needs SAMPLES x (number "
-                  "of data + 2) evaluations")
+                  "number of samples for Sobol' indices, a power of two; needs SAMPLES x (count of "
+                  "varied numbers + 2) evaluations")
       ->check(CLI::Range(std::size_t{2}, std::size_t{1} << 24U))
       ->type_name("SAMPLES");
   command.add_option("--seed", flags->seed, "random seed of the samples; default 1")

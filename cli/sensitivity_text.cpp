@@ -106,13 +106,13 @@ void print_prediction(const results::Sensitivity& s, const results::PredictionSe
   if (!left_out.empty())
     print_words(fmt::format("below 0.1 % each: {}",
                             left_out.size() > most_named
-                                ? fmt::format("{} data (--all lists them)", left_out.size())
+                                ? fmt::format("{} numbers (--all lists them)", left_out.size())
                                 : text::listed(left_out)));
   if (p.global) {
     double alone = 0.0;
     for (const fit::SobolIndex& one : p.global->inputs) alone += one.first;
     fmt::print(
-        "samples: mean {}, standard deviation {}; single data cause {:.3f} of the variance\n",
+        "samples: mean {}, standard deviation {}; single numbers cause {:.3f} of the variance\n",
         number(p.global->mean), number(p.global->std, 3), alone);
   }
   for (const std::string& line : p.cannot_tell) fmt::print("{}\n", line);

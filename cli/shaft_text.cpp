@@ -44,8 +44,7 @@ void print_sums(const model::Model& model, const shaft::ShaftPrediction& p) {
   fmt::print("front force         {:>10} N       rear force        {:>8} N\n",
              number(e.front_force), number(e.rear_force));
   fmt::print(
-      "front set is free   {:>10} N       rear set is free  {:>8} N external load, at "
-      "standstill\n",
+      "front set free at   {:>10} N       rear set free at  {:>8} N external load, at standstill\n",
       number(free.front), number(free.rear));
   fmt::print("friction torque     {:>10} N mm    power loss        {:>8} W\n",
              number(p.torque / N_mm), number(p.power_loss));
@@ -58,8 +57,8 @@ void print_shaft_state(const model::Model& model, const bearing::OperatingPoint&
   const bearing::SolveReport& report = p.equilibrium.report;
   fmt::print("{} in its arrangement at {:.6g} rpm, external load {:.6g} N, {:.4g} C\n", model.name,
              point.speed / rpm, point.axial_load, celsius(point.temperature));
-  fmt::print("{} in {} Newton steps, loads recovered to {:.0e}\n\n", bearing::name(report.status),
-             report.iterations, report.recovered_load_error);
+  fmt::print("{} in {} Newton steps; relative error of the load balance {:.0e}\n\n",
+             bearing::name(report.status), report.iterations, report.recovered_load_error);
   print_bearings(model.shaft->arrangement, p);
   print_sums(model, p);
 }

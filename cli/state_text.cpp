@@ -111,8 +111,8 @@ void print_state(const model::Model& model, const bearing::OperatingPoint& p,
   const model::FrictionPrediction& friction = answer.friction;
   fmt::print("{} at {:.6g} rpm, axial load {:.6g} N, radial load {:.6g} N, {:.4g} C\n", model.name,
              p.speed / rpm, p.axial_load, p.radial_load, celsius(p.temperature));
-  fmt::print("{} in {} Newton steps, loads recovered to {:.0e}\n\n", bearing::name(e.report.status),
-             e.report.iterations, e.report.recovered_load_error);
+  fmt::print("{} in {} Newton steps; relative error of the load balance {:.0e}\n\n",
+             bearing::name(e.report.status), e.report.iterations, e.report.recovered_load_error);
   print_balls(e);
   if (e.lost_balls() > 0)
     fmt::print("{} of {} balls have no contact with the inner race\n", e.lost_balls(),

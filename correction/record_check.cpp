@@ -208,12 +208,12 @@ std::string beyond_element(const Model& model, const record::Record& record) {
       const std::string_view unit = c.input.unit();
       return fmt::format(
           "channel {}: {:.4g} {} in {}: the {} is outside the range of a delay element, whose time "
-          "constant is positive {}",
+          "constant is positive only {}",
           c.name, x, unit, record.place(k), c.input.is_power() ? "power" : "input",
           std::isfinite(takes.lower) && takes.lower != 0.0
-              ? fmt::format("from {:.4g} to {:.4g} {} only", takes.lower, takes.upper, unit)
-          : x < 0.0 ? fmt::format("from 0 {} on only", unit)
-                    : fmt::format("below {:.4g} {} only", takes.upper, unit));
+              ? fmt::format("from {:.4g} to {:.4g} {}", takes.lower, takes.upper, unit)
+          : x < 0.0 ? fmt::format("from 0 {} on", unit)
+                    : fmt::format("below {:.4g} {}", takes.upper, unit));
     }
   }
   return {};

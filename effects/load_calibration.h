@@ -44,7 +44,7 @@ struct LoadCalibration {
                                                    .neutral = 1.0}};
   static constexpr std::array needs{Need::load_levels};
   static constexpr std::string_view not_for_rollers =
-      "it acts on an axial load, which the bearing does not carry";
+      "the effect acts on the axial load, which cylindrical rollers do not carry";
 
   static void condition(const ConditionInputs& in, std::span<const double> values, Condition& c) {
     c.extra_axial_load += in.point.axial_load * (1.0 / values[0] - 1.0);

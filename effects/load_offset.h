@@ -37,7 +37,7 @@ struct LoadOffset {
   static constexpr double size_power = 2.0;
   static constexpr std::array needs{Need::load_levels};
   static constexpr std::string_view not_for_rollers =
-      "it is an axial force, which the bearing does not carry";
+      "the effect is an axial force, which cylindrical rollers do not carry";
 
   static void condition(const ConditionInputs&, std::span<const double> values, Condition& c) {
     c.extra_axial_load += values[0];

@@ -21,7 +21,7 @@ struct LubricantDrag {
   static constexpr std::string_view id = "lubricant-drag";
   static constexpr std::string_view title = "drag of balls and cage in the lubricant";
   static constexpr std::string_view mechanism =
-      "Balls and cage push lubricant aside outside of the contacts. Its inertia causes a drag "
+      "Balls and cage push lubricant aside outside the contacts. Its inertia causes a drag "
       "proportional to the square of speed, which does not depend on load or viscosity.";
   static constexpr std::string_view formula = "M = c (n/10000 rpm)^2";
   static constexpr std::string_view source = "form of the SKF drag moment, first term";

@@ -117,8 +117,8 @@ inline constexpr SpindleHeatCard<4> rear_bearing_heat{
     .id = "rear-bearing-heat",
     .title = "heat at the rear bearing that is not in its friction law",
     .mechanism =
-        "A belt that tilts the rear bearing, its seal, or too much grease heats both of its rings: "
-        "the rings become hot first, the shaft end later.",
+        "A belt force that tilts the rear bearing, a seal of this bearing, or too much grease "
+        "heats both rings: the rings become hot first, the shaft end later.",
     .source = "constant moment",
     .confused_with = {"drive-heat", "f0", "lubricant-drag", "bearing-conductance"},
     .size = {.name = "heat_at_10000_rpm_W",

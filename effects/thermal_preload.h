@@ -25,7 +25,7 @@ struct PreloadByOwnHeat {
       "steady heat flow, derived; feedback loop of [SteinTu1994], [BossmannsTu1999]";
   static constexpr bool follows_heat = true;
   static constexpr bool uses_power = true;
-  static constexpr std::string_view not_for_rollers = "it depends on the contact angle";
+  static constexpr std::string_view not_for_rollers = "the effect depends on the contact angle";
 };
 
 /// Increase of the axial load of a bearing on a rig, caused by its friction heat [N].

@@ -85,9 +85,10 @@ constexpr Key correction_channel_keys[]{
      "the folder of the model"},
     {"axial_load_N", between(-1e8, 1e8, "N"), 0.0,
      "for \"power_W\": axial load for the friction table, a number or a column"},
-    {"radial_load_N", between(0, 1e8, "N"), "value of the table, if it has only one",
+    {"radial_load_N", between(0, 1e8, "N"), "the value in the friction table, if it has only one",
      "for \"power_W\": radial load for the friction table, a number or a column"},
-    {"temperature_C", between(-273, 500, "C"), "value of the table, if it has only one",
+    {"temperature_C", between(-273, 500, "C"),
+     "the value in the friction table, if it has only one",
      "for \"power_W\": temperature for the friction table, a number or a column"},
     {"gain", a_table, unset,
      "gain as a function of the input, instead of sections; for \"power_W\" or a column that is "

@@ -84,9 +84,11 @@ class EffectReader {
             Section(tables_.source(), "effect", node.as_table()).part({effect_id_keys});
         const auto id = s.text("id");
         if (!id)
-          throw text::InputError(fmt::format("{}: [[effect]] has no id; the catalogue has {}",
-                                             s.place(), text::listed(ids_)),
-                                 s.at("id"));
+          throw text::InputError(
+              fmt::format("{}: [[effect]] id is missing: give the id of an effect of the "
+                          "catalogue, or a new id with a formula torque_Nmm; the catalogue has {}",
+                          s.place(), text::listed(ids_)),
+              s.at("id"));
         const Description* const found = find(s, *id);
         effects_.push_back(found ? from_catalogue(s, *found) : read_user_made(s, *id));
       }

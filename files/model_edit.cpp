@@ -135,9 +135,9 @@ std::string with_value(std::string text, const KeyValue& change) {
   if (!table->get(path.key)) return with_new_key(std::move(text), *table, assignment);
   const toml::node* const node = find_number(*table, path);
   if (!node || !node->is_number())
-    throw text::InputError(
-        fmt::format("{} = {}: is not a number", change.key, text::shown(*table->get(path.key))),
-        {.key = change.key});
+    throw text::InputError(fmt::format("{} = {}: the value in the model must be a number",
+                                       change.key, text::shown(*table->get(path.key))),
+                           {.key = change.key});
   const std::size_t begin = text::byte_of(text, node->source().begin);
   text.replace(begin, text::byte_of(text, node->source().end) - begin, value);
   return without_mark(std::move(text), begin + value.size());

@@ -200,7 +200,7 @@ settings_hold = "until row"        # as loggers stamp the end of an interval; "f
 std::string contact_lubricant_lines(friction::FrictionLaw law) {
   if (law != friction::FrictionLaw::contact) return "";
   return key_line({}, "type", "\"mineral\"",
-                  "or \"pao\", \"ester\"; sets the defaults of the keys below") +
+                  "or \"pao\", \"ester\"; sets the defaults of the next four keys") +
          "# density_15C_kg_m3 = 880          # mineral; pao 830, ester 930\n"
          "# conductivity_W_mK = 0.13         # mineral; pao and ester 0.15\n"
          "# pressure_viscosity_1_GPa = 15    # mineral: 9.904 nu^0.139, nu in mm2/s\n"

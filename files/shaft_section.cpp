@@ -123,7 +123,8 @@ class ShaftReader {
               fmt::format("rear = {}: must be 0, because a tandem arrangement has no second set",
                           rear));
     if (!tandem && rear == 0)
-      s_.fail("rear", "rear = 0: must be from 1 to 20; only layout = \"tandem\" has no rear set");
+      s_.fail("rear",
+              "rear = 0: must be from 1 to 20, because only a tandem arrangement has no rear set");
     d_.rear = read_set("rear", rear);
     read_mounting();
     read_positions();

@@ -101,9 +101,10 @@ void require_ways_out(const Section& s, const Network& network, std::size_t writ
     nodes[k].fail(
         "name",
         linked
-            ? fmt::format("node {}: no link leads to a body at constant temperature "
-                          "(temperature_C, ambient, machine), so the heat cannot leave this node",
-                          network.nodes[k].name)
+            ? fmt::format(
+                  "node {}: no chain of links leads from this node to a body at constant "
+                  "temperature (temperature_C, ambient, machine), so the heat cannot leave it",
+                  network.nodes[k].name)
             : fmt::format("node {}: no [[network.link]] names this node", network.nodes[k].name));
   }
 }

@@ -167,7 +167,8 @@ bool is_spindle(const ModelTables& tables) {
              "two");
   if (!has("network") && has("shaft") != has("housing"))
     fail(has("shaft") ? "shaft" : "housing",
-         "a spindle has both [shaft] and [housing]; the other one is missing");
+         has("shaft") ? "a spindle needs both [shaft] and [housing]; add [housing]"
+                      : "a spindle needs both [shaft] and [housing]; add [shaft]");
   const bool spindle = has("network") || has("shaft");
   if (!spindle)
     for (const std::string& name : tables_of_spindle())
@@ -192,12 +193,13 @@ model::Spindle read_spindle(ModelTables& tables, const NamedBearing& bearing,
         fmt::format("{}: table [arrangement] is missing; it gives the bearing sets of the spindle",
                     tables.source()),
         {.file = tables.source(), .key = "arrangement"});
-  if (shaft->arrangement.design().rear.empty())
-    tables.section("arrangement")
-        .fail("layout",
-              "a tandem layout is not possible, because a spindle needs a front and a rear set; "
-              "use O "
-              "or X");
+  if (shaft->arrangement.design().rear.empty()) {
+    const Section arrangement = tables.section("arrangement");
+    arrangement.fail("layout",
+                     fmt::format("layout = {}: not possible, because this is a tandem arrangement, "
+                                 "but a spindle needs a front and a rear set; use O or X",
+                                 text::shown(*arrangement.find("layout"))));
+  }
   Spindle spindle;
   read_name(tables, bearing.name, spindle);
   read_rings(tables, bearing, spindle);

@@ -24,7 +24,7 @@ constexpr Key transducer_keys[]{
     {"DISPLACEMENT", a_table, unset,
      "displacement_NAME_um or displacement_NAME_urad = { TRANSDUCER_um = factor, ... }: the "
      "displacement is the sum of factor times reading. Unit of a factor: um/um for a length, "
-     "urad/um (= 1/m) for an angle. A column TRANSDUCER can have any unit of length"},
+     "urad/um (= 1/m) for an angle. The column of a transducer can have any unit of length"},
 };
 
 constexpr double largest_factor = 1e6;

@@ -25,13 +25,13 @@ std::vector<std::string> ids_of(std::span<const Screened* const> on) {
   return ids;
 }
 
-std::string the_data_lack(const std::string& words) { return "the data lack " + words; }
+std::string needing(const std::string& words) { return "needs " + words; }
 
 /// Empty where it can be tested, as far as one knows without predictions.
 std::string why_not_testable(const Subject& subject, const std::string& id, const Record& record) {
   if (std::string reason = subject.rules_out(id); !reason.empty()) return reason;
   const std::string words = subject.lacks(id, record);
-  return words.empty() ? words : the_data_lack(words);
+  return words.empty() ? words : needing(words);
 }
 
 /// The response of one candidate and where its numbers stand, as it is screened.
@@ -218,8 +218,8 @@ void screen_candidates(Problem& problem, const Saturation& saturation,
     if (!saturation.proportional) screening.find_most();
     if (!s.not_testable.empty() || s.scores.cols() > 0) continue;
     const std::string levels = problem.subject->lacks_levels(s.id(), *problem.record);
-    s.not_testable = the_data_lack(
-        levels.empty() ? "a quantity that the effect changes at these operating points" : levels);
+    s.not_testable = levels.empty() ? "the effect changes no reading at these operating points"
+                                    : needing(levels);
   }
 }
 

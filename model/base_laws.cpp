@@ -46,7 +46,7 @@ std::string lacking_datum(const ModelBearing& bearing, FrictionLaw law) {
   if (friction::has_palmgren_load(law) && std::isnan(g.static_load_rating))
     return "static_load_rating_N under [bearing]";
   if (law == FrictionLaw::skf && !(g.contact_angle > 0.0))
-    return "a contact angle above 0: the constants of the skf law are for angular contact "
+    return "a contact angle above 0, because the constants of the skf law are for angular contact "
            "ball bearings";
   return {};
 }
@@ -61,7 +61,8 @@ std::string lacks_for_law(const Model& model, FrictionLaw law) {
     const effects::Description& d = *e.description;
     // An exponent that was found for one law says nothing of another.
     if (d.base_law || contains(law, d) || !refused_by_law(d, changed).empty())
-      return "a base without " + std::string(d.id) + ", which belongs to the law that it has";
+      return "a model without " + std::string(d.id) +
+             ", because this effect belongs to the present base law";
   }
   return {};
 }

@@ -225,22 +225,23 @@ void Judge::add_notes(Findings& findings) const {
           finding_of(limit, worst, unit, count(worst) + std::move(text) + where(worst)));
   };
   add(lost, lost_, 1.0,
-      fmt::format("balls have lost contact with the inner race, up to {:.0f}", lost_.value));
+      fmt::format("{}{:.0f} ball{} lost contact with the inner race", points_ == 1 ? "" : "up to ",
+                  lost_.value, lost_.value == 1.0 ? " has" : "s have"));
   add(bottom, bottom_, 1.0,
-      fmt::format(
-          "there is no axial load, so the balls carry at the bottom of the grooves at about 0 deg; "
-          "{:.3g} N of axial load would press half of them against the shoulders",
-          bottom_.value));
+      fmt::format("without an axial load, the balls run at the bottom of the grooves, at a contact "
+                  "angle of about 0 deg; an axial load of {:.3g} N would press half of them "
+                  "against the shoulders",
+                  bottom_.value));
   add(far_side, far_, degree,
-      fmt::format("balls carry beyond the bottom of the groove, at {:.3g} deg, on the side without "
-                  "a shoulder: the bearing needs more axial load",
+      fmt::format("balls run beyond the bottom of the inner groove, at a contact angle of {:.3g} "
+                  "deg, on the side without a shoulder: the bearing needs more axial load",
                   -far_.value / degree));
   add(limits::static_load, load_, 1.0,
-      fmt::format("the static equivalent load is above C0 = {:.6g} N, up to {:.4g} N", load_.limit,
-                  load_.value));
+      fmt::format("the static equivalent load reaches {:.4g} N, above C0 = {:.6g} N", load_.value,
+                  load_.limit));
   add(limits::static_pressure, pressure_, GPa,
       fmt::format(
-          "the contact pressure is up to {:.3g} GPa, above the 4.2 GPa that cause permanent dents",
+          "the contact pressure reaches {:.3g} GPa; above 4.2 GPa the balls leave permanent dents",
           pressure_.value / GPa));
 }
 
@@ -264,27 +265,27 @@ void Judge::add_speeds(Findings& findings) const {
 
 void Judge::add_heat(Findings& findings) const {
   if (ring_.points > 0)
-    findings.push_back(
-        finding_of(limits::ring_temperature, ring_, 1.0,
-                   fmt::format("{}the ring temperature is {:.4g} C, above {:.4g} C: grease and oil "
-                               "age fast. Less preload, speed or oil, or more cooling reduces it",
-                               before(ring_), celsius(ring_.value), limits::ring_temperature.value),
-                   celsius_zero));
-  if (preload_.points > 0)
     findings.push_back(finding_of(
-        limits::preload_factor, preload_, 1.0,
-        fmt::format("{:.6g} rpm: the preload is {:.4g} N, {:.3g} times the {:.4g} N as mounted and "
-                    "above {:g} times: heat and speed press the sets together. Springs or a "
-                    "smaller mounted preload reduce it",
-                    preload_.point.speed / rpm, preload_.value * mounted_, preload_.value, mounted_,
-                    limits::preload_factor.value)));
+        limits::ring_temperature, ring_, 1.0,
+        fmt::format("{}the ring temperature is {:.4g} C, above {:.4g} C: grease and oil age fast. "
+                    "Less preload, speed or oil, or more cooling lowers the temperature",
+                    before(ring_), celsius(ring_.value), limits::ring_temperature.value),
+        celsius_zero));
+  if (preload_.points > 0)
+    findings.push_back(
+        finding_of(limits::preload_factor, preload_, 1.0,
+                   fmt::format("{:.6g} rpm: the preload is {:.4g} N, {:.3g} times the mounted "
+                               "preload of {:.4g} N (limit: {:g} times), because heat and speed "
+                               "press the sets together. Use springs or a smaller mounted preload",
+                               preload_.point.speed / rpm, preload_.value * mounted_,
+                               preload_.value, mounted_, limits::preload_factor.value)));
   if (stiff_.points > 0) {
     const double viscosity =
         model_->lubricant.kinematic_viscosity(stiff_.point.temperature) / mm2_per_s;
     Finding stiff =
         finding_of(limits::oil_stiff, stiff_, 1.0,
-                   fmt::format("{}the oil has {:.3g} mm2/s at {:.4g} C, above {:g} mm2/s: near its "
-                               "pour point, little oil reaches the contacts",
+                   fmt::format("{}the viscosity of the oil is {:.3g} mm2/s at {:.4g} C, above {:g} "
+                               "mm2/s: near its pour point, little oil reaches the contacts",
                                before(stiff_), viscosity, celsius(stiff_.point.temperature),
                                limits::oil_stiff.value));
     stiff.value = viscosity, stiff.allowed = limits::oil_stiff.value;
@@ -306,19 +307,20 @@ Findings Judge::findings() const {
     findings.push_back(finding_of(
         limits::running_pressure, running_, GPa,
         fmt::format("{}the contact pressure of the running bearing is {:.3g} GPa, above {:g} GPa: "
-                    "the raceways fatigue. Less load or preload reduces it",
+                    "the raceways can fatigue. Less load or preload lowers the pressure",
                     before(running_), running_.value / GPa, limits::running_pressure.value)));
   if (table_.points > 0) {
     const bearing::OperatingPoint& at = table_.point;
     const double torque = table_.value / at.speed;
     Finding beyond = finding_of(
         limits::friction_table, table_, at.speed * N_mm,
-        fmt::format("{} of {} rotating states are outside the friction table {} ({}), the one with "
-                    "most heat at {}{:.6g} rpm, {:.4g} N axial, {:.4g} N radial, {:.4g} C: the "
-                    "program uses the value at the edge, {:.4g} N mm",
-                    table_.points, turning_, model_->table->file, model_->table->range(),
-                    table_.place.empty() ? "" : table_.place + ", ", at.speed / rpm, at.axial_load,
-                    at.radial_load, celsius(at.temperature), torque / N_mm));
+        fmt::format(
+            "{} of {} rotating states are outside the friction table {} ({}); for them, the "
+            "program uses the value at the edge. The state with the most heat is at {}{:.6g} rpm, "
+            "{:.4g} N axial, {:.4g} N radial, {:.4g} C; its value is {:.4g} N mm",
+            table_.points, turning_, model_->table->file, model_->table->range(),
+            table_.place.empty() ? "" : table_.place + ", ", at.speed / rpm, at.axial_load,
+            at.radial_load, celsius(at.temperature), torque / N_mm));
     beyond.allowed = unset;  // a range of several axes
     findings.push_back(std::move(beyond));
   }

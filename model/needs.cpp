@@ -128,9 +128,9 @@ std::string refused_by_rollers(const effects::Description& effect) {
   if (!effect.not_for_rollers.empty())
     return fmt::format("a ball bearing: {}", effect.not_for_rollers);
   if (effect.condition)
-    return "a ball bearing: it moves rings against balls in grooves; for cylindrical rollers enter "
-           "the operating clearance as radial_clearance_um";
-  return effect.needs_equilibrium ? "a ball bearing: its formula is for balls" : "";
+    return "a ball bearing: the effect moves rings against balls in grooves; for cylindrical "
+           "rollers, enter the operating clearance as radial_clearance_um";
+  return effect.needs_equilibrium ? "a ball bearing: the formula of the effect is for balls" : "";
 }
 
 /// Why a measured torque has no such effect, in words; empty if it does.
@@ -147,7 +147,7 @@ std::string refused_by_law(const effects::Description& effect, const Model& mode
   if (model.law == friction::FrictionLaw::table) return refused_by_table(effect);
   if (model.law != friction::FrictionLaw::contact) return {};
   if (!effect.within_contacts.empty())
-    return fmt::format("another base law: the contact law already includes it, as {}",
+    return fmt::format("another base law: the contact law already includes this effect as {}",
                        effect.within_contacts);
   if (effect.within_oil_fraction && model.law_values.back() > 0.0)
     return "oil_fraction = 0 under [friction]: the contact law already includes the drag of the "
@@ -165,16 +165,17 @@ std::string missing_need(const effects::Description& effect, const Model& model,
                          const record::Record& record) {
   if (!effect.moves(model.form(), measured_of_shaft(record))) {
     if (effect.of_spindles_alone())
-      return "a spindle model with [shaft] and [housing]: it acts only there";
+      return "a spindle model with [shaft] and [housing]: the effect acts only on spindles";
     if (model.form() == effects::Form::spindle && effect.condition && effect.follows_heat)
       return "a model that does not compute temperatures: a spindle model already includes this "
              "effect";
     if (effect.reads(record::axial_displacement))
-      return "axial displacement of a shaft: it acts only on this";
+      return "the axial displacement of a shaft: the effect does not act on other readings";
     if (model.form() == effects::Form::rig)
-      return "the sets of an [arrangement]: it acts only on these";
-    return has_torque_of_sets(model, record) ? "a single bearing on a rig: sets share the load"
-                                             : "friction torque: it acts only on this";
+      return "the sets of an [arrangement]: the effect does not act on a bearing on a rig";
+    return has_torque_of_sets(model, record)
+               ? "a single bearing on a rig: the bearings of a set share the load"
+               : "the friction torque: the effect does not act on other readings";
   }
   if (std::string unmet = first_unmet(effect, model, record, false); !unmet.empty()) return unmet;
   for (const record::Channel* channel : effect.channels)

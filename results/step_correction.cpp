@@ -123,8 +123,8 @@ std::string step_friction_text(const correction::FrictionTable& table) {
 std::string step_curve_text(const std::string& input, const Characteristic::Table& gain,
                             const Characteristic::Table& time) {
   std::string text = fmt::format(
-      "# Gain and time constant over the {}: monotone cubics through the step responses, as\n# "
-      "straight pieces\n{},gain_um,time_constant_min\n",
+      "# Gain and time constant over the {}: monotone cubic curves through the step responses,\n# "
+      "approximated by straight pieces\n{},gain_um,time_constant_min\n",
       input == "power_W" ? "power" : "load", input);
   for (std::size_t k = 0; k < gain.input.size(); ++k)
     text += fmt::format("{:.12g},{:.12g},{:.12g}\n", gain.input[k], gain.value[k] / um,

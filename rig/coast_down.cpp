@@ -94,7 +94,7 @@ class RunRegression {
       const int samples = static_cast<int>(kept.size());
       if (kept.size() < fewest()) {
         if (falls.size() > 1)
-          note("{} samples of one fall are too few for a torque, left out ({})", samples,
+          note("{} samples of one fall are too few for a torque and are not used ({})", samples,
                record_.place(fall.front().row));
         summary_.samples = std::max(summary_.samples, samples);
         continue;
@@ -105,7 +105,7 @@ class RunRegression {
     if (!parts.empty())
       add_torques(parts, torques);
     else if (summary_.samples < options_.fewest_samples)
-      note("{} sample{} left, too few for a torque, at least {} are needed: the run is left out",
+      note("only {} usable sample{} left; a torque needs at least {}, so the run is not used",
            summary_.samples, summary_.samples == 1 ? "" : "s", fewest());
     return summary_;
   }
@@ -142,7 +142,7 @@ class RunRegression {
         b.inputs[c] = inputs_[c].empty() ? unset : inputs_[c][i];
     }
     if (!slow.empty())
-      note("{} samples at standstill or below {:.4g} rpm left out ({})", slow.size(),
+      note("{} samples at standstill or below {:.4g} rpm are not used ({})", slow.size(),
            rig_.minimum_speed / rpm, places_text(record_, slow));
     return samples;
   }
@@ -180,11 +180,11 @@ class RunRegression {
       if (driven == 0) continue;
       summary_.before_release += static_cast<int>(driven);
       note(
-          "{} sample{} before the release of the shaft left out ({} to {}): the speed falls freely "
-          "after {:.6g} s, from {:.5g} rpm",
-          driven, driven == 1 ? "" : "s", record_.place(start.front().row),
-          record_.line(start[driven - 1].row), start[driven - 1].time,
-          start[driven - 1].speed / rpm);
+          "{} sample{} before the release of the shaft {} not used ({} to {}): the speed falls "
+          "freely after {:.6g} s, from {:.5g} rpm",
+          driven, driven == 1 ? "" : "s", driven == 1 ? "is" : "are",
+          record_.place(start.front().row), record_.line(start[driven - 1].row),
+          start[driven - 1].time, start[driven - 1].speed / rpm);
     }
     return falls;
   }
@@ -202,7 +202,7 @@ class RunRegression {
         kept.push_back(samples[i]);
     }
     if (!rows.empty())
-      note("{} samples are outliers of the speed curve and are left out ({})", rows.size(),
+      note("{} samples are outliers of the speed curve and are not used ({})", rows.size(),
            places_text(record_, rows));
     summary_.outliers += static_cast<int>(rows.size());
     return kept;
@@ -218,7 +218,7 @@ class RunRegression {
       const std::vector<Block> segment = averaged(samples, block);
       const auto cuts = windows(segment, fewest(), most, options_.largest_fall);
       if (cuts.empty())
-        note("{} samples between gaps are too few for a torque, left out ({})",
+        note("{} samples between gaps are too few for a torque and are not used ({})",
              segment.size() * block, record_.place(segment.front().row));
       for (const std::span<const Block> part : cuts) parts.emplace_back(part.begin(), part.end());
     }
@@ -245,7 +245,7 @@ class RunRegression {
                          averaged(parts[w], parts[w].size()).front(), row});
     }
     if (!driven.empty())
-      note("{} windows in which the speed does not fall left out ({})", driven.size(),
+      note("{} windows are not used, because the speed does not fall there ({})", driven.size(),
            places_text(record_, driven));
     summary_.rows = static_cast<int>(deviations.size());
     if (deviations.empty()) return;
@@ -254,8 +254,9 @@ class RunRegression {
         "{} torques from {} speed samples by local regression, M = -J dw/dt with J = {:.6g} kg "
         "m2; standard deviation {:.3g} N mm (speed {:.3g} rpm{})",
         summary_.rows, summary_.samples, rig_.inertia, summary_.torque_std / N_mm, noise.std / rpm,
-        noise.correlation > 0.0 ? fmt::format(", neighbours correlate {:.2f}", noise.correlation)
-                                : "");
+        noise.correlation > 0.0
+            ? fmt::format(", correlation of neighbours {:.2f}", noise.correlation)
+            : "");
   }
 
   const record::Record& record_;

@@ -164,12 +164,14 @@ SensedTorques sensed_torques(const TorqueSensor& sensor, std::span<const double>
     common.push_back(one.common);
   }
   if (std.empty()) return result;
-  const std::string from = fmt::format("torque_signal_V is friction torque by [torque_sensor]{}",
-                                       sensor.source.empty() ? "" : ", of " + sensor.source);
+  const std::string from =
+      fmt::format("[torque_sensor]{} converts torque_signal_V to the friction torque",
+                  sensor.source.empty() ? "" : " (" + sensor.source + ")");
   if (*std::min_element(std.begin(), std.end()) < least_std) {
     result.std.clear();
     result.notes.push_back(record::note::unknown(
-        from + ": it has no scatter, so the rows get no std_Nmm", {.key = "torque_sensor"}));
+        from + ": the calibration has no scatter, so the rows have no std_Nmm",
+        {.key = "torque_sensor"}));
   } else {
     result.notes.push_back(record::note::read_as(
         fmt::format("{}: std_Nmm of a row {} N mm, of which {} N mm comes from the calibration{}: "

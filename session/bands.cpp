@@ -41,7 +41,7 @@ model::Band band_of(const files::ModelFile& file, std::string_view asked_by,
 
 std::string band_statement(const model::Band& band) {
   return fmt::format(
-      "95 % band from the fitted {} only; it does not include missing effects and noise",
+      "95 % band from the fitted {} only; it does not include missing effects or noise",
       text::listed(band.fitted()));
 }
 

@@ -56,7 +56,8 @@ fit::SobolDesign design_of(const SensitivityQuestion& q, const Sensitivity& s) {
         "no number with a spread influences the prediction, so no indices can be calculated");
   if ((s.sampled.size() + 2) * s.predictions.size() > most_numbers / q.samples)
     throw text::InputError(fmt::format(
-        "{} samples of {} data and {} predictions are more than {:.0g} numbers: use fewer samples",
+        "{} samples of {} numbers and {} predictions give more than {:.0g} values: use fewer "
+        "samples",
         q.samples, s.sampled.size(), s.predictions.size(), static_cast<double>(most_numbers)));
   try {
     return {s.sampled.size(), q.samples, q.seed};

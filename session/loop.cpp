@@ -170,13 +170,13 @@ ComparedModels compare(Messages& messages, const std::vector<Source>& models,
   for (ComparedModel& model : result.models)
     verdict::estimate_unknown_noise(*result.models.back().subject, result.data, model.errors);
   if (!how.refit.empty())
-    messages.say(record::note::assumed(
-        fmt::format("{} refitted to {} in each model; all other values as in the files",
-                    fmt::join(how.refit, " and "), result.data.source)));
+    messages.say(record::note::assumed(fmt::format(
+        "{} {} refitted to {} in each model; all other values are from the files",
+        fmt::join(how.refit, " and "), how.refit.size() == 1 ? "is" : "are", result.data.source)));
   if (!options.per_record.empty())
-    messages.say(
-        record::note::assumed(fmt::format("{} refitted to each record separately in each model",
-                                          fmt::join(options.per_record, " and "))));
+    messages.say(record::note::assumed(fmt::format(
+        "{} {} refitted to each record separately in each model",
+        fmt::join(options.per_record, " and "), options.per_record.size() == 1 ? "is" : "are")));
   return result;
 }
 

@@ -91,12 +91,11 @@ void warn_of_ignored_data(Messages& messages, const files::ModelFile& file) {
   const bool skf = !taken.empty() && law != friction::FrictionLaw::skf;
   messages.say(record::note::ignored(
       fmt::format(
-          "{}: the friction torque by {} does not depend on {}{}; {}law = \"contact\"{} all of "
+          "{}: the friction torque by {} does not depend on {}{}; {}law = \"contact\" uses all of "
           "them (docs/laws.md)",
           file.source, friction::name(law), fmt::join(ignored, ", "),
           model::needs_equilibrium(file.model) ? "" : " and running contact angles",
-          skf ? fmt::format("law = \"skf\" uses {}, ", fmt::join(taken, ", ")) : std::string(),
-          skf ? "" : " uses"),
+          skf ? fmt::format("law = \"skf\" uses {}, and ", fmt::join(taken, ", ")) : std::string()),
       {.file = file.source}));
 }
 

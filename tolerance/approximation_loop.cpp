@@ -431,10 +431,10 @@ class Inquiry {
       if (is_worth_its_column(*column, least) &&
           std::all_of(near.begin(), near.end(), [](const Tried* t) { return t->is_wrong_data(); }))
         return false;
-      result_.messages.push_back(
-          record::note::plan(fmt::format("{} follows the displacement more closely ({}), but "
-                                         "without a mechanism. Is this the part that moves?",
-                                         column->ids().front(), error(*column))));
+      result_.messages.push_back(record::note::plan(
+          fmt::format("{} explains the displacement better (error {}), but no mechanism is known "
+                      "for this column. Is its sensor on the part that moves?",
+                      column->ids().front(), error(*column))));
     }
     found_ = std::move(near);
     result_.verdict = found_.size() == 1 ? verdict::Verdict::effect : verdict::Verdict::ambiguous;
@@ -743,18 +743,20 @@ class Inquiry {
               (best.has_column() || !t.has_column()))
             next = &t;
         return fmt::format(
-            "Consistent with {}: {}; with it {}{}.", found_text(), base, error(best),
+            "Consistent with {}: {}; with this explanation it is {}{}.", found_text(), base,
+            error(best),
             next ? fmt::format(", next best {} {}", next->ids().front(), error(*next)) : "");
       }
       case verdict::Verdict::ambiguous:
         return fmt::format(
-            "{}: {}; with the first the error is {}. The others are nearly as good, so this record "
+            "{}: {}; with {} it is {}. These explanations are nearly equally good, so this record "
             "does not decide between them.",
-            found_text(), base, error(*found_.front()));
+            found_text(), base, verdict::joined(found_.front()->ids(), "and"),
+            error(*found_.front()));
       case verdict::Verdict::several_effects:
         return fmt::format(
-            "Consistent with {}: {}; no single effect reaches the tolerance (best: {}, {}), "
-            "together they give {}.",
+            "Consistent with {}: {}; no single effect reaches the tolerance (best: {}, {}), but "
+            "with these effects together the error is {}.",
             found_text(), base, singles_.front().ids().front(), error(singles_.front()),
             error(*found_.front()));
       case verdict::Verdict::effect_like:
@@ -765,12 +767,13 @@ class Inquiry {
       case verdict::Verdict::not_in_catalogue:
         break;
     }
-    return fmt::format("An effect is missing that is not in the catalogue: {}{}.{}", base,
-                       singles_.empty()
-                           ? ""
-                           : fmt::format("; the best effect of the catalogue, {}, leaves {}",
-                                         singles_.front().ids().front(), error(singles_.front())),
-                       course_text());
+    return fmt::format(
+        "An effect is missing that is not in the catalogue: {}{}.{}", base,
+        singles_.empty()
+            ? ""
+            : fmt::format("; the best effect of the catalogue, {}, leaves an error of {}",
+                          singles_.front().ids().front(), error(singles_.front())),
+        course_text());
   }
 
   [[nodiscard]] std::string course_text() const {

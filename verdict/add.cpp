@@ -100,7 +100,7 @@ class Addition {
             levels.empty()
                 ? fmt::format(
                       "{}: on these data the free parameters of the model have the same effect", id)
-                : fmt::format("{}: the data lack {}", id, levels));
+                : fmt::format("{}: needs {}", id, levels));
       }
       members_.push_back(k);
     }
@@ -218,7 +218,7 @@ class Addition {
       if (!(c.rmse_held_out_before <= c.tolerance)) return {};
     }
     if (!given) return {};
-    return fmt::format("the held-out error is within the tolerance without it: {}",
+    return fmt::format("the held-out error is within the tolerance without the effect: {}",
                        reading_text(result.channels.front().channel(),
                                     result.channels.front().rmse_held_out_before));
   }

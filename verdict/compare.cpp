@@ -273,9 +273,11 @@ std::string statement_of(const Comparison& c) {
         misfit, c.pattern.along->words, c.pattern.correlation, p_value_text(c.pattern.p_value), why,
         place);
   if (std::isfinite(c.pattern.p_value))
-    return fmt::format("{} shows no pattern over {} (correlation {:.2f}, {}), but {}{}.", misfit,
-                       c.pattern.along->words, c.pattern.correlation,
-                       p_value_text(c.pattern.p_value), why, place);
+    return fmt::format(
+        "{} shows no clear pattern over {} (correlation {:.2f}, {}; a pattern needs p < {:g}), but "
+        "{}{}.",
+        misfit, c.pattern.along->words, c.pattern.correlation, p_value_text(c.pattern.p_value),
+        alarm_level, why, place);
   return fmt::format("{} cannot be judged: {}{}.", misfit, why, place);
 }
 

@@ -131,7 +131,7 @@ std::string Investigation::single_text() const {
   if (!plausible_ || !holds_ || !doubt_.empty())
     return fmt::format("Something is missing ({}); it acts like {}, {}: {}.{}",
                        p_text(result_.p_value), joined_sets(set),
-                       !plausible_ ? "but of an implausible size"
+                       !plausible_ ? "but its size is implausible"
                        : !holds_   ? "but the held-out rows do not confirm it"
                                    : doubt_,
                        size_text(problem_, best), is_a_shape_alone(set) ? rivals_text() : "");
@@ -157,8 +157,8 @@ std::string Investigation::single_text() const {
         "With {}, {}.{}{}",
         joined_sets(set), id_of(best), remains_text(), data_text(set), measure_text(result_));
   return fmt::format(
-      "These data cannot separate {} (difference {:.1f}, needed {:.0f}); one of them is {} "
-      "({}).{}{}",
+      "{}: these data do not decide which (difference of the gains {:.1f}, needed {:.0f}); one of "
+      "them is {} ({}).{}{}",
       joined_sets(set), std::abs(best.gain - set[1]->gain), within_reach,
       data_text(set).empty() ? "missing" : "the cause", p_text(result_.p_value), data_text(set),
       measure_text(result_));
@@ -188,7 +188,8 @@ std::string Investigation::several_text() const {
     return fmt::format("Something is missing ({}); it acts like {} together, {}: {}.",
                        p_text(result_.p_value), id_of(best), doubt_, size_text(problem_, best));
   return fmt::format(
-      "Consistent with {} together, {}; gain {:.0f}, smallest part {:.0f}; {}.{} Error {}{}.{}{}",
+      "Consistent with {} together, {}; gain {:.0f}, which falls by {:.0f} without the weakest "
+      "effect; {}.{} Error {}{}.{}{}",
       id_of(best), size_text(problem_, best), best.gain, best.least_loss, remains_text(),
       set.size() > 1 ? fmt::format(" {} other set(s) are equally good.", set.size() - 1) : "",
       error_text(result_), shifts(), data_text(set) + instead_text(), measure_text(result_));
@@ -212,7 +213,7 @@ std::string Investigation::instead_text() const {
 std::string Investigation::base_laws_text() const {
   const Explanation& both = *finding_.set.front();
   return fmt::format(
-      "Something is missing ({}); {} together explain it, {}, {}. But the weaker effect adds a "
+      "Something is missing ({}). {} together explain it ({}; {}). But the weaker effect adds a "
       "gain of only {:.0f}, which is too little for a pair: the base law has another shape, or "
       "another effect has a similar shape.",
       p_text(result_.p_value), id_of(both), size_text(problem_, both), remains_text(),
@@ -229,16 +230,16 @@ std::string Investigation::bent_text() const {
   for (const record::NamedValue& e : set.front()->exponents)
     exponents.push_back(fmt::format("{} {:+.2f}", e.name, e.value));
   return fmt::format(
-      "Something is missing; it acts like {}, but with other exponents than the catalogue (law of "
-      "the catalogue rejected, {}; exponents {}): this effect has another law here, or a similar "
-      "effect is not in the catalogue.",
-      joined_sets(set), p_text(pure), fmt::join(exponents, ", "));
+      "Something is missing. It acts like {}, but with exponents that differ from the catalogue "
+      "({}; with the exponents of the catalogue, the fit is rejected, {}). Either this effect has "
+      "another law here, or a similar effect is missing that is not in the catalogue.",
+      joined_sets(set), fmt::join(exponents, ", "), p_text(pure));
 }
 
 std::string Investigation::partly_text() const {
   return fmt::format(
-      "An important effect is missing; {} explains more than half of the misfit, {}: {}. Several "
-      "effects are missing, or the model needs another law.",
+      "An important effect is missing. {} ({}) explains more than half of the misfit, but {}. "
+      "Several effects are missing, or the model needs another law.",
       joined_sets(finding_.set), size_text(problem_, *finding_.set.front()), remains_text());
 }
 
@@ -272,13 +273,14 @@ std::string Investigation::nearest_text() const {
   const ChannelDiagnosis& first = result_.channels.front();
   const double left = rms_of(*near.front()).front();
   std::string text =
-      fmt::format(" Best candidate: {}; {} {:.0f} % of the misfit and leaves {}", joined_sets(near),
-                  near.size() > 1 ? "the first explains" : "it explains",
+      fmt::format(" Best candidate: {}; {} {:.0f} % of the misfit and leaves an error of {}",
+                  joined_sets(near), near.size() > 1 ? "the first explains" : "it explains",
                   100.0 * taken(*near.front()), reading_text(first.channel(), left));
   const double ratio = left / first.noise.rms;
   if (ratio > 2.0)
-    text +=
-        fmt::format(", {:.0f} times the noise: several effects are missing, or another law", ratio);
+    text += fmt::format(
+        ", {:.0f} times the noise: several effects are missing, or the model needs another law",
+        ratio);
   return text + ".";
 }
 
@@ -289,7 +291,7 @@ std::string Investigation::other_bases_text() const {
   if (!result_.given_other_base) {
     std::vector<std::string> words;
     for (const OtherBaseTried& b : result_.other_bases) words.push_back(b.words);
-    return fmt::format(" {} instead of the base law would not be better.", joined(words, "or"));
+    return fmt::format(" {} instead of the base law does not fit better.", joined(words, "or"));
   }
   const ChannelDiagnosis& first = result_.channels.front();
   const std::string fall = fmt::format(

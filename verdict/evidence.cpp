@@ -92,7 +92,8 @@ std::string no_use(const record::Channel& channel, const Eigen::VectorXd& readin
                    std::size_t needed) {
   if (readings.size() == 0) return fmt::format("no reading of {}", channel.words);
   if (static_cast<std::size_t>(readings.size()) < needed)
-    return fmt::format("{} readings of {}, {} are needed", readings.size(), channel.words, needed);
+    return fmt::format("{} readings of {} are too few; at least {} are needed", readings.size(),
+                       channel.words, needed);
   const double size = fit::rms(readings);
   if (!(size > 0.0)) return "all readings are zero";
   if (readings.maxCoeff() - readings.minCoeff() > least_noise * size) return {};

@@ -128,8 +128,8 @@ class Errors {
         lost_[static_cast<std::size_t>(k)] = true;
         group.push_back(parameter(static_cast<std::size_t>(k)).name);
       }
-      result_.messages.push_back(record::note::not_identifiable(
-          fmt::format("{} cannot be separated at the solution", joined(group, "and"))));
+      result_.messages.push_back(record::note::not_identifiable(fmt::format(
+          "these data cannot separate {} near the fitted values", joined(group, "and"))));
     }
   }
 
@@ -223,8 +223,8 @@ void hold_dependent(const fit::Response& response, const fit::Whitening& whiteni
 }
 
 std::string not_identifiable(const record::Parameter& held, const std::string& needed) {
-  return fmt::format("{} is not identifiable from these data, it stays at {}: it needs {}",
-                     held.name, with_unit(held.value, held.unit, 5), needed);
+  return fmt::format("these data do not determine {}, so it stays at {}: it needs {}", held.name,
+                     with_unit(held.value, held.unit, 5), needed);
 }
 
 void estimate_errors(const Eigen::MatrixXd& jacobian, double factor, Calibration& result) {

@@ -285,7 +285,7 @@ void Investigation::attribute() {
     if (!single.fit.converged)
       result_.messages.push_back(record::note::not_converged(fmt::format(
           "the fit with {} {}: it is not used in the verdict", id_of(single),
-          single.ran_away ? "runs away to " + size_text(problem_, single) : "did not converge")));
+          single.ran_away ? "diverges to " + size_text(problem_, single) : "did not converge")));
   if (outside_the_inputs()) return;
   const bool by_tolerance = result_.tolerance_limited() && !std::isnan(share_of_tolerance_);
   finding_ = by_tolerance ? search_->explain_within_tolerance() : search_->explain();

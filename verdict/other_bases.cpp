@@ -10,7 +10,7 @@ CalibratedBase calibrate_other_base(const Evidence& evidence, fit::OtherBase bas
   const fit::Problem& given = evidence.problem;
   CalibratedBase result{.base = std::move(base)};
   if (!result.base.subject) {
-    result.not_testable = "the model lacks " + result.base.lacks;
+    result.not_testable = "needs " + result.base.lacks;
     return result;
   }
   fit::Problem problem{.subject = result.base.subject,

@@ -97,9 +97,10 @@ std::string measure_text(const Diagnosis& d) {
     if (texts.size() < 3) texts.push_back(fmt::format("{} ({} times)", m.words, m.repeats));
   std::string text;
   if (!texts.empty())
-    text =
-        fmt::format(" Measure: {}; predicted difference {:.0f}, with repeated old points {:.0f}.",
-                    fmt::join(texts, "; "), d.predicted_separation, d.separation_by_repetition);
+    text = fmt::format(
+        " Measure: {}. Predicted difference of the gains: {:.0f}; if you repeat old points "
+        "instead: {:.0f}.",
+        fmt::join(texts, "; "), d.predicted_separation, d.separation_by_repetition);
   if (!d.records_needed.empty())
     text += " Record: " + fmt::format("{}.", fmt::join(d.records_needed, "; "));
   return text;

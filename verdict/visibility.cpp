@@ -30,7 +30,7 @@ Eigen::Index clearest_score(const Attribution& attribution, std::size_t candidat
 /// Why the data cannot tell an effect from the base parameters.
 std::string same_as_base(const fit::Problem& problem, const std::string& id) {
   const std::string levels = problem.subject->lacks_levels(id, *problem.record);
-  if (!levels.empty()) return "the data lack " + levels;
+  if (!levels.empty()) return "needs " + levels;
   return "on these data " + joined(problem.base, "and") +
          (problem.base.size() == 1 ? " does" : " together do") + " the same";
 }

@@ -48,7 +48,7 @@ TEST(Band, OfTorqueThatIsLinearInF0IsTheSlopeTimesItsError) {
   EXPECT_THAT(run("table " + model + " --speed 8000 --axial-load 300 --band").out,
               HasSubstr(" +- 22"));
   EXPECT_THAT(run("solve " + model + " --speed 8000 --axial-load 300 --band").out,
-              HasSubstr("only; it does not include missing effects and noise"));
+              HasSubstr("only; it does not include missing effects or noise"));
 }
 
 TEST(Band, LeavesAllOtherNumbersAsTheyAre) {

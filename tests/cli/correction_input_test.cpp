@@ -116,7 +116,7 @@ TEST_F(CorrectionInput, PowerBeyondTheDelayElementIsSaid) {
                                "leaves the range of a delay element"));
   const std::string beyond =
       "channel power: 282.7 W in line 122: the power is outside the range of a delay element, "
-      "whose time constant is positive below 214.7 W only";
+      "whose time constant is positive only below 214.7 W";
   EXPECT_THAT(run("compare " + element + " " + data).err, HasSubstr(beyond));
   // Nothing is fitted that rests on it: calibrate and diagnose once ended without a word.
   for (const char* command : {"identify ", "calibrate ", "diagnose --tolerance 1um "})

@@ -164,7 +164,7 @@ TEST_F(HostileInput, ADiagnosisInTheWrongUnitEndsWithAQuestion) {
   EXPECT_EQ(r.status, 2);
   EXPECT_EQ(r.out, "");
   EXPECT_THAT(r.err, HasSubstr("raceway diagnose: no verdict within 0.05 s; allow more time with "
-                               "--time-limit 0.5, --no-pairs needs less. The speeds are 0.6 to "));
+                               "--time-limit 0.5, or use --no-pairs. The speeds are 0.6 to "));
   EXPECT_THAT(r.err, HasSubstr("rpm: is rpm the correct unit?"));
 }
 

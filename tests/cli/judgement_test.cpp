@@ -54,7 +54,7 @@ TEST_F(Judged, AHotSpindleIsNotWithoutAWord) {
   const std::string page = scratch_.file("page.html");
   ASSERT_EQ(command("spindle", base_spindle + of_coarse_cells, flags + "--report " + page).status,
             0);
-  EXPECT_THAT(page_document(page)["judged"].dump(), HasSubstr("as mounted and above 3 times"));
+  EXPECT_THAT(page_document(page)["judged"].dump(), HasSubstr("(limit: 3 times)"));
 }
 
 TEST_F(Judged, AWarmRunIsJudgedAsTheSteadyState) {

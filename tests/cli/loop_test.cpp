@@ -159,7 +159,7 @@ TEST(Loop, RefitsWhatDiffersFromDayToDayBeforeComparing) {
   ASSERT_EQ(refitted.status, 0) << refitted.err;
   EXPECT_LT(json::parse(refitted.out)["rmse"].get<double>(),
             0.8 * json::parse(as_it_stands.out)["rmse"].get<double>());
-  EXPECT_THAT(refitted.err, HasSubstr("f0 and z refitted to"));
+  EXPECT_THAT(refitted.err, HasSubstr("f0 and z are refitted to"));
   const Result unknown = run("compare --refit f1 " + rig_folder_of_loop + "model.toml " +
                              rig_folder_of_loop + "test.csv");
   EXPECT_EQ(unknown.status, 1);

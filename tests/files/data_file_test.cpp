@@ -347,8 +347,8 @@ TEST(DataFile, AShortRunBesideALongOneIsLeftOut) {
   const Record r =
       record_of("run_id,time_s,speed_rpm\n" + falling("a", 60) + falling("b", 3), flywheel());
   EXPECT_THAT(texts(r.notes),
-              Contains("run b: 3 samples left, too few for a torque, at least 7 are "
-                       "needed: the run is left out"));
+              Contains("run b: only 3 usable samples left; a torque needs at least 7, "
+                       "so the run is not used"));
   for (std::size_t i = 0; i < r.rows(); ++i) EXPECT_EQ(r.run_of(i), 0);
   EXPECT_THAT(r.runs, ElementsAre("a"));
 }

@@ -309,7 +309,7 @@ TEST(ModelFile, AnEffectThatTheSupplyRulesOutIsNotedAndStaysOn) {
 TEST(ModelFile, EffectsAreCheckedLikeTheRest) {
   EXPECT_THAT(model_error(complete + "[[effect]]\nid = \"spin-friction\"\n"),
               HasSubstr("two tables have this effect"));
-  EXPECT_THAT(model_error(complete + "[[effect]]\n"), HasSubstr("[[effect]] has no id"));
+  EXPECT_THAT(model_error(complete + "[[effect]]\n"), HasSubstr("[[effect]] id is missing"));
   EXPECT_THAT(model_error(complete + "[[effect]]\nid = \"lubricant-drag\"\ntorque_Nmm = \"1\"\n"),
               HasSubstr("is the id of an effect in the catalogue; give your effect another id"));
   const ModelFile file = parse_model(changed("friction_coefficient = 0.06\n", ""), "m.toml");

@@ -448,7 +448,22 @@ TEST(SpindleSection, ClampingForcesAreReadAndMustPressAFace) {
 
 TEST(SpindleSection, ShaftAloneIsNoSpindle) {
   const std::string text = shortest_spindle.substr(0, shortest_spindle.find("[housing]"));
-  EXPECT_THAT(spindle_error(text), HasSubstr("a spindle has both [shaft] and [housing]"));
+  EXPECT_THAT(spindle_error(text),
+              HasSubstr("a spindle needs both [shaft] and [housing]; add [housing]"));
+}
+
+TEST(SpindleSection, ATandemIsRefusedByTheNameInTheFile) {
+  for (const std::string layout : {"\"DT\"", "\"tandem\""}) {
+    const std::string text =
+        "[bearing]\ncatalogue = \"S 6014 C\"\n[lubricant]\nviscosity_40C_mm2_s = 22\n"
+        "viscosity_100C_mm2_s = 4.8\n[friction]\nlaw = \"palmgren\"\nf0 = 1.5\n[arrangement]\n"
+        "layout = " +
+        layout +
+        "\nfront = 2\nrear = 0\nmounting = \"spring\"\npreload_N = 600\n"
+        "front_position_mm = [60, 80]\n" +
+        shortest_spindle.substr(shortest_spindle.find("[shaft]"));
+    EXPECT_THAT(spindle_error(text), HasSubstr("layout = " + layout + ": not possible, because "));
+  }
 }
 
 TEST(SpindleSection, TableOfASpindleWithoutOneIsRefused) {
@@ -539,9 +554,10 @@ TEST(SpindleSection, NetworkStandsInPlaceOfAGeometry) {
 }
 
 TEST(SpindleSection, NetworkWithoutAWayOutIsRefused) {
-  EXPECT_THAT(spindle_error(with(network_text, "to = \"ambient\"", "to = \"rotor\"")),
-              HasSubstr(": no link leads to a body at constant temperature (temperature_C, "
-                        "ambient, machine), so the heat cannot leave this node"));
+  EXPECT_THAT(
+      spindle_error(with(network_text, "to = \"ambient\"", "to = \"rotor\"")),
+      HasSubstr(": no chain of links leads from this node to a body at constant "
+                "temperature (temperature_C, ambient, machine), so the heat cannot leave it"));
 }
 
 TEST(SpindleSection, UnknownNodeIsNamedWithTheNearest) {

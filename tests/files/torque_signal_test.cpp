@@ -163,8 +163,8 @@ TEST(TorqueSignal, IsFrictionTorqueWithItsStandardDeviation) {
   EXPECT_DOUBLE_EQ(r.value(record::torque_deviation, 0), first.std);
   EXPECT_NEAR(first.torque, 0.1, 1e-3);
   EXPECT_THAT(texts(r.notes),
-              Contains(HasSubstr("torque_signal_V is friction torque by [torque_sensor], "
-                                 "of weights.csv: std_Nmm of a row")));
+              Contains(HasSubstr("[torque_sensor] (weights.csv) converts torque_signal_V to the "
+                                 "friction torque: std_Nmm of a row")));
   EXPECT_THAT(texts(r.notes), Not(Contains(HasSubstr("outside"))));
 }
 

@@ -127,7 +127,7 @@ TEST(VerdictDoubt, ASizeThatRunsAwayIsNoFit) {
   const verdict::Diagnosis d =
       loop::diagnose(line, readings([](double x) { return 1.0 + x + 0.201 * x * x; }, 0.02));
   EXPECT_EQ(d.verdict, verdict::Verdict::not_in_catalogue) << d.sentence;
-  EXPECT_THAT(texts(d.messages), Contains(HasSubstr("the fit with curve runs away to c = ")));
+  EXPECT_THAT(texts(d.messages), Contains(HasSubstr("the fit with curve diverges to c = ")));
 }
 
 /// The few readings of most of the error count least: certain, and worse to the eye.

@@ -324,8 +324,8 @@ TEST(CoastDown, LeavesOutARunThatIsTooShortByName) {
   const CoastDownTorque result = coast_down_torque(record, rig());
   EXPECT_EQ(result.data.rows.size(), alone.data.rows.size());
   EXPECT_THAT(texts(result.data.notes),
-              testing::Contains("run broken off: 5 samples left, too few for a torque, at least 7 "
-                                "are needed: the run is left out"));
+              testing::Contains("run broken off: only 5 usable samples left; a torque needs at "
+                                "least 7, so the run is not used"));
   ASSERT_EQ(result.runs.size(), 2U);
   EXPECT_EQ(result.runs[1].rows, 0);
 }

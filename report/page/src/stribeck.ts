@@ -43,7 +43,7 @@ export function tableFigures(report: TableReport): Figure[] {
         column: 'axial_displacement_um',
         points: positions,
         reading: 'measured_um',
-        note: `Positive towards the tool.${positions.has('preload_N') ? ' A point with another preload than the model counts as a point at another load.' : ''}`,
+        note: `Positive towards the tool.${positions.has('preload_N') ? ' A point whose preload differs from the model counts as a point at another load.' : ''}`,
         choices: [],
       }),
     );

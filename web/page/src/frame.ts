@@ -14,7 +14,7 @@ import { verdict } from './verdict';
 import { isCorrection, plainValue, valueOf } from './toml';
 import { button, Part, type Panelled, type Shown } from './view';
 
-const names: Record<Panel, string> = { data: 'Data', model: 'Model', compare: 'Compare', missing: 'What is missing', steady: 'Steady state', programme: 'Programme', modes: 'Modes', history: 'History', home: 'Take it home' };
+const names: Record<Panel, string> = { data: 'Data', model: 'Model', compare: 'Compare', missing: 'What is missing', steady: 'Steady state', programme: 'Programme', modes: 'Modes', history: 'History', home: 'Save and reuse' };
 
 /// The steps of measurements, and those of a spindle without any.
 const stepsOf = (s: State): Panel[] => (alone(s) ? ['model', 'steady', 'programme', 'modes', 'history', 'home'] : ['data', 'model', 'compare', 'missing', 'history', 'home']);
