@@ -126,8 +126,8 @@ constexpr Key element_gain_keys[]{
      "slope_um_N ..."},
     {"offset_um", between(-most, most, "um"), unset, "value of the straight line at input 0"},
     {"factor", between(-most, most, "um"), unset,
-     "factor in time constant = factor * x^exponent; x is the input in its unit"},
-    {"exponent", between(-10, 10), unset, "exponent in time constant = factor * x^exponent"},
+     "factor in gain = factor * x^exponent; x is the input in its unit"},
+    {"exponent", between(-10, 10), unset, "exponent in gain = factor * x^exponent"},
     {"table", a_text, unset,
      "CSV with gain_um and power_W, or the column of the input, in the folder of the model"},
 };
