@@ -22,9 +22,10 @@ void declare_coolant(CLI::App& command, bool& on, const std::string& help) {
 
 void declare(CLI::App& command, session::Reading& reading) {
   command
-      .add_option("--columns", reading.columns,
-                  "map from your columns to the columns of raceway (TOML, table [columns]); "
-                  "default: [columns] of the model, if it has one; check --suggest-columns proposes a map")
+      .add_option(
+          "--columns", reading.columns,
+          "map from your columns to the columns of raceway (TOML, table [columns]); "
+          "default: [columns] of the model, if it has one; check --suggest-columns proposes a map")
       ->type_name("FILE");
   command.add_flag("--drop-nan", reading.drop_nan,
                    "ignore rows with an empty cell, nan or #N/A in a column that is used");

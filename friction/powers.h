@@ -25,7 +25,7 @@ namespace raceway::friction {
 struct PowersViscous {
   static constexpr std::array parameters{Parameter{.name = "viscous_exponent",
                                                    .unit = "1",
-                                                   .initial = 2.0 / 3.0,
+                                                   .initial = 0.667,  // about Palmgren's
                                                    .lower = 0.2,
                                                    .upper = 1.2},
                                          Parameter{.name = "viscous_load_exponent",
