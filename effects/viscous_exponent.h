@@ -45,7 +45,8 @@ struct ViscousExponent {
 
   static double moment(const MomentInputs& in, std::span<const double> values) {
     const double nu_n = (in.state.kinematic_viscosity / mm2_per_s) * (in.state.speed / rpm);
-    return in.base.viscous * (std::pow(std::max(nu_n, 2000.0) / friction::medium_nu_n, values[0]) - 1.0);
+    return in.base.viscous *
+           (std::pow(std::max(nu_n, 2000.0) / friction::medium_nu_n, values[0]) - 1.0);
   }
 };
 
