@@ -63,7 +63,7 @@ TEST_F(Judged, AWarmRunIsJudgedAsTheSteadyState) {
   const Result r =
       command("spindle", base_spindle + of_coarse_cells, "--json --speed-profile " + profile);
   EXPECT_EQ(of(parsed(r), "preload_factor")["kind"], "warning");
-  EXPECT_THAT(r.err, HasSubstr("times the 300 N as mounted"));
+  EXPECT_THAT(r.err, HasSubstr("times the mounted preload of 300 N"));
 }
 
 TEST_F(Judged, AQuietAnswerPassesNoLimit) {

@@ -233,7 +233,7 @@ test('displacement: holds the numbers that --json and fit-law print, and the law
 
 test('displacement: warnings stand on the page as the command says them, and without a law it says why', async () => {
   const told = spawnSync(RACEWAY, ['displacement', spindle, '--speed', '0:15000:7500', '--axial-load', '1200', '--report', file('loaded.html')], { encoding: 'utf8' });
-  const said = told.stderr.split('\n').filter((line) => /minimum load|no contact|as mounted/.test(line)).map((line) => line.replace('warning: ', ''));
+  const said = told.stderr.split('\n').filter((line) => /minimum load|no contact|mounted preload/.test(line)).map((line) => line.replace('warning: ', ''));
   assert.ok(said.length > 0, told.stderr);
   const { page, faults, close } = await open('loaded');
   assert.deepEqual(await page.$$eval('#warnings li', (all) => all.map((li) => li.textContent)), said);
