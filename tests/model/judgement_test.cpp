@@ -76,7 +76,8 @@ TEST(Judgement, PreloadIsWhatBothSetsCarry) {
   EXPECT_TRUE(factor(2600.0, 600.0).limit.empty());
   EXPECT_TRUE(factor(900.0, 900.0).limit.empty());
   EXPECT_NEAR(factor(2400.0, 2500.0).value, 8.0, 1e-12);
-  EXPECT_THAT(factor(2400.0, 2500.0).text, HasSubstr("2400 N, 8 times the mounted preload of 300 N"));
+  EXPECT_THAT(factor(2400.0, 2500.0).text,
+              HasSubstr("2400 N, 8 times the mounted preload of 300 N"));
 }
 
 TEST(Judgement, SpeedsGoByTheCatalogueTheSupplyAndTheBalls) {
