@@ -122,7 +122,7 @@ struct ControlFeedthrough {
   double gain = unset;  ///< [um] per unit of the drive
 };
 
-/// A difference equation with poles other than lags:
+/// A difference equation that is not a sum of lags:
 ///
 ///   y(k) = sum numerator(i) u(k-i) - sum denominator(i) y(k-i),   denominator(0) = 1
 ///

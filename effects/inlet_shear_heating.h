@@ -20,9 +20,9 @@ struct InletShearHeating {
   static constexpr std::string_view id = "inlet-shear-heating";
   static constexpr std::string_view title = "shear heating in the inlet of the contacts";
   static constexpr std::string_view mechanism =
-      "Only a small part of the lubricant in front of a ball passes the contact; the rest flows "
-      "back, is sheared and heats up. The film is therefore thinner than with the bulk viscosity, "
-      "most at high speed.";
+      "Only a small part of the lubricant in front of a ball passes through the contact; the rest "
+      "flows back, is sheared and heats up. The film is therefore thinner than with the bulk "
+      "viscosity, most at high speed.";
   static constexpr std::string_view formula = "M0 / (1 + c 1.84e-9 (n d_m)^1.28 nu^0.64)";
   static constexpr std::string_view within_contacts =
       "rolling_factor under [friction], which has its own thermal factor";

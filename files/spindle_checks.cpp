@@ -340,7 +340,8 @@ class SpindleCheck {
       if (inner <= bore || outer >= s.diameter)
         outside("diameter_mm", c.diameter,
                 fmt::format("with channel_depth_mm = {} the channel reaches from {} to {} in "
-                            "diameter, outside the wall of the housing, {} to {}",
+                            "diameter, partly outside the wall of the housing, which reaches from "
+                            "{} to {}",
                             in_mm(c.channel_depth), in_mm(inner), in_mm(outer), in_mm(bore),
                             in_mm(s.diameter)));
     }

@@ -24,7 +24,7 @@ enum class Role {
 };
 
 /// A quantity that a column can contain. All code that reads, shows or sorts columns uses this
-/// description. A new quantity therefore needs only one line in the table below.
+/// description, so for such code a new quantity needs only one line in the table below.
 struct Channel {
   std::string_view name;             ///< name of the column with its unit at the end: "speed_rpm"
   std::string_view variable = name;  ///< name without unit, as in results: "speed"

@@ -66,10 +66,10 @@ struct ComparedModels {
   [[nodiscard]] std::string page() const;
 };
 
-/// Compares several models with the same rows. The data are read with the column map and the sensor
-/// of the first model. The parameters in `how`, and the parameters that are separate for each
-/// record, are fitted first. Throws text::InputError, for example if the models are of different
-/// kinds.
+/// Compares each of several models with the same measured rows. The data are read with the column
+/// map and the sensor of the first model. The parameters in `how`, and the parameters that are
+/// separate for each record, are fitted first. Throws text::InputError, for example if the models
+/// are of different kinds.
 [[nodiscard]] ComparedModels compare(Messages& messages, const std::vector<Source>& models,
                                      const std::vector<Source>& data, const CompareOptions& how,
                                      const LoopOptions& options);

@@ -60,7 +60,7 @@ void add_kinematic_law(const std::vector<shaft::DisplacementPoint>& curve, StepP
     const shaft::KinematicLawFit fit = shaft::fit_kinematic_law(curve);
     if (!fit.converged()) {
       parts.notes.push_back(
-          "the fit of the kinematic law did not converge, so the correction has no immediate "
+          "the fit of the kinematic law did not converge, so the correction has no kinematic "
           "displacement");
       return;
     }
