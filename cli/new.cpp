@@ -96,7 +96,7 @@ Run setup_new(CLI::App& command) {
   command
       .add_option("--law", flags->wanted.law,
                   "friction law: palmgren, skf or contact; default: contact, but palmgren for "
-                  "spindles and roller bearings. Roller bearings have no law contact")
+                  "spindles and roller bearings. contact is not available for roller bearings")
       ->check(CLI::IsMember({"palmgren", "skf", "contact"}))
       ->type_name("NAME");
   flags->declare_output(command, "model file to write; default: stdout");

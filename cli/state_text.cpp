@@ -101,7 +101,7 @@ void print_life(const model::BearingLife& life, const bearing::BearingFrequencie
   fmt::print("kappa               {:>10}         static safety     {:>8}\n",
              number(life.viscosity_ratio), number(life.static_safety));
   fmt::print("cage speed          {:>10} rpm     {:<17} {:>8} Hz\n",
-             number(turns.cage * speed / rpm), fmt::format("{} over outer", element),
+             number(turns.cage * speed / rpm), fmt::format("{} pass outer", element),
              number(turns.outer_race * speed / (2.0 * pi)));
 }
 

@@ -24,7 +24,7 @@ struct SealFriction {
       "have less friction.";
   static constexpr std::string_view formula = "M = K (1 - s (T - 45 C))";
   static constexpr std::string_view source =
-      "seal moment of the SKF general catalogue (2006); fall with temperature assumed";
+      "seal moment of the SKF general catalogue (2006); its decrease with temperature is assumed";
   static constexpr std::array<std::string_view, 4> confused_with{
       "torque-offset", "load-offset", "torque-temperature-drift", "mixed-lubrication"};
   static constexpr std::string_view settled_by = "the torque without the seals";

@@ -184,9 +184,10 @@ void ColumnReader::undo_midnights(const ColumnSource& source, std::vector<double
   }
   if (count > 0)
     notes_.push_back(record::note::read_as(
-        fmt::format(
-            "column {} passes midnight {}, first before line {}: time_s continues without a jump",
-            source.name, count == 1 ? "once" : fmt::format("{} times", count), table_.line(first)),
+        fmt::format("the times in column {} pass midnight {}, first before line {}: time_s "
+                    "continues without a jump",
+                    source.name, count == 1 ? "once" : fmt::format("{} times", count),
+                    table_.line(first)),
         {.file = table_.source, .line = table_.line(first), .key = source.name}));
 }
 

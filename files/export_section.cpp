@@ -58,8 +58,8 @@ const Key control_keys[]{
      "longest normal time between two calls; after a longer gap, offsets move at most as far as in "
      "this time, and the program raises an alarm"},
     {"clock_jump_s", between(1e-3, 1e9, "s"), usual_control.clock_jump_s,
-     "longest time between two calls; a longer time means that the clock was set, and the offsets "
-     "keep their values"},
+     "limit of the time between two calls; if more time passes without a restart, the program "
+     "assumes that the clock was changed, and the offsets keep their values"},
     {"restart", one_of("decay|resume|rest"), usual_control.restart,
      "state of the sections after the control was off for longer than longest_gap_s: decay (assume "
      "speeds and feeds of 0 in this time), resume (assume that no time has passed) or rest (start "

@@ -75,8 +75,8 @@ struct DeflectionResult {
   double speed = 0.0, force = unset, at = 0.0;  ///< [rad/s], [N], [m]
   bool axial = false;
   double axial_force = 0.0;  ///< in addition to a radial force, positive towards the tool [N]
-  /// Moment in the plane of the radial force and at the same place. A positive moment has the same
-  /// direction as the moment of the force if the force acts further forward [N m].
+  /// Moment in the plane of the radial force and at the same place [N m]. A positive moment turns
+  /// the shaft like a positive force that acts further forward.
   double moment = 0.0;
   spindle::SetsAtSpeed sets;   ///< state without the force
   spindle::LoadedShaft shaft;  ///< state under the force; not run if the sets have no equilibrium

@@ -10,7 +10,7 @@ namespace raceway::correction {
 struct SensorQuantisation final : EffectKind {
   static constexpr EffectCard quantisation_card{
       .id = "sensor-quantisation",
-      .title = "the displacement steps with the last digit of a sensor",
+      .title = "the predicted displacement steps with the last digit of a sensor",
       .form = "y steps by K0 q, with a feedthrough K0 and a quantum q",
       .needs = "a feedthrough, and a quantum that the record shows",
       .confused = "second-time-constant",

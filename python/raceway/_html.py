@@ -354,7 +354,7 @@ def html_of(result: Any) -> str:
     Parameters
     ----------
     result : Diagnosis, Comparison, Calibration, Addition, Solution, Table, Displacement or a result of a spindle
-        Object with the document ``data``. Tables and displacements also need ``to_frame()``.
+        The attribute ``data`` has the results as a dictionary. Tables and displacements also need ``to_frame()``.
 
     Returns
     -------

@@ -242,9 +242,10 @@ TEST(LoggerExports, TimesOfDayGoOnBehindMidnight) {
     const Exported of_day = stamped("Time", clock);
     const std::string map = of_day.folder.write("map.toml", "[columns]\ntime_s = \"Time\"\n");
     expect_truth(of_day.file, "--columns " + map);
-    EXPECT_THAT(run("check " + record_model + " " + of_day.file + " --columns " + map).err,
-                HasSubstr("column Time passes midnight once, first before line 231: time_s "
-                          "continues without a jump"));
+    EXPECT_THAT(
+        run("check " + record_model + " " + of_day.file + " --columns " + map).err,
+        HasSubstr("the times in column Time pass midnight once, first before line 231: time_s "
+                  "continues without a jump"));
   }
 }
 
