@@ -66,8 +66,8 @@ RACEWAY_API raceway_model* raceway_create_from_file(const char* path, char* mess
 /// Frees a model. Do not use the model afterwards. A call with NULL does nothing.
 RACEWAY_API void raceway_free(raceway_model* model);
 
-/// Returns the notes from reading the model, such as the number of defaults and doubtful values, in
-/// the format of `message`. The text is valid as long as the model; it is empty for NULL.
+/// Returns the notes and warnings from reading the model, such as the number of defaults, one per
+/// line. The text is valid as long as the model; it is empty for NULL.
 RACEWAY_API const char* raceway_messages(const raceway_model* model);
 
 /// Returns the number of result columns of raceway_solve() and raceway_table(); 0 for NULL.

@@ -67,8 +67,8 @@ int run(const FitLawFlags& flags) {
               fmt::format(", {} speeds", table.speed.size()));
     if (!table.monotone)
       warn(
-          "the table is not monotone: the displacement changes direction where the rows change "
-          "direction");
+          "the table is not monotone: with rising speed, the displacement both rises and falls; "
+          "check whether this is real or scatter of the readings");
   }
   if (f.converged()) return done;
   complain(fmt::format("raceway fit-law: {} after {} steps", fit::name(f.status), f.iterations));

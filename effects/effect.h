@@ -170,7 +170,8 @@ struct ReadingInputs {
   const Record& record;
 };
 
-/// Pitch diameter for which the ranges of scaled sizes are given.
+/// Pitch diameter for which the plausible ranges of effects are given. For other bearings, a range
+/// is multiplied by a power of d_m over this diameter.
 inline constexpr double size_of_ranges = 60 * mm;
 
 /// Description of an effect in words.

@@ -42,7 +42,8 @@ struct SeparableFit {
   std::vector<bool> at_bound{};
   Eigen::VectorXd
       residual{};  ///< reading minus prediction of every mean [SI], including held-out means
-  /// Weighted sum of squares of the fitted means, plus the contribution of the priors.
+  /// Weighted sum of the squared residuals of the fitted means, plus the contribution of the
+  /// priors.
   double misfit = unset;
 };
 

@@ -8,8 +8,8 @@
 
 namespace raceway::record {
 
-/// Returns the lowest value of each level, rising. A new level begins if sorted values differ by
-/// more than `width`. NaN values are skipped.
+/// Returns the lowest value of each level, in ascending order. A new level begins if sorted values
+/// differ by more than `width`. NaN values are skipped.
 [[nodiscard]] std::vector<double> level_starts(std::span<const double> values, double width);
 
 /// Returns the index of the level of a value. `starts` are the lowest values of all levels.

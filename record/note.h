@@ -64,7 +64,7 @@ inline constexpr NoteCode odd_value{
     "odd-value", NoteKind::note,
     "an unusual or inconsistent value of the model or the command; it is used unchanged"};
 inline constexpr NoteCode band{"band", NoteKind::note,
-                               "confidence band of the numbers that follow"};
+                               "what the 95 % band of the results contains"};
 inline constexpr NoteCode load_limit{
     "load-limit", NoteKind::note,
     "a load, pressure or contact angle beyond the limits of the bearing"};

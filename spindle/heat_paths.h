@@ -22,7 +22,7 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 ///
 ///   C_i dT_i/dt = sum G_ij (T_j - T_i) + sum G_ir (T_r - T_i) + q_i
 ///
-/// Conductances may change later, but paths must not be added.
+/// After a solver is made from the paths, conductances may change, but no path may be added.
 struct HeatPaths {
   struct Link {
     int first, second;

@@ -265,7 +265,7 @@ std::string statement_of(const Comparison& c) {
   if (c.judgement == Judgement::noise)
     return fmt::format("{} agrees with the noise ({}): {}.", misfit, noise, statistic);
   const std::string why =
-      "the noise of these data is not known (no repeated rows, no declared std)";
+      "the noise of these data is not known (too few repeated rows, and no std in every row)";
   if (c.judgement == Judgement::structure)
     return fmt::format(
         "{} is systematic at least in part: neighbours in {} have similar residuals (correlation "

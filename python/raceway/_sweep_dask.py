@@ -37,7 +37,7 @@ def _dask() -> Any:
 
 
 def _security() -> Any:
-    """Return new keys for the workers of this process, so that no other user of the computer can give them work."""
+    """Return new keys, so that no other user of the computer can give work to these workers; without python3-cryptography, warn and return None."""
     distributed = _dask()
     try:
         return distributed.security.Security.temporary()
