@@ -211,7 +211,7 @@ def test_modes_and_shapes_are_those_of_the_command(small, driven, document, csv,
 
 
 def test_a_hot_spindle_is_doubted(driven, document):
-    with pytest.warns(raceway.Doubt, match="times the 300 N as mounted"):
+    with pytest.warns(raceway.Doubt, match="times the mounted preload of 300 N"):
         hot = driven.steady(15000)
     assert [f["limit"] for f in hot.data["judgement"]] == ["ring_temperature", "preload_factor"]
     assert hot.data["judgement"] == document("spindle", DRIVEN, "--speed", "15000", "--steady")["judgement"]
