@@ -1,9 +1,7 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
 
 #include "friction/palmgren.h"
 
@@ -16,9 +14,10 @@ namespace raceway::friction {
 /// ν n [mm²/s rpm] and d_m [mm] as in palmgren_viscous_moment(). P is the load f1_load(), and P_m
 /// is medium_load(). With a = 2/3 and b = 0 the moment is Palmgren's for ν n >= 2000. The
 /// references 300 000 and P_m separate the exponents from f0. The load moment of the law is
-/// PalmgrenLoad; its exponent 1 + y is fitted too. Source:   form of the rolling moments a (ν
-/// n)^0.6 F^0.54 [SKFGeneral] and U^0.66 W^0.47
-///           [BibouletHoupert2010]. The exponents have no published values for a bearing: they are
+/// PalmgrenLoad; its exponent 1 + y is fitted too.
+///
+/// Source:   rolling moments of the form (ν n)^0.6 F^0.54 [SKFGeneral] and U^0.66 W^0.47
+///           [BibouletHoupert2010]. The exponents of a bearing have no published values; they are
 ///           fitted.
 /// Domain:   the measured speeds, loads and temperatures. Zero at zero load for b > 0.
 /// Accuracy: that of the fit; an extrapolation has none.
@@ -44,7 +43,7 @@ struct PowersViscous {
     // Factors divide as in the code of automatic derivatives, so that values are equal to the last
     // digit.
     const T share = (nu_n < 2000.0 ? T(2000.0) : nu_n) * (1.0 / medium_nu_n);
-    // The moment of ν n = 300 000, at which viscosity and speed need not be known.
+    // Palmgren's moment at ν n = 300 000; the moment depends only on this product.
     const T medium =
         palmgren_viscous_moment(f0, T(medium_nu_n * mm2_per_s), T(1.0 * rpm), s.pitch_diameter());
     return medium * pow(share, exponent) *

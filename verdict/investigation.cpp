@@ -590,7 +590,7 @@ void Investigation::try_other_bases() {
   const std::vector<Explanation>& singles = search_->singles();
   const double rival =
       singles.empty() || !singles.front().fit.converged ? 0.0 : singles.front().gain;
-  // The first that is an offer; before it one with which at most an effect is missing.
+  // The first with which at most an effect is missing, otherwise the first that is better.
   std::shared_ptr<const Diagnosis> offer;
   std::size_t offered = bases.size();
   for (std::size_t k = 0; k < bases.size(); ++k) {
