@@ -15,6 +15,7 @@ constexpr double blocks_found = 6.63;  // of -2 ln L: 1 % of one parameter
 constexpr double undetermined = 0.5;   // of -2 ln L
 constexpr double worth_even_runs =
     2.0;  // of -2 ln L: a form as good is no reason to leave the usual
+constexpr double strong_evidence = 6.0;  // 2 ln of a Bayes factor: Kass and Raftery 1995
 
 }  // namespace
 
@@ -22,6 +23,17 @@ double NoiseSearch::value() const {
   return misfit(noise_.correlation, noise_.run_share, shares_) + cost(shares_) +
          worth_a_parameter *
              ((noise_.correlation > 0.0 ? 1.0 : 0.0) + (noise_.run_share > 0.0 ? 1.0 : 0.0));
+}
+
+NoiseSearch::Memory NoiseSearch::memory() const {
+  return {noise_.correlation, noise_.run_share, shares_, even_runs_};
+}
+
+void NoiseSearch::recall(const Memory& memory) {
+  noise_.correlation = memory.correlation;
+  noise_.run_share = memory.run_share;
+  shares_ = memory.shares;
+  even_runs_ = memory.even_runs;
 }
 
 void NoiseSearch::search_memory(bool timed, bool runs) {
@@ -58,21 +70,27 @@ void NoiseSearch::find_memory() {
   even_runs_ = false;
   search_memory(timed, runs);
   if (runs) {
-    const NoiseModel before = noise_;
-    const Shares shares = shares_;
-    const double in_proportion = value();
+    const Memory in_proportion = memory();
+    const double of_proportion = value();
     // The parts were found as if rows were independent: offsets of one size look like absolute
     // noise.
     even_runs_ = true;
+    const bool free = options_.absolute && !declared_;
+    if (free) {
+      noise_.correlation = 0.0;
+      noise_.run_share = unknown_runs;
+      find_shares();
+    }
     for (int round = 0; round < 2; ++round) {
       search_memory(timed, runs);
-      if (options_.absolute && !declared_) find_shares();
+      if (free) find_shares();
     }
-    if (!(value() < in_proportion - worth_even_runs)) {
-      noise_ = before;
-      shares_ = shares;
-      even_runs_ = false;
-    }
+    const double of_even = value();
+    const bool even = of_even < of_proportion - worth_even_runs;
+    rival_.reset();
+    if (std::abs(of_even - of_proportion) < strong_evidence)
+      rival_ = even ? in_proportion : memory();
+    if (!even) recall(in_proportion);
   }
   // Where runs and levels coincide nothing says how much the runs differ: as much as may be.
   double& g = noise_.run_share;
@@ -131,14 +149,22 @@ void NoiseSearch::find_blocks() {
     noise_.undeclared_blocks = true;
     return;
   }
-  double factor = 1.0;
-  std::optional<Whitening> allowed;
-  if (noise_.run_share > 0.0 && with < independent && with < before + within_the_likely)
-    allowed = scaled(noise_.correlation, noise_.run_share, shares_, factor);
+  std::vector<Whitening> allowed;
+  const auto allow = [&] {
+    double factor = 1.0;
+    if (noise_.run_share > 0.0 && value() < std::min(independent, before + within_the_likely))
+      allowed.push_back(scaled(noise_.correlation, noise_.run_share, shares_, factor));
+  };
+  allow();
+  if (rival_) {
+    recall(*rival_);
+    allow();
+  }
   noise_ = without;
   shares_ = shares;
   even_runs_ = false;
-  if (allowed) noise_.allowed.push_back(*std::move(allowed));
+  rival_.reset();
+  std::move(allowed.begin(), allowed.end(), std::back_inserter(noise_.allowed));
   order_ = order;
   some_order_ = some;
 }

@@ -265,18 +265,30 @@ void NoiseSearch::find_allowed() {
     if (input && input->input > shares_.input) add(phi, g, *input);
   }
   if (noise_.growth > 0.0) allow_growths(phi, g, best);
-  const bool timed = options_.correlation && order_.has_time;
-  const bool runs = options_.runs && order_.has_runs;
-  double high_phi = phi, high_g = g;
-  if (timed)
-    for (const double p : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.87, 0.92, 0.95, 0.97})
-      if (p > high_phi && allows(p, g, shares_)) high_phi = p;
-  if (runs)
-    for (const double q : {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95})
-      if (q > high_g && allows(phi, q, shares_)) high_g = q;
-  if (high_phi > phi) add(high_phi, g, shares_);
-  if (high_g > g) add(phi, high_g, shares_);
+  allow_memory(best);
+  if (rival_ && rival_->run_share > 0.0 && noise_.state_share == 0.0) {
+    const Memory chosen = memory();
+    recall(*rival_);
+    add(rival_->correlation, rival_->run_share, shares_);
+    allow_memory(best);
+    recall(chosen);
+  }
   if ((phi > 0.0 || g > 0.0) && allows(0.0, 0.0, shares_)) add(0.0, 0.0, shares_);
+}
+
+void NoiseSearch::allow_memory(double best) {
+  const double phi = noise_.correlation, g = noise_.run_share;
+  double high_phi = phi, high_g = g;
+  const double limit = best + within_the_likely;
+  if (options_.correlation && order_.has_time)
+    for (const double p : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.87, 0.92, 0.95, 0.97})
+      if (p > high_phi && misfit(p, g, shares_) < limit) high_phi = p;
+  if (options_.runs && order_.has_runs)
+    for (const double q : {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95})
+      if (q > high_g && misfit(phi, q, shares_) < limit) high_g = q;
+  double factor = 1.0;
+  if (high_phi > phi) noise_.allowed.push_back(scaled(high_phi, g, shares_, factor));
+  if (high_g > g) noise_.allowed.push_back(scaled(phi, high_g, shares_, factor));
 }
 
 void NoiseSearch::hold_against_repeats() {

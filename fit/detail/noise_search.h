@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "fit/noise_model.h"
@@ -60,6 +61,13 @@ class NoiseSearch {
     [[nodiscard]] int parts() const {
       return (relative > 0.0 ? 1 : 0) + (input > 0.0 ? 1 : 0) + (absolute() > 0.0 ? 1 : 0);
     }
+  };
+
+  /// What neighbours and the readings of a run have in common.
+  struct Memory {
+    double correlation, run_share;  ///< as in NoiseModel
+    Shares shares;
+    bool even_runs;  ///< true if the offset of a run is equal for all its readings
   };
 
   /// Parts of the standard deviations, each with an rms of 1.
@@ -135,6 +143,8 @@ class NoiseSearch {
   /// Finds correlation and run offsets together, because each can look like the other. Run offsets
   /// are either proportional to the noise of each reading or equal for all readings of a run.
   void find_memory();
+  [[nodiscard]] Memory memory() const;
+  void recall(const Memory& memory);
   /// Finds the best correlation and run share, with the other parts fixed.
   void search_memory(bool timed, bool runs);
   /// Returns -2 ln L including the cost of memory and parts.
@@ -156,6 +166,8 @@ class NoiseSearch {
   /// both ends of the range that the readings allow, and memory is removed if the readings allow
   /// it.
   void find_allowed();
+  /// Tries stronger correlation and larger run offsets, as far as the readings allow.
+  void allow_memory(double best);
   /// Tries weaker and stronger growth, as far as the readings allow.
   void allow_growths(double phi, double g, double best);
   /// Checks the result against the pure error of repeats.
@@ -175,7 +187,8 @@ class NoiseSearch {
   Eigen::VectorXd widening_;     // factor on the standard deviation of outliers
   Eigen::VectorXd by_record_;    // NoiseModel::records
   Shares shares_;
-  bool even_runs_ = false;  // true if the offset of a run is equal for all its readings
+  bool even_runs_ = false;       // Memory::even_runs
+  std::optional<Memory> rival_;  // the other form of run offsets, where it is almost as likely
   NoiseModel noise_;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   // threshold in -2 ln L: 5 % level of one variance >= 0
