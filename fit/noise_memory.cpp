@@ -15,7 +15,6 @@ constexpr double blocks_found = 6.63;  // of -2 ln L: 1 % of one parameter
 constexpr double undetermined = 0.5;   // of -2 ln L
 constexpr double worth_even_runs =
     2.0;  // of -2 ln L: a form as good is no reason to leave the usual
-constexpr double strong_evidence = 6.0;  // 2 ln of a Bayes factor: Kass and Raftery 1995
 
 }  // namespace
 
@@ -88,7 +87,7 @@ void NoiseSearch::find_memory() {
     const double of_even = value();
     const bool even = of_even < of_proportion - worth_even_runs;
     rival_.reset();
-    if (std::abs(of_even - of_proportion) < strong_evidence)
+    if (std::abs(of_even - of_proportion) < within_the_likely)
       rival_ = even ? in_proportion : memory();
     if (!even) recall(in_proportion);
   }

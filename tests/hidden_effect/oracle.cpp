@@ -169,7 +169,7 @@ std::optional<OracleAnswer> ask_oracle(const Rig& rig, std::span<const Reading> 
     // z and the cause come from the differences of the runs; the others show the scatter.
     const double runs = 1.0 + seen.back().run - seen.front().run, others = runs - 2.0;
     const double t = boost::math::quantile(
-        boost::math::complement(boost::math::students_t(others), 0.5 * alarm_level));
+        boost::math::complement(boost::math::students_t(others), 0.5 * alarm_level / tried));
     answer.learned_from = runs * std::log1p(t * t / others);
   }
   if (causes == 0 && setup.mistake.reset > 0.0) {
