@@ -32,7 +32,7 @@ struct OracleAnswer {
   double needed = 0.0;         ///< gain that admits a name, as in the diagnosis
   /// For a wrong datum and noise with offsets of runs: the same two where the observer does not
   /// know the size of the offsets and learns it from the record. The limit is that of Student's
-  /// law.
+  /// law, for as many candidates as the diagnosis tries.
   /// Nothing hidden, but zeros that are set before each run: the gain and limit of the best single
   /// cause where the observer does not know their scatter.
   std::optional<double> learned_detection;
