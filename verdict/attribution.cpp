@@ -152,15 +152,16 @@ std::vector<const fit::Screened*> Attribution::screened(
   return on;
 }
 
-/// The initial values; then the size that the scores ask for, shapes towards one bound, then the
-/// other.
+/// The initial values; then about the size that the scores ask for, with shapes near the bound that
+/// is far from their initial values, halfway, and near the other bound. Some shapes, such as the
+/// mounting of a pair, have a hollow at each bound.
 std::vector<Eigen::VectorXd> Attribution::starts(std::span<const fit::Screened* const> on,
                                                  const fit::Response& response) const {
   const auto bases = static_cast<Eigen::Index>(problem_.base.size());
   Eigen::VectorXd first = response.start();
   first.head(bases) = base_.values;
   std::vector<Eigen::VectorXd> list{first};
-  for (const double part : {0.5, 0.25, 0.75}) {
+  for (const auto& [part, times] : {std::pair{0.1, 1.0}, {0.5, 0.5}, {0.75, 1.5}}) {
     Eigen::VectorXd x = first;
     Eigen::Index at = bases;
     for (const fit::Screened* s : on) {
@@ -174,10 +175,14 @@ std::vector<Eigen::VectorXd> Attribution::starts(std::span<const fit::Screened* 
       for (std::size_t k = 0; k < s->candidate.parameters.size(); ++k, ++at) {
         const record::Parameter& p = s->candidate.parameters[k];
         if (k == s->candidate.size)
-          x[at] = p.neutral + s->unit_size * std::clamp(2.0 * part * amount, -3.0, 3.0);
+          x[at] = p.neutral + s->unit_size * std::clamp(times * amount, -3.0, 3.0);
         else if (std::isfinite(p.upper - p.lower))
-          x[at] = p.lower + part * (p.upper - p.lower);
+          x[at] = p.start - p.lower > p.upper - p.start ? p.lower + part * (p.upper - p.lower)
+                                                        : p.upper - part * (p.upper - p.lower);
         x[at] = std::clamp(x[at], p.lower, p.upper);
+        // At the size of no effect, which a bound may ask for, shapes change nothing.
+        if (k == s->candidate.size && x[at] == p.neutral)
+          x[at] = std::clamp(times * p.start, p.lower, p.upper);
       }
     }
     list.push_back(x);
