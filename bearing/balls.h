@@ -12,9 +12,10 @@ namespace raceway::bearing {
 
 /// Symmetry of the balls under a load. It determines the ring coordinates that the solver needs.
 enum class Symmetry {
-  thrust,  ///< all balls are equal: one ball, x
-  mirror,  ///< load in the x-y plane, ball k equals ball Z - k: half of the balls, x, y (and θz)
-  none     ///< all balls, x, y, z (and θy, θz)
+  thrust,  ///< all balls are equal; unknowns: one ball, x
+  mirror,  ///< load in the x-y plane, ball k equals ball Z - k; unknowns: half of the balls, x, y
+           ///< (and θz)
+  none     ///< unknowns: all balls, x, y, z (and θy, θz)
 };
 
 /// Number of distinct balls of a bearing with `count` balls. The distinct balls are the first balls

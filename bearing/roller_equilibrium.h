@@ -91,7 +91,7 @@ struct RollerEquilibrium {
 /// roller are eliminated. (Ki + Ko) is singular if a roller touches with a single slice; K then
 /// uses the pseudo-inverse.
 ///
-/// Source:   at rest [ISO16281], read in two programs; two contacts in series and Fc derived.
+/// Source:   at rest [ISO16281], as in two programs; the two contacts in series and Fc are derived.
 /// Domain:   speed >= 0. axial_load must be 0, because the bearing carries no axial load; otherwise
 ///           throws std::invalid_argument. Without load and preload no roller touches the inner
 ///           ring, and the status is `loose`. The ring does not move in a direction without
@@ -108,8 +108,8 @@ class RollerBalance;
 
 /// Roller bearing with a given displacement of the inner ring: solves the rollers between the
 /// raceways. It has the same five coordinates as DisplacedBearing; the axial one has no effect. Use
-/// it for many displacements and clearances. Each solve starts from the previous one. The object
-/// keeps a reference to the bearing.
+/// it for many displacements and clearances. Each solve starts from the previous solution. The
+/// object keeps a reference to the bearing.
 class DisplacedRollerBearing {
  public:
   /// If `clearance` is NaN, the clearance of the geometry is used.
