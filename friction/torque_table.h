@@ -32,7 +32,7 @@ struct TorqueTable {
   /// True for axes that the file has. The other axes have one value in the grid.
   bool has_axial_load = true, has_radial_load = true, has_temperature = true;
   bool of_shaft =
-      false;  ///< torque of all bearings of a shaft over the load at its nose; cannot be a law
+      false;  ///< true: torque of a whole shaft over the load at its nose; cannot be a base law
 
   [[nodiscard]] bool has_band() const { return !band.friction_moment.empty(); }
   /// Friction moment [N m]; NaN if an input of the state is NaN.

@@ -41,12 +41,12 @@ class TurningBall;
 /// The unknowns are the slips at the centres of both contacts and ω_R sin β; the derivatives are
 /// analytic. Traction follows from a potential that is convex in these speeds; the gyroscopic
 /// moment adds a purely rotational term. So a given cage speed has one solution, and every Newton
-/// step descends towards it. If dry friction changes direction too sharply, the solver smooths its
-/// direction and then removes the smoothing.
+/// step descends towards it. If dry friction changes direction too sharply, the solver first
+/// smooths this change and then removes the smoothing.
 ///
-/// Source:   derived; the slip field of traction.h. Race control is not assumed: in a full film the
-///           ball turns until its gyroscopic moment vanishes (β near 0); under boundary friction it
-///           approaches race control.
+/// Source:   derived from the slip field of traction.h. Race control is not assumed: in a full film
+///           the ball turns until its gyroscopic moment vanishes (β near 0); under boundary
+///           friction it approaches race control.
 /// Domain:   speed >= 0; at standstill the result is the limit for slow rotation. The balls are
 ///           loaded. A ball without contact at the inner race rolls on the outer race without slip
 ///           at the centre of the contact.

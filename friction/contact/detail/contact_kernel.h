@@ -26,7 +26,7 @@ struct KernelRace {
   // FilmShear.
   double eyring_stress, limiting_traction, boundary_friction, glass, reference_pressure;
   /// Points of half the ellipse if the ball spins, else of a quarter: p/p0 and weight of each ring,
-  /// sines and cosines of the angles, and the number of copies that make the ellipse.
+  /// sines and cosines of the angles, and the number of these parts in the whole ellipse.
   std::size_t rings, angles;
   double s[most_kernel_rings], radius[most_kernel_rings], weight[most_kernel_rings];
   double cosine[most_kernel_angles], sine[most_kernel_angles];
