@@ -72,7 +72,7 @@ class ModelSubject : public fit::Subject {
                                                          const fit::Shape& shape) const override;
   [[nodiscard]] std::string correction(const std::string& id,
                                        std::span<const double> values) const override;
-  /// Also excludes effects of the catalogue that change no measured channel.
+  /// The text is also empty for an effect that changes no measured channel.
   [[nodiscard]] std::string rules_out(const std::string& id) const override;
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
   [[nodiscard]] std::string lacks_levels(const std::string& id,
@@ -100,7 +100,8 @@ class ModelSubject : public fit::Subject {
   /// Returns the friction torque as a measured channel, with the usual scatter of rig sensors and
   /// the tolerance from the model.
   [[nodiscard]] fit::Measured measured_torque() const;
-  /// Returns one subject for each other law of its bearing, named "law:skf" and so on.
+  /// Returns one subject for each other friction law of the same type of bearing, named "law:skf"
+  /// and so on.
   [[nodiscard]] std::vector<fit::OtherBase> other_laws() const;
   /// Returns the ids of effects that are only candidates.
   [[nodiscard]] const std::vector<std::string>& waiting() const { return waiting_; }

@@ -27,7 +27,7 @@ struct FrictionPrediction {
   std::optional<friction::contact::ContactResult> contacts;
   double torque = unset;      ///< sum of all moments [N m]
   double power_loss = unset;  ///< torque times speed [W]
-  /// rig reading: torque of all its bearings, then the reading steps [N m]
+  /// reading of the rig: torque of all its bearings, changed by the effects on the reading [N m]
   double reading = unset;
   effects::Condition condition;  ///< changes of the original condition by effects
   effects::Film film;            ///< viscosity and temperature of the film
@@ -52,7 +52,8 @@ struct FrictionPrediction {
 }
 
 /// Names of the parts of a torque: parts of the base law, then the effects.
-///   palmgren, skf: load, viscous        contact: rolling, sliding, hysteresis, drag
+///   palmgren, skf, powers: load, viscous     contact: rolling, sliding, hysteresis, drag
+///   table: table
 [[nodiscard]] std::vector<std::string> torque_parts(const Model& model);
 /// Returns the torque parts of a prediction in this order [N m]; NaN for a missing part.
 [[nodiscard]] std::vector<double> moments_of_parts(const Model& model,
