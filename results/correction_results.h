@@ -34,7 +34,7 @@ struct Validation {
     const std::string& model_file, const record::Record& record,
     const std::vector<std::pair<const record::Channel*, correction::ArxBaseline>>& found);
 
-/// Returns the errors of a comparison with the definitions that papers use.
+/// Returns the errors of a comparison, computed by the definitions that papers use.
 [[nodiscard]] correction::Metrics metrics_of(const verdict::Comparison& comparison);
 
 /// Result of a correction on a record.

@@ -17,7 +17,8 @@ class ShaftSubject : public model::ModelSubject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// Returns the polynomial of the base class, because missing effects add to a displacement.
+  /// Returns the polynomial of the base class. It suits a displacement, because missing effects add
+  /// to it.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
   /// Returns speed, preload and viscosity.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
@@ -25,10 +26,11 @@ class ShaftSubject : public model::ModelSubject {
   /// opposite sign.
   [[nodiscard]] std::string doubt(const fit::Record& record,
                                   std::span<const double> predicted) const override;
-  /// Returns the axes for next measurements, including preloads outside the record.
+  /// Returns the axes for next measurements, including preloads outside the range of the record.
   [[nodiscard]] std::vector<fit::Axis> axes(const fit::Record& record) const override;
   [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;
-  /// Returns ring temperatures, and runs up and down, to separate heat from speed.
+  /// Returns the measurements that separate heat from speed: ring temperatures, and runs with
+  /// rising and falling speed.
   [[nodiscard]] std::vector<std::string> records_needed(
       const fit::Record& record, const std::vector<std::vector<std::string>>& rivals,
       const std::vector<std::string>& not_testable) const override;

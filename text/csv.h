@@ -30,7 +30,7 @@ struct ParsedNumber {
 struct DecimalMarks {
   char decimal = '\0';    ///< decimal mark; '\0': not known
   char thousands = '\0';  ///< between groups of three digits; '\0': none
-  char asked = '\0';      ///< an ambiguous mark
+  char asked = '\0';      ///< mark whose meaning the user must state
 };
 
 /// A column of a table that does not come from a file.

@@ -9,9 +9,9 @@
 namespace raceway::text {
 
 /// Finds the header of a measurement file in the first lines of the file. The header is the first
-/// line with a name that is `known`. Otherwise the header is the line above the first row of
-/// numbers, if both lines have the same number of cells. A line below the header that has only
-/// units is the row of units.
+/// line with a name for which `known` returns true. Otherwise the header is the line above the
+/// first row of numbers, if both lines have the same number of cells. A line below the header that
+/// has only units is the row of units.
 [[nodiscard]] CsvForm find_form(std::string_view text,
                                 const std::function<bool(std::string_view)>& known);
 

@@ -54,7 +54,7 @@ struct ApproximationOptions {
   std::vector<Eigen::VectorXd> starts{};  ///< starts in addition to the start of the subject
   int random_starts = 24;
   int polished = 3;    ///< number of best starts that are refined
-  bool rough = false;  ///< true: a fit of a costly model stops when the fall of the misfit is known
+  bool rough = false;  ///< true: a costly fit stops when its final misfit is known roughly
   std::function<bool()> cancelled{};
 };
 
@@ -96,7 +96,7 @@ void hold_out(Approximation& approximation, const Recorded& recorded);
 /// by the declared error of the model.
 struct ApproximationErrors {
   Eigen::MatrixXd covariance{};
-  double condition = unset;         ///< condition number of the columns, each scaled to unit length
+  double condition = unset;  ///< condition number of the derivatives, columns scaled to length 1
   double correlation_time = unset;  ///< correlation time of the residuals [s]
   double effective = unset;         ///< number of effectively independent means
   /// Variance of the weighted error of a mean, including the effect of its correlated neighbours.
