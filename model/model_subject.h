@@ -59,10 +59,12 @@ class ModelSubject : public fit::Subject {
       std::span<const fit::NamedValue> values) const override;
 
   /// Returns the effects of the catalogue that change a measured channel and are not in the model,
-  /// the user-defined effects, and data of the model that may be wrong (own_data()) and are not
-  /// free.
+  /// the user-defined effects that are only candidates, and data of the model that may be wrong
+  /// (own_data()) and are not free.
   [[nodiscard]] std::vector<fit::Candidate> candidates() const override;
-  /// Returns all effects of the catalogue in the form for the model, and the user-defined effects.
+  /// Returns the ids of the effects of the catalogue in the form for the model, of the user-defined
+  /// effects that are only candidates, and of own_data(). Effects that act only on spindles are
+  /// included only for a spindle.
   [[nodiscard]] std::vector<std::string> catalogue() const override;
   [[nodiscard]] std::unique_ptr<fit::Subject> with_candidates(
       std::span<const std::string> ids) const override;

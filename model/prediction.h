@@ -55,7 +55,8 @@ struct FrictionPrediction {
 ///   palmgren, skf, powers: load, viscous     contact: rolling, sliding, hysteresis, drag
 ///   table: table
 [[nodiscard]] std::vector<std::string> torque_parts(const Model& model);
-/// Returns the torque parts of a prediction in this order [N m]; NaN for a missing part.
+/// Returns the torque parts of a prediction in the order of torque_parts() [N m]; NaN for a missing
+/// part.
 [[nodiscard]] std::vector<double> moments_of_parts(const Model& model,
                                                    const FrictionPrediction& prediction);
 
