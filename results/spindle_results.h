@@ -86,8 +86,8 @@ struct RunColumn {
                                            const spindle::Run& run, const MeshEstimate& mesh,
                                            const model::Findings& findings = {},
                                            const Assumptions& assumptions = {});
-/// Returns the steady states of several speeds, with the columns of `run.csv`, axial stiffness and
-/// status.
+/// Returns the steady states of several speeds, with the columns of `run.csv` except time_s, and
+/// with axial stiffness and status.
 [[nodiscard]] std::string spindle_steady_text(const model::Model& model,
                                               std::span<const SteadyState> states,
                                               std::string_view model_text);

@@ -11,7 +11,8 @@ namespace raceway::shaft {
 
 /// Solves the equilibrium of the sets on a shaft at the rows of a record, repeatedly with different
 /// parameters of one model. Each row stores its equilibrium as the start of its next solve. The
-/// equilibrium is solved again only if the condition of the sets has changed.
+/// equilibrium is solved again only if the mounted sets, their condition or the inputs of ball
+/// rotation have changed.
 ///
 /// The axial load of a row is the external load. Without a recorded load, the model gives it. The
 /// recorded preload force at standstill and recorded ring temperatures replace the values of the

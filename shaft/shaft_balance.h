@@ -65,8 +65,8 @@ class ShaftBalance {
 /// Returns the temperatures of the sets of a shaft. Measured ring temperatures replace the ring
 /// temperatures of the model. Unless the model gives the temperatures of shaft and housing, the
 /// shaft has the measured temperature of the inner ring, and the housing has the measured
-/// temperature of the outer ring. All other missing temperatures are the mounting temperature. The
-/// result is empty if no temperature is known.
+/// temperature of the outer ring. Other missing temperatures of rings, shaft and housing are the
+/// mounting temperature. The result is empty if no temperature is known.
 [[nodiscard]] std::optional<bearing::SetTemperatures> set_temperatures(const Shaft& shaft,
                                                                        double inner_ring = unset,
                                                                        double outer_ring = unset);

@@ -22,15 +22,17 @@ class ShaftSubject : public model::ModelSubject {
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
   /// Returns speed, preload and viscosity.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
-  /// Reports a displacement that is a thousand times too small or too large, or that has the
-  /// opposite sign.
+  /// Reports a displacement that is more than 200 times too small or too large, which suggests a
+  /// wrong unit, or that has the opposite sign.
   [[nodiscard]] std::string doubt(const fit::Record& record,
                                   std::span<const double> predicted) const override;
-  /// Returns the axes for next measurements, including preloads outside the range of the record.
+  /// Returns the axes for next measurements. If the preload does not vary in the record, they
+  /// include other preloads.
   [[nodiscard]] std::vector<fit::Axis> axes(const fit::Record& record) const override;
   [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;
   /// Returns the measurements that separate heat from speed: ring temperatures, and runs with
-  /// rising and falling speed.
+  /// rising and falling speed. Adds the inspection sheet of the bearings if bearing data are among
+  /// the rivals.
   [[nodiscard]] std::vector<std::string> records_needed(
       const fit::Record& record, const std::vector<std::vector<std::string>>& rivals,
       const std::vector<std::string>& not_testable) const override;

@@ -87,8 +87,9 @@ void require_fit(const Approximation& approximation);
 /// through all rows.
 void hold_out(Approximation& approximation, const Recorded& recorded);
 
-/// Repeats the fit on single rows without a ridge, starting from the previous result. For very long
-/// records, it uses means instead of single rows. `rows` receives the fitted data.
+/// Repeats the fit on single rows almost without a ridge, starting from the previous result. If the
+/// values then diverge, it uses the ridge. For more than 20 000 rows, it uses means instead of
+/// single rows. `rows` receives the fitted data.
 [[nodiscard]] Approximation refined(const Approximation& approximation, const Recorded& recorded,
                                     Recorded& rows);
 

@@ -82,7 +82,7 @@ class BallAttitudes {
  private:
   [[nodiscard]] BallAttitude on_outer_race(const bearing::BallEquilibrium& ball) const;
   /// Computes the contacts of a ball on films formed at this cage speed. Returns true if asperities
-  /// carry load.
+  /// carry more than a tenth of the load of a contact.
   bool press(const bearing::BallEquilibrium& ball, double cage_speed, TurningBall& turned) const;
 
   const bearing::Bearing* bearing_;
