@@ -107,7 +107,8 @@ class Arrangement {
   /// Seat of the rear set: `softness` (F_r - F_0) = `hardness` (d (x - e) - (δ_r - δ_r0)).
   ///
   /// Without a share m of the other mounting, (softness, hardness) is (c [m/N], 1) for a rigid
-  /// mounting and (1, k [N/m]) for a spring. With m = ArrangementDesign::other_mounting > 0, it is
+  /// mounting and (1, k [N/m]) for a spring. With m = ArrangementDesign::other_mounting > 0, the
+  /// pair is
   ///
   ///   (1 - m) (c K_r, K_r) + m (1, 0)     for an entered rigid mounting
   ///   (1 - m) (1, k) + m (c K_r, K_r)     for an entered spring

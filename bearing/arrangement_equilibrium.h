@@ -109,7 +109,7 @@ struct ArrangementEquilibrium {
 /// is `no_equilibrium`. A free shaft, with both sets unloaded, is `singular`.
 ///
 /// A bearing without inner contacts carries no load, which is a valid state.
-/// Domain:   speed >= 0; a set in tension is not an equilibrium.
+/// Domain:   speed >= 0; a state with a set in tension is not an equilibrium.
 /// Accuracy: the imbalance of forces is at most `options.tolerance` times the largest force. Tilt
 ///           is locked at zero. The physics is the same as in solve_bearing_equilibrium().
 /// Throws std::invalid_argument for a condition that is not finite, or if the number of shifts or

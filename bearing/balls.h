@@ -49,7 +49,7 @@ struct BallEquilibrium {
 };
 
 /// All balls of a bearing in equilibrium, ball k at azimuth 2 π k/Z. Balls that are equal by
-/// symmetry are stored once: `distinct()` with `weight()` are enough for a sum over all.
+/// symmetry are stored once: `distinct()` and `weight()` are enough for a sum over all balls.
 class Balls {
  public:
   Balls() = default;

@@ -8,10 +8,10 @@
 
 namespace raceway::bearing {
 
-/// Bearing with a given displacement of the inner ring: solves the balls and their forces on the
-/// ring. This is the inverse of solve_bearing_equilibrium(). Use it for one speed with many
-/// displacements and groove shifts. Each solve starts from the previous solution. The object keeps
-/// a reference to the bearing.
+/// Bearing with a given displacement of the inner ring: finds the equilibrium of the balls and
+/// their forces on the ring. This is the inverse of solve_bearing_equilibrium(). Use it for one
+/// speed with many displacements and groove shifts. Each solve starts from the previous solution.
+/// The object keeps a reference to the bearing.
 ///
 /// Domain:   speed >= 0. The grooves may be shifted, see RingShift.
 /// Accuracy: the imbalance of each ball is at most `options.tolerance` times the forces on the
@@ -24,9 +24,9 @@ class DisplacedBearing {
 
   /// Sets another shift of the grooves of this bearing.
   void set_shift(const RingShift& shift);
-  /// Solves the balls at this displacement of the inner ring, defined as in BearingEquilibrium. The
-  /// shift of the grooves is added to this displacement. Returns false if a ball has no
-  /// equilibrium; force and stiffness are then invalid.
+  /// Finds the equilibrium of the balls at this displacement of the inner ring, defined as in
+  /// BearingEquilibrium. The shift of the grooves is added to this displacement. Returns false if a
+  /// ball has no equilibrium; force and stiffness are then invalid.
   [[nodiscard]] bool hold(const Vector5& displacement);
   /// Forces applied to the ring, in equilibrium with its balls: F_x, F_y, F_z [N], M_y, M_z [N m].
   [[nodiscard]] const Vector5& force() const { return force_; }

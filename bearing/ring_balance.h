@@ -287,8 +287,9 @@ void complete(const BallCircle& circle, RingSums<AllCoordinates, T>& sums) {
   }
 }
 
-/// Largest relative error allowed when the loads are summed again from the reported balls. Every
-/// solve makes this check. Rounding errors are about a thousandth of this limit.
+/// Largest relative error allowed when the loads are summed again from the reported balls. The
+/// solvers for a bearing and for an arrangement check it in every solve. Rounding errors are about
+/// a thousandth of this limit.
 inline constexpr double largest_load_error = 1e-8;
 
 /// Result of a ring in equilibrium.
@@ -361,8 +362,8 @@ void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, co
   report.recovered_load_error = error / p.load_scale + nothing;
 }
 
-/// Sets all of `result` except status and iterations, from a ring in equilibrium and the balls that
-/// are unknowns, all in lane i. T is double or Eight.
+/// Sets all members of `result` except status and iterations, from lane i of a ring in equilibrium
+/// and of the balls that are unknowns. T is double or Eight.
 template <typename T>
 void fill_equilibrium(const T& lever, const BallCircle& circle, const T* ring,
                       const RingReport<T>& report, const BallReport<T>* balls, std::size_t i,

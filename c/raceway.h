@@ -9,7 +9,8 @@
 ///           warnings on one line each ("note: ...", "warning: ..."), or empty. Text that does not
 ///           fit is cut off between two characters. With NULL or a size of 0, no text is written.
 /// Threads:  several threads may call the functions at the same time, even with the same model,
-///           because a model does not change. Call raceway_free() once, after all other calls.
+///           because a model does not change. Call raceway_free() once for each model, after all
+///           other calls with it.
 /// Errors:   no function throws, prints or ends the program. If memory runs out, it returns 1 or
 ///           NULL.
 #ifndef RACEWAY_RACEWAY_H

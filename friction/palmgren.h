@@ -98,8 +98,8 @@ T f1_ratio(const BearingState<T>& s) {
 ///           (P0/C0)^y is in [KRW2006, p. 116-118], with z = 0.00067 and y = 0.33 for angular
 ///           contact. Other makers use z up to 0.001. With F_b: [CaseStudy, eqs. 20, 21].
 /// Domain:   F_b >= 0, zero at zero load; C0 given (require_data() in friction_law.h).
-/// Accuracy: the code agrees with the formula to rounding error. For one bearing type, z of
-///           different makers differs by half; calibration fits z.
+/// Accuracy: the code agrees with the formula to rounding error. For one bearing type, z differs by
+///           up to 50 % between makers; calibration fits z.
 struct PalmgrenLoad {
   static constexpr std::string_view id = "palmgren_load";
   static constexpr std::array parameters{

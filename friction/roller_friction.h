@@ -106,8 +106,8 @@ void require_data(FrictionLaw law, const bearing::RollerBearing& bearing);
 ///   viscous   half for each ring: the rolling speed ω d_m (1 - γ²)/4 is equal at both raceways
 ///   load      in proportion to Σ Qi and Σ Qo
 ///
-/// Source: like split_heat() for balls, at contact angle zero. The sum is the power loss, to
-///         rounding.
+/// Source: like split_heat() for balls, at contact angle zero. The sum equals the power loss to
+///         within rounding error.
 [[nodiscard]] HeatSplit split_heat(const RollerState& state, const BaseMoments<double>& moments);
 
 /// Heat conductance from ring to ring through dry rollers at rest [W/K].

@@ -33,7 +33,7 @@ struct Rig {
   double room_temperature = unset;  ///< [K]; NaN: the coldest row of a record is used
   double minimum_speed = 0.0;       ///< coast-down rows below this speed are excluded [rad/s]
 
-  /// Returns true if friction slows down the shaft and all parts on it.
+  /// Returns true for a coast-down rig, where friction slows down the shaft and all parts on it.
   [[nodiscard]] bool coasts_down() const { return inertia > 0.0 || unknown_inertia; }
 };
 

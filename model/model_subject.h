@@ -74,7 +74,7 @@ class ModelSubject : public fit::Subject {
                                                          const fit::Shape& shape) const override;
   [[nodiscard]] std::string correction(const std::string& id,
                                        std::span<const double> values) const override;
-  /// The text is also empty for an effect that changes no measured channel.
+  /// See fit::Subject. The text is also empty for an effect that changes no measured channel.
   [[nodiscard]] std::string rules_out(const std::string& id) const override;
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
   [[nodiscard]] std::string lacks_levels(const std::string& id,
@@ -95,7 +95,8 @@ class ModelSubject : public fit::Subject {
   [[nodiscard]] const Model& active() const { return active_; }
   /// Returns the places of the named parameters in active(). Throws like fit::find_parameters().
   [[nodiscard]] std::vector<ParameterPlace> places(const std::vector<std::string>& names) const;
-  /// Returns the free parameters of a model that names no free parameters. Default: default_free().
+  /// Returns the free parameters for a model that does not name its free parameters. Default:
+  /// default_free().
   [[nodiscard]] virtual std::vector<std::string> usual_free() const;
   /// Returns the channel with the tolerance from the model.
   [[nodiscard]] fit::Measured with_tolerance(fit::Measured measured) const;

@@ -103,7 +103,7 @@ void predict_sweep(const Model& model, std::span<const bearing::OperatingPoint> 
 [[nodiscard]] double share_of_bearing(const effects::Description& effect, const Rig& rig);
 
 /// Returns the torque of all bearings of a rig on one shaft, M = bearings * M_bearing [N m],
-/// without the reading steps.
+/// without the effects on the reading.
 [[nodiscard]] double rig_torque(const Rig& rig, double bearing_torque);
 
 }  // namespace raceway::model

@@ -47,8 +47,8 @@ struct Corrected {
   correction::Beyond beyond{};
   std::vector<double> band{};  ///< half width of the band [m]; empty if unknown
   double noise = unset;        ///< noise of a single reading [m]
-  /// Share of the readings within the band plus the noise of the readings, after subtracting one
-  /// constant as in the metrics.
+  /// Share of the readings within the band that is widened by the noise of the readings, after
+  /// subtracting one constant as in the metrics.
   double readings_in_band = unset;
   correction::Trust trust{};
 };

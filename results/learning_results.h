@@ -14,7 +14,7 @@ struct Learnt {
   correction::Learning learning{};
 };
 
-/// Returns the columns time_s, predicted_um and std_um. The values of a row come from earlier
+/// Returns the columns time_s, predicted_um and std_um. The prediction of a row uses only earlier
 /// readings. Rows with a reading also have residual_um and, in the column `reading`, "learnt" or
 /// "refused". For several displacements, the names are predicted_COLUMN and so on.
 [[nodiscard]] std::string learnt_text(const record::Record& record,

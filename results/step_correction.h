@@ -54,8 +54,8 @@ struct StepCorrection {
   std::vector<std::pair<std::string, std::string>> tables = {};
 };
 
-/// Returns the text of a model of step_model() with its tables. Tables are in the folder of `path`.
-/// Their names begin with the name of the model file: c_friction.csv for c.toml.
+/// Returns the text and the tables of a model from step_model(). Tables are in the folder of
+/// `path`. Their names begin with the name of the model file: c_friction.csv for c.toml.
 [[nodiscard]] StepCorrection step_correction(const correction::Model& model,
                                              const std::string& path);
 

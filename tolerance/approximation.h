@@ -22,7 +22,7 @@ struct Recorded {
 };
 
 /// Returns the usual width of the means [s]: a minute or a 1500th of the record, whichever is
-/// longer. A `width` of 0 keeps single rows.
+/// longer. In recorded(), a `width` of 0 keeps single rows.
 [[nodiscard]] double usual_width(const record::Record& record);
 [[nodiscard]] Recorded recorded(const fit::Subject& subject,
                                 std::shared_ptr<const record::Record> record, double width);

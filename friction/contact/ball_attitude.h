@@ -40,8 +40,8 @@ class TurningBall;
 ///
 /// The unknowns are the slips at the centres of both contacts and ω_R sin β; the derivatives are
 /// analytic. Traction follows from a potential that is convex in these speeds; the gyroscopic
-/// moment adds a purely rotational term. So a given cage speed has one solution, and every Newton
-/// step descends towards it. If dry friction changes direction too sharply, the solver first
+/// moment adds a purely rotational term. So there is one solution for a given cage speed, and every
+/// Newton step descends towards it. If dry friction changes direction too sharply, the solver first
 /// smooths this change and then removes the smoothing.
 ///
 /// Source:   derived from the slip field of traction.h. Race control is not assumed: in a full film

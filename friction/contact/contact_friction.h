@@ -69,7 +69,7 @@ struct RaceFriction {
     return contact(load, motion, film_speed, centre);
   }
 
-  /// Returns the friction of a contact with known sliding on its film().
+  /// Returns the friction of a contact from the result of film() and from its sliding.
   [[nodiscard]] ContactFriction contact(ContactFriction c, double load, const ContactMotion& motion,
                                         double film_speed, const Traction& traction) const {
     c.sliding = traction.power;

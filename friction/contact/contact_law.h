@@ -62,8 +62,9 @@ struct ContactResult {
   BearingFriction friction;
   double drag = 0.0;         ///< drag of the balls in the lubricant [N m]
   double mean_slip = unset;  ///< Σ p |v|/Σ Q over all contacts [m/s]
-  /// Largest T/Q that the friction needs to balance the gyroscopic moment [1], and the ratio of
-  /// this value to the limit of the film in that contact.
+  /// Largest ratio of the friction force that balances the gyroscopic moment to the contact load
+  /// [1], and largest ratio of this force to the friction of film and asperities in the contact
+  /// [1].
   double holding_coefficient = unset;
   double holding_over_traction = unset;
 

@@ -37,7 +37,7 @@ struct FilmShear {
   double boundary_friction;  ///< μ [1]
   double small_speed;        ///< ε [m/s]
 
-  /// Upper limit of the slope, steeper than any unlimited film [s/m]. It keeps Roelands' values
+  /// Upper limit of `steepness`, above the value of any real film [s/m]. It keeps Roelands' values
   /// finite at unrealistic pressures.
   static constexpr double glass = 1e30;
 
