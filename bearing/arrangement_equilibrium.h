@@ -12,7 +12,7 @@ namespace raceway::bearing {
 /// Shifts of the grooves of one bearing of an arrangement from the mounted state [m].
 struct RingShift {
   double axial = 0.0;   ///< additional displacement of the inner ring into the bearing
-  double radial = 0.0;  ///< growth of inner minus growth of outer groove centre radius
+  double radial = 0.0;  ///< radial growth of the inner groove minus growth of the outer groove
   /// Growth of the distance from the inner groove centre to the ball centre, without load.
   double inner_length = 0.0;
   /// Growth of the distance from the outer groove centre to the ball centre, without load.
@@ -24,7 +24,7 @@ struct RingShift {
 struct ArrangementCondition {
   double speed = 0.0;          ///< [rad/s], >= 0
   double external_load = 0.0;  ///< axial, on the shaft, positive towards the tool [N]
-  double elongation = 0.0;     ///< e: shaft minus housing, between the sets [m]
+  double elongation = 0.0;     ///< e: growth of shaft minus growth of housing, between the sets [m]
   /// One shift for each bearing, front set first. Empty: no shift.
   std::vector<RingShift> shifts = {};
   [[nodiscard]] bool operator==(const ArrangementCondition&) const = default;

@@ -39,7 +39,7 @@ class LoadShares {
 
  private:
   struct Sums {
-    double w = 0.0, c = 0.0, cc = 0.0;  ///< Σ over kept balls of weight, weight c, weight c²
+    double w = 0.0, c = 0.0, cc = 0.0;  ///< sums over kept balls: weight, weight c, weight c²
     double most = -2.0, least = 2.0;    ///< c
     void add(double weight, double cosine);
   };

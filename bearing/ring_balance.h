@@ -119,7 +119,7 @@ void set_operating_point(RingPoint<double>& ring, const Bearing& bearing,
 template <typename T>
 struct BallStep {
   T own[2];          ///< step while the ring does not move [m]
-  T follow[4];       ///< step per step of the groove centre [1]
+  T follow[4];       ///< step for a unit step of the groove centre [1]
   T outer_approach;  ///< δo [m]
 };
 

@@ -42,7 +42,7 @@ enum class Need {
   viscosity_levels,     ///< more than one temperature
   time,                 ///< time of every row
   ring_temperatures,    ///< temperatures of inner and outer ring
-  loads,                ///< loads above zero, because the ball equilibrium needs a load
+  loads,                ///< a load above zero in every row, because the ball equilibrium needs it
   several_axial_loads,  ///< more than one axial load, even if other settings vary
   several_bearings,     ///< a rig that measures the torque of two or more bearings
   rising_and_falling,   ///< speeds approached from below and from above

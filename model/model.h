@@ -75,7 +75,7 @@ struct Model {
   /// contact law; see solve_balls().
   bool balanced_balls = false;
   LifeData life = {};
-  PrintedSpeed printed_speed = {};  ///< empty if the sets have different bearings
+  PrintedSpeed printed_speed = {};  ///< NaN if the sets have different bearings
   Rig rig;
   /// Names of the parameters that may be refitted, as in parameters(); empty means default_free().
   std::vector<std::string> free;

@@ -14,7 +14,7 @@ inline constexpr std::size_t most_kernel_rings = 16, most_kernel_angles = 16;
 /// contact_friction.h. The factors do not contain the powers of values that differ between
 /// contacts.
 struct KernelRace {
-  bool flooded, starves;  ///< flooded inlets; inlet_over_b is given
+  bool flooded, starves;  ///< true: inlets are flooded; true: inlet_over_b is given
   // Ellipse and motion.
   double unit_major_axis, ellipse_ratio, pressed_radius;
   // isothermal_film(): h = factor · (η u)^n α^m Q^-q.
