@@ -64,8 +64,8 @@ class DisplacedBearing {
 };
 
 /// Bearings of an arrangement in equilibrium with their full tangent stiffness, in the frame of
-/// each bearing: +x in the direction of its load. Front set first. `condition` belongs to the
-/// equilibrium.
+/// each bearing: +x in the direction of its load. Front set first. `condition` must be the
+/// condition of this equilibrium.
 [[nodiscard]] std::vector<BearingEquilibrium> bearings_in_set(
     const Arrangement& arrangement, const ArrangementCondition& condition,
     const ArrangementEquilibrium& equilibrium, const EquilibriumOptions& options = {});

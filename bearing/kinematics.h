@@ -30,10 +30,10 @@ T cage_speed_ratio(RaceControl control, const T& cos_inner, const T& cos_outer,
 ///   m = p/(p + q) + m_c,   p = (1 - g cos αi) cos(αo - β),   q = (1 + g cos αo) cos(αi - β)
 ///   Ti, To = s times the given ones,   s = x (2 - x),   x = Qi/inner_load <= 1
 ///
-/// The ball rolls without slip at both contacts about an axis at pitch β; the creep m_c is added.
-/// β, m_c and the given friction forces stay constant while the contact angles change. The friction
-/// forces become zero when the inner contact is lost. The default values describe a ball without
-/// inner contact under outer control, where αo = 0.
+/// The ball rolls without slip at both contacts about an axis at pitch β; the creep m_c is added to
+/// the ratio m. β, m_c and the given friction forces stay constant while the contact angles change.
+/// The friction forces become zero when the inner contact is lost. The default values describe a
+/// ball without inner contact under outer control, where αo = 0.
 struct GivenRotation {
   double cos_pitch = 1.0, sin_pitch = 0.0;            ///< cosine and sine of β
   double creep = 0.0;                                 ///< m_c [1]

@@ -181,7 +181,7 @@ struct Card {
   std::string_view mechanism = {};  ///< physical mechanism in one or two sentences
   std::string_view formula = {};
   std::string_view source = {};
-  /// Ids of effects and names of base parameters.
+  /// Ids of effects and names of base parameters that have a similar influence on the data.
   std::span<const std::string_view> confused_with = {};
   /// Measurement that shows whether the effect is present: "the torque without seals".
   std::string_view settled_by = {};
@@ -241,8 +241,8 @@ struct Nature {
   /// Exponent of the pitch diameter that scales the plausible range of the size. The stated range
   /// is for 60 mm. With an exponent of 0, the range is the same for bearings of all sizes.
   double size_power = 0.0;
-  /// True if the effect increases and decreases as the machine warms up and cools down. Temperature
-  /// or lag separates such an effect from other effects.
+  /// True if the effect increases and decreases as the machine warms up and cools down. Its
+  /// dependence on temperature, or its lag, separates such an effect from other effects.
   bool follows_heat = false;
   bool base_law = false;   ///< true: corrects an exponent of the base law
   bool empirical = false;  ///< true: a shape without a physical law
@@ -319,7 +319,7 @@ struct Effect {
   std::vector<double> values;
   std::shared_ptr<const void> owner = nullptr;  ///< keeps a user-made description alive
 
-  /// Returns the added moment [N m]; 0 if the effect acts at other steps.
+  /// Returns the added moment [N m]; 0 if the effect adds no moment.
   [[nodiscard]] double moment(const MomentInputs& inputs) const;
 };
 

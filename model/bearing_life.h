@@ -30,7 +30,7 @@ struct BearingLife {
 [[nodiscard]] BearingLife bearing_life(const Model& model, const bearing::OperatingPoint& point,
                                        const FrictionPrediction& prediction);
 
-/// Values κ and `reference` of bearing_life(), which need no integral over a contact.
+/// The values κ and `reference` of bearing_life(). They need no integral over a contact.
 struct ReferenceLife {
   double viscosity_ratio = unset;  ///< [1]
   double reference = unset;        ///< [s]

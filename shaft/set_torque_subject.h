@@ -27,7 +27,7 @@ class SetTorqueSubject final : public ShaftSubject {
   /// Returns an empty text: a torque cannot have a wrong sign, and files::doubts() checks the unit.
   [[nodiscard]] std::string doubt(const fit::Record& record,
                                   std::span<const double> predicted) const override;
-  /// Returns the other laws of friction.
+  /// Returns the other friction laws as base models.
   [[nodiscard]] std::vector<fit::OtherBase> other_bases() const override;
   /// Returns measurements that distinguish the rivals from each other.
   [[nodiscard]] std::vector<std::string> records_needed(
