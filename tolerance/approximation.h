@@ -62,8 +62,8 @@ struct ApproximationOptions {
 ///
 /// Parameters with a prior are fitted from the prior, after a fit of all others. The variance of
 /// the means includes the autocorrelation of the residual. This variance is estimated again after
-/// each fit until it no longer changes. If the record reduces the variance of a prior by less than
-/// a tenth, the parameter stays at the prior.
+/// each fit until it changes by at most 5 %, up to eight times. If the record reduces the variance
+/// of a prior by less than a tenth, the parameter stays at the prior.
 [[nodiscard]] Approximation approximate(std::shared_ptr<const fit::Subject> subject,
                                         const Recorded& recorded,
                                         const std::vector<std::string>& names,
