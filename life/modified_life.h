@@ -9,8 +9,8 @@ namespace raceway::life {
 ///
 /// Dimensional as published: ν1 [mm²/s], n [rpm], d_m [mm]; converted here.
 /// Source:   [ISO281, eqs. 28, 29], as quoted in two texts, not checked against the print. The
-///           published formulas differ by 2.3 % at 1000 rpm. Makers' diagrams have values up to 16
-///           % lower.
+///           published formulas differ by 2.3 % at 1000 rpm. Makers' diagrams have values up
+///           to 16 % lower.
 /// Domain:   speed > 0; infinite at standstill.
 [[nodiscard]] double rated_viscosity(double speed, double pitch_diameter);
 
