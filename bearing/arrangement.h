@@ -25,7 +25,7 @@ enum class Side { front, rear };
 /// One bearing of a set.
 struct MountedBearing {
   std::shared_ptr<const Bearing> bearing;
-  /// Compression of this bearing beyond the compression of its set, from its ground faces [m].
+  /// Additional compression of this bearing relative to its set, because of its ground faces [m].
   double offset = 0.0;
   [[nodiscard]] bool operator==(const MountedBearing&) const = default;
 };
@@ -59,7 +59,7 @@ struct ArrangementDesign {
   /// Axial stiffness between the sets, in series with them [N/m].
   double shaft_stiffness = std::numeric_limits<double>::infinity();
   double housing_stiffness = std::numeric_limits<double>::infinity();
-  double distance = 0.0;                            ///< between the sets, for expansion [m]
+  double distance = 0.0;                            ///< of the sets, for thermal expansion [m]
   double shaft_expansion = 11.5 * per_million_K;    ///< [1/K]
   double housing_expansion = 11.5 * per_million_K;  ///< [1/K]
   double mounting_temperature = kelvin(20);         ///< temperature when the preload was set [K]
@@ -67,17 +67,18 @@ struct ArrangementDesign {
 };
 
 /// Sets of bearings on a shaft, preloaded at standstill. Immutable. The constructor solves the
-/// equilibrium at rest, without ball unknowns. Copies share the bearings.
+/// equilibrium at rest. There each ball acts as two springs in series, so its position is not an
+/// unknown. Copies share the bearings.
 ///
 /// x is the shaft's axial position at the front set, positive towards the tool, zero as mounted: at
-/// standstill, at the mounting temperature, without external load. With d = 1 (X: -1) the inner
-/// rings of a side are pressed into their grooves by
+/// standstill, at the mounting temperature, without external load. With d = 1 (X: d = -1), the
+/// axial compressions of the two sets are
 ///
 ///   front   δ_f = δ_f0 - d x
 ///   rear    δ_r = δ_r0 + d (x - e) - c (F_r - F_0)     rigid, c = 1/shaft + 1/housing stiffness
 ///           F_r = F_0 + k (d (x - e) - (δ_r - δ_r0))   spring, 1/k = 1/rate + c
 ///
-/// δ is zero where the balls of a bearing just touch at their nominal contact angle. e is the
+/// δ is zero if the balls of a bearing just touch at their nominal contact angle. e is the
 /// elongation of the shaft minus the elongation of the housing between the sets. In tandem the
 /// spring replaces the rear set.
 class Arrangement {
@@ -103,15 +104,18 @@ class Arrangement {
   [[nodiscard]] double displacement(Side side) const {
     return side == Side::front ? front_displacement_ : rear_displacement_;
   }
-  /// The seat of the rear set, `softness` (F_r - F_0) = `hardness` (d (x - e) - (δ_r - δ_r0)): (c
-  /// [m/N], 1) for a rigid mounting, (1, k [N/m]) for a spring. A share m of the other mounting
-  /// gives
+  /// Seat of the rear set: `softness` (F_r - F_0) = `hardness` (d (x - e) - (δ_r - δ_r0)).
   ///
-  ///   (1 - m) entered + m other   of   (c K_r, K_r) rigid, (1, k) entered spring, (1, 0) other one
+  /// Without a share m of the other mounting, (softness, hardness) is (c [m/N], 1) for a rigid
+  /// mounting and (1, k [N/m]) for a spring. With m = ArrangementDesign::other_mounting > 0, the
+  /// pair is
   ///
-  /// K_r is the stiffness of the rear set as mounted. Rear set and seat in series then have the
-  /// stiffness (1 - m) K_r for a rigid set with c = 0, and m K_r for a spring with k = 0. So the
-  /// remaining variation of the preload is linear in m.
+  ///   (1 - m) (c K_r, K_r) + m (1, 0)     for an entered rigid mounting
+  ///   (1 - m) (1, k) + m (c K_r, K_r)     for an entered spring
+  ///
+  /// K_r is the stiffness of the rear set as mounted. The rear set and its seat in series then have
+  /// the stiffness (1 - m) K_r for a rigid mounting with c = 0, and m K_r for a spring with k = 0.
+  /// The preload varies in proportion to this stiffness, so the variation is linear in m.
   struct Seat {
     double softness, hardness;
   };
@@ -129,8 +133,8 @@ class Arrangement {
 /// Source: geometry of the mounted state; F ~ δ^1.5 gives 2.83 preloads for a pair [SNFA, p. 33].
 struct LiftOff {
   double front = unset;  ///< the front set loses its load; positive towards the tool
-  /// the rear set loses its load. The value is NaN if a spring keeps the set loaded, or if the
-  /// contacts of the front set would be dented before.
+  /// the rear set loses its load. The value is NaN if a spring keeps the set loaded, or if a
+  /// smaller load already dents the contacts of the front set.
   double rear = unset;
 };
 

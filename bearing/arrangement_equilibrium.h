@@ -11,10 +11,12 @@ namespace raceway::bearing {
 
 /// Shifts of the grooves of one bearing of an arrangement from the mounted state [m].
 struct RingShift {
-  double axial = 0.0;         ///< additional displacement of the inner ring into the bearing
-  double radial = 0.0;        ///< growth of inner minus growth of outer groove centre radius
-  double inner_length = 0.0;  ///< inner groove centre to ball centre, without load
-  double outer_length = 0.0;  ///< outer groove centre to ball centre
+  double axial = 0.0;   ///< additional displacement of the inner ring into the bearing
+  double radial = 0.0;  ///< radial growth of the inner groove minus growth of the outer groove
+  /// Growth of the distance from the inner groove centre to the ball centre, without load.
+  double inner_length = 0.0;
+  /// Growth of the distance from the outer groove centre to the ball centre, without load.
+  double outer_length = 0.0;
   [[nodiscard]] bool operator==(const RingShift&) const = default;
 };
 
@@ -22,7 +24,7 @@ struct RingShift {
 struct ArrangementCondition {
   double speed = 0.0;          ///< [rad/s], >= 0
   double external_load = 0.0;  ///< axial, on the shaft, positive towards the tool [N]
-  double elongation = 0.0;     ///< e: shaft minus housing, between the sets [m]
+  double elongation = 0.0;     ///< e: growth of shaft minus growth of housing, between the sets [m]
   /// One shift for each bearing, front set first. Empty: no shift.
   std::vector<RingShift> shifts = {};
   [[nodiscard]] bool operator==(const ArrangementCondition&) const = default;
@@ -46,9 +48,9 @@ struct SetTemperatures {
 [[nodiscard]] RingShift thermal_shift(const Bearing& bearing, const SetTemperatures& temperatures,
                                       double mounting_temperature);
 
-/// Adds the expansion of all bearings, and of shaft and housing between the sets,
-/// e = L (λ_s (T_s - T0) - λ_h (T_h - T0)), to a condition. Throws std::invalid_argument for
-/// temperatures that are missing or not from 50 to 800 K.
+/// Adds thermal expansion to a condition: the shifts of all bearings, and the elongation e = L (λ_s
+/// (T_s - T0) - λ_h (T_h - T0)) between the sets. Throws std::invalid_argument for a temperature
+/// outside 50 to 800 K, and if any temperature except `balls` is missing.
 void add_expansion(const Arrangement& arrangement, const SetTemperatures& temperatures,
                    ArrangementCondition& condition);
 
@@ -107,7 +109,7 @@ struct ArrangementEquilibrium {
 /// is `no_equilibrium`. A free shaft, with both sets unloaded, is `singular`.
 ///
 /// A bearing without inner contacts carries no load, which is a valid state.
-/// Domain:   speed >= 0; a set in tension is not an equilibrium.
+/// Domain:   speed >= 0; a state with a set in tension is not an equilibrium.
 /// Accuracy: the imbalance of forces is at most `options.tolerance` times the largest force. Tilt
 ///           is locked at zero. The physics is the same as in solve_bearing_equilibrium().
 /// Throws std::invalid_argument for a condition that is not finite, or if the number of shifts or
@@ -116,8 +118,8 @@ struct ArrangementEquilibrium {
     const Arrangement& arrangement, const ArrangementCondition& condition,
     const EquilibriumOptions& options = {}, const ArrangementEquilibrium* neighbour = nullptr);
 
-/// Solves many conditions, each starting from the one before it. Throws std::invalid_argument if
-/// the sizes differ.
+/// Solves many conditions. Each solve starts from the solution of the previous condition. Throws
+/// std::invalid_argument if the sizes differ.
 void solve_arrangement(const Arrangement& arrangement,
                        std::span<const ArrangementCondition> conditions,
                        std::span<ArrangementEquilibrium> results,

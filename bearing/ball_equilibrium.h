@@ -72,12 +72,12 @@ struct BallForcesOf {
 ///   To = 0.4 Fc sin αo,  Ti = 0,
 ///
 /// Under inner control the friction is equal at both races (λi = λo = 1), Ti = To = 0.2 C m (1 - m)
-/// sin αi. (M_g uses ω_R and β of kinematics.h. The products of ω_R and sin β are rational in sines
-/// and cosines.)
+/// sin αi. (M_g uses ω_R and β of kinematics.h. The product ω_R sin β is a rational function of
+/// sines and cosines.)
 /// Sign: M_g > 0 lowers αo. [CaseStudy] eqs. (14) and (18), taken together, have the wrong sign. A
 /// ball without inner contact (δi <= 0) is under outer control and exerts no force on the inner
-/// ring. Race control `inner` is discontinuous there, so some loads have no equilibrium. A
-/// GivenRotation contains m, Ti and To.
+/// ring. Race control `inner` is discontinuous there, so some loads have no equilibrium. For a
+/// given rotation, m, Ti and To follow from GivenRotation.
 template <typename T>
 struct BallBalanceOf : BallForcesOf<T> {
   PlaneOf<T> imbalance;  ///< r [N]
@@ -91,9 +91,10 @@ struct BallBalanceOf : BallForcesOf<T> {
 };
 using BallBalance = BallBalanceOf<double>;
 
-/// Contact of a ball with the inner race. `automatic` is the physical law. `kept` and `lost` fix
-/// the state of the contact while a solver searches. A `kept` contact may pull: Q = K δ |δ|^0.5,
-/// smooth through zero. A solution with `kept` contacts is valid only if none of them pulls.
+/// Contact of a ball with the inner race. With `automatic`, the ball touches the race if δi > 0.
+/// `kept` and `lost` fix the state of the contact while a solver searches. A `kept` contact may
+/// pull: Q = K δ |δ|^0.5, smooth through zero. A solution with `kept` contacts is valid only if
+/// none of them pulls.
 enum class InnerContact : signed char { automatic, kept, lost };
 
 /// Sines and cosines of both contact angles, and 1/(1 + cos(αi - αo)).
@@ -104,7 +105,7 @@ struct ContactAngles {
   T inv;
 };
 
-/// Results of race control: orbital speed ratio m = ω_m/ω, frictions Ti and To, and their
+/// Results of a rotation law: orbital speed ratio m = ω_m/ω, forces Fc, Ti and To, and their
 /// derivatives with respect to the contact angles (_i, _o: per radian of αi, αo).
 template <typename T>
 struct RaceLaw {
@@ -183,7 +184,8 @@ template <typename T>
   return law;
 }
 
-/// Derivatives of the frictions of a given rotation with respect to the inner contact load [N/N].
+/// Derivatives of the friction forces of a given rotation with respect to the inner contact load
+/// [N/N].
 struct FrictionGain {
   double inner, outer;
 };
@@ -194,7 +196,8 @@ struct FrictionGain {
   return {r.inner_friction * slope, r.outer_friction * slope};
 }
 
-/// Rotation law of a ball. In lanes without inner contact the ball is under outer control.
+/// Results of the rotation law of a ball. Under inner control, a ball without inner contact is
+/// under outer control.
 template <Rotation rotation, typename T>
 [[nodiscard, gnu::always_inline]] inline RaceLaw<T> race_law(const BallConstantsOf<T>& c,
                                                              const ContactAngles<T>& a,
@@ -216,7 +219,7 @@ template <Rotation rotation, typename T>
   }
 }
 
-/// Ball equilibrium for all types of rotation; `given` is used for a given rotation.
+/// Imbalance and forces of a ball for all types of rotation. Only a given rotation needs `given`.
 template <Rotation rotation, typename T>
 [[nodiscard, gnu::always_inline]] inline BallBalanceOf<T> ball_balance_under(
     const BallConstantsOf<T>& c, const PlaneOf<T>& groove_centre, const PlaneOf<T>& ball_centre,
@@ -360,8 +363,8 @@ template <Rotation rotation, typename T>
                                                                    moment_arm_ratio, contact);
 }
 
-/// A ball at rest between groove centres at distance A: two springs in series on one line,
-/// (1/K)^(2/3) = (1/K_i)^(2/3) + (1/K_o)^(2/3). No ball unknowns remain.
+/// A ball at rest. Its two contacts are springs in series on the line between the groove centres,
+/// (1/K)^(2/3) = (1/K_i)^(2/3) + (1/K_o)^(2/3), so the ball position is not an unknown.
 template <typename T>
 struct StaticBallOf {
   PlaneOf<T> ball_centre;  ///< X [m]
@@ -371,7 +374,7 @@ struct StaticBallOf {
 };
 using StaticBall = StaticBallOf<double>;
 
-/// Two springs in series.
+/// Contact springs of a ball at rest, in series.
 template <typename T>
 struct SpringPairOf {
   T stiffness;    ///< K [N/m^1.5]

@@ -12,9 +12,10 @@ namespace raceway::bearing {
 
 /// Symmetry of the balls under a load. It determines the ring coordinates that the solver needs.
 enum class Symmetry {
-  thrust,  ///< all balls are equal: one ball, x
-  mirror,  ///< load in the x-y plane, ball k equals ball Z - k: half of the balls, x, y (and θz)
-  none     ///< all balls, x, y, z (and θy, θz)
+  thrust,  ///< all balls are equal; unknowns: one ball, x
+  mirror,  ///< load in the x-y plane, ball k equals ball Z - k; unknowns: half of the balls, x, y
+           ///< (and θz)
+  none     ///< unknowns: all balls, x, y, z (and θy, θz)
 };
 
 /// Number of distinct balls of a bearing with `count` balls. The distinct balls are the first balls
@@ -48,7 +49,7 @@ struct BallEquilibrium {
 };
 
 /// All balls of a bearing in equilibrium, ball k at azimuth 2 π k/Z. Balls that are equal by
-/// symmetry are stored once: `distinct()` with `weight()` are enough for a sum over all.
+/// symmetry are stored once: `distinct()` and `weight()` are enough for a sum over all balls.
 class Balls {
  public:
   Balls() = default;

@@ -9,7 +9,7 @@
 namespace raceway::bearing {
 
 /// Bearing ready for the solvers: valid geometry, materials and derived constants. Immutable.
-/// Construction costs two elliptic integrals, so reuse it for many operating points.
+/// Construction costs two elliptic integrals, so reuse the object for many operating points.
 class Bearing {
  public:
   /// Throws std::invalid_argument as validated(geometry) and validate(material) do.

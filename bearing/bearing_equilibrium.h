@@ -61,7 +61,7 @@ struct BearingEquilibrium {
 /// (Schur complement), and all derivatives are analytic. For symmetric loads, the solver uses one
 /// ball (thrust) or half of the balls (load in the x-y plane). If a cold start fails, the solver
 /// follows the solution from pure thrust to the full load, and from standstill to the full speed.
-/// Under inner control it searches over the balls that may have lost contact with the inner race;
+/// Under inner control it searches for the balls that have lost contact with the inner race;
 /// equilibrium_search.h describes the coverage. It returns `no_equilibrium` if no method finds a
 /// solution, or if no load presses the rings together.
 ///

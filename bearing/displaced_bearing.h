@@ -8,10 +8,10 @@
 
 namespace raceway::bearing {
 
-/// Bearing with a given displacement of the inner ring: solves the balls and their forces on the
-/// ring. This is the inverse of solve_bearing_equilibrium(). Use it for one speed and many
-/// displacements and ring states. Each solve starts from the previous one. The object keeps a
-/// reference to the bearing.
+/// Bearing with a given displacement of the inner ring: finds the equilibrium of the balls and
+/// their forces on the ring. This is the inverse of solve_bearing_equilibrium(). Use it for one
+/// speed with many displacements and groove shifts. Each solve starts from the previous solution.
+/// The object keeps a reference to the bearing.
 ///
 /// Domain:   speed >= 0. The grooves may be shifted, see RingShift.
 /// Accuracy: the imbalance of each ball is at most `options.tolerance` times the forces on the
@@ -24,9 +24,9 @@ class DisplacedBearing {
 
   /// Sets another shift of the grooves of this bearing.
   void set_shift(const RingShift& shift);
-  /// Solves the balls at this displacement of the inner ring, defined as in BearingEquilibrium. The
-  /// shift of the grooves is added to this displacement. Returns false if a ball has no
-  /// equilibrium; force and stiffness are then invalid.
+  /// Finds the equilibrium of the balls at this displacement of the inner ring, defined as in
+  /// BearingEquilibrium. The shift of the grooves is added to this displacement. Returns false if a
+  /// ball has no equilibrium; force and stiffness are then invalid.
   [[nodiscard]] bool hold(const Vector5& displacement);
   /// Forces applied to the ring, in equilibrium with its balls: F_x, F_y, F_z [N], M_y, M_z [N m].
   [[nodiscard]] const Vector5& force() const { return force_; }
@@ -64,8 +64,8 @@ class DisplacedBearing {
 };
 
 /// Bearings of an arrangement in equilibrium with their full tangent stiffness, in the frame of
-/// each bearing: +x in the direction of its load. Front set first. `condition` belongs to the
-/// equilibrium.
+/// each bearing: +x in the direction of its load. Front set first. `condition` must be the
+/// condition of this equilibrium.
 [[nodiscard]] std::vector<BearingEquilibrium> bearings_in_set(
     const Arrangement& arrangement, const ArrangementCondition& condition,
     const ArrangementEquilibrium& equilibrium, const EquilibriumOptions& options = {});

@@ -4,7 +4,7 @@
 
 namespace raceway::bearing {
 
-/// True if statics excludes an equilibrium: no load acts on a free coordinate, or an axial load
+/// True if statics excludes an equilibrium: no load acts on the free coordinates, or an axial load
 /// pulls the ring of an angular-contact bearing off its shoulder. The balls of such a bearing push
 /// the ring in one direction only, so their axial forces cannot balance this load.
 [[nodiscard]] bool cannot_balance(const RingSystem& system, const OperatingPoint& point);

@@ -11,9 +11,9 @@ namespace raceway::bearing {
 /// Damage frequencies of a bearing per shaft revolution [1]. Multiply by the shaft's revolutions
 /// per second for Hz.
 struct BearingFrequencies {
-  double cage = unset;        ///< FTF, fundamental train: ω_m/ω, outer ring still
-  double outer_race = unset;  ///< BPFO, balls over a point of the outer race: Z m
-  double inner_race = unset;  ///< BPFI, balls over a point of the inner race: Z (1 - m)
+  double cage = unset;        ///< FTF, fundamental train frequency with a fixed outer ring: ω_m/ω
+  double outer_race = unset;  ///< BPFO, balls that pass a point of the outer race: Z m
+  double inner_race = unset;  ///< BPFI, balls that pass a point of the inner race: Z (1 - m)
   double ball_spin = unset;   ///< BSF, revolutions of a ball about its axis, in the cage: ω_R/ω;
                               ///< a defect of the ball strikes at twice this frequency
   [[nodiscard]] bool operator==(const BearingFrequencies&) const = default;

@@ -7,9 +7,9 @@ namespace raceway::bearing {
 /// Race that controls the ball: the ball rolls without spin at that race.
 enum class RaceControl { outer, inner };
 
-/// Speeds of a ball from its contact angles; the inner ring rotates at ω. All laws here are
-/// rational in the sines and cosines, so a solver that has ratios of lengths needs no trigonometric
-/// function.
+/// Speeds of a ball from its contact angles; the inner ring rotates at ω. The laws are rational
+/// functions of the sines and cosines of the contact angles. A solver that knows these as ratios of
+/// lengths needs no trigonometric function.
 ///
 /// Orbital (cage) speed, ratio m = ω_m/ω [1]:
 ///
@@ -30,10 +30,10 @@ T cage_speed_ratio(RaceControl control, const T& cos_inner, const T& cos_outer,
 ///   m = p/(p + q) + m_c,   p = (1 - g cos αi) cos(αo - β),   q = (1 + g cos αo) cos(αi - β)
 ///   Ti, To = s times the given ones,   s = x (2 - x),   x = Qi/inner_load <= 1
 ///
-/// The ball rolls without slip at both contacts about an axis at pitch β; the creep m_c is added.
-/// β, m_c and the given frictions stay constant while the contact angles change. The frictions
-/// become zero when the inner contact is lost. The default values describe a ball without inner
-/// contact under outer control, where αo = 0.
+/// The ball rolls without slip at both contacts about an axis at pitch β; the creep m_c is added to
+/// the ratio m. β, m_c and the given friction forces stay constant while the contact angles change.
+/// The friction forces become zero when the inner contact is lost. The default values describe a
+/// ball without inner contact under outer control, where αo = 0.
 struct GivenRotation {
   double cos_pitch = 1.0, sin_pitch = 0.0;            ///< cosine and sine of β
   double creep = 0.0;                                 ///< m_c [1]

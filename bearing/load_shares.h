@@ -11,15 +11,15 @@ namespace raceway::bearing {
 /// positions of ring and balls. It uses statics only, without a Newton step.
 ///
 /// The axial force of the kept balls is linear in c = cos(ψ - φ), where φ is the direction of the
-/// load; with locked tilt, the slope is the one at which the ring does not tilt. A kept ball
-/// carries an axial force f with its groove centre at radius R:
+/// load; with locked tilt, the slope is the one at which the ring does not tilt. For a kept ball
+/// with the axial force f, the radial force f_r and its inner groove centre at radius R:
 ///
 ///   tan αi = f/(f_r + τ),   τ = Ti/sin αi,   Lo cos αo + Li cos αi = R
 ///
-/// Axial load and moment determine f. The radial displacement follows from the condition that Σ f_r
-/// c equals the radial load. The couple τ does not decrease with the load, so only a few balls
-/// carry a light load. Their number is the smallest one that keeps the ring away from all lost
-/// balls.
+/// Lo and Li are the distances from the ball centre to the outer and the inner groove centre. Axial
+/// load and moment determine f. The radial displacement follows from the condition that Σ f_r c
+/// equals the radial load. The couple τ does not decrease with the load, so only a few balls carry
+/// a light load. Their number is the smallest one that keeps the ring away from all lost balls.
 class LoadShares {
  public:
   LoadShares(const RingSystem& system, double direction);
@@ -39,7 +39,7 @@ class LoadShares {
 
  private:
   struct Sums {
-    double w = 0.0, c = 0.0, cc = 0.0;  ///< Σ over kept balls of weight, weight c, weight c²
+    double w = 0.0, c = 0.0, cc = 0.0;  ///< sums over kept balls: weight, weight c, weight c²
     double most = -2.0, least = 2.0;    ///< c
     void add(double weight, double cosine);
   };
@@ -74,7 +74,7 @@ class LoadShares {
   BallConstantsOf<double> constants_;
   bool tilts_;
   double cos_direction_, sin_direction_;
-  double axial_, radial_, moment_;  ///< load; moment about the axis across radial_ [N]
+  double axial_, radial_, moment_;  ///< load; the moment is divided by the lever [N]
   Plane free_, thrown_;
   std::vector<double> along_;  ///< c of the balls
   std::vector<std::size_t> order_;

@@ -11,17 +11,18 @@ namespace raceway::bearing {
 /// When a ball loses the contact, its gyroscopic couple becomes zero and the ball moves further
 /// from the race. So both states are possible for a range of groove positions. The search therefore
 /// tries sets of kept balls. A solution is valid if no kept ball is in tension and no lost ball
-/// penetrates the race.
+/// penetrates the race. A ball that violates this condition is on the wrong side.
 class ContactSearch {
  public:
   explicit ContactSearch(RingSystem& system) : system_(system) {}
 
-  /// Searches from the kept balls that statics chooses (load_shares.h). Each ball on the wrong side
-  /// changes sides, until no ball is on the wrong side. If a set recurs, the search tries similar
-  /// sets, the ones that fit statics best first. It then starts from the sets whose equilibrium has
-  /// a ball on the wrong side, and tries all sets that differ from them by one ball.
+  /// Searches from the kept balls that statics chooses (load_shares.h). In each round, the worst
+  /// ball on the wrong side changes sides, until no ball is on the wrong side. If a set recurs, the
+  /// search tries similar sets, beginning with the sets that fit statics best. It then starts from
+  /// the sets whose equilibrium has a ball on the wrong side, and tries sets that differ from them
+  /// by one ball.
   [[nodiscard]] bool settle(RingState& state);
-  /// Tries again sets that differ by one ball, with more Newton steps for each.
+  /// Tries the sets that differ by one ball again, with more Newton steps for each set.
   [[nodiscard]] bool widen(RingState& state);
   /// Last resort: starts from the sets that a scan over ring positions finds (contact_scan.h), then
   /// from sets that differ from one of them by one ball.

@@ -11,7 +11,7 @@ namespace raceway::bearing {
 ///
 /// δ is the axial displacement of the inner ring under pure thrust, with outer race control. The
 /// load F_a moves both inner rings by the same distance. Centrifugal forces push the balls
-/// outwards, so the thrust at speed exceeds P.
+/// outwards, so the thrust is higher at speed than at standstill.
 ///
 /// preload > 0 and load >= 0 [N], speed in rad/s. All rings have the same temperature. The
 /// displacements come from thrust_start.h, so the error of the result is at most 1e-3 of the

@@ -11,7 +11,7 @@
 
 // Equilibrium of one inner ring: sums over its balls with derivatives, and the report of each ball.
 // All unknowns are lengths and all loads are forces: tilts are multiplied by R_i, and moments are
-// divided by R_i. One load then scales the imbalances of all components.
+// divided by R_i. The imbalances of all components can then be divided by one load (load_scale).
 namespace raceway::bearing {
 
 /// Model of a ball: two springs in series (at rest), or the equilibrium of an orbiting ball under
@@ -118,8 +118,8 @@ void set_operating_point(RingPoint<double>& ring, const Bearing& bearing,
 /// Newton step of a ball, and the approach that limits the step.
 template <typename T>
 struct BallStep {
-  T own[2];          ///< for a ring at rest [m]
-  T follow[4];       ///< per step of its groove centre [1]
+  T own[2];          ///< step while the ring does not move [m]
+  T follow[4];       ///< step for a unit step of the groove centre [1]
   T outer_approach;  ///< δo [m]
 };
 
@@ -129,7 +129,7 @@ template <typename T>
 struct BallShare {
   T force[3];              ///< f_axial, f_radial, f_m [N]
   T gain[3];               ///< change of these forces by the ball's own Newton step [N]
-  T tangent[6];            ///< their derivatives by (A_axial, A_radial), row-major 3x2 [N/m]
+  T tangent[6];            ///< derivatives of `force` by (A_axial, A_radial), row-major 3x2 [N/m]
   T imbalance;             ///< imbalance of the ball, squared and scaled [1]
   BallForcesOf<T> forces;  ///< for the report
 };
@@ -287,8 +287,9 @@ void complete(const BallCircle& circle, RingSums<AllCoordinates, T>& sums) {
   }
 }
 
-/// Largest relative error allowed when the loads are summed again from the reported balls. Every
-/// solve makes this check. Rounding errors are about a thousandth of this limit.
+/// Largest relative error allowed when the loads are summed again from the reported balls. The
+/// solvers for a bearing and for an arrangement check it in every solve. Rounding errors are about
+/// a thousandth of this limit.
 inline constexpr double largest_load_error = 1e-8;
 
 /// Result of a ring in equilibrium.
@@ -361,8 +362,8 @@ void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, co
   report.recovered_load_error = error / p.load_scale + nothing;
 }
 
-/// Sets all of `result` except status and iterations, from a ring in equilibrium and the balls that
-/// are unknowns, all in lane i. T is double or Eight.
+/// Sets all members of `result` except status and iterations, from lane i of a ring in equilibrium
+/// and of the balls that are unknowns. T is double or Eight.
 template <typename T>
 void fill_equilibrium(const T& lever, const BallCircle& circle, const T* ring,
                       const RingReport<T>& report, const BallReport<T>* balls, std::size_t i,

@@ -91,11 +91,11 @@ struct RollerEquilibrium {
 /// roller are eliminated. (Ki + Ko) is singular if a roller touches with a single slice; K then
 /// uses the pseudo-inverse.
 ///
-/// Source:   at rest [ISO16281], read in two programs; two contacts in series and Fc derived.
+/// Source:   at rest [ISO16281], as in two programs; the two contacts in series and Fc are derived.
 /// Domain:   speed >= 0. axial_load must be 0, because the bearing carries no axial load; otherwise
-///           throws std::invalid_argument. Without load and preload no roller touches the inner
-///           ring, and the status is `loose`. The ring does not move in a direction without
-///           stiffness (one loaded roller).
+///           the function throws std::invalid_argument. Without load and preload no roller touches
+///           the inner ring, and the status is `loose`. The ring does not move in a direction
+///           without stiffness (one loaded roller).
 /// Accuracy: `tolerance`. Physical assumptions: rigid rings, quasi-static motion; no skew, flange
 ///           friction, cage slip or film. An approach below 1e-15 m is not a contact. Otherwise a
 ///           rounding error of 1e-19 mm at 90 deg would contribute 1 % of a stiffness, because q'
@@ -106,10 +106,10 @@ struct RollerEquilibrium {
 
 class RollerBalance;
 
-/// Roller bearing with a given displacement of the inner ring: solves the rollers between the
-/// raceways. It has the same five coordinates as DisplacedBearing; the axial one has no effect. Use
-/// it for many displacements and clearances. Each solve starts from the previous one. The object
-/// keeps a reference to the bearing.
+/// Roller bearing with a given displacement of the inner ring: finds the equilibrium of the rollers
+/// between the raceways. It has the same five coordinates as DisplacedBearing; the axial one has no
+/// effect. Use it for many displacements and clearances. Each solve starts from the previous
+/// solution. The object keeps a reference to the bearing.
 class DisplacedRollerBearing {
  public:
   /// If `clearance` is NaN, the clearance of the geometry is used.
@@ -137,8 +137,9 @@ class DisplacedRollerBearing {
   Matrix5 stiffness_ = Matrix5::Constant(unset);
 };
 
-/// Solves the rollers at a given displacement of the inner ring; `load` of the result is the
-/// reaction at this displacement. If `clearance` is NaN, the clearance of the geometry is used.
+/// Finds the equilibrium of the rollers at a given displacement of the inner ring; `load` of the
+/// result is the reaction at this displacement. If `clearance` is NaN, the clearance of the
+/// geometry is used.
 [[nodiscard]] RollerEquilibrium displaced_roller_bearing(const RollerBearing& bearing,
                                                          const Vector4& displacement, double speed,
                                                          double clearance = unset);

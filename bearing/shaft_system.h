@@ -18,9 +18,9 @@ struct ShaftState {
 struct BearingShare {
   double force = 0.0;      ///< Z f_axial [N]
   double gain = 0.0;       ///< change of the force by the ball's own Newton step [N]
-  double stiffness = 0.0;  ///< derivative of the force by the bearing's displacement [N/m]
+  double stiffness = 0.0;  ///< derivative of the force with respect to displacement [N/m]
   double imbalance = 0.0;  ///< imbalance of the ball, squared and scaled [1]
-  double own[2] = {};      ///< step of the ball for a ring at rest [m]
+  double own[2] = {};      ///< step of the ball while the ring does not move [m]
   double follow[2] = {};   ///< step of the ball per axial step of its groove centre [1]
   BallForcesOf<double> ball{};
 };
@@ -34,7 +34,7 @@ struct ShaftAssembly {
   double merit;              ///< sum of squares of the scaled imbalances
 };
 
-/// Equilibrium of a shaft in its sets, solved by Newton's method. Internal to the solver.
+/// Equilibrium of a shaft on its bearing sets, solved by Newton's method. Internal to the solver.
 class ShaftSystem {
  public:
   ShaftSystem(const Arrangement& arrangement, const EquilibriumOptions& options);
@@ -84,7 +84,7 @@ class ShaftSystem {
   struct Member {
     BallConstants constants;
     Plane free;      ///< inner groove centre without displacement
-    double offset;   ///< compression beyond that of its set
+    double offset;   ///< additional compression relative to its set
     double count;    ///< Z
     bool like_last;  ///< same bearing in the same condition as the previous one, on the same side
   };

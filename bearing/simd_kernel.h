@@ -6,7 +6,7 @@
 
 namespace raceway::bearing {
 
-/// Eight operating points during a kernel. Axial loads > 0.
+/// Eight operating points of a KernelCall, with their results. All axial loads are above 0.
 struct KernelBlock {
   RingPoint<Eight> points;
   bool converged[Eight::size];

@@ -5,7 +5,8 @@
 
 namespace raceway::bearing {
 
-/// Approximate position of every ball under pure thrust. All other solves start from it.
+/// Approximate position of every ball under pure thrust. Other solves with an axial load > 0 start
+/// from it if there is no neighbouring solution.
 template <typename T>
 struct ThrustStart {
   T axial_displacement;    ///< displacement of the inner ring [m]
@@ -90,7 +91,8 @@ class ThrustStatics {
   T inner_length_ = T(unset), outer_length_ = T(unset);  ///< groove centre to ball centre [m]
 };
 
-/// Returns a better cube root of x by one step of Halley's method, which triples the digits.
+/// Improves an approximate cube root of x by one step of Halley's method, which triples the number
+/// of correct digits.
 template <typename T>
 [[gnu::always_inline]] inline T better_root(const T& root, const T& x) {
   const T cube = root * root * root;
@@ -290,8 +292,8 @@ Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const 
                                 ThrustStart<double>& start);
 
 /// Finds the ball centre and the inner groove centre at which one ball under inner control exerts a
-/// given force on the inner ring: tan αi = f_axial / (f_radial + τ), τ = Ti / sin αi, and statics
-/// gives the rest. Returns false if the contact would be in tension.
+/// given force on the inner ring: tan αi = f_axial / (f_radial + τ), τ = Ti / sin αi. The other
+/// values follow from statics. Returns false if the contact would be in tension.
 [[nodiscard]] bool ball_under_force(const BallConstantsOf<double>& constants, Plane force,
                                     Plane& groove_centre, Plane& ball_centre);
 

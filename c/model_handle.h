@@ -9,7 +9,8 @@
 #include "files/model_file.h"
 #include "session/source.h"
 
-/// Object behind the pointer of the caller. The object never changes, so threads may share it.
+/// Object to which the pointer of the caller refers. The object never changes, so threads may share
+/// it.
 struct raceway_model {
   raceway::files::ModelFile file;
   std::string messages;
@@ -18,15 +19,15 @@ struct raceway_model {
 
 namespace raceway::c {
 
-/// Reads a model like the commands `solve` and `table`. Throws text::InputError. The caller owns
-/// the model.
+/// Reads a model in the same way as the commands `solve` and `table`. Throws text::InputError. The
+/// caller owns the model.
 [[nodiscard]] raceway_model* open_handle(const session::Source& source);
 
 /// Returns the code of raceway.h (RACEWAY_...) for a status of the solver.
 [[nodiscard]] int status_number(bearing::SolveStatus status);
 
-/// Reads names of columns. An empty list selects all columns. Throws text::InputError for an
-/// unknown name.
+/// Returns the names of the columns with these indices. The result is empty for NULL and for a
+/// count of 0, which select all columns. Throws text::InputError for an index out of range.
 [[nodiscard]] std::vector<std::string> column_names(const raceway_model& model, const int* columns,
                                                     std::size_t count);
 

@@ -2,13 +2,15 @@
 /// read from TOML (docs/files.md). States and results are plain arrays.
 ///
 /// Units:    each name contains its unit, as in files: rpm, N, C, N mm.
-/// Returns:  0 done, 1 wrong input, 2 some states have no result, as for the command raceway.
+/// Returns:  0 done, 1 wrong input, 2 some states have no result. The exit status of the command
+///           raceway has the same meaning.
 /// Messages: a function with `message` and `message_size` writes its message there, in UTF-8 with a
 ///           final 0. The message is either the error in the words of the command, or notes and
 ///           warnings on one line each ("note: ...", "warning: ..."), or empty. Text that does not
 ///           fit is cut off between two characters. With NULL or a size of 0, no text is written.
 /// Threads:  several threads may call the functions at the same time, even with the same model,
-///           because a model does not change. Call raceway_free() once, after all other calls.
+///           because a model does not change. Call raceway_free() once for each model, after all
+///           other calls with it.
 /// Errors:   no function throws, prints or ends the program. If memory runs out, it returns 1 or
 ///           NULL.
 #ifndef RACEWAY_RACEWAY_H
@@ -36,7 +38,7 @@ enum { RACEWAY_DONE = 0, RACEWAY_WRONG_INPUT = 1, RACEWAY_NOT_CONVERGED = 2 };
 /// Solution status of a state. raceway_status_name() returns its name.
 enum {
   RACEWAY_STATUS_CONVERGED = 0,
-  RACEWAY_STATUS_NO_EQUILIBRIUM = 1,  ///< no equilibrium with this load
+  RACEWAY_STATUS_NO_EQUILIBRIUM = 1,  ///< no equilibrium was found under this load
   RACEWAY_STATUS_ITERATION_LIMIT = 2,
   RACEWAY_STATUS_SINGULAR = 3,    ///< the load leaves a displacement undetermined
   RACEWAY_STATUS_NOT_FINITE = 4,  ///< the numbers left the range of doubles
@@ -91,8 +93,8 @@ RACEWAY_API int raceway_column_index(const raceway_model* model, const char* nam
 ///           doubles. With a stride of 1, the array has `count` numbers. With 0, one number is used
 ///           for all states. A negative stride means that the array is not given, for languages
 ///           without NULL. If `strides` is NULL, all strides are 1.
-/// columns   `column_count` columns to compute, from raceway_column_index(). With NULL or a count
-///           of 0, all columns are computed, in their order.
+/// columns   indices of the `column_count` columns to compute, from raceway_column_index(). With
+///           NULL or a count of 0, all columns are computed, in their order.
 /// values    [count x columns], one column after the other: state i of the j-th given column is
 ///           values[j * count + i], in Fortran and MATLAB values(i, j). A value without a result is
 ///           NaN.
@@ -109,7 +111,7 @@ RACEWAY_API int raceway_solve(const raceway_model* model, size_t count, const do
                               size_t column_count, double* values, int* status, char* message,
                               size_t message_size);
 
-/// Computes a Stribeck table: raceway_solve() at all points of a grid, with the numbers and in the
+/// Computes a Stribeck table: raceway_solve() at all points of a grid, with the values and in the
 /// order of `raceway table --format plain`.
 ///
 /// speed_rpm ... temperature_C  the axes, each with its number of values. With a number of 0, the
@@ -133,9 +135,9 @@ RACEWAY_API int raceway_table(const raceway_model* model, const double* speed_rp
 /// bearing without these effects. The balls are solved only if the model needs them. For a model
 /// that does not need them, the function is several times faster than raceway_solve().
 ///
-/// States, strides, return values and errors are as in raceway_solve(). `readings_Nmm` [count],
-/// `status` [count] or NULL. A shaft is wrong input, and so is a model with an effect that needs
-/// further inputs, such as a time.
+/// States, strides, return values and errors are as in raceway_solve(). `readings_Nmm` receives
+/// `count` values. `status` receives `count` values or is NULL. A shaft is wrong input, and so is a
+/// model with an effect that needs further inputs, such as a time.
 RACEWAY_API int raceway_predict(const raceway_model* model, size_t count, const double* speed_rpm,
                                 const double* axial_load_N, const double* radial_load_N,
                                 const double* temperature_C, const int* strides,

@@ -42,20 +42,20 @@ enum class Need {
   viscosity_levels,     ///< more than one temperature
   time,                 ///< time of every row
   ring_temperatures,    ///< temperatures of inner and outer ring
-  loads,                ///< loads above zero, because the ball equilibrium needs a load
+  loads,                ///< a load above zero in every row, because the ball equilibrium needs it
   several_axial_loads,  ///< more than one axial load, even if other settings vary
   several_bearings,     ///< a rig that measures the torque of two or more bearings
   rising_and_falling,   ///< speeds approached from below and from above
-  ball_load_law,    ///< another effect that uses ball loads; base laws use only the entered load
-  palmgren_law,     ///< the law palmgren, because the law skf already contains the effect
-  opposed_sets,     ///< bearings at both ends of the shaft
+  ball_load_law,  ///< the law contact or an effect that uses ball loads; other laws do not use them
+  palmgren_law,   ///< a law other than table and skf; the law skf already contains the effect
+  opposed_sets,   ///< bearings at both ends of the shaft
   torque_standard,  ///< known torque that fixes the scale of the readings
   cold_friction     ///< a spindle whose friction is computed with the forces of the cold sets
 };
 
 /// Returns the missing data in words: "time_s of every row".
 [[nodiscard]] std::string_view text(Need need);
-/// Returns the same text for a channel that must have a number in every row: "preload_N of every
+/// Returns such a text for a channel that must have a number in every row: "preload_N of every
 /// row".
 [[nodiscard]] std::string text(const record::Channel& channel);
 
@@ -171,7 +171,7 @@ struct ReadingInputs {
 };
 
 /// Pitch diameter for which the plausible ranges of effects are given. For other bearings, a range
-/// is multiplied by a power of d_m over this diameter.
+/// is multiplied by a power of d_m over this diameter (Nature::size_power).
 inline constexpr double size_of_ranges = 60 * mm;
 
 /// Description of an effect in words.
@@ -181,7 +181,7 @@ struct Card {
   std::string_view mechanism = {};  ///< physical mechanism in one or two sentences
   std::string_view formula = {};
   std::string_view source = {};
-  /// Ids of effects and names of base parameters.
+  /// Ids of effects and names of base parameters that have a similar influence on the data.
   std::span<const std::string_view> confused_with = {};
   /// Measurement that shows whether the effect is present: "the torque without seals".
   std::string_view settled_by = {};
@@ -232,7 +232,7 @@ struct Exclusions {
   std::string_view not_for_rollers = {};
 };
 
-/// Properties of an effect that a verdict uses for its weight and its wording.
+/// Properties of an effect that determine its weight in a verdict and the wording of the verdict.
 struct Nature {
   /// True if all rotating parts contribute to the effect. In a coast-down, the effect is then the
   /// drag of all these parts and counts once, not once per bearing. The plausible range is for the
@@ -241,8 +241,8 @@ struct Nature {
   /// Exponent of the pitch diameter that scales the plausible range of the size. The stated range
   /// is for 60 mm. With an exponent of 0, the range is the same for bearings of all sizes.
   double size_power = 0.0;
-  /// True if the effect increases and decreases as the machine warms up and cools down. Temperature
-  /// or lag separates such an effect from other effects.
+  /// True if the effect increases and decreases as the machine warms up and cools down. Its
+  /// dependence on temperature, or its lag, separates such an effect from other effects.
   bool follows_heat = false;
   bool base_law = false;   ///< true: corrects an exponent of the base law
   bool empirical = false;  ///< true: a shape without a physical law
@@ -319,7 +319,7 @@ struct Effect {
   std::vector<double> values;
   std::shared_ptr<const void> owner = nullptr;  ///< keeps a user-made description alive
 
-  /// Returns the added moment [N m]; 0 if the effect acts at other steps.
+  /// Returns the added moment [N m]; 0 if the effect adds no moment.
   [[nodiscard]] double moment(const MomentInputs& inputs) const;
 };
 

@@ -50,7 +50,7 @@ class Formula : public OwnMoment {
     const record::Channel* channel = nullptr;
     [[nodiscard]] double value(const MomentInputs& inputs) const;
   };
-  /// Returns the variables of a formula in addition to its parameters, with every input of the
+  /// Returns the variables of a formula in addition to its parameters, including every input of the
   /// channel table.
   [[nodiscard]] static std::span<const Variable> variables();
 

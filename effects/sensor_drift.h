@@ -87,9 +87,9 @@ inline constexpr SensorCard<1> torque_time_drift{
     .size_power = 3.0,
     .settled_by = "the first points once more at the end"};
 
-/// Eddy-current transducers drift by 0.02 to 0.05 % of full scale per kelvin [lit], 1 to 5 um per
-/// 10 K at 1 mm. Ring temperatures act through the equilibrium of the sets, not through this
-/// effect.
+/// Data sheets of eddy-current transducers give a drift of 0.02 to 0.05 % of full scale per kelvin,
+/// or 2 to 5 um per 10 K for a range of 1 mm. Ring temperatures act through the equilibrium of the
+/// sets, not through this effect.
 inline constexpr SensorCard<3> displacement_temperature_drift{
     .channel = record::axial_displacement,
     .id = "displacement-temperature-drift",

@@ -22,7 +22,8 @@ struct SensorGain : SensorFault<card> {
   }
 };
 
-/// Torque readings cannot show this error, because it multiplies all moments by the same factor.
+/// Torque readings alone cannot show this error, because it multiplies all moments by the same
+/// factor.
 inline constexpr SensorCard<2> torque_gain{
     .channel = record::friction_torque,
     .id = "torque-gain",

@@ -18,13 +18,12 @@ struct SpindleHeatCard {
   Parameter size;
 };
 
-/// Heat in a spindle that does not come from its bearings [W].
+/// Heat in a spindle that the model lacks [W].
 ///
 ///   q = W n/10 000 rpm
 ///
 /// Source:   a constant moment. Losses in a rotor and in air grow with a higher power of the speed.
-/// Domain:   speed >= 0, zero at standstill. The heat is added to the motor and drive heat of the
-///           model.
+/// Domain:   speed >= 0, zero at standstill. The heat is added to the heat sources of the model.
 template <const auto& card>
 struct SpindleHeat {
   static constexpr Form form = Form::spindle;

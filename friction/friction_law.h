@@ -29,7 +29,8 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 [[nodiscard]] constexpr bool of_rollers(FrictionLaw law) {
   return law == FrictionLaw::roller_palmgren || law == FrictionLaw::roller_skf;
 }
-/// True if the load moment is Palmgren's, with the parameters f0, z and y and the load `f1_load`.
+/// True if the law has Palmgren's load moment under the load `f1_load`, and the parameters f0, z
+/// and y.
 [[nodiscard]] constexpr bool has_palmgren_load(FrictionLaw law) {
   return law == FrictionLaw::palmgren || law == FrictionLaw::powers;
 }
@@ -62,7 +63,7 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 ///   table: none; contact and laws of rollers: all data; in these cases the list is empty
 [[nodiscard]] std::span<const std::string_view> bearing_data(FrictionLaw law);
 
-/// True if the law uses the balls. It then has no moments without a ball equilibrium.
+/// True if the law uses the ball equilibrium. Without it, such a law has no moments.
 [[nodiscard]] constexpr bool needs_equilibrium(FrictionLaw law) {
   return law == FrictionLaw::contact;
 }

@@ -91,15 +91,15 @@ T f1_ratio(const BearingState<T>& s) {
 ///
 ///   M1 = f1 F_b d_m,   f1 = z (P0/C0)^y
 ///
-/// With BearingState::f1_load = F1Load::F_b, f1 = z (F_b/C0)^y: with the same z this form gives a
-/// moment 1.7 to 1.9 times larger under pure thrust at 25 to 15 deg. A value of z for one form is
-/// not valid for the other form.
+/// With BearingState::f1_load = F1Load::F_b, f1 = z (F_b/C0)^y: with the same z, the moment under
+/// pure thrust is then 1.7 to 1.9 times as large at contact angles of 25 to 15 deg. A value of z
+/// for one form is not valid for the other form.
 /// Source:   [Palmgren1959; Harris2006, vol. 1, ch. 10], not checked against the prints. f1 = z
-///           (P0/C0)^y was read in [KRW2006, p. 116-118], with z = 0.00067 and y = 0.33 for angular
-///           contact. Other makers have z up to 0.001. With F_b: [CaseStudy, eqs. 20, 21].
+///           (P0/C0)^y is in [KRW2006, p. 116-118], with z = 0.00067 and y = 0.33 for angular
+///           contact. Other makers use z up to 0.001. With F_b: [CaseStudy, eqs. 20, 21].
 /// Domain:   F_b >= 0, zero at zero load; C0 given (require_data() in friction_law.h).
-/// Accuracy: the code agrees with the formula to rounding error. For one bearing type, z of
-///           different makers differs by half; calibration fits z.
+/// Accuracy: the code agrees with the formula to rounding error. For one bearing type, z differs by
+///           up to 50 % between makers; calibration fits z.
 struct PalmgrenLoad {
   static constexpr std::string_view id = "palmgren_load";
   static constexpr std::array parameters{

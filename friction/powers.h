@@ -20,7 +20,7 @@ namespace raceway::friction {
 ///           [BibouletHoupert2010]. The exponents of a bearing have no published values; they are
 ///           fitted.
 /// Domain:   the measured speeds, loads and temperatures. Zero at zero load for b > 0.
-/// Accuracy: that of the fit; an extrapolation has none.
+/// Accuracy: as accurate as the fit within the measured range; unknown outside this range.
 struct PowersViscous {
   static constexpr std::array parameters{Parameter{.name = "viscous_exponent",
                                                    .unit = "1",

@@ -43,7 +43,7 @@ inline constexpr double roller_sum_ratio = 1.25803095402823;
 ///   M1 = f1 F d_m
 ///
 /// Source:   [Palmgren1959; Harris2006, vol. 1, ch. 10], not checked against the prints. f1 =
-///           0.0003 was read in the public program thermca, after Jungnickel. The usual ranges,
+///           0.0003 comes from the public program thermca, after Jungnickel. The usual ranges,
 ///           0.0002 to 0.0004 for f1 and 0.6 to 4 for f0, are from memory.
 /// Domain:   F >= 0. f1 is constant; for ball bearings it is z (P0/C0)^y.
 struct RollerPalmgrenLoad {
@@ -54,7 +54,7 @@ struct RollerPalmgrenLoad {
 
 /// Usual f0 of a cylindrical roller bearing by lubricant supply [1]: grease 0.8, oil-air 1.5, bath
 /// 3, jet 6. For an unknown supply it is 1.5.
-/// Source: read in the public program thermca, after Jungnickel.
+/// Source: the public program thermca, after Jungnickel.
 [[nodiscard]] double usual_roller_f0(std::optional<Supply> supply);
 
 /// Constants of the SKF model of cylindrical roller bearings with a cage, dimension series 10 [mm,
@@ -73,8 +73,8 @@ struct SkfRollerConstants {
 ///   M_sl = μ_sl (S1 d_m^0.9 F_a + S2 d_m F),   F_a = 0
 ///
 /// d_m = (d + D)/2, F is counted_load(); φ and μ_sl as in skf.h. μ_EHL = 0.02, from memory.
-/// Source:   the formulas were read in SKF, Rolling bearings (catalogue), friction, table 2a. For
-///           the constants see SkfRollerConstants. The formulas have no term for centrifugal force.
+/// Source:   the formulas are in SKF, Rolling bearings (catalogue), friction, table 2a. For the
+///           constants see SkfRollerConstants. The formulas have no term for centrifugal force.
 /// Domain:   speed >= 0, viscosity > 0; bore and outer diameter given.
 struct RollerSkf {
   static constexpr std::array parameters{
@@ -106,8 +106,8 @@ void require_data(FrictionLaw law, const bearing::RollerBearing& bearing);
 ///   viscous   half for each ring: the rolling speed ω d_m (1 - γ²)/4 is equal at both raceways
 ///   load      in proportion to Σ Qi and Σ Qo
 ///
-/// Source: like split_heat() for balls, at contact angle zero. The sum is the power loss, to
-///         rounding.
+/// Source: like split_heat() for balls, at contact angle zero. The sum equals the power loss to
+///         within rounding error.
 [[nodiscard]] HeatSplit split_heat(const RollerState& state, const BaseMoments<double>& moments);
 
 /// Heat conductance from ring to ring through dry rollers at rest [W/K].

@@ -24,9 +24,9 @@ struct SkfConstants {
 };
 
 /// Single row angular contact ball bearings. Source: [SKFGeneral, p. 91-101, tables 2a to 5].
-/// Domain: the bearings of the catalogue have 40 deg (72 BE, 73 BE). Here spindle bearings of 15 to
-///         25 deg use the same constants, which the source does not cover: R2 and S2, the factors
-///         of the axial load, are for 40 deg.
+/// Domain: the bearings of the catalogue have a contact angle of 40 deg (72 BE, 73 BE). Here
+///         spindle bearings of 15 to 25 deg use the same constants, which the source does not
+///         cover: R2 and S2, the factors of the axial load, are for 40 deg.
 inline constexpr SkfConstants skf_angular_contact{.R1 = 5.03e-7,
                                                   .R2 = 1.97,
                                                   .R3 = 1.90e-12,
@@ -101,8 +101,8 @@ T sliding_coefficient(const T& mu_bl, const T& mu_EHL, const T& share) {
 ///
 /// Dimensional as published: M_rr [N mm], d_m [mm], F [N], ν [mm²/s], n [rpm]; converted here. F_a
 /// is the external axial load. For ceramic balls, skf_ball_factor() multiplies R3.
-/// Source:   [SKFGeneral, p. 91-101], constants of 40 deg (skf_angular_contact). Editions since
-///           2013 have some different constants.
+/// Source:   [SKFGeneral, p. 91-101], constants for 40 deg (skf_angular_contact). Some constants
+///           differ in editions since 2013.
 /// Domain:   speed >= 0, viscosity > 0, α0 > 0. The moment is zero at standstill and without load.
 ///           There the slope of the formula is infinite and is returned as zero.
 /// Accuracy: the code agrees with the formula to rounding error; the maker states none.
@@ -139,7 +139,7 @@ struct SkfRolling {
 ///
 /// Dimensional as published: M_sl [N mm], d_m [mm], F [N], n [rpm]; converted here. μ_bl is about
 /// 0.15; μ_EHL 0.05 with mineral oil, 0.04 with synthetic oil, 0.1 with transmission fluid.
-/// Source:   [SKFGeneral, p. 91-101], constants of 40 deg (skf_angular_contact).
+/// Source:   [SKFGeneral, p. 91-101], constants for 40 deg (skf_angular_contact).
 /// Domain:   speed >= 0, viscosity > 0, α0 > 0. At standstill, the moment is the moment of boundary
 ///           lubrication.
 /// Accuracy: the code agrees with the formula to rounding error; the maker states none.

@@ -40,8 +40,8 @@ struct ContactPair {
 ///   M / μ = Σ (3/8) Q a E(k) ω_s/ω      over the balls, at the inner and at the outer contact
 ///
 /// The moment times the shaft speed equals the total power of all contacts at their spin speeds.
-/// Spin moments are values for one contact, so only this law needs a sum over the balls. Under
-/// outer control only the inner contacts spin; under inner control only the outer contacts spin.
+/// Spin moments are values for one contact, so this law needs a sum over the balls. Under outer
+/// control only the inner contacts spin; under inner control only the outer contacts spin.
 ///
 /// Source:   power balance of unit_spin_moment(); ω_s by [Jones1960] as in bearing/kinematics.h.
 /// Domain:   converged equilibrium, else NaN. ω_s/ω depends only on the contact angles, so at

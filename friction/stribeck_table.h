@@ -61,10 +61,10 @@ struct TableSlab {
 /// temperature.
 struct StribeckTable {
   TableAxes axes;
-  TableSlab slab;                    ///< part of the points for which the next members have values
+  TableSlab slab;                    ///< part of the table; the members below contain its values
   std::vector<std::string> columns;  ///< names; the caller that writes the table defines the units
   std::vector<double> friction_moment;       ///< [N m]; NaN if a point has no value
-  std::vector<bearing::SolveStatus> status;  ///< why
+  std::vector<bearing::SolveStatus> status;  ///< status of each point
   std::vector<double> values;                ///< values of the columns, SI, point by point
 
   /// Index of a point from its place on each axis.
@@ -99,7 +99,7 @@ using TableLine =
 
 /// Treatment of a query outside the table.
 enum class Outside {
-  error,  ///< throws std::invalid_argument: name, value with unit, range
+  error,  ///< throws std::invalid_argument with name, value, unit and range
   clamp,  ///< uses the nearest edge, and reports it
 };
 

@@ -17,7 +17,7 @@ namespace raceway::friction {
 /// Domain:   outside the range of an axis, the value at the edge is used, so the power there is
 ///           proportional to speed. holds() is false for such a state. An axis that the file does
 ///           not have accepts every value.
-/// Accuracy: at the readings, `band` if the file has it; between them see interpolate().
+/// Accuracy: `band` at the readings, if the file has it; between the readings, see interpolate().
 struct TorqueTable {
   static constexpr std::array parameters{
       Parameter{.name = "scale", .unit = "1", .initial = 1.0, .lower = 0.01, .upper = 100.0}};
@@ -32,7 +32,7 @@ struct TorqueTable {
   /// True for axes that the file has. The other axes have one value in the grid.
   bool has_axial_load = true, has_radial_load = true, has_temperature = true;
   bool of_shaft =
-      false;  ///< torque of all bearings of a shaft over the load at its nose; cannot be a law
+      false;  ///< true: torque of a whole shaft over the load at its nose; cannot be a base law
 
   [[nodiscard]] bool has_band() const { return !band.friction_moment.empty(); }
   /// Friction moment [N m]; NaN if an input of the state is NaN.

@@ -16,16 +16,16 @@ struct LoadFactors {
 ///   from 20 deg     function of the contact angle only
 ///   between         linear, interpolated in the load first; 0 to 5 deg: as a deep groove
 ///
-/// Catalogues use f0 F_a/C0 as the first column. Because C0 = f0 Z D² cos α, it equals F_a/(Z D²
-/// cos α), so f0 is not needed.
-/// Source:   [ISO281, table 3], not checked against the print. All rows were read in a transcript.
-///           They have X + Y e = 1 within 1 % (tested), because P is continuous at e.
+/// Catalogues use f0 F_a/C0 as the first column. Because C0 = f0 Z D² cos α, this value equals
+/// F_a/(Z D² cos α), so f0 is not needed.
+/// Source:   [ISO281, table 3], not checked against the print. All rows come from a transcript. In
+///           every row, X + Y e = 1 within 1 % (tested), because P is continuous at e.
 /// Domain:   α0 from 0 to 45 deg, magnitude of F_a. NaN outside.
 /// Accuracy: as accurate as the published table. Under preload or at speed, reference_life.h is
 ///           more accurate.
 [[nodiscard]] LoadFactors load_factors(const bearing::BearingGeometry& geometry, double axial_load);
 
-/// Dynamic equivalent radial load P of the magnitudes of radial and axial load [N].
+/// Dynamic equivalent radial load P from the magnitudes of radial and axial load [N].
 [[nodiscard]] double equivalent_load(const LoadFactors& factors, double radial_load,
                                      double axial_load);
 

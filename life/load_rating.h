@@ -8,7 +8,7 @@ namespace raceway::life {
 /// Factor f_c of the dynamic rating of single-row radial and angular contact ball bearings [1], as
 /// a function of γ = D cos α/d_m. Linear between the table values at steps of 0.01.
 ///
-/// Source:   [ISO281, table 2], read in two transcripts that agree, not checked against the print.
+/// Source:   [ISO281, table 2], from two transcripts that agree, not checked against the print.
 /// Domain:   γ from 0.01 to 0.40; NaN outside.
 /// Trap:     the factor is valid for grooves with f_i <= 0.52, f_o <= 0.53. Closer grooves do not
 ///           raise the rating. Wider grooves lower the true rating; for them the standard refers to
@@ -22,8 +22,8 @@ namespace raceway::life {
 ///   C = 1.3 f_c cos^0.7 α Z^(2/3) 3.647 D^1.4        D >  25.4 mm
 ///
 /// Dimensional as published: D [mm], C [N]; converted here. α is the nominal contact angle.
-/// Source:   [ISO281, eqs. 1, 2, table 1 for 1.3], read in transcripts, not checked against the
-///           print.
+/// Source:   [ISO281, eqs. 1, 2, and table 1 for the factor 1.3], from transcripts, not checked
+///           against the print.
 /// Domain:   α from 0 to 45 deg (a radial bearing) and γ of rating_factor(); NaN outside.
 /// Accuracy: the code agrees with the formula to rounding error. Catalogues of bearings of good
 ///           steel have up to 15 % higher ratings.

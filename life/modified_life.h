@@ -8,8 +8,9 @@ namespace raceway::life {
 ///   ν1 = 4500 n^-0.5 d_m^-0.5       n >= 1000 rpm
 ///
 /// Dimensional as published: ν1 [mm²/s], n [rpm], d_m [mm]; converted here.
-/// Source:   [ISO281, eqs. 28, 29], read in two texts, not checked against the print. The published
-///           formulas differ by 2.3 % at 1000 rpm. Makers' diagrams have values up to 16 % lower.
+/// Source:   [ISO281, eqs. 28, 29], as quoted in two texts, not checked against the print. The
+///           published formulas differ by 2.3 % at 1000 rpm. Makers' diagrams have values up
+///           to 16 % lower.
 /// Domain:   speed > 0; infinite at standstill.
 [[nodiscard]] double rated_viscosity(double speed, double pitch_diameter);
 
@@ -26,9 +27,9 @@ namespace raceway::life {
 ///
 /// `fatigue_ratio` = e_C C_u/P: cleanliness e_C from 0 to 1, times the ratio of fatigue load to
 /// equivalent load.
-/// Source:   [ISO281, eqs. 31 to 33], read in two texts, not checked against the print. One public
-///           program has p = 0.019087 in the second range. This is a misprint, because the curve
-///           would not be continuous.
+/// Source:   [ISO281, eqs. 31 to 33], as quoted in two texts, not checked against the print. One
+///           public program has p = 0.019087 in the second range. This is a misprint, because the
+///           curve would not be continuous with it.
 /// Domain:   κ >= 0.1, NaN below; fatigue_ratio >= 0. Steel only. The factor is undefined for
 ///           hybrid bearings, although makers use the same factor for them.
 [[nodiscard]] double life_modification(double viscosity_ratio, double fatigue_ratio);
@@ -38,7 +39,7 @@ namespace raceway::life {
 ///   a_ISO = 0.1 (1 - (1.5859 - c κ^-p) (e_C C_u/P)^0.4)^-9.185, 50 at most
 ///     0.1 <= κ < 0.4    c = 1.3993;   above: c = 1.2348;   p as for balls
 ///
-/// Source:   [ISO281], read in a text, not checked against the print. Domain: as
+/// Source:   [ISO281], as quoted in a text, not checked against the print. Domain: as
 ///           life_modification().
 [[nodiscard]] double roller_life_modification(double viscosity_ratio, double fatigue_ratio);
 

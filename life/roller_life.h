@@ -31,7 +31,7 @@ namespace raceway::life {
 ///   Q_ci = C/(0.83 · 0.378 Z) (1 + T^4.5)^(2/9),   Q_ce = C/(0.83 · 0.364 Z) (1 + T^-4.5)^(2/9)
 ///   T = 1.038 r
 ///
-/// Source: [ISO16281], read in an open program, not checked against the print.
+/// Source: [ISO16281], as in an open program, not checked against the print.
 struct RollerRatings {
   double inner = unset, outer = unset;
 };
@@ -42,7 +42,7 @@ struct RollerRatings {
 ///
 ///   1 - 0.01/ln(1.985 |2k - ns - 1|/(2 ns - 2)),  k counted from 1;  1 in the middle
 ///
-/// Source: [ISO16281], read in an open program. The factor for the outer ring in that program is
+/// Source: [ISO16281], as in an open program. The factor for the outer ring in that program is
 ///         wrong.
 [[nodiscard]] double edge_factor(std::size_t lamina);
 
@@ -51,7 +51,8 @@ struct RollerRatings {
 ///   L10r = (Σ (q_i/q_ci)^4.5 + (q_e/q_ce)^4.5)^(-8/9),   q_c = Q_c ns^(-7/9)
 ///
 /// q_i is the mean over the rollers with exponent 4, because the inner ring rotates; q_e is the
-/// mean with exponent 4.5. If `edges` is true, each slice is multiplied by its edge_factor().
+/// mean with exponent 4.5. If `edges` is true, the loads of each slice are multiplied by its
+/// edge_factor().
 /// Source:   [ISO16281].
 /// Domain:   converged equilibrium, else NaN; infinite without load.
 /// Trap:     without a profile, the life depends on the number of slices because of the edges. L10r

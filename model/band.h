@@ -12,9 +12,9 @@ namespace raceway::model {
 ///
 ///   1.96 sqrt(gᵀ C g)      g = ∂y/∂θ, C the covariance of the fit
 ///
-/// The propagation is linear. g comes from central differences of a tenth of a standard error. The
-/// difference is one-sided if a bound or a missing equilibrium prevents one side. The band covers
-/// only these parameters, not missing effects and not the noise of a reading.
+/// The propagation is linear. g comes from central differences with steps of a tenth of a standard
+/// error. The difference is one-sided if a bound or a missing equilibrium prevents one side. The
+/// band covers only these parameters, not missing effects and not the noise of a reading.
 /// Accuracy: exact if y is linear in θ; otherwise the error is of the order of the squared standard
 ///           errors.
 class Band {
@@ -30,8 +30,8 @@ class Band {
   /// Returns the names of the fitted parameters.
   [[nodiscard]] const std::vector<std::string>& fitted() const { return model_.covariance->names; }
   /// Returns the half width of each output in its unit; NaN if neither side has a prediction. It
-  /// calls `outputs` twice for each parameter and once for the model. Several threads may call it
-  /// simultaneously.
+  /// calls `outputs` once for the model and at most twice for each parameter. Several threads may
+  /// call it simultaneously.
   [[nodiscard]] std::vector<double> operator()(const Outputs& outputs) const;
 
  private:

@@ -17,9 +17,9 @@ struct BearingLife {
   double modification = unset;     ///< a_ISO [1]
   double modified = unset;         ///< L_nm = a1 a_ISO L10 [s]
   double reference = unset;        ///< a1 L10r of ISO/TS 16281 from the ball loads [s]
-  double static_safety = unset;    ///< (4.2 GPa/p_max)³ [1]
-  /// True for balls that are not of steel, for which ISO 281 has no a_ISO. `modification` is then
-  /// the value for steel balls, and `modified` is NaN.
+  double static_safety = unset;    ///< (4.2 GPa/p_max)³; for rollers (4 GPa/p_max)² [1]
+  /// True if balls or rollers are of another material than the rings. ISO 281 has no a_ISO for this
+  /// case. `modification` is then the value for steel, and `modified` is NaN.
   bool hybrid = false;
 };
 
@@ -30,7 +30,7 @@ struct BearingLife {
 [[nodiscard]] BearingLife bearing_life(const Model& model, const bearing::OperatingPoint& point,
                                        const FrictionPrediction& prediction);
 
-/// Values κ and `reference` of bearing_life(), which need no integral over a contact.
+/// The values κ and `reference` of bearing_life(). They need no integral over a contact.
 struct ReferenceLife {
   double viscosity_ratio = unset;  ///< [1]
   double reference = unset;        ///< [s]

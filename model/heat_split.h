@@ -7,7 +7,8 @@ namespace raceway::model {
 
 /// Splits the heat of a predicted friction between the rings. Effects of spin heat the contacts in
 /// which the balls spin; all other effects are split like film shear. `equilibrium` is the
-/// equilibrium of the prediction. The sum over the rings is torque times speed, to rounding.
+/// equilibrium of the prediction. The sum over the rings equals torque times speed to within
+/// rounding error.
 [[nodiscard]] friction::HeatSplit heat_split(const Model& model,
                                              const bearing::OperatingPoint& point,
                                              const bearing::BearingEquilibrium& equilibrium,

@@ -9,11 +9,11 @@
 #include "bearing/operating_point.h"
 #include "model/model.h"
 
-/// Judges all answers: limits of engineering practice with their sources, and answers that exceed
-/// them. docs/limits.md lists all limits.
+/// Compares results with limits of engineering practice, and reports exceeded limits.
+/// docs/limits.md lists all limits.
 namespace raceway::model {
 
-/// A limit that an answer should not exceed. A warning means that the design or the question should
+/// A limit that a result should not exceed. A warning means that the design or the question should
 /// change. A note is for information.
 struct Limit {
   std::string_view id;     ///< id in JSON documents
@@ -37,8 +37,8 @@ inline constexpr Limit running_pressure{"running_pressure", 2.0, "GPa"};
 /// silicon nitride allow 1.25 times this speed [GMN speed factors].
 inline constexpr Limit catalogue_speed{"catalogue_speed", unset, "rpm"};
 /// Speed factor n d_m of the fastest bearings with steel balls in [GMN4000], KH 6014 C: 24 000 rpm
-/// with oil-air and 18 000 rpm with grease on 90 mm. Balls of silicon nitride allow 1.25 times this
-/// value.
+/// with oil-air and 18 000 rpm with grease at d_m = 90 mm. Balls of silicon nitride allow 1.25
+/// times this value.
 inline constexpr Limit speed_factor{"speed_factor", 2.16e6, "mm/min"};
 inline constexpr Limit speed_factor_grease{"speed_factor", 1.62e6, "mm/min"};
 inline constexpr double ceramic_speed_factor = 1.25;
@@ -68,7 +68,7 @@ inline constexpr Limit friction_table{"friction_table", unset, "Nmm"};
 
 }  // namespace limits
 
-/// A limit that an answer exceeds.
+/// A limit that a result exceeds.
 struct Finding {
   std::string_view limit;  ///< Limit::id
   bool is_warning = true;
@@ -82,7 +82,7 @@ struct Finding {
 
 using Findings = std::vector<Finding>;
 
-/// Returns a finding for a single answer, with its text.
+/// Returns a finding for a single result, with its text.
 [[nodiscard]] Finding finding(const Limit& limit, double value, std::string text);
 
 [[nodiscard]] std::vector<std::string> warnings_of(const Findings& findings);

@@ -33,7 +33,7 @@ struct Rig {
   double room_temperature = unset;  ///< [K]; NaN: the coldest row of a record is used
   double minimum_speed = 0.0;       ///< coast-down rows below this speed are excluded [rad/s]
 
-  /// Returns true if friction slows down the shaft and all parts on it.
+  /// Returns true for a coast-down rig, where friction slows down the shaft and all parts on it.
   [[nodiscard]] bool coasts_down() const { return inertia > 0.0 || unknown_inertia; }
 };
 
@@ -62,7 +62,7 @@ struct Model {
   friction::Lubricant lubricant;
   std::optional<friction::Supply> supply = {};  ///< excludes some effects; empty if not given
   friction::FrictionLaw law = friction::FrictionLaw::palmgren;
-  /// load in the palmgren law, and in all laws for rollers
+  /// load in the laws palmgren and powers, and in all laws for rollers
   friction::F1Load f1_load = friction::F1Load::P0;
   std::vector<double> law_values;               ///< in the order of friction::parameters(law)
   friction::contact::ContactData contact = {};  ///< data of the contact law
@@ -75,11 +75,11 @@ struct Model {
   /// contact law; see solve_balls().
   bool balanced_balls = false;
   LifeData life = {};
-  PrintedSpeed printed_speed = {};  ///< empty if the sets have different bearings
+  PrintedSpeed printed_speed = {};  ///< NaN if the sets have different bearings
   Rig rig;
   /// Names of the parameters that may be refitted, as in parameters(); empty means default_free().
   std::vector<std::string> free;
-  /// Shaft of the model; its `bearing` is the first bearing of the front set.
+  /// Shaft of the model. The member `bearing` above is then the first bearing of the front set.
   std::optional<Shaft> shaft = {};
   /// Surroundings of the sets in a model of a whole spindle. Such a model also has `shaft`.
   std::optional<Spindle> spindle = {};

@@ -15,8 +15,8 @@ struct ChangedNumber {
   double after = unset;
 };
 
-/// Changes of effects, base law and arrangement between two models. These are all changes that
-/// `calibrate` and `add` can make. Bearing, lubricant and rig are not compared.
+/// Changes between two models: added and removed effects, and changed values of parameters(). These
+/// are all changes that `calibrate` and `add` can make. Other data are not compared.
 struct ModelChanges {
   std::vector<std::string> added, removed;  ///< ids of the effects
   std::vector<ChangedNumber> numbers;       ///< in the order of parameters()

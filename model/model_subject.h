@@ -59,10 +59,12 @@ class ModelSubject : public fit::Subject {
       std::span<const fit::NamedValue> values) const override;
 
   /// Returns the effects of the catalogue that change a measured channel and are not in the model,
-  /// the user-defined effects, and data of the model that may be wrong (own_data()) and are not
-  /// free.
+  /// the user-defined effects that are only candidates, and data of the model that may be wrong
+  /// (own_data()) and are not free.
   [[nodiscard]] std::vector<fit::Candidate> candidates() const override;
-  /// Returns all effects of the catalogue in the form for the model, and the user-defined effects.
+  /// Returns the ids of the effects of the catalogue in the form for the model, of the user-defined
+  /// effects that are only candidates, and of own_data(). Effects that act only on spindles are
+  /// included only for a spindle.
   [[nodiscard]] std::vector<std::string> catalogue() const override;
   [[nodiscard]] std::unique_ptr<fit::Subject> with_candidates(
       std::span<const std::string> ids) const override;
@@ -72,7 +74,7 @@ class ModelSubject : public fit::Subject {
                                                          const fit::Shape& shape) const override;
   [[nodiscard]] std::string correction(const std::string& id,
                                        std::span<const double> values) const override;
-  /// Also excludes effects of the catalogue that change no measured channel.
+  /// See fit::Subject. The text is also empty for an effect that changes no measured channel.
   [[nodiscard]] std::string rules_out(const std::string& id) const override;
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
   [[nodiscard]] std::string lacks_levels(const std::string& id,
@@ -93,14 +95,16 @@ class ModelSubject : public fit::Subject {
   [[nodiscard]] const Model& active() const { return active_; }
   /// Returns the places of the named parameters in active(). Throws like fit::find_parameters().
   [[nodiscard]] std::vector<ParameterPlace> places(const std::vector<std::string>& names) const;
-  /// Returns the free parameters of a model that names no free parameters. Default: default_free().
+  /// Returns the free parameters for a model that does not name its free parameters. Default:
+  /// default_free().
   [[nodiscard]] virtual std::vector<std::string> usual_free() const;
   /// Returns the channel with the tolerance from the model.
   [[nodiscard]] fit::Measured with_tolerance(fit::Measured measured) const;
   /// Returns the friction torque as a measured channel, with the usual scatter of rig sensors and
   /// the tolerance from the model.
   [[nodiscard]] fit::Measured measured_torque() const;
-  /// Returns one subject for each other law of its bearing, named "law:skf" and so on.
+  /// Returns one subject for each other friction law of the same type of bearing, named "law:skf"
+  /// and so on.
   [[nodiscard]] std::vector<fit::OtherBase> other_laws() const;
   /// Returns the ids of effects that are only candidates.
   [[nodiscard]] const std::vector<std::string>& waiting() const { return waiting_; }

@@ -21,13 +21,13 @@ namespace raceway::model {
 /// Returns a datum as a candidate; empty if the model does not have it.
 [[nodiscard]] std::optional<fit::Candidate> own_datum(const Model& model, std::string_view id);
 
-/// Returns the parameter behind a datum, with the name of the candidate.
+/// Returns the parameter whose value is the datum, with the name of the candidate.
 [[nodiscard]] fit::Parameter own_datum_parameter(const Model& model, std::string_view id);
 
-/// Explains a datum in one sentence, for any model; empty for another id.
+/// Explains a datum in one sentence, for any model; empty if the id is not a datum.
 [[nodiscard]] std::string own_datum_explained(std::string_view id);
 
-/// Returns "contact angle 24.1 deg where 25 is entered"; empty for another id.
+/// Returns "contact angle 24.1 deg where 25 is entered"; empty if the id is not a datum.
 [[nodiscard]] std::string own_datum_text(const Model& model, std::string_view id, double value);
 
 }  // namespace raceway::model

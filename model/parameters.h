@@ -39,9 +39,9 @@ namespace raceway::model {
 /// a force. `neutral` and the plausible range belong to effects and are otherwise NaN.
 [[nodiscard]] std::vector<record::Parameter> parameters(const Model& model);
 
-/// Returns the usual range of an effect's parameter for a bearing of this size. If all parts on a
-/// coast-down shaft contribute to the effect, the upper limit is the bound of the parameter,
-/// because no published range exists.
+/// Returns the usual range of an effect's parameter for the size of the model's bearing. If all
+/// parts on a coast-down shaft contribute to the effect, the upper limit is the bound of the
+/// parameter, because no published range exists.
 [[nodiscard]] std::pair<double, double> plausible_range(const effects::Description& effect,
                                                         const effects::Parameter& number,
                                                         const Model& model);
@@ -58,8 +58,8 @@ class ParameterPlace {
   /// Throws std::invalid_argument for an address that the model does not have.
   ParameterPlace(const Model& model, const record::Parameter& parameter);
 
-  /// Returns the value in the unit of the file. `model` must have the effects of the model from
-  /// which the place was made.
+  /// Returns the value in the unit of the file. `model` must have the same effects as the model
+  /// from which the place was made.
   [[nodiscard]] double get(const Model& model) const;
   /// Throws std::invalid_argument if bearing or arrangement rejects the value.
   void set(Model& model, double value) const;
@@ -91,13 +91,16 @@ void set(Model& model, const record::Parameter& parameter, double value);
 
 /// Returns the parameters that are free by default:
 ///
-/// palmgren: f0, z (the data rarely separate y from z), f0 and f1 for rollers; skf: mu_EHL, K_rs;
-/// contact: rolling_factor; table: scale.
+///   palmgren   f0, z (the data rarely separate y from z); f0, f1 for rollers
+///   powers     all parameters
+///   skf        mu_EHL, K_rs
+///   contact    rolling_factor
+///   table      scale
 [[nodiscard]] std::vector<std::string> default_free(friction::FrictionLaw law);
 
-/// Returns the parameters of a model that are free by default. For a spindle this is f0, or its
-/// counterpart in the law. For an arrangement with a preload force it is the preload, because
-/// assembly makes it uncertain. Otherwise the defaults of the law apply.
+/// Returns the parameters of a model that are free by default. For a spindle it is the first
+/// default parameter of the law, such as f0. For an arrangement with a preload force it is the
+/// preload, because assembly makes it uncertain. Otherwise the defaults of the law apply.
 [[nodiscard]] std::vector<std::string> default_free(const Model& model);
 
 }  // namespace raceway::model

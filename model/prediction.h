@@ -27,7 +27,7 @@ struct FrictionPrediction {
   std::optional<friction::contact::ContactResult> contacts;
   double torque = unset;      ///< sum of all moments [N m]
   double power_loss = unset;  ///< torque times speed [W]
-  /// rig reading: torque of all its bearings, then the reading steps [N m]
+  /// reading of the rig: torque of all its bearings, changed by the effects on the reading [N m]
   double reading = unset;
   effects::Condition condition;  ///< changes of the original condition by effects
   effects::Film film;            ///< viscosity and temperature of the film
@@ -52,9 +52,11 @@ struct FrictionPrediction {
 }
 
 /// Names of the parts of a torque: parts of the base law, then the effects.
-///   palmgren, skf: load, viscous        contact: rolling, sliding, hysteresis, drag
+///   palmgren, skf, powers: load, viscous     contact: rolling, sliding, hysteresis, drag
+///   table: table
 [[nodiscard]] std::vector<std::string> torque_parts(const Model& model);
-/// Returns the torque parts of a prediction in this order [N m]; NaN for a missing part.
+/// Returns the torque parts of a prediction in the order of torque_parts() [N m]; NaN for a missing
+/// part.
 [[nodiscard]] std::vector<double> moments_of_parts(const Model& model,
                                                    const FrictionPrediction& prediction);
 
@@ -101,7 +103,7 @@ void predict_sweep(const Model& model, std::span<const bearing::OperatingPoint> 
 [[nodiscard]] double share_of_bearing(const effects::Description& effect, const Rig& rig);
 
 /// Returns the torque of all bearings of a rig on one shaft, M = bearings * M_bearing [N m],
-/// without the reading steps.
+/// without the effects on the reading.
 [[nodiscard]] double rig_torque(const Rig& rig, double bearing_torque);
 
 }  // namespace raceway::model

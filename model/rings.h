@@ -12,7 +12,7 @@ namespace raceway::model {
 
 /// Rings of a bearing on the shaft and their seats, for balls or rollers. Sizes are diameters.
 struct Rings {
-  double position = unset;                      ///< middle of the rings behind the nose face [m]
+  double position = unset;                      ///< distance of the middle from the nose face [m]
   double width = unset;                         ///< [m]
   double bore = unset, outer_diameter = unset;  ///< bore and outer diameter of the bearing [m]
   /// Outer diameter of the inner ring and inner diameter of the outer ring: shoulders next to the

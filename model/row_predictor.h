@@ -38,7 +38,8 @@ class RowPredictor {
 
   /// Returns the case whose equilibrium predict() will need, so that a caller can solve many cases
   /// together and pass the results to answer(). The result is empty if no equilibrium is needed, if
-  /// it is already stored, or if it has an imposed tilt or traction-controlled balls.
+  /// it is already stored, if an input is unknown, or if the equilibrium has an imposed tilt or
+  /// traction-controlled balls.
   [[nodiscard]] std::optional<bearing::BearingCase> ask(const Model& model, const Steps& steps);
   void answer(bearing::BearingEquilibrium&& equilibrium);
   /// Solves only the equilibrium, as predict() would.
@@ -46,8 +47,8 @@ class RowPredictor {
 
   /// Returns the state of the contacts in a known equilibrium. A caller can compute the friction of
   /// the contacts and pass it back; predict() then uses it. The result is empty for other laws,
-  /// without an equilibrium, for a bearing changed by the condition, and if effects act on the
-  /// film.
+  /// without an equilibrium, for a bearing changed by the condition, for traction-controlled balls,
+  /// and if effects act on the film.
   [[nodiscard]] std::optional<friction::BearingState<double>> ask_contacts(const Model& model,
                                                                            const Steps& steps);
   void answer_contacts(const Model& model, const friction::contact::ContactResult& contacts);

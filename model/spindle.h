@@ -43,7 +43,7 @@ inline constexpr SolidMaterial iron_of_housings{.conductivity = 48.0,
                                                 .elastic_modulus = 120e9,
                                                 .poissons_ratio = 0.26};
 
-/// A piece of a shaft or housing between two planes, from the nose to the rear.
+/// A piece of a shaft or housing between two planes. Pieces are listed from the nose to the rear.
 struct Segment {
   double length = unset;    ///< [m]
   double diameter = unset;  ///< outer [m]
@@ -110,7 +110,8 @@ struct Seat {
   /// The default assumes a contact as at a shoulder. An open gap of 0.1 mm with air would conduct
   /// 270.
   double collar_conductance = 8000.0;
-  /// Conductance of the outer seats [W/(m² K)]. If given, it replaces the other data.
+  /// Conductance of the outer seats [W/(m² K)]. If given, it replaces the value that follows from
+  /// the fit.
   double outer_conductance = unset;
 };
 
@@ -150,14 +151,14 @@ struct Coolant {
   double channel_depth = unset;       ///< radial [m]
   double pitch = unset;               ///< pitch of the turns [m]
   double start = unset, end = unset;  ///< distances behind the nose face [m]
-  double stagnant = 25.0;             ///< film of the standing fluid [W/(m² K)]
+  double stagnant = 25.0;             ///< film coefficient of the standing fluid [W/(m² K)]
   double throttle_diameter = unset;   ///< orifice at the outlet [m]; NaN: none
 };
 
 /// A further coolant circuit, with a channel around another span of the housing.
 struct Circuit {
   std::string name;  ///< gives the columns NAME_outlet_temperature_C and heat_to_NAME_W
-  Coolant channel;   ///< inlet temperature NaN: that of the first circuit
+  Coolant channel;   ///< with an inlet temperature of NaN, it uses the value of the first circuit
 };
 
 enum class RotatingConvection { becker, kendoush, anderson_saunders };

@@ -18,7 +18,7 @@ struct Steps {
   /// Indices in Model::effects. `reading` contains the effects on the measured channel.
   std::vector<std::size_t> entry, condition, lubricant, moment, reading;
   bool equilibrium = false;  ///< true if an equilibrium of balls or rollers must be solved
-  bool needs_balls = false;  ///< true if a prediction is impossible without it
+  bool needs_balls = false;  ///< true if a prediction is impossible without an equilibrium
   explicit Steps(const Model& model, bool with_equilibrium = false,
                  const record::Channel& read = record::friction_torque);
 };

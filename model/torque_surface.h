@@ -15,8 +15,8 @@ struct TorqueLoad {
   fit::Surface::Input input;
 };
 
-/// Returns the saturated regression of a friction torque. Its terms are the torque times a cubic in
-/// ln speed, the load and temperature, with interactions. Further loads, the recorded preload and
+/// Returns the saturated regression of a friction torque. Each term is the torque times a term of a
+/// cubic polynomial in ln speed, the load and temperature. Further loads, the recorded preload and
 /// ring temperatures enter if they vary, with their squares and products with speed and load.
 [[nodiscard]] fit::Saturation torque_saturation(const record::Record& record, TorqueLoad load,
                                                 std::vector<TorqueLoad> further = {});
@@ -25,7 +25,8 @@ struct TorqueLoad {
 /// load or speed.
 [[nodiscard]] std::vector<double> logarithm(std::vector<double> values);
 
-/// Returns the temperature if it varies, because its recorded values scatter.
+/// Returns the channel of the temperature if the temperature varies, because its recorded values
+/// scatter.
 [[nodiscard]] std::vector<const record::Channel*> scattering_temperature(
     const record::Record& record);
 

@@ -86,7 +86,7 @@ struct DeflectionResult {
   double displacement = unset;  ///< at the force, in its direction [m]
   double nose = unset;          ///< displacement of the nose face in that direction [m]
   double slope = unset;         ///< slope of the section at the nose [rad]
-  double tangent = unset;       ///< displacement at the force from the unloaded stiffness [m]
+  double tangent = unset;       ///< displacement at the force with the stiffness before loading [m]
   [[nodiscard]] bool converged() const { return sets.converged() && shaft.report.converged(); }
   [[nodiscard]] std::string status() const;
   /// Returns the stiffness for a single force [N/m]; NaN for several loads.

@@ -34,7 +34,7 @@ struct Validation {
     const std::string& model_file, const record::Record& record,
     const std::vector<std::pair<const record::Channel*, correction::ArxBaseline>>& found);
 
-/// Returns the errors of a comparison with the definitions that papers use.
+/// Returns the errors of a comparison, computed by the definitions that papers use.
 [[nodiscard]] correction::Metrics metrics_of(const verdict::Comparison& comparison);
 
 /// Result of a correction on a record.
@@ -47,8 +47,8 @@ struct Corrected {
   correction::Beyond beyond{};
   std::vector<double> band{};  ///< half width of the band [m]; empty if unknown
   double noise = unset;        ///< noise of a single reading [m]
-  /// Share of the readings within the band plus the noise of the readings, after subtracting one
-  /// constant as in the metrics.
+  /// Share of the readings within the band that is widened by the noise of the readings, after
+  /// subtracting one constant as in the metrics.
   double readings_in_band = unset;
   correction::Trust trust{};
 };

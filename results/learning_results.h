@@ -14,9 +14,9 @@ struct Learnt {
   correction::Learning learning{};
 };
 
-/// Returns the columns time_s, predicted_um and std_um. The values of a row come from earlier
-/// readings. Rows with a reading also have residual_um and the result of this reading. For several
-/// displacements, the names are predicted_COLUMN and so on.
+/// Returns the columns time_s, predicted_um and std_um. The prediction of a row uses only earlier
+/// readings. Rows with a reading also have residual_um and, in the column `reading`, "learnt" or
+/// "refused". For several displacements, the names are predicted_COLUMN and so on.
 [[nodiscard]] std::string learnt_text(const record::Record& record,
                                       const std::vector<Learnt>& learnt);
 /// Returns the document of `raceway correct --learn --json`.

@@ -44,7 +44,7 @@ namespace raceway::results {
                                      const model::Findings& findings = {});
 
 /// Returns a table as a document. The table contains the columns of the band. `band` gives the
-/// fitted parameters behind the band and may be null.
+/// fitted parameters that cause the band; it may be null.
 [[nodiscard]] std::string table_json(const model::Model& model,
                                      const friction::StribeckTable& table,
                                      const BandOfResult* band = nullptr,

@@ -47,7 +47,8 @@ struct DisplacementColumn {
                                             const BandOfResult* band = nullptr,
                                             const model::Findings& findings = {});
 
-/// Returns one such row as a document, with friction and heat of the bearings in full precision.
+/// Returns the results at one point as a document, with friction and heat of the bearings in full
+/// precision.
 [[nodiscard]] std::string shaft_solve_json(const model::Model& model,
                                            const shaft::ShaftPoint& point,
                                            const shaft::ShaftPrediction& prediction,

@@ -25,7 +25,8 @@ struct MeshEstimate {
   [[nodiscard]] bool known() const { return other_cells > 0; }
 };
 
-/// A default value of a model, and the influence of its usual spread on the nose.
+/// A default value of a model, and the influence of its usual spread on the displacement of the
+/// nose.
 struct Assumption {
   std::string name;                  ///< "bearing.lubricant_conductance_W_K"
   double value = unset;              ///< in the unit of the name
@@ -75,8 +76,8 @@ struct RunColumn {
                                                  const spindle::Inputs& inputs,
                                                  const spindle::Moment& moment);
 
-/// Returns `run.csv`: one row for each completed row of the programme, and one row for an early
-/// end. `model_text` is the text of the model file.
+/// Returns `run.csv`: one row for each completed row of the programme, and one more row if the run
+/// ends early. `model_text` is the text of the model file.
 [[nodiscard]] std::string spindle_run_text(const model::Model& model,
                                            std::span<const spindle::ProfileRow> profile,
                                            const spindle::Run& run, std::string_view model_text);
@@ -85,7 +86,8 @@ struct RunColumn {
                                            const spindle::Run& run, const MeshEstimate& mesh,
                                            const model::Findings& findings = {},
                                            const Assumptions& assumptions = {});
-/// Returns the rows of several speeds with the same columns.
+/// Returns the steady states of several speeds, with the columns of `run.csv` except time_s, and
+/// with axial stiffness and status.
 [[nodiscard]] std::string spindle_steady_text(const model::Model& model,
                                               std::span<const SteadyState> states,
                                               std::string_view model_text);

@@ -27,7 +27,7 @@ struct PowerAtSpeed {
 /// Data of a correction in addition to the step responses.
 struct StepCorrectionParts {
   std::string name = {};                              ///< name of the model
-  std::vector<PowerAtSpeed> power = {};               ///< rising in speed
+  std::vector<PowerAtSpeed> power = {};               ///< in order of rising speed
   std::optional<shaft::KinematicLaw> kinematic = {};  ///< empty: no instant part
   StepLaw law = StepLaw::curve;
   bool two_lags = false;  ///< true: a fast and a slow delay element
@@ -54,8 +54,8 @@ struct StepCorrection {
   std::vector<std::pair<std::string, std::string>> tables = {};
 };
 
-/// Returns the text of such a model. Tables are in the folder of `path`. Their names begin with the
-/// name of the model file: c_friction.csv for c.toml.
+/// Returns the text and the tables of a model from step_model(). Tables are in the folder of
+/// `path`. Their names begin with the name of the model file: c_friction.csv for c.toml.
 [[nodiscard]] StepCorrection step_correction(const correction::Model& model,
                                              const std::string& path);
 

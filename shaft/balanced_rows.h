@@ -11,7 +11,8 @@ namespace raceway::shaft {
 
 /// Solves the equilibrium of the sets on a shaft at the rows of a record, repeatedly with different
 /// parameters of one model. Each row stores its equilibrium as the start of its next solve. The
-/// equilibrium is solved again only if the condition of the sets has changed.
+/// equilibrium is solved again only if the mounted sets, their condition or the inputs of ball
+/// rotation have changed.
 ///
 /// The axial load of a row is the external load. Without a recorded load, the model gives it. The
 /// recorded preload force at standstill and recorded ring temperatures replace the values of the
@@ -21,7 +22,7 @@ namespace raceway::shaft {
 class BalancedRows {
  public:
   struct Row {
-    model::Row row;  ///< row; without recorded ring temperatures, it has those of the model
+    model::Row row;  ///< row; ring temperatures that were not recorded come from the model
     std::optional<bearing::SetTemperatures> temperatures;
     std::vector<effects::Condition> bearings{};  ///< changes by effects, front set first
     bearing::ArrangementEquilibrium equilibrium{};

@@ -41,7 +41,8 @@ struct ConformityFit {
 /// `bearing` are not used.
 ///
 /// The rigidity hardly distinguishes the two races, so only a common value can be found. This value
-/// also includes all other differences from this model in contact stiffness, such as elastic rings.
+/// also compensates for all other differences in stiffness between this model and the catalogue,
+/// such as elastic rings.
 /// Accuracy: `std` comes from the scatter of the classes: printed digits, and differences that one
 /// conformity cannot explain. It does not include the maker's method of calculation. A change of
 /// the conformity by 0.01 changes the rigidity by 19 % (15 deg) or 12 % (25 deg). Throws

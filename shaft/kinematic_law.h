@@ -35,7 +35,7 @@ T kinematic_displacement_um(double speed_rpm, const T& A, const T& B, const T& C
 struct KinematicDisplacement {
   double displacement;  ///< position of the shaft relative to standstill, positive towards the tool
                         ///< [m]
-  double slope;         ///< du/dω, displacement over angular speed [m s/rad]
+  double slope;         ///< du/dω, slope over angular speed [m s/rad]
   bool inside;          ///< false: the speed is outside the range of the law, see evaluate()
 };
 

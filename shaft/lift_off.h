@@ -25,9 +25,10 @@ struct UnloadedRange {
 };
 
 /// Returns the ranges of speed in which bearings of a shaft lose their inner contacts, then the
-/// ranges in which they fall below their minimum load, by bearing and speed. The function finds
-/// start and end between the points by bisection, to half an rpm. The points must rise in speed. A
-/// range between two points is not found. `predictions` are the results at `points`, in order.
+/// ranges in which they fall below their minimum load, each in the order of bearing and speed. The
+/// function finds start and end between the points by bisection, to half an rpm. The points must
+/// rise in speed. A range that lies entirely between two points is not found. `predictions` are the
+/// results at `points`, in order.
 [[nodiscard]] std::vector<UnloadedRange> unloaded_ranges(
     const Model& model, std::span<const ShaftPoint> points,
     std::span<const ShaftPrediction> predictions);

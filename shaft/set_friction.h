@@ -33,8 +33,8 @@ struct SetState {
 ///              at its load in the set, with the free contact angle from growth and temperatures
 ///
 /// A bearing without inner contacts carries no load. It has the viscous moment of the base law and
-/// the contribution of effects from balls on the outer race. All other steps are the same as for a
-/// single bearing. Effects on the reading are not included.
+/// the moments that effects give for balls that touch only the outer race. All other steps are the
+/// same as for a single bearing. Effects on the reading are not included.
 class SetFriction {
  public:
   /// Throws std::invalid_argument for a model without a shaft.
@@ -54,7 +54,7 @@ class SetFriction {
   /// `steps.equilibrium` is true.
   [[nodiscard]] model::RowPredictor row(std::size_t i, const SetState& sets,
                                         const Steps& steps) const;
-  /// Returns the predictor of bearing i without a state and without a reading.
+  /// Returns a predictor of bearing i for an unknown speed and load. It predicts NaN.
   [[nodiscard]] model::RowPredictor nothing(std::size_t i) const;
 
  private:

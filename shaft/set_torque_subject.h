@@ -27,9 +27,9 @@ class SetTorqueSubject final : public ShaftSubject {
   /// Returns an empty text: a torque cannot have a wrong sign, and files::doubts() checks the unit.
   [[nodiscard]] std::string doubt(const fit::Record& record,
                                   std::span<const double> predicted) const override;
-  /// Returns the other laws of friction.
+  /// Returns the other friction laws as base models.
   [[nodiscard]] std::vector<fit::OtherBase> other_bases() const override;
-  /// Returns measurements that distinguish a wrong datum from an effect.
+  /// Returns measurements that distinguish the rivals from each other.
   [[nodiscard]] std::vector<std::string> records_needed(
       const fit::Record& record, const std::vector<std::vector<std::string>>& rivals,
       const std::vector<std::string>& not_testable) const override;
@@ -38,8 +38,8 @@ class SetTorqueSubject final : public ShaftSubject {
   SetTorqueSubject(const model::Model& model, std::vector<std::string> waiting);
   [[nodiscard]] std::unique_ptr<ModelSubject> make(model::Model model,
                                                    std::vector<std::string> waiting) const override;
-  /// Returns the parameters of the law. If the record has only one load, the load factor of the law
-  /// can hardly be separated from the preload.
+  /// Returns the default free parameters of the law. If the record has only one load, the load
+  /// factor of the law can hardly be separated from the preload.
   [[nodiscard]] std::vector<std::string> usual_free() const override;
 };
 

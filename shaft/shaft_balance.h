@@ -26,12 +26,12 @@ struct ShaftCondition {
 /// Growth by speed, heat and temperature shifts the grooves from the mounted state.
 class ShaftBalance {
  public:
-  /// Replaces the preload force of the model [N]; NaN keeps it.
+  /// `preload` replaces the preload force of the model [N]. NaN keeps the force of the model.
   explicit ShaftBalance(double preload = unset) : preload_(preload) {}
 
-  /// Mounts the sets with the parameter values of a model, unless they are already mounted like
-  /// this. Returns false if they cannot be mounted: rings without a free contact angle, or values
-  /// that no arrangement accepts.
+  /// Mounts the sets with the parameter values of a model, unless they are already mounted with
+  /// these values. Returns false if they cannot be mounted: rings without a free contact angle, or
+  /// values that no arrangement accepts.
   bool mount(const Model& model, const Steps& steps);
   /// Returns a number that changes whenever mount() changes anything.
   [[nodiscard]] int version() const { return version_; }
@@ -63,9 +63,10 @@ class ShaftBalance {
 [[nodiscard]] bearing::Arrangement mounted_arrangement(const Model& model);
 
 /// Returns the temperatures of the sets of a shaft. Measured ring temperatures replace the ring
-/// temperatures of the model. Shaft and housing follow measured rings unless the model gives their
-/// temperatures. All other missing temperatures are the mounting temperature. The result is empty
-/// if no temperature is known.
+/// temperatures of the model. Unless the model gives the temperatures of shaft and housing, the
+/// shaft has the measured temperature of the inner ring, and the housing has the measured
+/// temperature of the outer ring. Other missing temperatures of rings, shaft and housing are the
+/// mounting temperature. The result is empty if no temperature is known.
 [[nodiscard]] std::optional<bearing::SetTemperatures> set_temperatures(const Shaft& shaft,
                                                                        double inner_ring = unset,
                                                                        double outer_ring = unset);

@@ -37,8 +37,8 @@ struct ShaftPrediction {
   [[nodiscard]] bearing::SolveStatus status() const;
 };
 
-/// Predicts position, forces and friction of a shaft. Each point starts from the solution of the
-/// previous one.
+/// Predicts position, forces and friction of a shaft. Each solve starts from the solution of the
+/// last converged point.
 ///
 /// Effects that change the condition of a bearing enter the equilibrium of the sets (see
 /// ShaftBalance). SetFriction gives the friction of each bearing. The position does not include

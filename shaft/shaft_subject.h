@@ -17,18 +17,22 @@ class ShaftSubject : public model::ModelSubject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// Returns the polynomial of the base class, because missing effects add to a displacement.
+  /// Returns the polynomial of the base class. It suits a displacement, because missing effects add
+  /// to it.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
   /// Returns speed, preload and viscosity.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
-  /// Reports a displacement that is a thousand times too small or too large, or that has the
-  /// opposite sign.
+  /// Reports a displacement that is more than 200 times too small or too large, which suggests a
+  /// wrong unit, or that has the opposite sign.
   [[nodiscard]] std::string doubt(const fit::Record& record,
                                   std::span<const double> predicted) const override;
-  /// Returns the axes for next measurements, including preloads outside the record.
+  /// Returns the axes for next measurements. If the preload does not vary in the record, they
+  /// include other preloads.
   [[nodiscard]] std::vector<fit::Axis> axes(const fit::Record& record) const override;
   [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;
-  /// Returns ring temperatures, and runs up and down, to separate heat from speed.
+  /// Returns the measurements that separate heat from speed: ring temperatures, and runs with
+  /// rising and falling speed. Adds the inspection sheet of the bearings if bearing data are among
+  /// the rivals.
   [[nodiscard]] std::vector<std::string> records_needed(
       const fit::Record& record, const std::vector<std::vector<std::string>>& rivals,
       const std::vector<std::string>& not_testable) const override;

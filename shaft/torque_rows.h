@@ -27,7 +27,7 @@ class TorqueRows {
 
  private:
   struct Made {
-    int solved = 0;  ///< number of the equilibrium of the row's bearings; 0 for none
+    int solved = 0;  ///< BalancedRows::Row::solved of the row's last predictors; 0 for none
     std::vector<effects::Condition> conditions{};
   };
   void place(std::size_t row);

@@ -10,7 +10,8 @@
 
 namespace raceway::text {
 
-/// Collects errors in cells. One message lists all errors by line, the first ten in full.
+/// Collects errors in cells. One message shows the first ten errors by line, and the number of all
+/// errors.
 class BadCells {
  public:
   /// `rows` is the number of rows in the message.
@@ -36,7 +37,7 @@ class BadCells {
 /// Allowed range of the cells of a column, in the unit of the column.
 struct CellRange {
   std::string_view column;  ///< name of the column, for messages
-  double lower, upper;      ///< closed
+  double lower, upper;      ///< limits of the closed range
   std::string_view unit;
 };
 

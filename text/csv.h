@@ -30,7 +30,7 @@ struct ParsedNumber {
 struct DecimalMarks {
   char decimal = '\0';    ///< decimal mark; '\0': not known
   char thousands = '\0';  ///< between groups of three digits; '\0': none
-  char asked = '\0';      ///< an ambiguous mark
+  char asked = '\0';      ///< mark whose meaning the user must state
 };
 
 /// A column of a table that does not come from a file.
@@ -45,7 +45,8 @@ using FormFinder = std::function<CsvForm(std::string_view)>;
 
 /// Contents of a delimited text file: names of columns, and cells with their line numbers.
 ///
-/// Separator: comma, semicolon or tab, as found in the header. Lines that begin with `#` are
+/// Separator: comma, semicolon or tab, as found in the header, or the separator of the CsvForm.
+///            Lines that begin with `#` are
 /// comments, with two exceptions. The last comment above the data is the header if its cells fit
 /// the first row. A line below the header is a row if its cells fit the header ("#N/A,20,0.1").
 /// Blank lines, rows of empty cells, repeated headers and words after the last row are skipped. A
@@ -125,8 +126,8 @@ class CsvTable {
 [[nodiscard]] CsvTable table_of_columns(std::string source, std::vector<DataColumn> columns);
 
 /// Reads a file. Throws InputError if the file cannot be read, has a control character, no header,
-/// no rows or more than 10 000 columns, if a column name is missing or occurs twice, and for a row
-/// whose number of cells or separator differs from the header.
+/// no rows or more than 10 000 columns, if a column name other than the first is missing, if a name
+/// occurs twice, and for a row whose number of cells or separator differs from the header.
 [[nodiscard]] CsvTable read_csv(const std::string& path, const FormFinder& find_form = {});
 
 /// Parses a file from text, otherwise like read_csv(); `source` is the name in messages.

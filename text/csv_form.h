@@ -9,9 +9,10 @@
 namespace raceway::text {
 
 /// Finds the header of a measurement file in the first lines of the file. The header is the first
-/// line with a name that is `known`. Otherwise the header is the line above the first row of
-/// numbers, if both lines have the same number of cells. A line below the header that has only
-/// units is the row of units.
+/// line with a name for which `known` returns true. Otherwise the header is the line above the
+/// first row of numbers, not counting a row of units, if it has at least as many cells as that row.
+/// A line below the header is the row of units if at least half of its cells are units and no cell
+/// is a reading.
 [[nodiscard]] CsvForm find_form(std::string_view text,
                                 const std::function<bool(std::string_view)>& known);
 
@@ -24,8 +25,8 @@ namespace raceway::text {
 /// Returns the text of a comment after the `#`.
 [[nodiscard]] std::string_view behind_hash(std::string_view comment);
 
-/// Returns true if a cell is a number with a point or a comma, with or without a unit ("12.3 °C"),
-/// or a time (text/timestamp.h).
+/// Returns true if a cell is a number, with a decimal point or comma if it has one, with or without
+/// a unit ("12.3 °C"), or a time (text/timestamp.h).
 [[nodiscard]] bool is_reading(std::string_view cell);
 
 }  // namespace raceway::text

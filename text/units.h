@@ -37,7 +37,7 @@ struct Unit {
   /// Other spellings, separated by blanks, in the form that in_short() returns for the text of a
   /// file.
   std::string_view spellings = {};
-  std::string_view names = {};  ///< further spellings, in lower case, read in any case
+  std::string_view names = {};  ///< further spellings, in lower case; files may also use upper case
 
   [[nodiscard]] constexpr double to_SI(double value) const { return value * factor + offset; }
   [[nodiscard]] constexpr double in_unit(double si) const { return (si - offset) / factor; }
@@ -48,8 +48,8 @@ struct Unit {
 [[nodiscard]] std::span<const Unit> units();
 
 /// Returns the unit with this spelling: "Nm", "N m", "N·m", "[1/min]", "min-1", "°C", "µm",
-/// "rad_s", "minutes". The case matters in symbols (mN, MN) but not in words. Returns null if the
-/// given dimension, or any dimension if none is given, has no such unit.
+/// "rad_s", "minutes". The case matters in symbols (mN, MN) but not in words. Returns null if no
+/// unit has this spelling, or if the unit is not of the given dimension.
 [[nodiscard]] const Unit* find_unit(std::string_view spelling,
                                     std::optional<Dimension> dimension = std::nullopt);
 

@@ -22,7 +22,7 @@ struct Recorded {
 };
 
 /// Returns the usual width of the means [s]: a minute or a 1500th of the record, whichever is
-/// longer. A `width` of 0 keeps single rows.
+/// longer. In recorded(), a `width` of 0 keeps single rows.
 [[nodiscard]] double usual_width(const record::Record& record);
 [[nodiscard]] Recorded recorded(const fit::Subject& subject,
                                 std::shared_ptr<const record::Record> record, double width);
@@ -54,7 +54,7 @@ struct ApproximationOptions {
   std::vector<Eigen::VectorXd> starts{};  ///< starts in addition to the start of the subject
   int random_starts = 24;
   int polished = 3;    ///< number of best starts that are refined
-  bool rough = false;  ///< true: a fit of a costly model stops when the fall of the misfit is known
+  bool rough = false;  ///< true: a costly fit stops when its final misfit is known roughly
   std::function<bool()> cancelled{};
 };
 
@@ -62,8 +62,8 @@ struct ApproximationOptions {
 ///
 /// Parameters with a prior are fitted from the prior, after a fit of all others. The variance of
 /// the means includes the autocorrelation of the residual. This variance is estimated again after
-/// each fit until it no longer changes. If the record reduces the variance of a prior by less than
-/// a tenth, the parameter stays at the prior.
+/// each fit until it changes by at most 5 %, up to eight times. If the record reduces the variance
+/// of a prior by less than a tenth, the parameter stays at the prior.
 [[nodiscard]] Approximation approximate(std::shared_ptr<const fit::Subject> subject,
                                         const Recorded& recorded,
                                         const std::vector<std::string>& names,
@@ -87,8 +87,9 @@ void require_fit(const Approximation& approximation);
 /// through all rows.
 void hold_out(Approximation& approximation, const Recorded& recorded);
 
-/// Repeats the fit on single rows without a ridge, starting from the previous result. For very long
-/// records, it uses means instead of single rows. `rows` receives the fitted data.
+/// Repeats the fit on single rows almost without a ridge, starting from the previous result. If the
+/// values then diverge, it uses the ridge. For more than 20 000 rows, it uses means instead of
+/// single rows. `rows` receives the fitted data.
 [[nodiscard]] Approximation refined(const Approximation& approximation, const Recorded& recorded,
                                     Recorded& rows);
 
@@ -96,7 +97,7 @@ void hold_out(Approximation& approximation, const Recorded& recorded);
 /// by the declared error of the model.
 struct ApproximationErrors {
   Eigen::MatrixXd covariance{};
-  double condition = unset;         ///< condition number of the columns, each scaled to unit length
+  double condition = unset;  ///< condition number of the derivatives, columns scaled to length 1
   double correlation_time = unset;  ///< correlation time of the residuals [s]
   double effective = unset;         ///< number of effectively independent means
   /// Variance of the weighted error of a mean, including the effect of its correlated neighbours.

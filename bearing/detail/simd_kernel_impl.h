@@ -17,9 +17,9 @@ namespace raceway::bearing {
 template <typename T>
 struct KernelMemory {
   RingNewton<T> newton;
-  std::vector<ThrustStart<T>> starts;  ///< starts, each for `width` points
+  std::vector<ThrustStart<T>> starts;  ///< starting states; each entry has `width` points
   std::vector<Mask<T>> started;
-  std::vector<PlaneOf<T>> balls;  ///< positions in equilibrium, each for `width` points
+  std::vector<PlaneOf<T>> balls;  ///< positions in equilibrium; each entry has `width` points
   std::vector<BallReport<T>> reports;
 };
 

@@ -21,9 +21,10 @@ class TurningBalls {
   /// attitudes. Returns false if a ball has no attitude; `status()` gives the reason. `ball_scale`
   /// is a typical load on a ball [N].
   [[nodiscard]] bool turn(std::span<const bearing::BallEquilibrium> balls, double ball_scale);
-  /// True if the rotations equal those used to find the forces.
+  /// True if the forces and the film speeds changed in the last turn() by at most their tolerances.
   [[nodiscard]] bool settled() const;
-  /// Change of the forces on a ball in the last turn(), relative to its load plus `ball_scale` [1].
+  /// Largest change of the forces on a ball in the last turn(), relative to its load plus
+  /// `ball_scale` [1].
   [[nodiscard]] double change() const { return change_; }
   [[nodiscard]] bearing::SolveStatus status() const { return status_; }
   [[nodiscard]] const std::vector<bearing::GivenRotation>& rotations() const { return rotations_; }
@@ -51,7 +52,7 @@ struct BalancedEquilibrium {
   bearing::BearingEquilibrium equilibrium;
   std::vector<BallAttitude> attitudes;  ///< attitudes of equilibrium.balls.distinct()
   /// Status of the complete solution. Iterations are passes over forces and attitudes. The residual
-  /// is the change of the forces on a ball in the last pass, relative to its load [1].
+  /// is the largest change of the forces on a ball in the last pass, relative to its load [1].
   bearing::SolveReport report;
 };
 
@@ -85,9 +86,10 @@ struct BalancedEquilibrium {
     const bearing::EquilibriumOptions& options = {},
     const bearing::ArrangementEquilibrium* neighbour = nullptr);
 
-/// Friction of a bearing in equilibrium whose balls rotate by traction. Use bearing_friction() for
-/// race control. The attitudes are computed with this oil and law under the equilibrium forces,
-/// even if the oil had another temperature in the equilibrium. NaN if a ball has no attitude.
+/// Friction of a bearing in equilibrium, for balls whose rotation follows from traction. Use
+/// bearing_friction() for race control. The attitudes are computed with this oil and law under the
+/// equilibrium forces, even if the oil had another temperature in the equilibrium. NaN without a
+/// converged equilibrium, or if a ball has no attitude.
 template <typename Look>
 [[nodiscard]] BearingFriction balanced_friction(const bearing::Bearing& bearing,
                                                 const bearing::BearingEquilibrium& equilibrium,

@@ -40,13 +40,13 @@ class TurningBall;
 ///
 /// The unknowns are the slips at the centres of both contacts and ω_R sin β; the derivatives are
 /// analytic. Traction follows from a potential that is convex in these speeds; the gyroscopic
-/// moment adds a purely rotational term. So a given cage speed has one solution, and every Newton
-/// step descends towards it. If dry friction changes direction too sharply, the solver smooths its
-/// direction and then removes the smoothing.
+/// moment adds a purely rotational term. So there is one solution for a given cage speed, and every
+/// Newton step descends towards it. If dry friction changes direction too sharply, the solver first
+/// smooths this change and then removes the smoothing.
 ///
-/// Source:   derived; the slip field of traction.h. Race control is not assumed: in a full film the
-///           ball turns until its gyroscopic moment vanishes (β near 0); under boundary friction it
-///           approaches race control.
+/// Source:   derived from the slip field of traction.h. Race control is not assumed: in a full film
+///           the ball turns until its gyroscopic moment vanishes (β near 0); under boundary
+///           friction it approaches race control.
 /// Domain:   speed >= 0; at standstill the result is the limit for slow rotation. The balls are
 ///           loaded. A ball without contact at the inner race rolls on the outer race without slip
 ///           at the centre of the contact.
@@ -82,7 +82,7 @@ class BallAttitudes {
  private:
   [[nodiscard]] BallAttitude on_outer_race(const bearing::BallEquilibrium& ball) const;
   /// Computes the contacts of a ball on films formed at this cage speed. Returns true if asperities
-  /// carry load.
+  /// carry more than a tenth of the load of a contact.
   bool press(const bearing::BallEquilibrium& ball, double cage_speed, TurningBall& turned) const;
 
   const bearing::Bearing* bearing_;

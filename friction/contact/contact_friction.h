@@ -54,9 +54,9 @@ struct RaceFriction {
   double supply_factor;  ///< φ_rs [1]
 
   /// Friction of one contact of load Q > 0. The film uses the speed of `motion` times `film_speed`.
-  /// At standstill `film_speed` is 0, so that power divided by shaft speed has its limit: φ = 1, no
-  /// rolling resistance. At contact angles above a right angle the ball rolls in the opposite
-  /// direction, with equal resistance. `centre` is described at film_traction().
+  /// At standstill `film_speed` is 0. Power divided by shaft speed is then the limit for slow
+  /// rotation: φ = 1, no rolling resistance. At contact angles above a right angle the ball rolls
+  /// in the opposite direction, with equal resistance. `centre` is described at film_traction().
   [[nodiscard]] ContactFriction contact(double load, const ContactMotion& motion, double film_speed,
                                         double& centre) const {
     const ContactFriction c = film(load, motion, film_speed);
@@ -69,7 +69,7 @@ struct RaceFriction {
     return contact(load, motion, film_speed, centre);
   }
 
-  /// Returns the friction of a contact with known sliding on its film().
+  /// Returns the friction of a contact from the result of film() and from its sliding.
   [[nodiscard]] ContactFriction contact(ContactFriction c, double load, const ContactMotion& motion,
                                         double film_speed, const Traction& traction) const {
     c.sliding = traction.power;

@@ -52,7 +52,7 @@ inline constexpr std::array contact_parameters{
 /// Returns the oil at the state's temperature and viscosity; an effect may have changed either one.
 [[nodiscard]] OilState oil_of(const BearingState<double>& state);
 
-/// Friction of one ball with its contacts. A contact that the ball has lost is NaN.
+/// Friction at the contacts of one ball. A contact that the ball has lost has no value.
 struct BallFriction {
   std::optional<ContactFriction> inner, outer;
 };
@@ -62,8 +62,9 @@ struct ContactResult {
   BearingFriction friction;
   double drag = 0.0;         ///< drag of the balls in the lubricant [N m]
   double mean_slip = unset;  ///< Σ p |v|/Σ Q over all contacts [m/s]
-  /// Largest T/Q that the friction needs to balance the gyroscopic moment [1], and the ratio of
-  /// this value to the limit of the film in that contact.
+  /// Largest ratio of the friction force that balances the gyroscopic moment to the contact load
+  /// [1], and largest ratio of this force to the friction of film and asperities in the contact
+  /// [1].
   double holding_coefficient = unset;
   double holding_over_traction = unset;
 
@@ -72,8 +73,8 @@ struct ContactResult {
   [[nodiscard]] BaseMoments<double> moments() const {
     return {.load = sliding() + hysteresis() + drag, .viscous = rolling()};
   }
-  /// True if rescale() can convert one set of values to the other: only the factors of rolling and
-  /// hysteresis differ, and no changed factor was 0.
+  /// True if rescale() can convert a result from the values `from` to the values `to`: only the
+  /// factors of rolling and hysteresis differ, and no changed factor was 0.
   [[nodiscard]] static bool rescales(std::span<const double> from, std::span<const double> to);
   void rescale(std::span<const double> from, std::span<const double> to);
   /// Multiplies the rolling resistance of the oil by this factor [1].

@@ -15,7 +15,7 @@ namespace raceway::friction::contact {
 struct ContactShape {
   double radius_along = unset;     ///< R_x [m]
   double radius_across = unset;    ///< R_z [m]
-  double pressed_radius = unset;   ///< R, deformed radius of the contact across rolling [m]
+  double pressed_radius = unset;   ///< R, radius of the deformed contact across rolling [m]
   double modulus = unset;          ///< E' = 2/((1-ν1²)/E1 + (1-ν2²)/E2) [Pa]
   double ellipse_ratio = unset;    ///< k = a/b [1]
   double second_integral = unset;  ///< E(k) [1]

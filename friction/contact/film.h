@@ -29,7 +29,7 @@ struct Film {
 ///   h_min/R_x = 3.63 U^0.68 G^0.49 W^-0.073 (1 - e^(-0.68 k))
 ///   U = η u/(E' R_x),   G = α E',   W = Q/(E' R_x²),   k = a/b of the exact ellipse
 ///
-/// Source:   [HamrockDowson1977], read in several public programs that agree.
+/// Source:   [HamrockDowson1977], as in several public programs that agree.
 /// Domain:   Q > 0, rolling along the short axis; zero at standstill. Fitted for U from about 1e-12
 ///           to 1e-11, W from 1e-7 to 1e-6, k from 1 to 8. In spindle bearings U is up to ten times
 ///           larger.
@@ -58,9 +58,9 @@ struct Film {
 ///   φ_T = 1/(1 + 0.1 (1 + 14.8 S^0.83) L^0.64)
 ///
 /// S = |u1 - u2|/u is zero for pure rolling.
-/// Source:   read in a published report on roller bearings; the original paper was not checked.
-///           Other texts have (1 - 13.2 p/E' L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), which
-///           gives a thinner film.
+/// Source:   a published report on roller bearings; the original paper was not checked. Other texts
+///           have (1 - 13.2 p/E' L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), which gives a
+///           thinner film.
 /// Domain:   L >= 0, S >= 0; 1 at L = 0. Accuracy: 10 % up to L = 1; extrapolated beyond.
 [[nodiscard]] inline double thermal_film_factor(double loading, double slip_ratio = 0.0) {
   if (!(loading > 0.0)) return 1.0;
@@ -112,7 +112,7 @@ struct AsperityLaw {
 ///
 ///   φ = exp(-B Λ^C)
 ///
-/// Source:   [ZhouHoeprich1991], not checked against the print. The form was read in a published
+/// Source:   [ZhouHoeprich1991], not checked against the print. The form comes from a published
 ///           simulation of roller bearings, with B = 2.32 and C = 0.97 for its raceways. Both
 ///           depend on the surface. The defaults 1.8 and 1.2 are from memory.
 /// Domain:   Λ >= 0. Accuracy: near Λ = 1, φ of different surface finishes differs by a factor of

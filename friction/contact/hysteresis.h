@@ -14,7 +14,7 @@ namespace raceway::friction::contact {
 /// Dimensional as published: [N m, m, N]. R_x and R_z are the equivalent radii along and across the
 /// rolling direction; E' is the modulus of the contact, E'_s the modulus of steel on steel.
 /// Source:   [Houpert2002] as quoted in [Balan2015, eq. 9]. Neither print was checked; the equation
-///           of Balan comes from notes on its text. A public ball screw program has k = R_y/R_x in
+///           of Balan comes from notes on the paper. A public ball screw program has k = R_y/R_x in
 ///           the same formula. The last factor is derived: if the loss is proportional to the
 ///           elastic work, M_h = (3/16) α Q b, and b is proportional to (Q R_x/E')^(1/3) at a given
 ///           shape. This assumes the same loss factor α, a few per cent, for steel and ceramic

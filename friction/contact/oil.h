@@ -54,7 +54,7 @@ struct OilDefaults {
 inline constexpr double default_eyring_stress = 5.0 * MPa;
 
 /// Decrease of the density of an oil per kelvin, relative to its density at 15 °C [1/K]. Tables
-/// have 6.4e-4 to 7e-4.
+/// give 6.4e-4 to 7e-4.
 inline constexpr double density_slope = 6.5e-4;
 
 /// ρ = ρ15 (1 - 6.5e-4 (T - 15 °C)) [kg/m³]. Domain: T below 1500 °C.
@@ -92,7 +92,7 @@ struct OilData {
   double pressure_viscosity = unset;  ///< α, independent of temperature [1/Pa]
 };
 
-/// β = -d ln ν/dT - d ln ρ/dT. Domain: as Lubricant.
+/// β = -d ln ν/dT - d ln ρ/dT. Domain: as for Lubricant.
 [[nodiscard]] inline OilState oil_state(const Lubricant& lubricant, const OilData& oil,
                                         double temperature) {
   const OilDefaults usual = oil_defaults(oil.type);

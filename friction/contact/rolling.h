@@ -84,8 +84,8 @@ struct RollingEllipse {
 ///
 ///   φ = 1/(1 + 0.29 L^0.78),   L of thermal_loading()
 ///
-/// Source:   [Aihara1987], on tapered rollers; read in a published report, not checked against the
-///           print.
+/// Source:   [Aihara1987], on tapered rollers, as quoted in a published report; not checked against
+///           the print.
 /// Domain:   L >= 0; φ = 1 at L = 0. Measured up to about L = 5. Spindle bearings reach L = 10,
 ///           where the formula is extrapolated and reduces the rolling force by nearly two thirds.
 /// Trap:     above about L = 40 (flooded: 300) the product of φ and the force of a limited inlet

@@ -37,7 +37,7 @@ struct FilmShear {
   double boundary_friction;  ///< μ [1]
   double small_speed;        ///< ε [m/s]
 
-  /// Upper limit of the slope, steeper than any unlimited film [s/m]. It keeps Roelands' values
+  /// Upper limit of `steepness`, above the value of any real film [s/m]. It keeps Roelands' values
   /// finite at unrealistic pressures.
   static constexpr double glass = 1e30;
 
@@ -78,7 +78,8 @@ struct FilmShear {
   }
 };
 
-/// Dry friction, τ = μ p v/sqrt(v² + ε²): the limit of FilmShear at φ = 1, with closed forms.
+/// Dry friction, τ = μ p v/sqrt(v² + ε²): the limit of FilmShear at φ = 1. For simple slip fields,
+/// the sums over a contact have closed forms.
 struct CoulombShear {
   double friction_coefficient;  ///< μ [1]
   double small_speed;           ///< ε [m/s], > 0
@@ -96,7 +97,8 @@ struct CoulombShear {
   }
 };
 
-/// A film of one viscosity, τ = η v/h: the limit of FilmShear at small v, with closed forms.
+/// A film of one viscosity, τ = η v/h: the limit of FilmShear at small v. For simple slip fields,
+/// the sums over a contact have closed forms.
 struct NewtonShear {
   double viscosity;  ///< [Pa s]
   double film;       ///< [m]

@@ -24,9 +24,9 @@ struct SlipMotion {
 ///
 /// τ is the gradient of a potential that is convex in v. So the matrix of slopes is symmetric and
 /// has no negative eigenvalue. The power of friction is the sum of the four products of force_k and
-/// slip part k. Both statements are valid for any set of points.
+/// slip part k. These statements are valid for any set of points.
 struct SlipForces {
-  std::array<double, 4> force{};  ///< by along, across [N], rolling, spin [N m]
+  std::array<double, 4> force{};  ///< for along, across [N], rolling and spin [N m]
   double slope[4][4] = {};        ///< [N s/m, N s, N m s]
   double power = 0.0;             ///< Σ τ v [W]
   double size = 0.0;              ///< Σ |τ| [N]
@@ -36,9 +36,10 @@ struct SlipForces {
 /// One loaded ellipse in which all four parts of the slip are free. For given rolling and spin, use
 /// traction.h. The stress at each pressure is computed once.
 ///
-/// Source:   field of traction.h.
+/// Source:   slip field of traction.h.
 /// Domain:   Q > 0; any motion.
-/// Accuracy: 8 x 16 points of the ellipse: power 0.03 % with a film, 0.3 % with dry friction.
+/// Accuracy: with 8 x 16 points of the ellipse, the power is accurate to 0.03 % with a film and to
+///           0.3 % with dry friction.
 class SlippingContact {
  public:
   SlippingContact() = default;

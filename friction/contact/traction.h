@@ -143,9 +143,9 @@ struct Traction {
 };
 
 /// Finds the zero of an increasing function by Newton's method inside a bracket. Bisection replaces
-/// a step that does not halve the value, because dry friction changes direction within a millionth
-/// of a slip. value(v) returns {value, slope, size}. The search ends if |value| <= tolerance size,
-/// or if the bracket is `tolerance` times the first one or less.
+/// a step that does not halve the value, because dry friction changes direction within about a
+/// millionth of the rolling speed. value(v) returns {value, slope, size}. The search ends if
+/// |value| <= tolerance times size, or if the bracket is `tolerance` times the first one or less.
 struct GrowingValue {
   double value, slope, size;
 };

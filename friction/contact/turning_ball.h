@@ -31,7 +31,7 @@ class TurningBall {
     couple_ = inertia / half_;
   }
 
-  /// Film and shear of both contacts. `length` converts ω_R sin β to a speed.
+  /// Sets film and shear of both contacts, and the length that converts ω_R sin β to a speed.
   void set_contacts(const SlippingContact& inner, const SlippingContact& outer) {
     inner_ = inner;
     outer_ = outer;
@@ -133,7 +133,8 @@ class TurningBall {
     return {b[0], b[1], b[2], b[3]};
   }
 
-  /// Power taken from the shaft by traction, ω (Σ τ_x ρ_i + Σ τ_x h cos αi + M_s sin αi) [W].
+  /// Power taken from the shaft by traction, ω (Σ τ_x ρ_i + Σ τ_x h cos αi + M_s sin αi) with h =
+  /// y²/(2 R) [W].
   [[nodiscard]] double shaft_power(const SlipForces& inner) const {
     return speed_ * (inner.force[0] * inner_radius_ + inner.force[2] * ci_ + inner.force[3] * si_);
   }

@@ -37,7 +37,7 @@ struct ChannelCount {
 [[nodiscard]] text::json likelihood_object(const fit::Likelihood& likelihood,
                                            const std::vector<ChannelCount>& channels);
 
-/// Returns ln det(2 pi S) of the noise, in the units of the document.
+/// Returns ln det(2 pi S) of the noise with covariance S, in the units of the document.
 [[nodiscard]] double log_determinant_in_units(const fit::Likelihood& likelihood,
                                               const std::vector<ChannelCount>& channels);
 

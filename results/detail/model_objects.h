@@ -14,11 +14,11 @@ namespace raceway::results {
 
 [[nodiscard]] text::json report_json(const bearing::SolveReport& report);
 
-/// Returns the limits that an answer exceeds (docs/limits.md): `[{limit, kind, place, value,
+/// Returns the limits that a result exceeds (docs/limits.md): `[{limit, kind, place, value,
 /// allowed, unit, speed_rpm, points, text}]`; empty if there are none.
 [[nodiscard]] text::json judgement_json(const model::Findings& findings);
 
-/// Returns the level of a band and the fitted parameters behind it.
+/// Returns the level of a band and the names of the fitted parameters that cause it.
 [[nodiscard]] text::json band_json(const BandOfResult& band);
 
 /// Adds the half widths of one row of the band to the numbers of that row.

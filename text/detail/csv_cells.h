@@ -26,8 +26,9 @@ struct CellSpan {
 [[nodiscard]] std::size_t count_separators(std::string_view line, char separator);
 
 /// Appends the cells of the line from `begin` to `end`. Two quotes ("") inside a quoted cell become
-/// one quote. `text` is changed in place, because a cell can only become shorter. Throws InputError
-/// for a quote that is not closed on the same line; `source` and `line` appear in the message.
+/// one quote. `text` is changed in place. This is possible because a cell can only become shorter.
+/// Throws InputError for a quote that is not closed on the same line; `source` and `line` appear in
+/// the message.
 void split_cells(std::string& text, std::size_t begin, std::size_t end, char separator,
                  const std::string& source, int line, std::vector<CellSpan>& cells);
 

@@ -12,7 +12,8 @@
 
 namespace raceway::text {
 
-/// Reads a delimited text line by line: header, units and notes into a table, rows to a function.
+/// Reads a delimited text line by line: it stores header, units and notes in a table, and passes
+/// rows to a function.
 class CsvParser {
  public:
   using TakeRow = std::function<void(std::span<const CellSpan> cells, int line)>;

@@ -7,7 +7,7 @@
 
 #include "record/note.h"
 
-/// Writer of numbers as JSON; shared by the writers of results and pages.
+/// Writes JSON documents as text; shared by the writers of results and pages.
 namespace raceway::text {
 
 using json = nlohmann::ordered_json;

@@ -14,7 +14,7 @@ inline constexpr std::size_t most_kernel_rings = 16, most_kernel_angles = 16;
 /// contact_friction.h. The factors do not contain the powers of values that differ between
 /// contacts.
 struct KernelRace {
-  bool flooded, starves;  ///< flooded inlets; inlet_over_b is given
+  bool flooded, starves;  ///< true: inlets are flooded; true: inlet_over_b is given
   // Ellipse and motion.
   double unit_major_axis, ellipse_ratio, pressed_radius;
   // isothermal_film(): h = factor · (η u)^n α^m Q^-q.
@@ -26,7 +26,7 @@ struct KernelRace {
   // FilmShear.
   double eyring_stress, limiting_traction, boundary_friction, glass, reference_pressure;
   /// Points of half the ellipse if the ball spins, else of a quarter: p/p0 and weight of each ring,
-  /// sines and cosines of the angles, and the number of copies that make the ellipse.
+  /// sines and cosines of the angles, and the number of these parts in the whole ellipse.
   std::size_t rings, angles;
   double s[most_kernel_rings], radius[most_kernel_rings], weight[most_kernel_rings];
   double cosine[most_kernel_angles], sine[most_kernel_angles];

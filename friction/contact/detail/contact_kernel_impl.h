@@ -8,13 +8,13 @@
 // Included by one source for each instruction set; each function is templated on its vector type.
 namespace raceway::friction::contact {
 
-/// Points in single precision: y of each, x in units of b.
+/// Points in single precision, with y in units of a and x in units of b.
 struct KernelPoints {
   float y[most_kernel_rings][most_kernel_angles], x[most_kernel_rings][most_kernel_angles];
 };
 
-/// Intermediate state of a block: input of the sliding solution after the films. Speeds in units of
-/// `unit_speed`, stresses of Eyring's, lengths of a.
+/// Intermediate state of a block: input of the sliding solution after the films. Speeds are in
+/// units of `unit_speed`, stresses in units of Eyring's stress, and lengths in units of a.
 struct KernelSliding {
   alignas(64) double unit_speed[contacts_of_block], pull[contacts_of_block],
       press[contacts_of_block];
@@ -32,7 +32,8 @@ template <class D>
   return exponential(log_x * power);
 }
 
-/// Films, rolling and hysteresis of the contacts from `at` on, and their shear at each pressure.
+/// Computes films, rolling and hysteresis of the contacts from `at` on, and their shear at each
+/// pressure.
 template <class D>
 void roll_in(const KernelRace& race, bool spins, std::size_t at, ContactBlock& block,
              KernelSliding& sliding) {

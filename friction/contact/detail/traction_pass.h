@@ -9,7 +9,7 @@ namespace raceway::friction::contact {
 
 /// Points of the unit circle in rows of sixteen for vectorization. If the ball spins, a row has the
 /// angles of one ring. If it does not spin, a row has the rings at one angle, and the points at y <
-/// 0 mirror those at y > 0.
+/// 0 mirror the points at y > 0.
 inline constexpr std::size_t side_by_side = 16;
 inline constexpr std::size_t most_rings = 16;
 
@@ -18,7 +18,7 @@ struct CirclePoints {
   std::size_t rings, rows;
   /// Position of each point in units of b and a [1].
   alignas(64) Real x[most_rings][side_by_side], y[most_rings][side_by_side];
-  /// Weight of each ring (all points of the ellipse sum to π a b/2 of s) and s = p/p0 [1].
+  /// Weight of a point of each ring, as in EllipsePoints, and s = p/p0 [1].
   alignas(64) Real weight[most_rings], s[most_rings];
 };
 
@@ -30,7 +30,8 @@ struct RingStresses {
   alignas(64) Real steepness[most_rings], limit[most_rings], boundary[most_rings];
 };
 
-/// FilmShear::at_pressure() of many rings: s times the peaks, Roelands' viscosity.
+/// Inputs of FilmShear::at_pressure() for all rings: constants of Roelands' viscosity, and values
+/// at the peak pressure, which `s` scales.
 struct RingPressures {
   double logarithm, exponent, pressure, newton, glass, limit, boundary;
 };
@@ -42,8 +43,9 @@ struct PassSums {
 /// Friction parts that a contact has.
 enum class Rubbing { film, asperities, both };
 
-/// The kernels of one instruction set. A search computes `along`, `slope` and `force` in single
-/// precision. A sum computes all values; its slope is accurate enough for a search.
+/// The kernels of one instruction set. `search` computes `along`, `slope` and `force` in single
+/// precision. `sum` computes all values in double precision, but its slope is only accurate enough
+/// for a search.
 struct TractionKernel {
   void (*stresses)(const CirclePoints<double>&, const RingPressures&, RingStresses<double>&,
                    RingStresses<float>&);
