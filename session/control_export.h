@@ -10,7 +10,7 @@
 
 namespace raceway::session {
 
-/// Corrections exported as a program or a table that runs without raceway.
+/// Corrections exported as a program that runs without raceway, or as a table for such a program.
 struct ControlExport {
   control::ControlPlan plan{};  ///< plan of the export with its notes
   std::string text{};
@@ -36,8 +36,8 @@ struct HalFiles {
 [[nodiscard]] control::ControlPlan open_plan(Messages& messages, const Source& model,
                                              const Source* record = nullptr);
 
-/// Throws text::InputError if the correction of a displacement is not to be used, or if the plan
-/// predicts nothing. The message gives the reason and the flag that allows the export
+/// Throws text::InputError if the trust in the correction of a displacement is `do_not_use`, or if
+/// the plan predicts nothing. The message gives the reason and the flag that allows the export
 /// (--accept-untrusted).
 void require_trust(const control::ControlPlan& plan);
 

@@ -15,14 +15,13 @@
 
 namespace raceway::session {
 
-/// Reads a file of corrections and adds notes on it, one of them on the number of default values
-/// used. Throws text::InputError like the reader. A model without a correction gives a short
-/// message.
+/// Reads a file of corrections and adds notes on it. With Defaults::count, one note gives the
+/// number of default values used. Throws text::InputError like the reader.
 [[nodiscard]] files::CorrectionFile open_corrections(Messages& messages, const Source& file,
                                                      Defaults defaults = Defaults::count);
 
-/// Joins several corrections of one displacement to one file at `path`, which is their sum: see
-/// files::join_corrections(). Notes list the parts that the sum omits.
+/// Joins several corrections of one displacement to one file at `path`. Its prediction is the sum
+/// of their predictions: see files::join_corrections(). Notes list the parts that the sum omits.
 [[nodiscard]] files::CorrectionFile join(Messages& messages, const std::vector<Source>& parts,
                                          const std::string& path);
 

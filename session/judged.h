@@ -29,7 +29,7 @@ namespace raceway::session {
 /// Returns the warnings among the findings as notes.
 [[nodiscard]] std::vector<record::Note> warnings_said(const model::Findings& findings);
 
-/// Returns findings as notes. A limit of running bearings becomes a warning.
+/// Returns findings as notes. An exceeded limit of running bearings becomes a warning.
 [[nodiscard]] std::vector<record::Note> said_of(const model::Findings& findings);
 
 /// Judges the sets of a shaft.
@@ -37,8 +37,8 @@ namespace raceway::session {
                                     std::span<const shaft::ShaftPoint> points,
                                     std::span<const shaft::ShaftPrediction> predictions);
 
-/// Judges the rows of a bearing or shaft table by the names of their columns. Rows of rollers are
-/// judged by speed only.
+/// Judges the rows of a bearing or shaft table. The names of the columns show where the values are.
+/// Rows of roller bearings are judged by speed only.
 class JudgedColumns {
  public:
   /// The model must live longer than this object.
@@ -75,8 +75,8 @@ class JudgedColumns {
                                     const results::DeflectionResult& result, Wording wording);
 
 /// Returns a note for an answer that does not store the states of the bearings. The note says that
-/// states outside the friction table of the spindle are not counted. Models with other friction
-/// laws give no note.
+/// states outside the friction table of the spindle are not counted. Models without a friction
+/// table give no note.
 [[nodiscard]] std::vector<record::Note> states_not_counted(const model::Model& model);
 
 /// Judges speeds only [rad/s].

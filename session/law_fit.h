@@ -11,7 +11,7 @@
 
 namespace raceway::session {
 
-/// Law of kinematic displacement, fitted to a measured curve.
+/// Law of the kinematic displacement, fitted to a measured curve of displacement over speed.
 struct LawFit {
   files::DisplacementCurve curve{};
   shaft::KinematicLawFit fit{};

@@ -33,8 +33,9 @@ struct LoopQuestion {
 [[nodiscard]] LoopQuestion ask(Messages& messages, const Source& model,
                                const std::vector<Source>& data, const LoopOptions& options);
 
-/// Fits the model to the record. Throws like the functions of fit, and text::InputError if the data
-/// are not suitable for the question. `effects` contains the names that the user typed.
+/// Calibrates the model, diagnoses its misfit, adds effects to it, or predicts the readings of the
+/// record. `effects` contains the names that the user typed. The functions throw like the functions
+/// of fit, and text::InputError if the data are not suitable for the question.
 [[nodiscard]] verdict::Calibration calibrate(const LoopQuestion& asked,
                                              const verdict::CalibrateOptions& options = {});
 [[nodiscard]] verdict::Diagnosis diagnose(const LoopQuestion& asked,

@@ -52,7 +52,8 @@ struct LoopOptions {
 /// Options for comparing models with a record.
 struct CompareOptions {
   Names refit{};  ///< parameters that are fitted to the record first
-  /// Constant that is subtracted from each run of a correction: "mean", "first" or "none".
+  /// For corrections: constant that is subtracted from the residuals of each run, "mean", "first"
+  /// or "none".
   std::string zero = "mean";
 };
 
@@ -61,7 +62,7 @@ struct CompareOptions {
 struct FittedTexts {
   Names records{};  ///< names of the records; empty if one model covers all of them
   std::vector<std::string> texts{};
-  /// Names of corrected data without a covariance in the file.
+  /// Names of the data that the file gives as corrected values. The file then has no covariance.
   Names corrected_data{};
   /// Effects in the model that a file cannot express, with their parameters.
   struct OwnEffect {
@@ -78,7 +79,7 @@ struct ComparedModel {
   /// for a correction: the inputs outside the training data
   std::optional<correction::Beyond> beyond{};
   report::DrawnModel drawn{};
-  /// facts for the report page of all models that are not corrections
+  /// facts about the model for the report page; empty for a correction
   std::optional<report::ModelOfPage> facts{};
 };
 
@@ -99,7 +100,7 @@ class LoopModel {
   virtual ~LoopModel() = default;
 
   [[nodiscard]] const About& about() const { return about_; }
-  /// Returns the model as written in the file, as a subject for this record.
+  /// Returns the unchanged model of the file, as a fit::Subject for this record.
   [[nodiscard]] virtual std::shared_ptr<const fit::Subject> as_written(
       const record::Record& data) const = 0;
 
@@ -160,9 +161,9 @@ class LoopModel {
 [[nodiscard]] verdict::Calibration refitted(Messages& messages, const fit::Subject& subject,
                                             const record::Record& data, const Names& names);
 
-/// Opens the requested part of a file, the `place`-th if there are several, and adds notes on it.
-/// Throws text::InputError like the readers and Tolerance, and if the file has several parts and
-/// the options select none.
+/// Opens the requested part of a file and adds notes on it. If there are several such parts,
+/// `place` is the index of the part. Throws text::InputError like the readers and Tolerance, and if
+/// the file has several parts and the options select none.
 [[nodiscard]] std::unique_ptr<LoopModel> open_loop_model(Messages& messages, const Source& file,
                                                          const LoopOptions& options,
                                                          std::size_t place = 0);

@@ -46,13 +46,14 @@ void require_loads(Messages& messages, const files::ModelFile& file, const Given
                                                       const files::ModelFile& file,
                                                       const AskedPoint& asked, Wording wording);
 
-/// Axes of a table, each with rising values. An empty axis has the single value of the model.
+/// Axes of a table, each with values in ascending order. An empty axis has the single value of the
+/// model.
 struct AskedAxes {
   std::vector<double> speed_rpm{}, axial_load_N{}, radial_load_N{}, temperature_C{};
 };
 
-/// Throws text::InputError like operating_point(), for a missing speed, and for an axis that does
-/// not rise.
+/// Throws text::InputError like operating_point(), for a missing speed, and for an axis whose
+/// values are not in ascending order.
 [[nodiscard]] friction::TableAxes table_axes(Messages& messages, const files::ModelFile& file,
                                              const AskedAxes& asked, Wording wording);
 

@@ -19,7 +19,7 @@ struct Reading {
   bool one_by_one = false;  ///< true: readings arrive one by one and later ones are unknown
 
   /// Returns the files of a question, joined with the files of --beside. Throws text::InputError if
-  /// the question names several records.
+  /// --beside is given and the question names several records.
   [[nodiscard]] std::vector<Source> sources(std::vector<Source> data) const;
   /// Returns the options for reading measurements: with the column map of the flag, otherwise with
   /// [columns] of the model. Throws text::InputError if a period is given, because the rows of a

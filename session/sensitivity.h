@@ -24,8 +24,8 @@ struct SensitivityQuestion {
   std::vector<double> speeds_rpm{}, axial_loads_N{}, radial_loads_N{}, temperatures_C{};
   bool steady = false;  ///< true: steady state of the whole spindle at each speed
   bool coolant_on = true;
-  /// Loads, ambient and coolant of a steady state. The speed in `inputs` is not used. If `inputs`
-  /// is empty, loads, ambient and coolant come from the model.
+  /// Loads, ambient temperature and coolant of a steady state. The speed in `inputs` is not used.
+  /// If `inputs` is empty, the model gives these values.
   std::optional<spindle::Inputs> inputs{};
   std::vector<files::SpreadText> spreads{};
   /// Names of the data to vary; the name of a table includes all its data. Empty means all data.

@@ -50,8 +50,8 @@ struct SolvedStates {
 /// band follow (band_columns()). Loads and temperatures that are not given come from the model.
 /// Throws text::InputError for a missing speed or load, for a number out of its range (with its
 /// place in the array), for an unknown column, and for radial loads or moments on a shaft. Throws
-/// Cancelled if `cancelled` is set during the calculation. Memory: the returned arrays and one
-/// block per thread.
+/// fit::Cancelled if `cancelled` is set during the calculation. The function needs memory for the
+/// returned arrays and for one block of states per thread.
 [[nodiscard]] SolvedStates solve_states(Messages& messages, const files::ModelFile& file,
                                         const StateArrays& states,
                                         const std::vector<std::string>& columns = {},

@@ -49,7 +49,8 @@ struct SpindleRun {
     return run.moments.size() - (run.has_end ? 1 : 0);
   }
   [[nodiscard]] std::vector<std::string> notes() const { return model::notes_of(findings); }
-  /// Returns the place and the reason of an early end, and the limits that the run exceeds.
+  /// Returns a warning with the time and the reason of an early end, and a warning for each limit
+  /// that the run exceeds.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string json(bool with_assumptions = true) const;
   [[nodiscard]] std::string csv() const;

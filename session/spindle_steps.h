@@ -49,7 +49,7 @@ struct SpindleSteps {
   [[nodiscard]] bool converged() const;
   /// Returns the number of step responses to speeds and to loads.
   [[nodiscard]] std::size_t count() const;
-  /// Returns the steps without a response, with the reason.
+  /// Returns a warning with the reason for each step without a response.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string csv() const;
   /// Returns the step responses as JSON. `error` is the error of a correction over a programme;

@@ -18,8 +18,8 @@ enum class Columns { of_tables, of_states };
 [[nodiscard]] std::vector<std::string> table_columns(const model::Model& model,
                                                      Columns which = Columns::of_tables);
 
-/// Fills the columns, the torque and the status of several points. Several threads may call it at
-/// the same time.
+/// Fills the columns, the torque and the status of several points. Several threads may call the
+/// function at the same time.
 void fill_table_line(const model::Model& model, std::span<const bearing::OperatingPoint> points,
                      std::span<friction::TablePoint> out, Columns which = Columns::of_tables);
 
