@@ -11,7 +11,7 @@
 
 namespace raceway::spindle {
 
-/// Load on the shaft at one place, in addition to the axial load in the condition.
+/// Load on the shaft at one place, in addition to the axial load in ArrangementCondition.
 struct ShaftLoad {
   double position = 0.0;  ///< distance behind the nose face [m]
   double axial = 0.0;     ///< positive towards the tool [N]
@@ -39,14 +39,15 @@ struct ShaftBearings {
   std::vector<RollerSupport> rollers = {};
 };
 
-/// Shaft bent on its bearings. Only `report` is valid unless the solve converged.
+/// Shaft bent on its bearings. If the solver did not converge, only `report` is valid.
 struct LoadedShaft {
   double position = unset;           ///< x of the shaft, defined as in ArrangementEquilibrium [m]
   double rear_displacement = unset;  ///< δ_r [m]
   double front_force = unset, rear_force = unset;  ///< axial forces, summed over each side [N]
   Eigen::VectorXd y, z;                            ///< (v, θ) of all nodes in both planes
   /// Values in the frame of each bearing, with +x in the direction in which its inner ring is
-  /// pressed: loads on the ring, and the balls with displacement and tangent stiffness.
+  /// pressed: loads on the ring, then the equilibrium of the balls with displacement and tangent
+  /// stiffness.
   std::vector<bearing::Vector5> loads;
   std::vector<bearing::BearingEquilibrium> bearings;
   /// State of the roller bearings, in a frame with x to the rear. `load` is the load from the
@@ -100,8 +101,8 @@ class ShaftOnBearings {
                                              const ShaftLoad& load,
                                              const bearing::EquilibriumOptions& options = {});
 
-/// Returns true if the inner ring of the bearing is pressed to the rear: the front set of an O
-/// arrangement and the rear set of an X arrangement.
+/// Returns true if the inner ring of bearing `i` is pressed to the rear, as in the front set of an
+/// O arrangement and in the rear set of an X arrangement.
 [[nodiscard]] bool presses_rearwards(const bearing::Arrangement& arrangement, std::size_t i);
 
 /// Returns the tangent stiffness of the bearings as springs of the beam. The coupling of force and

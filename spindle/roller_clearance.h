@@ -43,8 +43,8 @@ struct OperatingClearance {
 /// Source:   derived; Lamé as in press_fit(), compared with a numerical boundary value solution of
 ///           the seats.
 /// Domain:   the bore must be given and, with a housing, the outer diameter; otherwise
-///           std::invalid_argument is thrown. The outer ring does not rotate. Deformation of the
-///           rings between the rollers and of the housing is neglected.
+///           std::invalid_argument is thrown. The outer ring does not rotate. The deformation of
+///           the rings between the rollers and the deformation of the housing are neglected.
 [[nodiscard]] OperatingClearance operating_clearance(const bearing::RollerBearing& bearing,
                                                      const RollerSeats& seats, double speed,
                                                      const RollerTemperatures& rises);

@@ -24,7 +24,7 @@ struct StepFit {
   Lag fast = {}, slow = {};
   double rms_of_two = unset;  ///< [m]
   /// True if the residual of one lag exceeds a hundredth of the gain, and the residual of two lags
-  /// is less than half of it.
+  /// is less than half the residual of one lag.
   bool two_needed = false;
   /// True if the record is longer than two time constants of the single lag. Otherwise, gain and
   /// time constant are extrapolated.

@@ -19,8 +19,8 @@ struct ChannelGain {
   /// errors.
   fit::NoiseModel noise{};
   double tolerance = unset;  ///< tolerance in SI units; NaN if not given
-  /// Held-out errors of both fits [SI]. If a tolerance is given, they cover the measured range
-  /// only.
+  /// Held-out errors of both fits [SI]. If a tolerance is given, these errors cover the measured
+  /// range only.
   double rmse_held_out_before = unset, rmse_held_out_after = unset;
 
   [[nodiscard]] const record::Channel& channel() const { return *before.channel; }
@@ -32,11 +32,12 @@ struct AddResult {
   Calibration calibration;
   std::vector<ChannelGain> channels{};
   std::vector<fit::HoldOut> hold_out{};  ///< blocks of rows that neither fit used
-  /// Refits before and after, for a model that only approximates.
+  /// Refits without and with the effects, for a model that only approximates the readings
+  /// (Subject::approximates()).
   std::vector<fit::Refit> refits{};
   fit::Likelihood before{};  ///< likelihood of the model without the effects, with the same noise
   double gain = unset;       ///< RankedEffect::gain for all effects together
-  bool refused = false;      ///< true if held-out rows do not improve or the fit did not converge
+  bool refused = false;      ///< true if the result is rejected; see add_by_noise()
   std::string reason{};      ///< reason for the rejection in one sentence; empty if accepted
   std::vector<record::Note> messages{};
 };
@@ -57,8 +58,8 @@ struct AddResult {
 ///
 /// Throws std::invalid_argument without an effect, for an unknown effect (with the nearest ids),
 /// for an effect that the model already has, for an effect whose inputs the data lack (with their
-/// names), and for an effect that the data cannot separate from the base parameters. Models that
-/// only approximate need loop/loop.h instead.
+/// names), and for an effect that the data cannot separate from the base parameters. For models
+/// that only approximate the readings (Subject::approximates()), use loop/loop.h.
 [[nodiscard]] AddResult add_by_noise(const fit::Subject& subject, std::span<const std::string> ids,
                                      const record::Record& record);
 

@@ -23,7 +23,7 @@ struct DiagnoseOptions {
   bool other_bases = true;
   fit::NoiseOptions noise{};
   std::function<void(double share, std::string_view step)> progress{};
-  /// diagnose() throws Cancelled after this becomes true
+  /// diagnose() throws fit::Cancelled after this becomes true
   const std::atomic<bool>* cancelled = nullptr;
 };
 
@@ -52,8 +52,8 @@ struct DiagnoseOptions {
 /// within the tolerance. Effects whose error is at most a fifth larger are also named. Two effects
 /// explain the data if no single effect does and if the error of the best single effect is at least
 /// a fifth larger than the error of the pair. Throws std::invalid_argument if the data do not
-/// support a verdict, and Cancelled if the caller cancels. Models that only approximate need
-/// loop/loop.h instead.
+/// support a verdict, and fit::Cancelled if the caller cancels. For models that only approximate
+/// the readings (Subject::approximates()), use loop/loop.h.
 [[nodiscard]] Diagnosis diagnose_by_noise(const fit::Subject& subject, const record::Record& record,
                                           const DiagnoseOptions& options = {});
 

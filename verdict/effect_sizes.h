@@ -10,8 +10,8 @@
 namespace raceway::verdict {
 
 /// Returns the parameters of one candidate of an explanation, named without its id. A size is
-/// plausible within three times the range seen in practice, plus or minus two standard errors. A
-/// wrong datum must be within the range itself.
+/// plausible within the range seen in practice, widened by a factor of three at both ends and by
+/// two standard errors. For a wrong datum, the factor is 1.
 [[nodiscard]] std::vector<record::Parameter> sizes_of(const fit::Problem& problem,
                                                       const Explanation& e, std::size_t member);
 
@@ -57,7 +57,7 @@ namespace raceway::verdict {
                                          const Eigen::MatrixXd& covariance);
 
 /// Returns the rms error of each channel over the held-out blocks of all blockings [SI]. The result
-/// is empty for a bent law and without blockings.
+/// is empty for a bent law, and if there are no blockings.
 [[nodiscard]] std::vector<double> held_out(const Evidence& evidence, const fit::Response& response,
                                            const fit::ResponseFit& fit,
                                            const std::vector<fit::Blocking>& blockings);

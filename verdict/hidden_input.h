@@ -16,7 +16,7 @@ struct HiddenInput {
   /// Share of the variance that is common to the rows of a run; NaN without runs.
   double run_share = unset;
   double run_p_value = unset;  ///< probability of such a share by chance; NaN without runs
-  /// Returns true if the level changes from run to run and not from row to row.
+  /// Returns true if the readings change mainly from run to run, and less from row to row.
   [[nodiscard]] bool follows_the_runs() const { return run_p_value < 1e-3 && run_share > 0.5; }
 };
 

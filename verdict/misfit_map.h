@@ -16,12 +16,12 @@ struct MisfitCell {
   bool significant = false;  ///< true if significant at 5 % over the whole map (Bonferroni)
 };
 
-/// Map of a model's misfit over two inputs, with its significance.
+/// Map of the misfit of a model over two inputs, with the significance of each cell.
 ///
 /// The ranges come from Comparison::where: single levels if the data have few, otherwise bins with
 /// about equal numbers of rows. `across` is the swept input (Pattern::along). `up` is the first
-/// other setting, recorded input or run that varies, loads before temperatures. Without a varying
-/// input, an axis has one range with all rows.
+/// other input that varies. Settings come first, then recorded inputs and runs, and loads come
+/// before temperatures. An axis without a varying input has one range with all rows.
 ///
 ///   standard error of the mean of m rows = sqrt(Σ s_i²) / m
 ///

@@ -11,8 +11,8 @@ struct NextPoints {
   std::vector<SuggestedMeasurement> points;
   std::vector<fit::Axis> axes;  ///< axes of the points
   /// Predicted separation of the two explanations that are hardest to separate: the squared misfit
-  /// over variance that the wrong one keeps after a refit. The first value is for these points, the
-  /// second for an equal number of repeats of existing rows.
+  /// over variance that remains if the wrong explanation is refitted. The first value is for these
+  /// points, the second for an equal number of repeats of existing rows.
   double predicted_separation = unset, separation_by_repetition = unset;
 };
 

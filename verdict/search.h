@@ -53,8 +53,8 @@ class Search {
   /// Searches until the held-out error is within the tolerance.
   [[nodiscard]] Finding explain_within_tolerance();
 
-  /// Returns pairs that fit well, although neither of the two effects is proven. The search fills
-  /// this list and shape().
+  /// Returns pairs of effects that fit well, although neither effect of a pair is proven. The
+  /// search fills this list and shape().
   [[nodiscard]] const std::vector<std::vector<std::string>>& weak_pairs() const {
     return weak_pairs_;
   }
@@ -66,7 +66,8 @@ class Search {
   /// Returns true if the explanation raises the rms residual. Each channel is weighted by its
   /// noise, and outliers are left out.
   [[nodiscard]] bool raises_the_error(const Explanation& e) const;
-  /// Returns true if the explanation lowers this rms residual by at least `share`.
+  /// Returns true if the explanation lowers the rms residual of raises_the_error() by at least
+  /// `share`.
   [[nodiscard]] bool lowers_the_error(const Explanation& e, double share) const;
   /// Returns the held-out error of an explanation as the largest share of a channel's tolerance.
   [[nodiscard]] double share_of_tolerance(const fit::Response& response,
