@@ -52,8 +52,8 @@ struct LoopOptions {
 /// Options for comparing models with a record.
 struct CompareOptions {
   Names refit{};  ///< parameters that are fitted to the record first
-  /// For corrections: constant that is subtracted from the residuals of each run, "mean", "first"
-  /// or "none".
+  /// For corrections: error that is subtracted from the predictions of each run, "mean", "first"
+  /// (of the first reading) or "none".
   std::string zero = "mean";
 };
 

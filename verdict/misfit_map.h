@@ -20,8 +20,9 @@ struct MisfitCell {
 ///
 /// The ranges come from Comparison::where: single levels if the data have few, otherwise bins with
 /// about equal numbers of rows. `across` is the swept input (Pattern::along). `up` is the first
-/// other input that varies. Settings come first, then recorded inputs and runs, and loads come
-/// before temperatures. An axis without a varying input has one range with all rows.
+/// other input that varies. Settings with a ratio scale, such as loads, come first. All other
+/// inputs follow, such as temperatures, and then runs. An axis without a varying input has one
+/// range with all rows.
 ///
 ///   standard error of the mean of m rows = sqrt(Σ s_i²) / m
 ///

@@ -97,7 +97,7 @@ class Correction(LoopModel):
         """Reliability of the prediction of each displacement, tested on readings that the fit did not use.
 
         The value is ``"good"``, ``"only inside its range: ..."``, ``"do not use, because ..."``, or ``"not known: ..."``
-        if the file contains no information about it.
+        if the file contains no information about the reliability.
         """
         return self._engine.trust()
 
@@ -115,7 +115,7 @@ class Correction(LoopModel):
         time_limit_s: float | None = None,
         progress: Callable[[float, str], None] | None = None,
     ) -> Identification:
-        """Find the number of lags of each channel and their gains and time constants from a record over time.
+        """Find the number of lags of each channel, and the gains and time constants of the lags, from a record over time.
 
         Parameters
         ----------
@@ -188,12 +188,12 @@ class Correction(LoopModel):
         record : Record
             Record with ``time_s`` and the inputs. Readings of the displacement are optional.
         learn : bool
-            True updates the zero, the states and the gains with each reading, in the order of time. The prediction of
-            a row uses only earlier readings.
+            True updates the zero, the states of the lags and the gains with each reading, in the order of time. The prediction of a row uses only
+            earlier readings.
         every_s : float, optional
             Shortest time between two readings that `learn` uses [s]. The other readings test the result.
         forget_s : float, optional
-            Time in which learned gains return to the gains of the model [s]. Default: 7 days.
+            Time constant with which learned gains return to the gains of the model [s]. Default: 7 days.
         from_s, until_s : float, optional
             Time range of the readings that are evaluated: start and end, measured from the first row [s].
         """
@@ -219,8 +219,8 @@ class Correction(LoopModel):
         Raises
         ------
         InputError
-            The displacements differ, two channels have the same name, two corrections contain a law of instant
-            displacement, or the ranges do not overlap.
+            The displacements differ, two channels have the same name, two corrections contain a law of immediate displacement, or the ranges do not
+            overlap.
         """
         text, files, _ = _engine.joined([self._engine, *(other._engine for other in others)])
         return Correction(" and ".join([self.source, *(other.source for other in others)]), text, files)
@@ -234,7 +234,7 @@ class Correction(LoopModel):
         accept_untrusted: bool = False,
         overwrite: bool = False,
     ) -> Program:
-        """Return a program that runs on a control without this package. If `path` is given, also write the program to a file.
+        """Return the correction as a program or a table for a control, independent of this package. If `path` is given, also write it to a file.
 
         Parameters
         ----------
@@ -254,7 +254,7 @@ class Correction(LoopModel):
         Raises
         ------
         InputError
-            The `trust` of a displacement is "do not use, because ...", and `accept_untrusted` is False.
+            `accept_untrusted` is False, and the `trust` of a displacement is "do not use, because ..." or the correction has no input and no effect.
         """
         if format not in FORMATS:
             raise ValueError(f"format = {format!r}: must be python, c, csv or linuxcnc")

@@ -1,4 +1,4 @@
-"""Functions that read the documents of results: kinds of results, names and units of columns, RMS errors.
+"""Functions that read the JSON documents of results: kinds of results, names and units of columns, RMS errors.
 
 The plots, the notebook representations and the reports use these functions. The functions read only the documents
 that the command prints with ``--json``.
@@ -106,7 +106,7 @@ def unit_text(unit: str | None) -> str:
 
 
 def in_unit_of(displacement: str, name: str) -> str:
-    """Return the name of a number of a displacement. For an angle, "um" in the name is replaced by "urad".
+    """Return the key of a number that belongs to a displacement. For an angle, "um" in the name is replaced by "urad".
 
     >>> in_unit_of("displacement_z_um", "rmse_um"), in_unit_of("displacement_b_urad", "rmse_um")
     ('rmse_um', 'rmse_urad')

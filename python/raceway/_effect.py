@@ -59,7 +59,7 @@ class Effect:
     Parameters
     ----------
     id : str
-        Name without blanks, dots or commas.
+        Name without blanks, dots, commas, semicolons and quotes. It must not begin with =, +, - or @.
     torque : callable
         Function ``torque(state, **numbers)`` that returns the additional torque of every row [N mm], as an array or
         one number. `State` describes the argument ``state``. The torque of a row must depend only on that row. The
@@ -67,7 +67,7 @@ class Effect:
     numbers : mapping of str to Number, dict or float
         Numbers that a fit can determine. The first number is the size of the effect.
     title : str
-        Title of the effect in reports. Default: the first line of the docstring of `torque`.
+        Title of the effect in reports. Default: the first line of the docstring of `torque`, or the name of this function.
 
     Examples
     --------

@@ -88,7 +88,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         Raises
         ------
         InputError
-            The bearing is unknown and has no dimensions. The message lists the most similar names.
+            The bearing is unknown and no dimensions are given (the message lists the most similar names), or the arguments do not suit the bearing.
 
         Examples
         --------
@@ -134,7 +134,8 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         Parameters
         ----------
         values : mapping of str to float
-            New values. A name is a name from `parameters`, or table and key of the file. The name gives the unit.
+            New values. A name is a name from `parameters`, or table and key of the file with a dot between them. The unit is the unit in
+            `parameters`, or the unit in the key.
 
         Examples
         --------
@@ -153,8 +154,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
     def with_effect(self, effect: Effect) -> Model:
         """Return the model with an effect that you have written. `diagnose` tries the effect, and `add` calibrates it.
 
-        A model file cannot contain such an effect. Therefore, `text` does not contain it. `effects` contains the effect
-        with its numbers.
+        A model file cannot contain such an effect, so it is not in `text`. `effects` contains the effect with its numbers.
         """
         if not isinstance(effect, Effect):
             raise TypeError(f"a raceway.Effect is wanted, not {type(effect).__name__}")
@@ -188,9 +188,9 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         columns : sequence of str
             Names of the results to return, from `Model.columns`. An empty sequence returns all results.
         band : bool
-            True adds half the width of the 95 % band of friction torque, power loss and (on a shaft)
-            displacement. An example is ``friction_torque_band_Nmm``. The band includes only the uncertainty of the
-            fitted parameters. Therefore, the model must come from `calibrate` or `add`.
+            True adds half the width of the 95 % band of friction torque, power loss and (on a shaft) displacement, in columns such as
+            ``friction_torque_band_Nmm``. The band includes only the uncertainty of the fitted parameters. Therefore, the model must come from
+            `calibrate` or `add`.
 
         Returns
         -------
@@ -317,7 +317,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
 
 
 def _tables(text: str) -> set[str]:
-    """Return the names of the tables in a model file. The set is empty for an invalid file, because the library reports the error."""
+    """Return the names of the tables in a model file. For an invalid file, the set is empty, and the library reports the error later."""
     try:
         return set(tomllib.loads(text))
     except tomllib.TOMLDecodeError:

@@ -128,7 +128,7 @@ class Solution(Mapping[str, numpy.ndarray]):
 
 
 class _Document:
-    """Base class of results that contain the document that the command prints with ``--json``."""
+    """Base class of results with a document, which the command prints with ``--json``."""
 
     _data: dict[str, Any] | None = None
 
@@ -159,7 +159,7 @@ class Table(_Document):
 
     @property
     def notes(self) -> list[Note]:
-        """Notes on balls without inner contact, loads above the rating, and pressures that cause dents."""
+        """Notes on balls without inner contact, loads above the rating, pressures that cause dents, and the influence of ceramic balls."""
         return self._engine.notes
 
     @property
@@ -339,8 +339,8 @@ class Calibration(_Fitted):
     Attributes
     ----------
     models : dict of str to Model
-        If each record has its own values (`per_record`), there is one model for each record, by the name of the
-        record. Otherwise, there is one model with the name ``""``.
+        If each record has its own values (`per_record`), there is one model for each record, and its key is the name of the record. Otherwise, there
+        is one model with the name ``""``.
     """
 
     @property
@@ -366,7 +366,7 @@ class Calibration(_Fitted):
         Notes
         -----
         At the ends of an interval, chi-square is 3.84 above its minimum. At each end, all other parameters are fitted
-        again. If the noise is estimated from the misfit, the value 3.84 is multiplied by the reduced chi-square
+        again. If the noise is unknown or the misfit exceeds the noise significantly, the value 3.84 is multiplied by the reduced chi-square
         (docs/files.md).
 
         Examples
@@ -415,7 +415,7 @@ class Addition(_Fitted):
     Attributes
     ----------
     models : dict of str to Model
-        Models with the added effects, by the same names as in `Calibration`.
+        Models with the added effects. The keys are the same as in `Calibration`.
     """
 
     @property

@@ -18,7 +18,7 @@ _FIRST = 15  # data of a report
 
 
 class Sensitivity(_Answer):
-    """Derivatives of predictions with respect to every datum of a model, and their Sobol' indices if requested.
+    """Derivatives of predictions with respect to each varied datum of a model and, if requested, Sobol' indices.
 
     A datum is a number of the model, such as a dimension or a temperature. The spread of a datum is its possible
     error in both directions. ``change`` is the resulting change of the prediction. ``share`` is the square of this
@@ -176,7 +176,7 @@ class SensitivityQuestion:
         steady : bool
             True analyses the steady state of the whole spindle at each speed.
         coolant : bool
-            True if the coolant flows. It has an effect only with `steady`.
+            True if the coolant flows. This argument has an effect only with `steady`.
         time_limit_s : float, optional
             Time limit [s]. After this time, the call stops and raises TimeoutError.
         progress : callable, optional

@@ -58,12 +58,12 @@ def _pair(one: dict[str, Any]) -> str:
 
 
 def _moved(one: dict[str, Any], readings: int) -> int:
-    """Number k of parameters that a fit varied, including parameters at a bound."""
+    """Return the number k of parameters that a fit varied, including parameters at a bound."""
     return readings - one["degrees_of_freedom"]
 
 
 def _criteria(data: dict[str, Any]) -> list[str]:
-    """Return the lines with AIC and BIC of a calibration and the formulas."""
+    """Return the lines with AIC and BIC of a calibration, and with the formulas for both."""
     n, chi = data["readings"], data["chi_square"]
     if data["aic"] is None:
         why = (
@@ -341,7 +341,7 @@ def fit_report(result: Any) -> str:
     TypeError
         `result` has another type.
     ValueError
-        The Calibration was fitted to catalogue rigidities and has no readings.
+        The Calibration is a fit to catalogue rigidities, so it has no readings.
 
     Examples
     --------
