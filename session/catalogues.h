@@ -8,7 +8,7 @@
 #include "files/catalogue_file.h"
 #include "session/messages.h"
 
-/// Questions about the catalogues of effects and bearings.
+/// Searches the catalogues of effects and bearings.
 namespace raceway::session {
 
 struct FoundEffects {

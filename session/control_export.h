@@ -28,9 +28,9 @@ struct HalFiles {
 };
 [[nodiscard]] HalFiles hal_files(const std::string& output);
 
-/// Opens a model file for a control and adds a check record: `record`, or a synthetic record if
-/// none is given. `model` may also be an exported table. The check record then comes from the
-/// table.
+/// Opens a model file for the export to a control, and adds a check record: `record`, or a
+/// synthetic record if none is given. `model` may also be an exported table. The check record then
+/// comes from the table.
 ///
 /// Throws text::InputError like the readers, and for a table that is given together with a record.
 [[nodiscard]] control::ControlPlan open_plan(Messages& messages, const Source& model,

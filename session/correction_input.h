@@ -20,8 +20,9 @@ namespace raceway::session {
 [[nodiscard]] files::CorrectionFile open_corrections(Messages& messages, const Source& file,
                                                      Defaults defaults = Defaults::count);
 
-/// Joins several corrections of one displacement to one file at `path`. Its prediction is the sum
-/// of their predictions: see files::join_corrections(). Notes list the parts that the sum omits.
+/// Joins several corrections of one displacement to one file at `path`. The joined file predicts
+/// the sum of the predictions of its parts: see files::join_corrections(). Notes list the parts
+/// that the sum omits.
 [[nodiscard]] files::CorrectionFile join(Messages& messages, const std::vector<Source>& parts,
                                          const std::string& path);
 

@@ -14,8 +14,8 @@
 #include "session/wording.h"
 #include "shaft/shaft_prediction.h"
 
-/// Applies model::Judge to every answer of the command and of the Python and C interfaces, and
-/// rejects questions outside the physical range of a bearing.
+/// Applies model::Judge to answers about bearings, shafts and spindles, and rejects questions
+/// outside the physical range of a bearing.
 namespace raceway::session {
 
 /// Judges the mounted model: the contact pressure from the preload and the fits of the rings. The

@@ -14,9 +14,9 @@
 #include "verdict/calibrate.h"
 #include "verdict/diagnose.h"
 
-/// Runs the loop for the command and for Python and C++ programs. The loop compares a model with
-/// measurements, finds the missing effect, and states how much this effect improves the model. The
-/// functions accept every kind of model file.
+/// Compares a model with measurements, finds the missing effect, and states how much this effect
+/// improves the model, for the command and for Python and C++ programs. The functions accept every
+/// kind of model file.
 namespace raceway::session {
 
 /// A model with its measurements, ready for a fit.

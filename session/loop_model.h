@@ -83,8 +83,8 @@ struct ComparedModel {
   std::optional<report::ModelOfPage> facts{};
 };
 
-/// A model file opened for the loop: a bearing on its rig, sets on a shaft, a spindle, or the
-/// correction of one displacement.
+/// A model file opened for the comparison with measurements: a bearing on its rig, sets on a shaft,
+/// a spindle, or the correction of one displacement.
 class LoopModel {
  public:
   /// Description of the model file.
@@ -127,8 +127,8 @@ class LoopModel {
   [[nodiscard]] virtual ComparedModel compared(Messages& messages, const record::Record& data,
                                                const CompareOptions& how,
                                                const Names& per_record) const = 0;
-  /// Checks a record as a time series for this model. The result is empty if the rows are not a
-  /// time series.
+  /// Checks a record as a time series for this model. The result is empty for models that are not
+  /// corrections.
   [[nodiscard]] virtual std::optional<correction::RecordCheck> over_time(
       const record::Record& data) const = 0;
 
@@ -156,8 +156,8 @@ class LoopModel {
 /// records.
 [[nodiscard]] Names records_apart(const fit::Subject& subject);
 
-/// Fits a model to a record before a comparison. `names` lists the parameters to fit. Throws
-/// std::invalid_argument if the fit does not converge.
+/// Fits a model to a record before a comparison. `names` lists the free parameters for the error
+/// message. Throws std::invalid_argument if the fit does not converge.
 [[nodiscard]] verdict::Calibration refitted(Messages& messages, const fit::Subject& subject,
                                             const record::Record& data, const Names& names);
 

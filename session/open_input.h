@@ -23,8 +23,8 @@ enum class Defaults { count, keep };
 /// Sends notes on a file as messages. Each text begins with the name of the file.
 void say_of(Messages& messages, const std::string& source, std::vector<record::Note> notes);
 
-/// Reads a model and adds notes on it, one of them on the number of default values used. Throws
-/// text::InputError if the command does not accept this kind of model.
+/// Reads a model and adds notes on it. With Defaults::count, one note gives the number of default
+/// values used. Throws text::InputError if the command does not accept this kind of model.
 [[nodiscard]] files::ModelFile open_model(Messages& messages, const Source& model,
                                           Accepts accepts = Accepts::rig,
                                           Defaults defaults = Defaults::count);
@@ -52,8 +52,8 @@ void warn_of_ignored_data(Messages& messages, const files::ModelFile& file);
                                           const model::ModelSubject& subject,
                                           const files::ReadOptions& options);
 
-/// Rethrows an error of `fit` about the data as text::InputError, with the name of the model before
-/// the message.
+/// Rethrows an error of `fit` about the data as text::InputError, with the names of the record and
+/// of the model before the message.
 [[noreturn]] void refuse_data(const std::string& model, const record::Record& data,
                               const std::invalid_argument& error);
 

@@ -35,8 +35,8 @@ struct GivenLoads {
   bool radial_load = false, moments = false;
 };
 
-/// Throws text::InputError if neither question nor model gives an axial load, or if a shaft does
-/// not accept a load. Warns of moments that have no effect.
+/// Throws text::InputError if neither question nor model gives an axial load, or if a shaft or a
+/// roller bearing does not accept a load. Warns of moments that have no effect.
 void require_loads(Messages& messages, const files::ModelFile& file, const GivenLoads& given,
                    Wording wording);
 

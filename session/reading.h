@@ -9,7 +9,7 @@
 
 namespace raceway::session {
 
-/// Options of a command that reads measurements: `--columns map.toml` and `--drop-nan`.
+/// Options of a command that reads measurements, such as `--columns map.toml` and `--drop-nan`.
 struct Reading {
   std::string columns{};
   std::string columns_text{};  ///< text of the column map, used instead of its file

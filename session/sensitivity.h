@@ -43,8 +43,8 @@ struct SensitivityQuestion {
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> sensitivity_words(
     const model::Model& model, bool steady);
 
-/// Returns the derivative of every prediction with respect to every datum and, on request, the
-/// Sobol' indices.
+/// Returns the derivative of each requested prediction with respect to each varied datum and, on
+/// request, the Sobol' indices.
 ///
 /// The derivative is the central difference at two steps, h and h/2, extrapolated: (4 D(h/2) -
 /// D(h))/3. The difference is one-sided if the model rejects values on the other side. The step h

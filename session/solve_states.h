@@ -58,9 +58,9 @@ struct SolvedStates {
                                         const std::atomic<bool>* cancelled = nullptr,
                                         const model::Band* band = nullptr);
 
-/// Solves a single state and returns all columns with notes, with the same 15 digits as `raceway
-/// solve`. solve_states() uses a faster solver for several points together; docs/speed.md gives the
-/// difference. Throws like solve_states(), and for more than one state.
+/// Solves a single state and returns all columns with notes. The values have the same 15 digits as
+/// the output of `raceway solve`. solve_states() uses a faster solver for several points together;
+/// docs/speed.md gives the difference. Throws like solve_states(), and for more than one state.
 [[nodiscard]] SolvedStates solve_state(Messages& messages, const files::ModelFile& file,
                                        const StateArrays& states,
                                        const model::Band* band = nullptr);

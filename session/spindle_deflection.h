@@ -24,7 +24,7 @@ struct DeflectionQuestion {
   /// moment at the place of the force [N m]; positive if it turns the shaft like a positive force
   /// further forward
   double moment = 0.0;
-  double at = 0.0;         ///< distance of the force from the nose face, to the rear [m]
+  double at = 0.0;         ///< distance of the force behind the nose face [m]
   double speed = 0.0;      ///< [rad/s]
   bool warm = false;       ///< true: uses the preload of the warm spindle at steady state
   bool coolant_on = true;  ///< coolant of the warm spindle
@@ -46,7 +46,8 @@ struct SpindleDeflection {
 
   [[nodiscard]] bool converged() const { return result.converged(); }
   [[nodiscard]] std::vector<std::string> notes() const;
-  /// Returns the reason if there is no result, otherwise the limits that the result exceeds.
+  /// Returns a warning with the reason if there is no result, otherwise a warning for each limit
+  /// that the result exceeds.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string json() const;
   [[nodiscard]] std::string csv() const;

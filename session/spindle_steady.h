@@ -38,7 +38,7 @@ struct SteadyQuestion {
                                ///< positive force in front of the nose
   double belt_force = unset;   ///< [N]; NaN: value of the model
   double motor_power = unset;  ///< electrical input of the motor [W], for heat formulas
-  bool assumptions = false;    ///< true adds the default values with the largest influence
+  bool assumptions = false;    ///< true adds the most influential assumed numbers
   const std::atomic<bool>* cancelled = nullptr;  ///< cancels like Simulator::stop_on()
 };
 
@@ -48,7 +48,7 @@ struct SteadySpindle {
   std::vector<results::SteadyState> states{};
   std::vector<std::string> roller_notes{};  ///< notes on roller bearings
   results::MeshEstimate mesh{};
-  /// most influential defaults, at the last speed with a steady state
+  /// most influential assumed numbers, at the last speed with a steady state
   results::Assumptions assumptions{};
   model::Findings findings{};
   spindle::State end{};  ///< steady state of the last speed; empty if it does not exist

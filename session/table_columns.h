@@ -8,9 +8,9 @@
 #include "model/model.h"
 #include "shaft/shaft_prediction.h"
 
-/// Columns of a table in addition to the torque. A bearing has moments, angles and pressures. A
-/// shaft has these columns for every bearing, and the position as the last column. Single states of
-/// a bearing also have stiffness and ball loads.
+/// Columns of a table in addition to the torque. A bearing has columns such as moments, angles and
+/// pressures. A shaft has these columns for every bearing, and the position as the last column.
+/// Single states of a bearing also have stiffness and ball loads.
 namespace raceway::session {
 
 enum class Columns { of_tables, of_states };

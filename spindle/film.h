@@ -6,9 +6,9 @@
 #include "model/spindle.h"
 #include "record/units.h"
 
-/// Computes heat transfer between solids and flowing fluids. Each function is one correlation and
-/// returns a conductance in W/(m² K). If two temperatures are equal, the results are still finite
-/// and not negative.
+/// Computes heat transfer between solids and flowing fluids. Most functions contain one correlation
+/// and return a heat transfer coefficient in W/(m² K). If two temperatures are equal, the results
+/// are still finite and not negative.
 namespace raceway::spindle {
 
 /// Properties of a fluid at one temperature.
@@ -147,8 +147,8 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 ///           temperatures of both surfaces. A program that uses λ/δ instead of λ/(2 δ) computes
 ///           twice this conductance.
 /// Domain:   no axial flow. The published pieces have a step of 2 % at 1700 and of 0.1 % at 1e4.
-///           Here the pieces change where they intersect, at 1790 and 1.01e4, because a step could
-///           stop an iteration.
+///           Here the law changes from piece to piece where the pieces intersect, at 1790 and
+///           1.01e4, because a step could stop an iteration.
 /// Accuracy: about 15 % for smooth surfaces.
 [[nodiscard]] inline double annular_gap(double inner_radius, double outer_radius, double speed,
                                         const FluidProperties& gas) {
@@ -265,9 +265,9 @@ inline constexpr double bar = 1e5;  ///< [Pa]
 
 /// Flow of a coolant through its channel.
 struct ChannelFlow {
-  double velocity = unset;       ///< mean [m/s]
+  double velocity = unset;       ///< mean velocity [m/s]
   double reynolds = unset;       ///< [1]
-  double film = unset;           ///< [W/(m² K)]
+  double film = unset;           ///< heat transfer coefficient [W/(m² K)]
   double pressure_drop = unset;  ///< pressure drop of the channel [Pa]
   double throttle_drop = 0.0;    ///< pressure drop of the orifice behind the channel [Pa]
 };

@@ -72,7 +72,7 @@ struct Layout {
     return mesh.cells[static_cast<std::size_t>(seat.front().cell)].material;
   }
   /// Returns the weights of the cells of a heat source between two planes, by volume. With a
-  /// radius, only cells at this radius are used. If there is no cell, the nearest cell is used.
+  /// radius, only cells at this radius are used. If no cell lies there, the nearest cell is used.
   [[nodiscard]] Shares source(Body body, double from, double to, double radius = unset) const;
 };
 

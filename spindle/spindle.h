@@ -12,7 +12,7 @@
 #include "model/model.h"
 
 /// Simulates a spindle with its bearings: temperatures, expansion, preload and friction together,
-/// and the beam on its bearings.
+/// and the bending of the shaft.
 namespace raceway::spindle {
 
 struct LoadedShaft;
@@ -22,7 +22,7 @@ enum class Status { not_run, converged, no_equilibrium, thermal_runaway, step_li
 
 /// Returns the name in files: "thermal_runaway".
 [[nodiscard]] std::string_view name(Status status);
-/// Returns the status as a readable sentence.
+/// Returns the status as readable text: "the sets have no equilibrium".
 [[nodiscard]] std::string_view words(Status status);
 
 /// Operating conditions of a spindle. For NaN, the value of the model is used.
@@ -56,7 +56,7 @@ struct BearingState {
   double force = unset;         ///< axial [N]
   double radial_force = unset;  ///< [N]
   double clearance = unset;  ///< s, diametral clearance of a roller bearing; negative: preload [m]
-  double power = unset;      ///< friction loss [W]
+  double power = unset;      ///< friction loss of the bearing [W]
   double power_band = 0.0;   ///< half width of the 95 % band from a friction table [W]
 };
 
@@ -117,7 +117,7 @@ struct Report {
   [[nodiscard]] bool converged() const { return status == Status::converged; }
 };
 
-/// Result of a speed programme. After an early end, `moments` contains the rows before it.
+/// Result of a speed programme. After an early end, `moments` contains the rows before the end.
 struct Run {
   std::vector<Moment> moments = {};    ///< one for each row of the programme
   bool has_end = false;                ///< true if the last moment is the early end, see add_end()
@@ -220,7 +220,7 @@ class Simulator {
   /// Returns the bent shaft of the last call. The bearing friction is computed with this shaft. The
   /// result is null for a network, and for a shaft without radial loads and roller bearings.
   [[nodiscard]] const LoadedShaft* shaft() const;
-  /// Returns the conditions of the sets of the last call; null for a network.
+  /// Returns the conditions of the sets in the last call; null for a network.
   [[nodiscard]] const bearing::ArrangementCondition* sets_condition() const;
   /// Returns the seats at the end of the last call, in the order of Moment::bearings; empty for a
   /// network.

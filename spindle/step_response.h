@@ -35,8 +35,8 @@ struct StepResponse {
   [[nodiscard]] bool converged() const { return status == Status::converged; }
 };
 
-/// Cooling at rest after the end of the fastest step. Values are NaN if it was not requested or if
-/// it did not converge.
+/// Cooling at rest after the end of the fastest step. Values are NaN if the cooling was not
+/// requested or did not converge.
 struct CoolDown {
   StepFit fit = {};  ///< fit to the cooling
   /// Time constants at P = 0 for the gains of the step before the cooling [s]: for the single lag,

@@ -12,7 +12,7 @@
 
 namespace raceway::verdict {
 
-/// Improvement of one measured channel when the effects are switched on.
+/// Errors of one measured channel without and with the effects.
 struct ChannelGain {
   Comparison before{}, after{};  ///< errors in sample; both models are refitted to the same rows
   /// Noise model that determines the weights of the readings. Readings are in the order of the
@@ -50,11 +50,12 @@ struct AddResult {
 /// only id. Shapes and base models are judged like effects.
 ///
 /// The result is rejected if the fit does not converge, and in five more cases. First: the error on
-/// blocks of held-out rows does not improve. It must improve in two of the blockings and become
-/// significantly worse in none. Second: chance could explain the fall of -2 ln L. Third: a
-/// tolerance is given, and the held-out error without the effects is within it. Fourth: one of
-/// several effects explains nothing beyond the others. Fifth: a single effect leaves structure in
-/// the residuals, although another effect explains the data up to the noise.
+/// blocks of held-out rows does not fall. It must fall in two of the blockings (or in all, if there
+/// are fewer), and must not rise significantly in any. Second: chance could explain the fall of -2
+/// ln L. Third: a tolerance is given, and the held-out error without the effects is within this
+/// tolerance. Fourth: one of several effects explains nothing beyond the others. Fifth: a single
+/// effect leaves structure in the residuals, although another effect explains the data up to the
+/// noise.
 ///
 /// Throws std::invalid_argument without an effect, for an unknown effect (with the nearest ids),
 /// for an effect that the model already has, for an effect whose inputs the data lack (with their

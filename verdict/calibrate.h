@@ -32,7 +32,7 @@ struct Calibration {
   /// χ²/degrees of freedom for the noise of the data [1]; NaN if the noise is unknown.
   double reduced_chi_square = unset;
   fit::Likelihood likelihood{};
-  /// Factor that widens standard errors and intervals [1]; NaN if there are none.
+  /// Factor that widens standard errors and intervals [1]; NaN if there are no standard errors.
   double error_factor = unset;
   /// Profile interval of each parameter, if requested.
   std::vector<fit::ProfileInterval> profile{};

@@ -27,7 +27,7 @@ struct DiagnoseOptions {
   const std::atomic<bool>* cancelled = nullptr;
 };
 
-/// Diagnoses whether the model misses an effect, which effect it is, or which measurement would
+/// Finds out whether the model misses an effect, and which effect it is or which measurement would
 /// decide.
 ///
 ///   noise from a saturated regression -> gate (smooth misfit, largest score) -> each candidate

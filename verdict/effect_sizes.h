@@ -50,7 +50,7 @@ namespace raceway::verdict {
 [[nodiscard]] fit::Likelihood likelihood_of(const Evidence& evidence, const fit::ResponseFit& fit);
 
 /// Returns the correlation of the estimates, from a fit of these parameters or from their
-/// covariance. It is NaN for an estimate that has no covariance.
+/// covariance. The correlation is NaN for an estimate without a covariance.
 [[nodiscard]] Correlation correlation_of(const std::vector<record::Parameter>& parameters,
                                          const fit::ResponseFit& fit);
 [[nodiscard]] Correlation correlation_of(const std::vector<record::Parameter>& parameters,

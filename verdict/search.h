@@ -59,7 +59,8 @@ class Search {
     return weak_pairs_;
   }
   [[nodiscard]] std::optional<fit::Shape>& shape() { return shape_; }
-  /// Returns true if the explanation has no wrong datum and no shape without a law.
+  /// Returns true if at least one member of the explanation is a physical effect, not a wrong datum
+  /// or an empirical shape.
   [[nodiscard]] bool is_physics(const Explanation& e) const;
   [[nodiscard]] bool is_physics_alone(const Explanation& e) const;
   [[nodiscard]] std::vector<std::string> ids_of(const Explanation& e) const;
