@@ -54,8 +54,9 @@ void prepare_fit(Messages& messages, const correction::Model& model, const std::
                  record::Record& record);
 
 /// Returns notes on extrapolation when a model runs on a record: inputs outside their range,
-/// combinations of inputs outside the joint range, and powers outside the friction table. Each note
-/// gives the first row and the number of rows.
+/// combinations of inputs outside the joint range, and powers outside the friction table. Notes on
+/// inputs give the first row and the number of rows; notes on a friction table give the share of
+/// the rows.
 [[nodiscard]] std::vector<std::string> range_notes(const correction::Model& model,
                                                    const correction::Series& series,
                                                    const correction::Beyond& beyond);

@@ -36,7 +36,7 @@ def heading(words: str) -> str:
 
 
 def table(head: list[str], rows: list[list[str]], left: int = 1, units: int | None = None) -> str:
-    """Return a table of escaped cells. The first `left` columns and the column of units contain words."""
+    """Return a table of escaped cells. The first `left` columns and the column `units` contain words and are aligned to the left."""
 
     def cells(tag: str, row: list[str]) -> str:
         return "".join(f"<{tag} {_LEFT if i < left or i == units else _RIGHT}>{cell}</{tag}>" for i, cell in enumerate(row))

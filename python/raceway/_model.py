@@ -196,8 +196,8 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         -------
         Solution
             Arrays with the common shape of the arguments. If all arguments are single numbers, `Solution.data` is
-            the document of ``raceway solve --json`` with all balls. The values of a state without equilibrium are
-            NaN, and `Solution.status` gives the reason.
+            the document of ``raceway solve --json`` with all balls. For a state without equilibrium, results that need the equilibrium are NaN, and
+            `Solution.status` gives the reason.
 
         Raises
         ------

@@ -83,7 +83,7 @@ class Solution(Mapping[str, numpy.ndarray]):
 
     @property
     def converged(self) -> numpy.ndarray:
-        """True for each state that converged. All values of such a state are numbers."""
+        """True for each state that converged."""
         return self._status == STATUS.index("converged")
 
     @property
@@ -164,11 +164,11 @@ class Table(_Document):
 
     @property
     def warnings(self) -> list[str]:
-        """Operating limits of the bearing that points of the table exceed. ``data["judgement"]`` contains the numbers."""
+        """Warnings about operating limits of the bearing that points of the table exceed. ``data["judgement"]`` contains the numbers."""
         return self._engine.warnings
 
     def to_frame(self) -> pandas.DataFrame:
-        """Return one row per operating point, with the columns of ``raceway table --format plain`` and the status."""
+        """Return one row per operating point, with the columns of ``raceway table --format plain``. The last column is the status."""
         import pandas
 
         names, values, status = self._engine.columns()
@@ -194,7 +194,7 @@ class Displacement(_Document):
         return self._engine.json()
 
     def to_frame(self) -> pandas.DataFrame:
-        """Return one row per speed, with the columns of the command."""
+        """Return one row per speed, with the columns of the CSV file that the command writes."""
         return _frame(self._engine.csv(), comment="#")
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:

@@ -50,8 +50,8 @@ class SpindleQuestions:
         motor_power_W : float, optional
             Power of the motor. Only heat formulas that contain ``motor_power_W`` use this value.
         assumptions : bool
-            True adds ``data["assumptions"]``: the five assumed numbers with the largest influence on the displacement
-            of the nose at the last speed. This needs about fifty additional steady states.
+            True adds ``data["assumptions"]``: the five assumed numbers (or fewer) with the largest influence on the displacement of the nose at the
+            last speed. This needs six additional steady states for each assumed number.
         time_limit_s : float, optional
             Time limit [s]. After this time, the call stops and raises TimeoutError.
 
@@ -124,8 +124,8 @@ class SpindleQuestions:
             Room temperature for all rows. Default: the column of `profile`. Without this column, the value of the
             model is used.
         assumptions : bool
-            True adds ``data["assumptions"]``: the five assumed numbers with the largest influence on the displacement
-            of the nose in the steady state at the highest speed.
+            True adds ``data["assumptions"]``: the five assumed numbers (or fewer) with the largest influence on the displacement of the nose in the
+            steady state at the highest speed.
         time_limit_s : float, optional
             Time limit [s]. After this time, the call stops and raises TimeoutError.
 
@@ -189,7 +189,7 @@ class SpindleQuestions:
             True uses the bearing stiffness of the warm spindle in its steady state. False uses the bearing stiffness at
             the mounting temperature.
         coolant : bool
-            True if the coolant flows. It has an effect only with `warm`.
+            True if the coolant flows. This argument has an effect only with `warm`.
         count : int
             Number of modes, 1 to 40.
         damping_ratio : float, optional
@@ -264,7 +264,7 @@ class SpindleQuestions:
         warm : bool
             True uses the preload of the warm spindle in its steady state at this speed.
         coolant : bool
-            True if the coolant flows. It has an effect only with `warm`.
+            True if the coolant flows. This argument has an effect only with `warm`.
 
         Raises
         ------

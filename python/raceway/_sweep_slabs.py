@@ -36,7 +36,7 @@ _LONGEST_HEADER = 65536
 
 @dataclasses.dataclass(frozen=True)
 class Outcome:
-    """Outcome of one item: its pickled value or its exception, and its doubts."""
+    """Outcome of one item: its pickled value or its exception, and its warnings."""
 
     value: bytes | None  #: pickle, only for the processes of one sweep; slabs on disk contain data
     error: tuple[str, str, str] | None  #: kind, message, traceback
@@ -220,7 +220,7 @@ def path_of(folder: str | os.PathLike[str], slab: Slab) -> pathlib.Path:
 
 
 def storable(outcomes: Sequence[Outcome]) -> list[Outcome]:
-    """Return the outcomes for a slab on disk. A value that is not plain data becomes an error of its item."""
+    """Return the outcomes for a slab on disk. An error replaces a value that is not plain data."""
     return [_storable(outcome) for outcome in outcomes]
 
 

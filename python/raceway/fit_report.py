@@ -328,7 +328,7 @@ def fit_report(result: Any) -> str:
     Parameters
     ----------
     result : Calibration, Addition or Diagnosis
-        Result to report. The function reads its document ``data``.
+        Result to report. The function reads the document ``data`` of the result.
 
     Returns
     -------

@@ -2,7 +2,7 @@
 
 One function computes the value of each item. The value does not depend on the worker, so a sweep over the workers of Dask or the tasks of Slurm gives
 the same values as the serial sweep, to the last bit. If an item raises an exception, the sweep keeps the exception with the name of the item and
-continues. docs/scale.md describes both ways and their cost.
+continues. docs/scale.md describes Dask and Slurm and their cost.
 
 >>> import raceway
 >>> from raceway import sweep
