@@ -38,13 +38,13 @@ struct Identified {
   SeriesQuestion asked{};
   std::string baseline{};  ///< "regression" or empty
   std::vector<correction::Identification> found{};
-  /// Errors on a record that no fit used, and warnings on this record. Both are empty before
+  /// Errors on a record that no fit used, and warnings on this record. Both lists are empty before
   /// validate().
   std::vector<results::Validation> validations{};
   std::vector<record::Note> validation_warnings{};
 
-  /// Validates the models on another record. This record is then the evidence for the trust in the
-  /// models: see correction/trust.h.
+  /// Validates the models on another record. The errors on that record then determine the trust in
+  /// the models: see correction/trust.h.
   void validate(Messages& messages, const Source& other, const Reading& reading);
   [[nodiscard]] std::string json() const;
   /// Returns the model file with the identified numbers. If a baseline was requested, the file

@@ -92,8 +92,8 @@ class JudgedColumns {
 void require_possible_speed(const model::Model& model, double speed, const std::string& name);
 void require_possible_temperature(const model::Model& model, double temperature,
                                   const std::string& name);
-/// Checks all rows of a record and reports errors with file and line. Coolant water at a
-/// temperature of ice or steam is an error, too.
+/// Checks all rows of a record and reports errors with file and line. An inlet temperature at which
+/// the cooling water is ice or steam is also an error.
 void require_possible(const model::Model& model, const record::Record& record);
 
 }  // namespace raceway::session

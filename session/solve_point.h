@@ -27,7 +27,7 @@ struct PointAnswer {
   std::optional<shaft::ShaftPrediction> shaft{};  ///< for a shaft, instead of the members above
   std::optional<results::BandOfResult> band{};    ///< half widths of the band, if requested
   model::Findings findings{};                     ///< limits that the answer exceeds
-  std::string why{};                              ///< the point, and the reason if it has no result
+  std::string why{};                              ///< if not converged: the point and the reason
 
   [[nodiscard]] bool converged() const { return status == bearing::SolveStatus::converged; }
 };

@@ -77,10 +77,10 @@ struct PredictedStates {
   std::vector<bearing::SolveStatus> status;  ///< `not_finite` if only the reading is not a number
 };
 
-/// Predicts the readings of a rig at many states. The function computes no other columns. It solves
-/// the balls only if the model needs them. Arguments and results are otherwise as in
-/// solve_states(). Also throws text::InputError for a shaft, and for an effect that needs a time or
-/// a ring temperature, because states do not contain these inputs.
+/// Predicts the readings of a rig at many states. The function computes no other columns. The
+/// equilibrium of the balls is solved only if the model needs it. Arguments and results are
+/// otherwise as in solve_states(). Also throws text::InputError for a shaft, and for an effect that
+/// needs a time or a ring temperature, because states do not contain these inputs.
 [[nodiscard]] PredictedStates predict_states(Messages& messages, const files::ModelFile& file,
                                              const StateArrays& states);
 

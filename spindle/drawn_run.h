@@ -16,7 +16,8 @@ struct DrawnRun {
 };
 
 /// Repeats the simulation `run` of `profile` with the same time steps. `states` is the largest
-/// number of states. They are evenly spaced in time, and the last one is at the end of the run.
+/// number of states. The states are evenly spaced in time, and the last one is at the end of the
+/// run.
 [[nodiscard]] DrawnRun drawn_run(Simulator& simulator, std::span<const ProfileRow> profile,
                                  const State* start, const Run& run, std::size_t states = 12);
 

@@ -58,9 +58,9 @@ struct LoadedShaft {
 
 class ShaftBalance5;
 
-/// Elastic shaft on all its bearings, under loads at any places. It solves the problem of
-/// solve_loaded_shaft() repeatedly for different conditions, each starting from the previous
-/// solution. Several threads must not use one object simultaneously.
+/// Elastic shaft on all its bearings, under loads at any places. The object solves the problem of
+/// solve_loaded_shaft() for one condition after another. Each solution starts from the previous
+/// one. Several threads must not use one object simultaneously.
 class ShaftOnBearings {
  public:
   /// Bearings and loads must be at nodes of the beam. The beam is not needed after construction.
@@ -91,9 +91,11 @@ class ShaftOnBearings {
 /// equilibrium under the axial load only. If a start fails, the radial load is increased from zero
 /// in steps. Between the sets, the shaft has the axial stiffness of the arrangement.
 ///
-/// Domain:   `places`, the centres of the bearings on the shaft, front set first, are nodes of the
-/// beam. Accuracy: 1e-9 of the largest load; second-order effects of the axial force are neglected.
-/// Throws std::invalid_argument if the number of places differs from the number of bearings.
+/// Domain:   `places` contains the centres of the bearings on the shaft, front set first. Each
+/// centre
+///           must be a node of the beam. Throws std::invalid_argument if the number of places
+///           differs from the number of bearings.
+/// Accuracy: 1e-9 of the largest load; second-order effects of the axial force are neglected.
 [[nodiscard]] LoadedShaft solve_loaded_shaft(const Beam& beam,
                                              const bearing::Arrangement& arrangement,
                                              std::span<const double> places,

@@ -25,8 +25,8 @@ struct PowerLaw {
   [[nodiscard]] double operator()(double power) const;
 };
 
-/// Curve of cubics through points. It has maxima and minima only at the points. Outside the points,
-/// the end values are used.
+/// Curve of cubics through points. The curve has maxima and minima only at the points. Outside the
+/// points, the end values are used.
 ///
 /// Source:   [FritschCarlson1980].
 class MonotoneCurve {

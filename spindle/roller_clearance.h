@@ -38,8 +38,8 @@ struct OperatingClearance {
 ///   s = s0 - 2 u_i + 2 u_o - 2 α D ΔT(rollers)
 ///
 /// u comes from press_fit(), with each ring as a plain sleeve between its seat and its raceway (d_m
-/// ∓ D). With ClearanceState::free, u is the growth relative to the bearing before mounting; with
-/// `mounted`, relative to the cold seat at standstill.
+/// ∓ D). With ClearanceState::free, u is the growth relative to the bearing before mounting. With
+/// ClearanceState::mounted, u is the growth relative to the cold seat at standstill.
 /// Source:   derived; Lamé as in press_fit(), compared with a numerical boundary value solution of
 ///           the seats.
 /// Domain:   the bore must be given and, with a housing, the outer diameter; otherwise

@@ -35,15 +35,16 @@ struct Inputs {
   double motor_power = unset;          ///< electrical input of the motor [W]
   double axial_load = 0.0;             ///< load at the nose, positive towards the tool [N]
   double radial_load = 0.0;            ///< load at the nose in the direction of y [N]
-  /// Moment at the nose in the plane of y [N m]. It is positive if it turns the shaft like a
-  /// positive force in front of the nose.
+  /// Moment at the nose in the plane of y [N m]. The moment is positive if it turns the shaft like
+  /// a positive force in front of the nose.
   double moment = 0.0;
   double belt_force = unset;  ///< [N]
   bool coolant_on = true;
   [[nodiscard]] bool operator==(const Inputs&) const = default;
 };
 
-/// A row of a speed programme. Its inputs are valid from the previous row to the time of the row.
+/// A row of a speed programme. The inputs of a row are valid from the time of the previous row to
+/// the time of the row.
 struct ProfileRow {
   double time = unset;  ///< [s], rising
   Inputs inputs = {};

@@ -20,7 +20,7 @@ struct CylinderHeat {
 /// Cells of a spindle with their heat paths, except the bearings. Friction and conduction of the
 /// bearings depend on the sets (BearingCoupling).
 ///
-/// Heat transfer coefficients and seats depend on the temperatures passed to update(). They are
+/// Heat transfer coefficients and seats depend on the temperatures passed to update(). Both are
 /// constant within a time step.
 class ThermalSystem {
  public:

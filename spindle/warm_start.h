@@ -23,13 +23,13 @@ struct WarmStart {
 
 /// Finds the past operation that agrees best with the thermometers in the first row of a run. The
 /// result is empty unless two thermometers (or the only one) are more than 2 K above a cold start.
-/// It is also empty if the record has no ambient temperature, or if no past operation halves the
-/// error of a cold start.
+/// The result is also empty if the record has no ambient temperature, or if no past operation
+/// halves the error of a cold start.
 ///
-/// Candidates are constant speeds (of the first row, the mean and the highest) for a quarter of an
-/// hour to eight hours, with the other inputs of the first row. The displacement is treated as set
-/// to zero if the amount of its first reading is less than a quarter of the displacement that the
-/// model predicts after the past operation.
+/// Candidates are constant speeds above 0: the speed of the first row, the mean and the highest
+/// speed. Each lasts a quarter of an hour to eight hours, with the other inputs of the first row.
+/// The displacement is treated as set to zero if the amount of its first reading is less than a
+/// quarter of the displacement that the model predicts after the past operation.
 [[nodiscard]] std::optional<WarmStart> find_warm_start(const model::Model& model,
                                                        const record::Record& run,
                                                        std::span<const ProfileRow> profile);

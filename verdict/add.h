@@ -46,16 +46,16 @@ struct AddResult {
 /// standard errors agree with the results of diagnose().
 ///
 /// The id "shape" adds the empirical shape that a diagnosis finds for the missing effect. The id of
-/// an OtherBase replaces the base model by the calibrated other base model. Such an id must be the
-/// only id. Shapes and base models are judged like effects.
+/// an OtherBase replaces the base model by the calibrated other base model. The id of an OtherBase
+/// must be the only id. Shapes and base models are judged like effects.
 ///
 /// The result is rejected if the fit does not converge, and in five more cases. First: the error on
-/// blocks of held-out rows does not fall. It must fall in two of the blockings (or in all, if there
-/// are fewer), and must not rise significantly in any. Second: chance could explain the fall of -2
-/// ln L. Third: a tolerance is given, and the held-out error without the effects is within this
-/// tolerance. Fourth: one of several effects explains nothing beyond the others. Fifth: a single
-/// effect leaves structure in the residuals, although another effect explains the data up to the
-/// noise.
+/// blocks of held-out rows does not fall. The error must fall in two of the blockings (or in all,
+/// if there are fewer), and must not rise significantly in any. Second: chance could explain the
+/// fall of -2 ln L. Third: a tolerance is given, and the held-out error without the effects is
+/// within this tolerance. Fourth: one of several effects explains nothing beyond the others. Fifth:
+/// a single effect leaves structure in the residuals, although another effect explains the data up
+/// to the noise.
 ///
 /// Throws std::invalid_argument without an effect, for an unknown effect (with the nearest ids),
 /// for an effect that the model already has, for an effect whose inputs the data lack (with their

@@ -33,7 +33,7 @@ struct Explanation {
   [[nodiscard]] bool bent_to_a_bound() const;
 };
 
-/// Extends the base model by candidates, refits it and keeps the fits made so far.
+/// Extends the base model by candidates, and refits the extended model.
 class Attribution {
  public:
   explicit Attribution(const Evidence& evidence);

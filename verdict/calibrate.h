@@ -63,18 +63,19 @@ struct CalibrateOptions {
 /// deviations, a common scatter is added [PauleMandel1982]. Without declared deviations, all
 /// readings have equal weight. Rows without a prediction are left out and listed.
 ///
-/// Standard errors follow from the linearised problem, sqrt(diag (JᵀWᵀWJ)^-1). They are widened by
-/// sqrt(χ²/degrees of freedom) if the misfit exceeds the noise significantly (1 %). They do not
-/// include the bias from a missing effect. Profile-likelihood intervals use the same noise and the
-/// same factor. They end where the rise of -2 ln L is 3.84 times the square of this factor.
+/// Standard errors follow from the linearised problem, sqrt(diag (JᵀWᵀWJ)^-1). Standard errors are
+/// multiplied by sqrt(χ²/degrees of freedom) if the misfit exceeds the noise significantly (1 %) or
+/// the noise is unknown. Standard errors do not include the bias from a missing effect.
+/// Profile-likelihood intervals use the same noise and the same factor. The intervals end where the
+/// rise of -2 ln L is 3.84 times the square of this factor.
 ///
 /// If the data cannot separate a parameter from earlier parameters in the list, the fit keeps the
-/// parameter at its start value. It marks this parameter and the earlier ones as not identifiable.
-/// The fit also keeps a parameter at its start value if the fitted standard error exceeds the range
-/// of the bounds, because such a fitted value has no meaning. Throws std::invalid_argument for a
-/// record that does not suit this kind of subject, for an unknown parameter, and for fewer readings
-/// than parameters. For models that only approximate the readings (Subject::approximates()), use
-/// loop/loop.h.
+/// parameter at its start value. The fit marks this parameter and the earlier ones as not
+/// identifiable. The fit also keeps a parameter at its start value if the fitted standard error
+/// exceeds the range of the bounds, because such a fitted value has no meaning. Throws
+/// std::invalid_argument for a record that does not suit this kind of subject, for an unknown
+/// parameter, and for fewer readings than parameters. For models that only approximate the readings
+/// (Subject::approximates()), use loop/loop.h.
 [[nodiscard]] Calibration calibrate_by_noise(const fit::Subject& subject,
                                              const record::Record& record,
                                              const CalibrateOptions& options = {});

@@ -36,7 +36,7 @@ struct ChannelDiagnosis {
   double rmse_before = unset, rmse_after = unset;  ///< errors in sample [SI]
   double tolerance = unset;                        ///< tolerance in SI units; NaN if not given
   /// Held-out errors without and with the effects of the verdict [SI]. If a tolerance is given,
-  /// they cover the measured range only.
+  /// these errors cover the measured range only.
   double rmse_held_out_before = unset, rmse_held_out_after = unset;
 
   [[nodiscard]] const record::Channel& channel() const { return *baseline.channel; }
@@ -201,8 +201,8 @@ struct Diagnosis {
   int rows = 0;                                 ///< number of rows used
   std::vector<std::size_t> outliers;            ///< rows with reduced weight
   std::vector<std::size_t> rows_not_predicted;  ///< rows without a prediction
-  /// Other base models, best first. They are tried if no candidate explains the misfit, or if one
-  /// candidate fits only with another law or an implausible size.
+  /// Other base models, best first. Other base models are tried if no candidate explains the
+  /// misfit, or if one candidate fits only with another law or an implausible size.
   std::vector<OtherBaseTried> other_bases{};
   /// Diagnosis with the best model of `other_bases` as the base model, with single candidates only.
   /// Null if no other base model is good enough.

@@ -24,9 +24,9 @@ struct HiddenInput {
 /// change by more than 5 % over such a range. A hidden input is reported if both the pooled and a
 /// robust standard deviation exceed Measured::most_scatter. Single wrong readings therefore do not
 /// cause a report. An analysis of variance of the logarithms tests whether the differences follow
-/// the runs. The result is empty if no hidden input is found. It is also empty if the test is
-/// impossible because there are fewer than 8 degrees of freedom, rows with a time (run-in makes
-/// readings differ at equal points), or readings that are not positive.
+/// the runs. The result is empty if no hidden input is found. The result is also empty if the test
+/// is impossible: with fewer than 8 degrees of freedom, with rows that have a time (run-in makes
+/// readings differ at equal points), or with readings that are not positive.
 [[nodiscard]] std::optional<HiddenInput> find_hidden_input(const record::Record& record,
                                                            const fit::Measured& measured);
 

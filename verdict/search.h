@@ -70,7 +70,8 @@ class Search {
   /// Returns true if the explanation lowers the rms residual of raises_the_error() by at least
   /// `share`.
   [[nodiscard]] bool lowers_the_error(const Explanation& e, double share) const;
-  /// Returns the held-out error of an explanation as the largest share of a channel's tolerance.
+  /// Returns the held-out error of an explanation divided by the tolerance, for the channel with
+  /// the largest ratio [1].
   [[nodiscard]] double share_of_tolerance(const fit::Response& response,
                                           const fit::ResponseFit& fit) const;
 

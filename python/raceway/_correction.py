@@ -54,7 +54,7 @@ class Correction(LoopModel):
 
     @classmethod
     def new(cls, record: Record) -> Correction:
-        """Create a correction for the displacements in a record over time. It is the starting point for `identify`.
+        """Create a correction for the displacements in a record over time. This correction is the starting point for `identify`.
 
         The correction has a channel for each temperature, and its `text` marks each assumption. If raceway does not know
         the name of a column, the correction contains a proposal in ``[columns]``. If the `Record` has a map of columns,
@@ -141,8 +141,7 @@ class Correction(LoopModel):
         time_limit_s : float, optional
             Time limit [s]. After this time, the call stops and raises TimeoutError.
         progress : callable, optional
-            Function that receives the completed share (0 to 1) and the name of the current step. It is called at
-            most 20 times per second.
+            Function that receives the completed share (0 to 1) and the name of the current step. The function is called at most 20 times per second.
 
         Raises
         ------

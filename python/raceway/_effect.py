@@ -59,7 +59,7 @@ class Effect:
     Parameters
     ----------
     id : str
-        Name without blanks, dots, commas, semicolons and quotes. It must not begin with =, +, - or @.
+        Name without blanks, dots, commas, semicolons and quotes. The name must not begin with =, +, - or @.
     torque : callable
         Function ``torque(state, **numbers)`` that returns the additional torque of every row [N mm], as an array or
         one number. `State` describes the argument ``state``. The torque of a row must depend only on that row. The

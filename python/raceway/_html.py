@@ -359,7 +359,7 @@ def html_of(result: Any) -> str:
     Returns
     -------
     str
-        One ``<div>``. It contains no scripts, no styles for the page and no parts from a network.
+        One ``<div>``. The text contains no scripts, no styles for the page and no parts from a network.
 
     Raises
     ------

@@ -190,8 +190,7 @@ class LoopModel(FromFile):
         time_limit_s : float, optional
             Time limit [s]. After this time, the call stops and raises TimeoutError.
         progress : callable, optional
-            Function that receives the completed share (0 to 1) and the name of the current step. It is called at
-            most 20 times per second.
+            Function that receives the completed share (0 to 1) and the name of the current step. The function is called at most 20 times per second.
 
         Raises
         ------

@@ -80,7 +80,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
             Dimensions of a bearing that is not in the catalogue.
         spindle : bool
             True creates a template of a spindle with three of these bearings. You can use the template without
-            changes. Its `text` marks each assumed number.
+            changes. The `text` of the model marks each assumed number.
         oil : str, optional
             ISO VG grade of a mineral oil with viscosity index 100, such as ``"VG 32"``. The default is a thin
             spindle oil. Replace it with the oil of your bearing.
@@ -182,9 +182,8 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         Parameters
         ----------
         speed_rpm, axial_load_N, radial_load_N, temperature_C, moment_y_Nmm, moment_z_Nmm
-            Numbers or arrays. They are combined by the broadcasting rules of numpy. Arrays of float64 are read
-            without a copy, with any strides. The model supplies the values of omitted arguments. For a shaft,
-            `axial_load_N` is the external load. It is positive towards the tool.
+            Numbers or arrays. The arguments are combined by the broadcasting rules of numpy. Arrays of float64 are read without a copy, with any
+            strides. The model supplies the values of omitted arguments. For a shaft, `axial_load_N` is the external load, positive towards the tool.
         columns : sequence of str
             Names of the results to return, from `Model.columns`. An empty sequence returns all results.
         band : bool

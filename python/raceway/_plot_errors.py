@@ -32,8 +32,7 @@ def ladder(*results: Any, labels: Sequence[str] | None = None, ax: Axes | None =
     Returns
     -------
     matplotlib.axes.Axes
-        ``patches`` are the bars from top to bottom. Their width is the error in the unit of the
-        readings.
+        ``patches`` are the bars from top to bottom. The width of a bar is the error in the unit of the readings.
 
     Raises
     ------

@@ -170,7 +170,7 @@ class SensitivityQuestion:
             Names of the data to vary. The name of a table, such as ``"bearing"``, means all data of this table.
             Default: all data.
         samples : int
-            Number of samples for the Sobol' indices. It must be a power of two. 0 calculates only the derivatives.
+            Number of samples for the Sobol' indices, a power of two. 0 calculates only the derivatives.
         seed : int
             Random seed of the samples.
         steady : bool
@@ -180,8 +180,7 @@ class SensitivityQuestion:
         time_limit_s : float, optional
             Time limit [s]. After this time, the call stops and raises TimeoutError.
         progress : callable, optional
-            Function that receives the completed share (0 to 1) and the name of the current step. It is called at
-            most 20 times per second.
+            Function that receives the completed share (0 to 1) and the name of the current step. The function is called at most 20 times per second.
 
         Raises
         ------

@@ -51,7 +51,7 @@ class SpindleQuestions:
             Power of the motor. Only heat formulas that contain ``motor_power_W`` use this value.
         assumptions : bool
             True adds ``data["assumptions"]``: the five assumed numbers (or fewer) with the largest influence on the displacement of the nose at the
-            last speed. This needs six additional steady states for each assumed number.
+            last speed. The calculation needs six additional steady states for each assumed number.
         time_limit_s : float, optional
             Time limit [s]. After this time, the call stops and raises TimeoutError.
 

@@ -240,7 +240,7 @@ def _ranking(data: dict[str, Any]) -> list[str]:
 
 
 def _held_out(data: dict[str, Any]) -> list[str]:
-    """Return the lines with the errors of the explanations of a record over time. Such records have no likelihood."""
+    """Return the lines with the error of each explanation, for a record over time. Such records have no likelihood."""
     lines = [
         "[[Explanations by their errors]]",
         f"    {'':<50}{'RMS':>12}{'held out':>12}",

@@ -262,7 +262,7 @@ def _table_curves(ax: Axes, frame: pd.DataFrame, by: list[str]) -> list[str]:
 
 
 def _race_legend(ax: Axes, own: bool, names: list[str], title: str | None) -> None:
-    """Place a legend with the line style of each race and the marker of each group. It has fewer entries than a legend of all curves."""
+    """Place a legend with the line style of each race and the marker of each group. This legend has fewer entries than a legend of all curves."""
     ink = mpl.rcParams["text.color"]
     races = [Line2D([], [], color=ink, linestyle="-", label="inner race"), Line2D([], [], color=ink, linestyle="--", label="outer race")]
     marks = [
@@ -281,8 +281,8 @@ def campbell(modes: Any, *, ax: Axes | None = None) -> Axes:
     Parameters
     ----------
     modes : Modes
-        Result of `Model.modes`. Its document contains ``rows`` with ``speed_rpm`` [rpm] and ``modes``. Each mode has
-        ``frequency_Hz`` [Hz] and ``whirl``: backward, forward, or standing (as at standstill).
+        Result of `Model.modes`. The document of the result contains ``rows`` with ``speed_rpm`` [rpm] and ``modes``. Each mode has ``frequency_Hz``
+        [Hz] and ``whirl``: backward, forward, or standing (as at standstill).
     ax : matplotlib.axes.Axes, optional
         Axes for the plot. The default is a new figure.
 

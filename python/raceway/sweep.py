@@ -178,8 +178,8 @@ def run(
     Parameters
     ----------
     function : callable
-        Function of one item that returns numbers, arrays, text, or lists and dicts of them. It must return
-        the same value for the same item, so take the seed of random numbers from the item.
+        Function of one item that returns numbers, arrays, text, or lists and dicts of them. The function must return the same value for the same
+        item, so take the seed of random numbers from the item.
     items : iterable, or mapping of names to items
         Anything that can be pickled: models, corrections, records, numbers, paths.
     names : iterable of str, optional
@@ -197,7 +197,7 @@ def run(
     threads : int, optional
         Cores for one item. The default is all cores in this process, and 1 in a worker of Dask.
     progress : callable, optional
-        Function that receives the finished share and a few words. It is called after each slab, or after each item
+        Function that receives the finished share and a few words. The function is called after each slab, or after each item
         without `client`.
 
     Returns
@@ -378,7 +378,7 @@ def workers(count: int | None = None, *, dashboard: bool = False) -> Iterator[An
 
     Put the code of the script below ``if __name__ == "__main__":``, because each worker imports the script.
     The processes listen on the loopback interface only. If python3-cryptography is installed, the workers accept work from this process only (TLS
-    with their own keys). Their files are in a private folder.
+    with their own keys). The files of the workers are in a private folder.
 
     Parameters
     ----------
