@@ -17,8 +17,8 @@ struct LawFit {
   shaft::KinematicLawFit fit{};
   std::optional<results::LawAtSpeed> at{};
 
-  /// Describes the quality of the fit in one sentence. `table` names the table to use if the fit is
-  /// poor.
+  /// Describes the quality of the fit in one or two sentences. `table` names the table to use if
+  /// the fit is poor.
   [[nodiscard]] std::string statement(const std::string& table) const;
   [[nodiscard]] std::string json(const std::string& table) const;
 };

@@ -67,7 +67,8 @@ struct SensitivityQuestion {
 /// Returns the text of a state: "speed_rpm 6000, axial_load_N 300".
 [[nodiscard]] std::string words_of_state(const results::Sensitivity& s, std::size_t state);
 
-/// Returns one warning for each prediction without a value.
+/// Returns one warning for each prediction without a value, and one warning if samples have no
+/// prediction.
 [[nodiscard]] std::vector<std::string> sensitivity_warnings(const results::Sensitivity& s);
 
 }  // namespace raceway::session

@@ -10,7 +10,7 @@
 
 namespace raceway::session {
 
-/// Returns warnings on bearings of a shaft that lose their inner contacts or fall below their
+/// Returns warnings if bearings of a shaft lose their inner contacts or if their load is below the
 /// minimum load. Each warning gives the range of speeds. The ends of the range are calculated
 /// between the points, with an accuracy of half an rpm. The points must be in order of rising
 /// speed.

@@ -32,7 +32,7 @@ struct StateArrays {
   [[nodiscard]] std::size_t size() const;
 };
 
-/// Results of states, in the order of their arrays with the last dimension fastest.
+/// Results of states in the order of the given arrays. The last dimension varies fastest.
 struct SolvedStates {
   std::vector<std::string> columns;  ///< names with their units; friction_torque_Nmm is the first
   std::vector<double> values;        ///< values column by column; NaN for a missing value

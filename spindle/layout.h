@@ -71,8 +71,8 @@ struct Layout {
   [[nodiscard]] const model::SolidMaterial& material(const Shares& seat) const {
     return mesh.cells[static_cast<std::size_t>(seat.front().cell)].material;
   }
-  /// Returns the weights of the cells of a heat source between two planes, by volume. With a
-  /// radius, only cells at this radius are used. If no cell lies there, the nearest cell is used.
+  /// Returns the weights of the cells of a heat source between two planes, by volume. If `radius`
+  /// is given, only cells at this radius are used. If no cell lies there, the nearest cell is used.
   [[nodiscard]] Shares source(Body body, double from, double to, double radius = unset) const;
 };
 

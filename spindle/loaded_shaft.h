@@ -45,9 +45,9 @@ struct LoadedShaft {
   double rear_displacement = unset;  ///< δ_r [m]
   double front_force = unset, rear_force = unset;  ///< axial forces, summed over each side [N]
   Eigen::VectorXd y, z;                            ///< (v, θ) of all nodes in both planes
-  /// Values in the frame of each bearing, with +x in the direction in which its inner ring is
-  /// pressed: loads on the ring, then the equilibrium of the balls with displacement and tangent
-  /// stiffness.
+  /// Loads on the inner ring of each bearing, and the equilibrium of the balls with displacement
+  /// and tangent stiffness. Both are in the frame of the bearing: +x is the direction in which the
+  /// inner ring is pressed.
   std::vector<bearing::Vector5> loads;
   std::vector<bearing::BearingEquilibrium> bearings;
   /// State of the roller bearings, in a frame with x to the rear. `load` is the load from the

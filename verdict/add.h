@@ -15,8 +15,8 @@ namespace raceway::verdict {
 /// Errors of one measured channel without and with the effects.
 struct ChannelGain {
   Comparison before{}, after{};  ///< errors in sample; both models are refitted to the same rows
-  /// Noise model that determines the weights of the readings. Readings are in the order of the
-  /// errors.
+  /// Noise model that determines the weights of the readings. The readings in `noise` are in the
+  /// order of Comparison::errors.
   fit::NoiseModel noise{};
   double tolerance = unset;  ///< tolerance in SI units; NaN if not given
   /// Held-out errors of both fits [SI]. If a tolerance is given, these errors cover the measured
@@ -57,10 +57,11 @@ struct AddResult {
 /// a single effect leaves structure in the residuals, although another effect explains the data up
 /// to the noise.
 ///
-/// Throws std::invalid_argument without an effect, for an unknown effect (with the nearest ids),
-/// for an effect that the model already has, for an effect whose inputs the data lack (with their
-/// names), and for an effect that the data cannot separate from the base parameters. For models
-/// that only approximate the readings (Subject::approximates()), use loop/loop.h.
+/// Throws std::invalid_argument if no id is given, for an unknown id (the message gives the nearest
+/// ids), for an effect that the model already has, for an effect whose inputs the data lack (the
+/// message gives their names), and for an effect that the data cannot separate from the base
+/// parameters. For models that only approximate the readings (Subject::approximates()), use
+/// loop/loop.h.
 [[nodiscard]] AddResult add_by_noise(const fit::Subject& subject, std::span<const std::string> ids,
                                      const record::Record& record);
 

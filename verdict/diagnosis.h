@@ -214,7 +214,7 @@ struct Diagnosis {
   std::vector<std::string> significant_but_immaterial;
   std::vector<record::Note> messages;  ///< messages for the user
 
-  /// Returns true if a tolerance was given and decides the verdict.
+  /// Returns true if a tolerance is given, which then decides the verdict.
   [[nodiscard]] bool tolerance_limited() const;
 };
 

@@ -103,7 +103,7 @@ def identification_html(found: Any) -> str:
 
 
 def run_html(run: Any) -> str:
-    """Return the residuals of each displacement, or its errors with and without learning."""
+    """Return the residuals of each displacement. If the run learned, return the errors with and without learning."""
     data, rows = run.data, []
     learnt = "between_readings" in data
     for axis in _axes(data):

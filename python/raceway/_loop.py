@@ -141,8 +141,7 @@ class LoopModel(FromFile):
         record : Record or sequence of Record
             Measurements.
         profile : bool
-            True adds 95 % intervals by profile likelihood for `Calibration.conf_interval`. This needs dozens of
-            additional fits.
+            True adds 95 % intervals by profile likelihood for `Calibration.conf_interval`. The intervals need dozens of additional fits.
         channel, per_record, rows, from_s, until_s
             These arguments have the same meaning as in `compare`.
 

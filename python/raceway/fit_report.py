@@ -26,7 +26,7 @@ def _unit(unit: str | None) -> str:
 
 
 def _error(value: float | None, unit: str | None) -> str:
-    """Return an error of readings with its unit. The unit of an error of temperatures is K."""
+    """Return an error with its unit. For temperatures, the unit of an error is K."""
     return f"{number(value, 4)} {'K' if unit == 'C' else _unit(unit)}".rstrip()
 
 
