@@ -42,8 +42,8 @@ struct SpindleModes {
   [[nodiscard]] std::string page() const;
 };
 
-/// Computes the modes. Throws text::InputError for a model without shaft segments and for too many
-/// speeds.
+/// Computes the modes. Throws text::InputError for a model without shaft segments, for too many
+/// speeds, and for an invalid damping ratio or unbalance.
 [[nodiscard]] SpindleModes spindle_modes(const files::ModelFile& file,
                                          const ModesQuestion& question);
 

@@ -125,7 +125,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
 
     @property
     def columns(self) -> list[str]:
-        """Names of the result arrays of `solve`. Each name includes the unit."""
+        """Names of the result arrays of `solve`. A name ends with the unit of the result, unless the result has no unit."""
         return self._engine.columns
 
     def with_values(self, values: Mapping[str, float]) -> Model:

@@ -25,7 +25,7 @@ STATUS = ("not_run", "converged", "no_equilibrium", "iteration_limit", "singular
 
 
 class Solution(Mapping[str, numpy.ndarray]):
-    """States of a bearing or a shaft as a mapping from names to arrays. The names include the units. Each array is also an attribute.
+    """States of a bearing or a shaft as a mapping from names to arrays. The names end with the units. Each array is also an attribute.
 
     Attributes
     ----------
