@@ -14,8 +14,8 @@
 #include "session/wording.h"
 #include "shaft/shaft_prediction.h"
 
-/// Applies model::Judge to answers about bearings, shafts and spindles, and rejects questions
-/// outside the physical range of a bearing.
+/// Applies model::Judge to results for bearings, shafts and spindles, and rejects inputs outside
+/// the physical range of a bearing.
 namespace raceway::session {
 
 /// Judges the mounted model: the contact pressure from the preload and the fits of the rings. The
@@ -74,7 +74,7 @@ class JudgedColumns {
 [[nodiscard]] model::Findings judge(const model::Model& model, const bearing::Arrangement& mounted,
                                     const results::DeflectionResult& result, Wording wording);
 
-/// Returns a note for an answer that does not store the states of the bearings. The note says that
+/// Returns a note for a result that does not store the states of the bearings. The note says that
 /// states outside the friction table of the spindle are not counted. Models without a friction
 /// table give no note.
 [[nodiscard]] std::vector<record::Note> states_not_counted(const model::Model& model);

@@ -35,7 +35,7 @@ struct LoopQuestion {
 
 /// Calibrates the model, diagnoses its misfit, adds effects to it, or predicts the readings of the
 /// record. `effects` contains the names that the user typed. The functions throw like the functions
-/// of fit, and text::InputError if the data are not suitable for the question.
+/// of fit, and text::InputError if the data are not suitable.
 [[nodiscard]] verdict::Calibration calibrate(const LoopQuestion& asked,
                                              const verdict::CalibrateOptions& options = {});
 [[nodiscard]] verdict::Diagnosis diagnose(const LoopQuestion& asked,

@@ -34,7 +34,7 @@ using Names = std::vector<std::string>;
 /// Part of a model file.
 enum class Part { any, bearing, correction };
 
-/// Options of a question in addition to model and data.
+/// Options of a calculation in addition to model and data.
 struct LoopOptions {
   Reading reading{};
   Names per_record{};  ///< parameters that are fitted separately for each record
@@ -168,8 +168,8 @@ class LoopModel {
                                                          const LoopOptions& options,
                                                          std::size_t place = 0);
 
-/// Opens the first correction of a file, for a question whose answer is the same for all
-/// corrections of the file.
+/// Opens the first correction of a file, for a request whose result is the same for all corrections
+/// of the file.
 [[nodiscard]] std::unique_ptr<LoopModel> open_any_correction(Messages& messages, const Source& file,
                                                              LoopOptions options);
 

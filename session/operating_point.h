@@ -11,11 +11,11 @@
 #include "session/wording.h"
 #include "shaft/shaft_prediction.h"
 
-/// Builds the operating points of a question: takes missing values from the model, and checks
-/// ranges and the loads of a shaft. All numbers are in the units of files.
+/// Builds the requested operating points: takes missing values from the model, and checks ranges
+/// and the loads of a shaft. All numbers are in the units of files.
 namespace raceway::session {
 
-/// Operating point of a question. NaN stands for the value of the model: axial load (on a shaft the
+/// Requested operating point. NaN stands for the value of the model: axial load (on a shaft the
 /// external axial load), radial load and temperature of the rig.
 struct AskedPoint {
   double speed_rpm = unset, axial_load_N = unset, radial_load_N = unset, temperature_C = unset,
@@ -28,15 +28,15 @@ struct AskedPoint {
 /// Returns the operating point of a model with the requested values.
 [[nodiscard]] bearing::OperatingPoint point_of(const model::Model& model, const AskedPoint& asked);
 
-/// Loads that a question gives.
+/// Loads that the request gives.
 struct GivenLoads {
   bool axial_load = false;
   bool acting_axial_load = false;  ///< true for an axial load other than 0
   bool radial_load = false, moments = false;
 };
 
-/// Throws text::InputError if neither question nor model gives an axial load, or if a shaft or a
-/// roller bearing does not accept a load. Warns of moments that have no effect.
+/// Throws text::InputError if neither the request nor the model gives an axial load, or if a shaft
+/// or a roller bearing does not accept a load. Warns of moments that have no effect.
 void require_loads(Messages& messages, const files::ModelFile& file, const GivenLoads& given,
                    Wording wording);
 

@@ -18,8 +18,8 @@ struct Reading {
   Period period{};                    ///< period of readings; only for time records
   bool one_by_one = false;  ///< true: readings arrive one by one and later ones are unknown
 
-  /// Returns the files of a question, joined with the files of --beside. Throws text::InputError if
-  /// --beside is given and the question names several records.
+  /// Returns the data files, joined with the files of --beside. Throws text::InputError if --beside
+  /// is given together with several data files.
   [[nodiscard]] std::vector<Source> sources(std::vector<Source> data) const;
   /// Returns the options for reading measurements: with the column map of the flag, otherwise with
   /// [columns] of the model. Throws text::InputError if a period is given, because the rows of a

@@ -52,11 +52,11 @@ struct SensitivityQuestion {
 /// ten times larger, because a steady state is found by iteration. The step of a count is 1, and
 /// there is no second step.
 ///
-/// The spreads come from the question. Otherwise, the spread of a fitted number is sqrt(3) times
-/// its standard error. This is half the width of a uniform distribution whose standard deviation is
-/// the standard error. All other data use 1 % of the value, 1 K for a temperature and 1 for a
-/// count. Global samples are uniform between value - spread and value + spread and independent of
-/// each other.
+/// The spreads come from `question`. If a spread is not given, the spread of a fitted number is
+/// sqrt(3) times its standard error. This is half the width of a uniform distribution whose
+/// standard deviation is the standard error. All other data use 1 % of the value, 1 K for a
+/// temperature and 1 for a count. Global samples are uniform between value - spread and value +
+/// spread and independent of each other.
 ///
 /// Points are solved on all cores. The results do not depend on the number of cores or on the order
 /// of the points. Throws text::InputError for an invalid question. Throws fit::Cancelled if

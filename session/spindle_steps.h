@@ -84,7 +84,7 @@ struct StepCorrectionQuestion {
 [[nodiscard]] correction::Model correction_of_steps(Messages& messages, const SpindleSteps& steps,
                                                     const StepCorrectionQuestion& question);
 
-/// Returns the names of the correction channels for the loads of a question.
+/// Returns the names of the correction channels for the requested load steps.
 [[nodiscard]] std::vector<std::string> load_channels(const StepQuestion& question);
 
 /// Compares a correction from step responses with the full simulation over a programme of speeds

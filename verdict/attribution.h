@@ -26,7 +26,7 @@ struct Explanation {
   bool rechecked = false;
   double least_loss = unset;  ///< rise of -2 ln L if the weakest of several candidates is removed
   bool elastic = false;       ///< true if exponents bend the law
-  /// Exponent of each factor of the subject, by name; 0 for a factor that does not vary.
+  /// Exponent of each factor (Subject::factors()), by name; 0 for a factor that does not vary.
   std::vector<record::NamedValue> exponents{};
   std::size_t free_exponents = 0;  ///< number of free exponents
   /// Returns true if an exponent reached its bound.
@@ -68,8 +68,8 @@ class Attribution {
   /// Repeats coarse fits as full fits if their gain may be within `reach` of the best gain. The
   /// pairs from which triples() starts are also repeated. The list is then sorted, best first.
   void refine(std::vector<Explanation>& list, double reach) const;
-  /// Multiplies the law of one candidate by powers of the factors of the subject, with exponents
-  /// within +-0.2.
+  /// Bends the law of one candidate: multiplies the law by powers of Subject::factors(), with
+  /// exponents within +-0.2.
   [[nodiscard]] Explanation elastic(const Explanation& single) const;
   /// Applies the gate to an extended model.
   void recheck(Explanation& explanation) const;

@@ -53,7 +53,7 @@ struct CalibrateOptions {
   bool profile = false;
 };
 
-/// Fits the free parameters of a subject to a record, within their bounds.
+/// Fits the free parameters of a model to a record, within their bounds.
 ///
 ///   minimise |W (y - f(x))|²
 ///
@@ -73,7 +73,7 @@ struct CalibrateOptions {
 /// parameter at its start value. The fit marks this parameter and the earlier ones as not
 /// identifiable. The fit also keeps a parameter at its start value if the fitted standard error
 /// exceeds the range of the bounds, because such a fitted value has no meaning. Throws
-/// std::invalid_argument for a record that does not suit this kind of subject, for an unknown
+/// std::invalid_argument for a record that does not suit this kind of model, for an unknown
 /// parameter, and for fewer readings than parameters. For models that only approximate the readings
 /// (Subject::approximates()), use loop/loop.h.
 [[nodiscard]] Calibration calibrate_by_noise(const fit::Subject& subject,

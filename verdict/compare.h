@@ -101,8 +101,8 @@ struct Comparison {
 /// Compares a model with every measured channel of the record. `fitted_parameters` is the number of
 /// model parameters that were fitted to these data. Fitted parameters reduce the degrees of freedom
 /// of the test. If you do not know the number, use 0, which makes the test milder. Throws
-/// std::invalid_argument if the record does not suit this kind of subject, has no rows, or has no
-/// row with a prediction.
+/// std::invalid_argument if the record does not suit this kind of model, has no rows, or has no row
+/// with a prediction.
 [[nodiscard]] std::vector<Comparison> compare(const fit::Subject& subject,
                                               const record::Record& record,
                                               int fitted_parameters = 0);

@@ -12,14 +12,14 @@
 namespace raceway::verdict {
 
 struct DiagnoseOptions {
-  /// Ids of the effects that may be missing; empty means all candidates of the subject.
+  /// Ids of the effects that may be missing; empty means all candidates for the model.
   std::vector<std::string> candidates{};
   /// Number of candidates tried earlier on these data, for the multiple-testing correction.
   int tried_before = 0;
   int most_rows = most_rows_of_a_fit;
   bool pairs = true;
-  /// True if the other base models of the subject are also tried when no candidate explains the
-  /// misfit, or when one candidate fits only with another law or an implausible size.
+  /// If true, other base models (Subject::other_bases()) are also tried when no candidate explains
+  /// the misfit, or when one candidate fits only with another law or an implausible size.
   bool other_bases = true;
   fit::NoiseOptions noise{};
   std::function<void(double share, std::string_view step)> progress{};

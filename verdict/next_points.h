@@ -16,11 +16,11 @@ struct NextPoints {
   double predicted_separation = unset, separation_by_repetition = unset;
 };
 
-/// Returns the points on the axes of the subject that best separate rival explanations. The design
-/// is T-optimal for the worst pair. The search chooses and exchanges points one by one. The search
+/// Returns the points on the axes of the model that best separate rival explanations. The design is
+/// T-optimal for the worst pair. The search chooses and exchanges points one by one. The search
 /// stops if the predicted separation reaches 20 or if `most` points, including repeats, are used.
-/// The result is empty for fewer than two explanations, for a subject without axes, and for a
-/// subject whose readings depend on earlier rows.
+/// The result is empty for fewer than two explanations, for a model without axes, and for a model
+/// whose readings depend on earlier rows.
 [[nodiscard]] NextPoints next_points(const Evidence& evidence,
                                      const std::vector<const Explanation*>& rivals, int most = 12);
 
