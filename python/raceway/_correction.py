@@ -253,7 +253,8 @@ class Correction(LoopModel):
         Raises
         ------
         InputError
-            `accept_untrusted` is False, and the `trust` of a displacement is "do not use, because ..." or the correction has no input and no effect.
+            `accept_untrusted` is False, and the `trust` of a displacement is "do not use, because ..." or the correction has no channel and no
+            effect.
         """
         if format not in FORMATS:
             raise ValueError(f"format = {format!r}: must be python, c, csv or linuxcnc")

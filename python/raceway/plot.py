@@ -106,7 +106,7 @@ def stribeck(table: Any, *, by: str | Sequence[str] | None = "axial_load_N", mea
 
 
 def _readings(ax: Axes, readings: pd.DataFrame, by: list[str], curves: list[tuple[Any, ...]]) -> None:
-    """Draw readings, each with the marker of its curve."""
+    """Draw readings with the marker of the nearest curve, or with a cross if no curve is near."""
     speed = draw.numbers(readings, "speed_rpm", "stribeck() measured")
     torque = draw.numbers(readings, "friction_torque_Nmm", "stribeck() measured")
     near = np.full(len(readings), -1)
