@@ -41,8 +41,9 @@ struct HalFiles {
 /// (--accept-untrusted).
 void require_trust(const control::ControlPlan& plan);
 
-/// Exports a plan. `format` is python, c, csv or linuxcnc. `output` is the file name, which C and
-/// HAL use as the name of the component; it is empty or "-" if there is no file.
+/// Exports a plan. `format` is python, c, csv or linuxcnc. `output` is the file name; empty or "-"
+/// if there is no file. The file name is also the prefix of the C functions and the name of the HAL
+/// component.
 [[nodiscard]] ControlExport export_plan(control::ControlPlan plan, const std::string& format,
                                         const std::string& output);
 

@@ -22,8 +22,8 @@ struct AskedPoint {
          moment_y_Nmm = unset, moment_z_Nmm = unset;
 };
 
-/// Returns the operating point of a model without a speed. The axial load is NaN if the model gives
-/// none.
+/// Returns the operating point that a model gives. Its speed is not set. The axial load is NaN if
+/// the model gives none.
 [[nodiscard]] bearing::OperatingPoint point_of(const model::Model& model);
 /// Returns the operating point of a model with the requested values.
 [[nodiscard]] bearing::OperatingPoint point_of(const model::Model& model, const AskedPoint& asked);

@@ -42,9 +42,10 @@ struct OperatingClearance {
 /// ClearanceState::mounted, u is the growth relative to the cold seat at standstill.
 /// Source:   derived; Lamé as in press_fit(), compared with a numerical boundary value solution of
 ///           the seats.
-/// Domain:   the bore must be given and, with a housing, the outer diameter; otherwise
-///           std::invalid_argument is thrown. The outer ring does not rotate. The deformation of
-///           the rings between the rollers and the deformation of the housing are neglected.
+/// Domain:   the bore must be given. If there is a housing, the outer diameter must also be given.
+///           Otherwise std::invalid_argument is thrown. The outer ring does not rotate. The
+///           deformation of the rings between the rollers and the deformation of the housing are
+///           neglected.
 [[nodiscard]] OperatingClearance operating_clearance(const bearing::RollerBearing& bearing,
                                                      const RollerSeats& seats, double speed,
                                                      const RollerTemperatures& rises);

@@ -6,7 +6,7 @@
 
 namespace raceway::spindle {
 
-/// Returns the stresses of shaft and rings in each column of cells: stresses by the temperature
+/// Returns the stresses of shaft and rings in each column of cells. Causes are the temperature
 /// across the wall, the pressure of the seat and the rotation (stresses_of()).
 ///
 /// The temperature of a surface follows from the temperature of its cell and the heat flow through

@@ -36,8 +36,8 @@ class State:
     """Inputs of the function `torque`. Each column of the record is an array with one value per row.
 
     The arrays are ``speed_rpm``, ``axial_load_N``, ``radial_load_N``, ``temperature_C``, ``time_s`` and all other
-    recorded columns. Their names include the unit. Measured columns are not included. The data of the bearing are
-    single numbers: ``pitch_diameter_mm``, ``ball_diameter_mm``, ``ball_count``, ``contact_angle_deg``.
+    recorded columns. The names end with the unit, if there is one. Measured columns are not included. The data of the bearing are single numbers:
+    ``pitch_diameter_mm``, ``ball_diameter_mm``, ``ball_count``, ``contact_angle_deg``.
     """
 
     def __init__(self, columns: Mapping[str, Any]) -> None:

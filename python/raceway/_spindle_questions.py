@@ -138,8 +138,8 @@ class SpindleQuestions:
         Raises
         ------
         InputError
-            The model is not a model of a spindle, the profile has no time, no speed or several runs, or the initial
-            state belongs to another spindle.
+            The model is not a model of a spindle, the profile has no time, no speed or several runs or begins before 0 s, or the initial state
+            belongs to another spindle.
         KeyboardInterrupt
             The user pressed Ctrl+C. The call stops and returns no result.
 
