@@ -42,8 +42,8 @@ class HeatFlow {
   /// Finds the steady state under these inputs. `iterations` counts the updates of heat transfer
   /// coefficients and seats.
   [[nodiscard]] Status settle(const Inputs& inputs, double machine_rise, int& iterations);
-  /// Returns the gain of the loop heat -> temperature -> preload -> heat in the long term at this
-  /// state [1].
+  /// Returns the long-term gain of the loop heat -> temperature -> preload -> heat at this state
+  /// [1].
   [[nodiscard]] double gain();
 
   [[nodiscard]] const Vector& temperatures() const { return temperatures_; }
