@@ -15,8 +15,8 @@
 namespace raceway::session {
 
 /// Returns the uncertainty band of a model's predictions from its fitted parameters. `asked_by` is
-/// the flag or argument that requests the band. `remedy` names the commands that make a model with
-/// a band. Both texts appear in the error message. Throws text::InputError if the model file
+/// the flag or argument that requests the band. `remedy` names the commands that write a model with
+/// a covariance. Both texts appear in the error message. Throws text::InputError if the model file
 /// contains no covariance of its parameters.
 [[nodiscard]] model::Band band_of(const files::ModelFile& file, std::string_view asked_by,
                                   std::string_view remedy);

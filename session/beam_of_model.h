@@ -13,15 +13,15 @@ namespace raceway::session {
 /// A spindle as a beam on its bearings, for the analysis of deflection and modes.
 struct BeamOfModel {
   std::vector<double> places;         ///< positions of the bearings of the sets [m]
-  std::vector<double> roller_places;  ///< [m]
+  std::vector<double> roller_places;  ///< positions of the roller bearings [m]
   std::vector<std::string> roller_names;
   spindle::Beam beam;
   spindle::SetsOfSpindle sets;
 };
 
 /// Returns the beam of a model with nodes at the bearings and at `load_place` [m]. Throws
-/// text::InputError if the model has no [shaft] with segments. Every error message begins with the
-/// name of the file.
+/// text::InputError if the model has no [shaft] with segments. Error messages begin with the name
+/// of the file.
 [[nodiscard]] BeamOfModel beam_of(const files::ModelFile& file, double load_place);
 
 /// Computes the bending of the shaft on all its bearings under the belt and nose loads in the
@@ -37,16 +37,16 @@ struct BeamOfModel {
     const BeamOfModel& b, const spindle::SetsAtSpeed& sets,
     const std::optional<spindle::LoadedShaft>& bent);
 
-/// Returns true if roller bearings support the shaft, or if a load other than the further load
-/// bends it.
+/// Returns true if roller bearings support the shaft or a belt force bends it. Loads at the nose
+/// are not considered.
 [[nodiscard]] bool bends(const model::Spindle& spindle);
 
 /// Returns the reason why switching off the coolant has no effect; empty if switching it off has an
 /// effect.
 [[nodiscard]] std::string unused_coolant_off(const model::Model& model, bool coolant_on, bool warm);
 
-/// Returns the conditions of the sets: the external load of the model and, for a warm spindle, its
-/// ambient temperature.
+/// Returns the inputs of a spindle at a speed, with the external load of the model. The
+/// temperatures are NaN, so the values of the model are used.
 [[nodiscard]] spindle::Inputs inputs_at(const model::Model& model, double speed, bool coolant_on);
 
 }  // namespace raceway::session

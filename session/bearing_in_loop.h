@@ -6,9 +6,9 @@
 
 namespace raceway::session {
 
-/// Opens a bearing on its rig, sets on a shaft, or a spindle for the loop of measurements and
-/// model. Throws text::InputError like open_loop_model(), and if the model does not predict the
-/// channel that the options name.
+/// Opens the model of a bearing on its rig, of sets on a shaft, or of a spindle for the comparison
+/// with measurements. Throws text::InputError like open_loop_model(), and if the model does not
+/// predict the channel that the options name.
 [[nodiscard]] std::unique_ptr<LoopModel> open_bearing(Messages& messages, const Source& file,
                                                       const LoopOptions& options,
                                                       std::size_t place);

@@ -8,16 +8,16 @@
 #include "files/catalogue_file.h"
 #include "session/messages.h"
 
-/// Questions about the catalogues of effects and bearings.
+/// Searches the catalogues of effects and bearings.
 namespace raceway::session {
 
 struct FoundEffects {
   std::vector<effects::Description> effects{};
   std::vector<correction::EffectCard> of_records{};  ///< effects on a displacement over time
   bool is_list = true;                               ///< false: one effect, in all its forms
-  std::string own_datum{};  ///< explains an id that is a number of the model, not an effect
+  std::string own_datum{};  ///< message for an id that is not an effect but a number of the model
 
-  /// Throws text::InputError if there is no effect.
+  /// Throws text::InputError with `own_datum` if the id is a number of the model.
   [[nodiscard]] std::string json() const;
 };
 
@@ -26,8 +26,8 @@ struct FoundEffects {
 [[nodiscard]] FoundEffects find_effects(const std::string& asked);
 
 /// Finds the bearings whose name contains `name`. If there are none, finds the bearings of the same
-/// size, with a note. NaN accepts every bore and outer diameter [m]. Throws text::InputError if no
-/// bearing matches.
+/// size, with a note. If `bore` or `outer_diameter` [m] is NaN, every value is accepted. Throws
+/// text::InputError if no bearing matches.
 [[nodiscard]] std::vector<files::CatalogueBearing> find_bearings(Messages& messages,
                                                                  const std::string& name,
                                                                  double bore,

@@ -18,7 +18,7 @@ struct CatalogueConformity {
   std::vector<files::NamedFile> files{};  ///< files that the model names
 
   [[nodiscard]] bool found() const;
-  /// Returns the reason if no conformity gives the printed rigidities.
+  /// Returns the reason why no conformity gives the printed rigidities; empty if found().
   [[nodiscard]] std::string problem() const;
   /// Returns a warning if one conformity does not explain all preload classes.
   [[nodiscard]] std::vector<std::string> warnings() const;

@@ -10,7 +10,7 @@
 
 namespace raceway::session {
 
-/// Corrections exported as a program or a table that runs without raceway.
+/// Corrections exported as a program that runs without raceway, or as a table for such a program.
 struct ControlExport {
   control::ControlPlan plan{};  ///< plan of the export with its notes
   std::string text{};
@@ -28,21 +28,22 @@ struct HalFiles {
 };
 [[nodiscard]] HalFiles hal_files(const std::string& output);
 
-/// Opens a model file for a control and adds a check record: `record`, or a synthetic record if
-/// none is given. `model` may also be an exported table. The check record then comes from the
-/// table.
+/// Opens a model file for the export to a control, and adds a check record: `record`, or a
+/// synthetic record if none is given. `model` may also be an exported table. The check record then
+/// comes from the table.
 ///
 /// Throws text::InputError like the readers, and for a table that is given together with a record.
 [[nodiscard]] control::ControlPlan open_plan(Messages& messages, const Source& model,
                                              const Source* record = nullptr);
 
-/// Throws text::InputError if the correction of a displacement is not to be used, or if the plan
-/// predicts nothing. The message gives the reason and the flag that allows the export
+/// Throws text::InputError if the trust in the correction of a displacement is `do_not_use`, or if
+/// the plan predicts nothing. The message gives the reason and the flag that allows the export
 /// (--accept-untrusted).
 void require_trust(const control::ControlPlan& plan);
 
-/// Exports a plan. `format` is python, c, csv or linuxcnc. `output` is the file name, which C and
-/// HAL use as the name of the component; it is empty or "-" if there is no file.
+/// Exports a plan. `format` is python, c, csv or linuxcnc. `output` is the file name; empty or "-"
+/// if there is no file. The file name is also the prefix of the C functions and the name of the HAL
+/// component.
 [[nodiscard]] ControlExport export_plan(control::ControlPlan plan, const std::string& format,
                                         const std::string& output);
 

@@ -6,7 +6,7 @@
 
 namespace raceway::session {
 
-/// Opens the correction of one displacement for the loop of measurements and model. Throws
+/// Opens the correction of one displacement for the comparison with measurements. Throws
 /// text::InputError like open_loop_model(), and if the file does not model the displacement.
 [[nodiscard]] std::unique_ptr<LoopModel> open_correction(Messages& messages, const Source& file,
                                                          const LoopOptions& options);

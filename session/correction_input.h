@@ -15,14 +15,14 @@
 
 namespace raceway::session {
 
-/// Reads a file of corrections and adds notes on it, one of them on the number of default values
-/// used. Throws text::InputError like the reader. A model without a correction gives a short
-/// message.
+/// Reads a file of corrections and adds notes on it. With Defaults::count, one note gives the
+/// number of default values used. Throws text::InputError like the reader.
 [[nodiscard]] files::CorrectionFile open_corrections(Messages& messages, const Source& file,
                                                      Defaults defaults = Defaults::count);
 
-/// Joins several corrections of one displacement to one file at `path`, which is their sum: see
-/// files::join_corrections(). Notes list the parts that the sum omits.
+/// Joins several corrections of one displacement to one file at `path`. The joined file predicts
+/// the sum of the predictions of its parts: see files::join_corrections(). Notes list the parts
+/// that the sum omits.
 [[nodiscard]] files::CorrectionFile join(Messages& messages, const std::vector<Source>& parts,
                                          const std::string& path);
 
@@ -54,8 +54,9 @@ void prepare_fit(Messages& messages, const correction::Model& model, const std::
                  record::Record& record);
 
 /// Returns notes on extrapolation when a model runs on a record: inputs outside their range,
-/// combinations of inputs outside the joint range, and powers outside the friction table. Each note
-/// gives the first row and the number of rows.
+/// combinations of inputs outside the joint range, and powers outside the friction table. Notes on
+/// inputs give the first row and the number of rows; notes on a friction table give the share of
+/// the rows.
 [[nodiscard]] std::vector<std::string> range_notes(const correction::Model& model,
                                                    const correction::Series& series,
                                                    const correction::Beyond& beyond);

@@ -18,11 +18,11 @@ namespace raceway::session {
 
 /// Command-line options of `raceway identify` in addition to model and record.
 struct IdentifyChoices {
-  std::string order = "1:3";  ///< number of sections of each channel, "2", or a range, "1:3"
+  std::string order = "1:3";  ///< number of lags of each channel: "2", or a range, "1:3"
   /// columns that may be inputs; "all" means every column that varies
   std::vector<std::string> inputs{};
-  /// time constants of a bank [s]. With "auto", the program chooses them. An empty list means
-  /// sections instead of a bank.
+  /// time constants of the lags [s], the same for all channels. With "auto", the program chooses
+  /// the time constants. If the list is empty, the time constants are fitted.
   std::vector<std::string> lags{};
   std::string baseline{};  ///< "regression", "arx" or empty
   std::function<void(double share, std::string_view step)> progress{};
@@ -38,17 +38,17 @@ struct Identified {
   SeriesQuestion asked{};
   std::string baseline{};  ///< "regression" or empty
   std::vector<correction::Identification> found{};
-  /// Errors on a record that no fit used, and warnings on this record. Both are empty before
+  /// Errors on a record that no fit used, and warnings on this record. Both lists are empty before
   /// validate().
   std::vector<results::Validation> validations{};
   std::vector<record::Note> validation_warnings{};
 
-  /// Validates the models on another record. This record is then the evidence for the trust in the
-  /// models: see correction/trust.h.
+  /// Validates the models on another record. The errors on that record then determine the trust in
+  /// the models: see correction/trust.h.
   void validate(Messages& messages, const Source& other, const Reading& reading);
   [[nodiscard]] std::string json() const;
-  /// Returns the model file with the identified numbers. For a baseline, it returns a file of the
-  /// baseline's own models.
+  /// Returns the model file with the identified numbers. If a baseline was requested, the file
+  /// contains the models of the baseline.
   [[nodiscard]] std::string text() const;
 };
 
@@ -58,7 +58,7 @@ struct Identified {
 [[nodiscard]] Identified identify(Messages& messages, SeriesQuestion asked,
                                   const IdentifyChoices& choices);
 
-/// ARX models of every order, for each displacement of the file.
+/// ARX models of each requested order, for each displacement of the file.
 struct ArxModels {
   SeriesQuestion asked{};
   std::vector<std::pair<const record::Channel*, correction::ArxBaseline>> found{};
@@ -76,7 +76,7 @@ struct ArxModels {
   [[nodiscard]] Text text() const;
 };
 
-/// Throws like identify().
+/// Fits the ARX models. Throws like identify().
 [[nodiscard]] ArxModels identify_arx(SeriesQuestion asked, const IdentifyChoices& choices);
 
 }  // namespace raceway::session

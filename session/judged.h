@@ -14,8 +14,8 @@
 #include "session/wording.h"
 #include "shaft/shaft_prediction.h"
 
-/// Applies model::Judge to every answer of the command and of the Python and C interfaces, and
-/// rejects questions outside the physical range of a bearing.
+/// Applies model::Judge to results for bearings, shafts and spindles, and rejects inputs outside
+/// the physical range of a bearing.
 namespace raceway::session {
 
 /// Judges the mounted model: the contact pressure from the preload and the fits of the rings. The
@@ -29,7 +29,7 @@ namespace raceway::session {
 /// Returns the warnings among the findings as notes.
 [[nodiscard]] std::vector<record::Note> warnings_said(const model::Findings& findings);
 
-/// Returns findings as notes. A limit of running bearings becomes a warning.
+/// Returns findings as notes. An exceeded limit of running bearings becomes a warning.
 [[nodiscard]] std::vector<record::Note> said_of(const model::Findings& findings);
 
 /// Judges the sets of a shaft.
@@ -37,8 +37,8 @@ namespace raceway::session {
                                     std::span<const shaft::ShaftPoint> points,
                                     std::span<const shaft::ShaftPrediction> predictions);
 
-/// Judges the rows of a bearing or shaft table by the names of their columns. Rows of rollers are
-/// judged by speed only.
+/// Judges the rows of a bearing or shaft table. The names of the columns show where the values are.
+/// Rows of roller bearings are judged by speed only.
 class JudgedColumns {
  public:
   /// The model must live longer than this object.
@@ -74,9 +74,9 @@ class JudgedColumns {
 [[nodiscard]] model::Findings judge(const model::Model& model, const bearing::Arrangement& mounted,
                                     const results::DeflectionResult& result, Wording wording);
 
-/// Returns a note for an answer that does not store the states of the bearings. The note says that
-/// states outside the friction table of the spindle are not counted. Models with other friction
-/// laws give no note.
+/// Returns a note for a result that does not store the states of the bearings. The note says that
+/// states outside the friction table of the spindle are not counted. Models without a friction
+/// table give no note.
 [[nodiscard]] std::vector<record::Note> states_not_counted(const model::Model& model);
 
 /// Judges speeds only [rad/s].
@@ -92,8 +92,8 @@ class JudgedColumns {
 void require_possible_speed(const model::Model& model, double speed, const std::string& name);
 void require_possible_temperature(const model::Model& model, double temperature,
                                   const std::string& name);
-/// Checks all rows of a record and reports errors with file and line. Coolant water at a
-/// temperature of ice or steam is an error, too.
+/// Checks all rows of a record and reports errors with file and line. An inlet temperature at which
+/// the cooling water is ice or steam is also an error.
 void require_possible(const model::Model& model, const record::Record& record);
 
 }  // namespace raceway::session

@@ -11,14 +11,14 @@
 
 namespace raceway::session {
 
-/// Law of kinematic displacement, fitted to a measured curve.
+/// Law of the kinematic displacement, fitted to a measured curve of displacement over speed.
 struct LawFit {
   files::DisplacementCurve curve{};
   shaft::KinematicLawFit fit{};
   std::optional<results::LawAtSpeed> at{};
 
-  /// Describes the quality of the fit in one sentence. `table` names the table to use if the fit is
-  /// poor.
+  /// Describes the quality of the fit in one or two sentences. `table` names the table to use if
+  /// the fit is poor.
   [[nodiscard]] std::string statement(const std::string& table) const;
   [[nodiscard]] std::string json(const std::string& table) const;
 };

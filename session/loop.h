@@ -14,9 +14,9 @@
 #include "verdict/calibrate.h"
 #include "verdict/diagnose.h"
 
-/// Runs the loop for the command and for Python and C++ programs. The loop compares a model with
-/// measurements, finds the missing effect, and states how much this effect improves the model. The
-/// functions accept every kind of model file.
+/// Compares a model with measurements, finds the missing effect, and states how much this effect
+/// improves the model, for the command and for Python and C++ programs. The functions accept every
+/// kind of model file.
 namespace raceway::session {
 
 /// A model with its measurements, ready for a fit.
@@ -33,8 +33,9 @@ struct LoopQuestion {
 [[nodiscard]] LoopQuestion ask(Messages& messages, const Source& model,
                                const std::vector<Source>& data, const LoopOptions& options);
 
-/// Fits the model to the record. Throws like the functions of fit, and text::InputError if the data
-/// are not suitable for the question. `effects` contains the names that the user typed.
+/// Calibrates the model, diagnoses its misfit, adds effects to it, or predicts the readings of the
+/// record. `effects` contains the names that the user typed. The functions throw like the functions
+/// of fit, and text::InputError if the data are not suitable.
 [[nodiscard]] verdict::Calibration calibrate(const LoopQuestion& asked,
                                              const verdict::CalibrateOptions& options = {});
 [[nodiscard]] verdict::Diagnosis diagnose(const LoopQuestion& asked,

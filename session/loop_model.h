@@ -34,7 +34,7 @@ using Names = std::vector<std::string>;
 /// Part of a model file.
 enum class Part { any, bearing, correction };
 
-/// Options of a question in addition to model and data.
+/// Options of a calculation in addition to model and data.
 struct LoopOptions {
   Reading reading{};
   Names per_record{};  ///< parameters that are fitted separately for each record
@@ -52,7 +52,8 @@ struct LoopOptions {
 /// Options for comparing models with a record.
 struct CompareOptions {
   Names refit{};  ///< parameters that are fitted to the record first
-  /// Constant that is subtracted from each run of a correction: "mean", "first" or "none".
+  /// For corrections: error that is subtracted from the predictions of each run, "mean", "first"
+  /// (of the first reading) or "none".
   std::string zero = "mean";
 };
 
@@ -61,7 +62,7 @@ struct CompareOptions {
 struct FittedTexts {
   Names records{};  ///< names of the records; empty if one model covers all of them
   std::vector<std::string> texts{};
-  /// Names of corrected data without a covariance in the file.
+  /// Names of the data that the file gives as corrected values. The file then has no covariance.
   Names corrected_data{};
   /// Effects in the model that a file cannot express, with their parameters.
   struct OwnEffect {
@@ -78,12 +79,12 @@ struct ComparedModel {
   /// for a correction: the inputs outside the training data
   std::optional<correction::Beyond> beyond{};
   report::DrawnModel drawn{};
-  /// facts for the report page of all models that are not corrections
+  /// facts about the model for the report page; empty for a correction
   std::optional<report::ModelOfPage> facts{};
 };
 
-/// A model file opened for the loop: a bearing on its rig, sets on a shaft, a spindle, or the
-/// correction of one displacement.
+/// A model file opened for the comparison with measurements: a bearing on its rig, sets on a shaft,
+/// a spindle, or the correction of one displacement.
 class LoopModel {
  public:
   /// Description of the model file.
@@ -99,7 +100,7 @@ class LoopModel {
   virtual ~LoopModel() = default;
 
   [[nodiscard]] const About& about() const { return about_; }
-  /// Returns the model as written in the file, as a subject for this record.
+  /// Returns the unchanged model of the file, as a fit::Subject for this record.
   [[nodiscard]] virtual std::shared_ptr<const fit::Subject> as_written(
       const record::Record& data) const = 0;
 
@@ -126,8 +127,8 @@ class LoopModel {
   [[nodiscard]] virtual ComparedModel compared(Messages& messages, const record::Record& data,
                                                const CompareOptions& how,
                                                const Names& per_record) const = 0;
-  /// Checks a record as a time series for this model. The result is empty if the rows are not a
-  /// time series.
+  /// Checks a record as a time series for this model. The result is empty for models that are not
+  /// corrections.
   [[nodiscard]] virtual std::optional<correction::RecordCheck> over_time(
       const record::Record& data) const = 0;
 
@@ -155,20 +156,20 @@ class LoopModel {
 /// records.
 [[nodiscard]] Names records_apart(const fit::Subject& subject);
 
-/// Fits a model to a record before a comparison. `names` lists the parameters to fit. Throws
-/// std::invalid_argument if the fit does not converge.
+/// Fits a model to a record before a comparison. `names` lists the free parameters for the error
+/// message. Throws std::invalid_argument if the fit does not converge.
 [[nodiscard]] verdict::Calibration refitted(Messages& messages, const fit::Subject& subject,
                                             const record::Record& data, const Names& names);
 
-/// Opens the requested part of a file, the `place`-th if there are several, and adds notes on it.
-/// Throws text::InputError like the readers and Tolerance, and if the file has several parts and
-/// the options select none.
+/// Opens the requested part of a file and adds notes on it. If there are several such parts,
+/// `place` is the index of the part. Throws text::InputError like the readers and Tolerance, and if
+/// the file has several parts and the options select none.
 [[nodiscard]] std::unique_ptr<LoopModel> open_loop_model(Messages& messages, const Source& file,
                                                          const LoopOptions& options,
                                                          std::size_t place = 0);
 
-/// Opens the first correction of a file, for a question whose answer is the same for all
-/// corrections of the file.
+/// Opens the first correction of a file, for a request whose result is the same for all corrections
+/// of the file.
 [[nodiscard]] std::unique_ptr<LoopModel> open_any_correction(Messages& messages, const Source& file,
                                                              LoopOptions options);
 

@@ -25,7 +25,8 @@ struct NewModel {
 };
 
 /// Returns a commented model file with the default values of its law. Throws text::InputError if
-/// the bearing is neither in the catalogue nor described.
+/// the bearing is neither in the catalogue nor described, or if the description does not suit the
+/// bearing, the law or a spindle.
 [[nodiscard]] std::string new_model_text(Messages& messages, const NewModel& wanted);
 
 /// Returns a commented correction model for the displacements of a time record, with a channel for

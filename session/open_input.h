@@ -23,8 +23,8 @@ enum class Defaults { count, keep };
 /// Sends notes on a file as messages. Each text begins with the name of the file.
 void say_of(Messages& messages, const std::string& source, std::vector<record::Note> notes);
 
-/// Reads a model and adds notes on it, one of them on the number of default values used. Throws
-/// text::InputError if the command does not accept this kind of model.
+/// Reads a model and adds notes on it. With Defaults::count, one note gives the number of default
+/// values used. Throws text::InputError if the command does not accept this kind of model.
 [[nodiscard]] files::ModelFile open_model(Messages& messages, const Source& model,
                                           Accepts accepts = Accepts::rig,
                                           Defaults defaults = Defaults::count);
@@ -32,28 +32,28 @@ void say_of(Messages& messages, const std::string& source, std::vector<record::N
 /// Throws text::InputError for a model without an arrangement.
 void require_shaft(const files::ModelFile& file);
 
-/// Returns facts about a model for a report page, with the numbers that were used.
+/// Returns facts about the model of a file for a report page, with the numbers of the model `used`.
 [[nodiscard]] report::ModelOfPage of_page(const files::ModelFile& file, const model::Model& used);
 
 /// Warns if the file gives data of the bearing or the solver that the friction law does not use.
 /// Such data have no effect on the friction torque.
 void warn_of_ignored_data(Messages& messages, const files::ModelFile& file);
 
-/// Reads measurements for a model. A coast-down is converted to torque. Notes and doubts appear as
-/// messages and in the notes of the record.
+/// Reads measurements for a model. The speeds of a coast-down are converted to torques. Notes and
+/// doubts appear as messages and in the notes of the record.
 [[nodiscard]] record::Record open_data(Messages& messages, const Source& data,
                                        const model::ModelSubject& subject,
                                        const files::ReadOptions& options);
 
 /// Reads one or several files and joins them to one record, otherwise like open_data(). Each file
-/// must be suitable for the subject of the model. `model` is the file name in messages.
+/// must be suitable for the model. `model` is the file name in messages.
 [[nodiscard]] record::Record open_records(Messages& messages, const std::vector<Source>& data,
                                           const std::string& model,
                                           const model::ModelSubject& subject,
                                           const files::ReadOptions& options);
 
-/// Rethrows an error of `fit` about the data as text::InputError, with the name of the model before
-/// the message.
+/// Rethrows an error of `fit` about the data as text::InputError, with the names of the record and
+/// of the model before the message.
 [[noreturn]] void refuse_data(const std::string& model, const record::Record& data,
                               const std::invalid_argument& error);
 

@@ -11,32 +11,32 @@
 #include "session/wording.h"
 #include "shaft/shaft_prediction.h"
 
-/// Builds the operating points of a question: takes missing values from the model, and checks
-/// ranges and the loads of a shaft. All numbers are in the units of files.
+/// Builds the requested operating points: takes missing values from the model, and checks ranges
+/// and the loads of a shaft. All numbers are in the units of files.
 namespace raceway::session {
 
-/// Operating point of a question. NaN stands for the value of the model: axial load (on a shaft the
+/// Requested operating point. NaN stands for the value of the model: axial load (on a shaft the
 /// external axial load), radial load and temperature of the rig.
 struct AskedPoint {
   double speed_rpm = unset, axial_load_N = unset, radial_load_N = unset, temperature_C = unset,
          moment_y_Nmm = unset, moment_z_Nmm = unset;
 };
 
-/// Returns the operating point of a model without a speed. The axial load is NaN if the model gives
-/// none.
+/// Returns the operating point that a model gives. Its speed is not set. The axial load is NaN if
+/// the model gives none.
 [[nodiscard]] bearing::OperatingPoint point_of(const model::Model& model);
 /// Returns the operating point of a model with the requested values.
 [[nodiscard]] bearing::OperatingPoint point_of(const model::Model& model, const AskedPoint& asked);
 
-/// Loads that a question gives.
+/// Loads that the request gives.
 struct GivenLoads {
   bool axial_load = false;
   bool acting_axial_load = false;  ///< true for an axial load other than 0
   bool radial_load = false, moments = false;
 };
 
-/// Throws text::InputError if neither question nor model gives an axial load, or if a shaft does
-/// not accept a load. Warns of moments that have no effect.
+/// Throws text::InputError if neither the request nor the model gives an axial load, or if a shaft
+/// or a roller bearing does not accept a load. Warns of moments that have no effect.
 void require_loads(Messages& messages, const files::ModelFile& file, const GivenLoads& given,
                    Wording wording);
 
@@ -46,13 +46,14 @@ void require_loads(Messages& messages, const files::ModelFile& file, const Given
                                                       const files::ModelFile& file,
                                                       const AskedPoint& asked, Wording wording);
 
-/// Axes of a table, each with rising values. An empty axis has the single value of the model.
+/// Axes of a table, each with values in ascending order. An empty axis has the single value of the
+/// model.
 struct AskedAxes {
   std::vector<double> speed_rpm{}, axial_load_N{}, radial_load_N{}, temperature_C{};
 };
 
-/// Throws text::InputError like operating_point(), for a missing speed, and for an axis that does
-/// not rise.
+/// Throws text::InputError like operating_point(), for a missing speed, and for an axis whose
+/// values are not in ascending order.
 [[nodiscard]] friction::TableAxes table_axes(Messages& messages, const files::ModelFile& file,
                                              const AskedAxes& asked, Wording wording);
 

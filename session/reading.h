@@ -9,7 +9,7 @@
 
 namespace raceway::session {
 
-/// Options of a command that reads measurements: `--columns map.toml` and `--drop-nan`.
+/// Options of a command that reads measurements, such as `--columns map.toml` and `--drop-nan`.
 struct Reading {
   std::string columns{};
   std::string columns_text{};  ///< text of the column map, used instead of its file
@@ -18,8 +18,8 @@ struct Reading {
   Period period{};                    ///< period of readings; only for time records
   bool one_by_one = false;  ///< true: readings arrive one by one and later ones are unknown
 
-  /// Returns the files of a question, joined with the files of --beside. Throws text::InputError if
-  /// the question names several records.
+  /// Returns the data files, joined with the files of --beside. Throws text::InputError if --beside
+  /// is given together with several data files.
   [[nodiscard]] std::vector<Source> sources(std::vector<Source> data) const;
   /// Returns the options for reading measurements: with the column map of the flag, otherwise with
   /// [columns] of the model. Throws text::InputError if a period is given, because the rows of a

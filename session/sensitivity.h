@@ -24,8 +24,8 @@ struct SensitivityQuestion {
   std::vector<double> speeds_rpm{}, axial_loads_N{}, radial_loads_N{}, temperatures_C{};
   bool steady = false;  ///< true: steady state of the whole spindle at each speed
   bool coolant_on = true;
-  /// Loads, ambient and coolant of a steady state. The speed in `inputs` is not used. If `inputs`
-  /// is empty, loads, ambient and coolant come from the model.
+  /// Loads, ambient temperature and coolant of a steady state. The speed in `inputs` is not used.
+  /// If `inputs` is empty, the model gives these values.
   std::optional<spindle::Inputs> inputs{};
   std::vector<files::SpreadText> spreads{};
   /// Names of the data to vary; the name of a table includes all its data. Empty means all data.
@@ -43,8 +43,8 @@ struct SensitivityQuestion {
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> sensitivity_words(
     const model::Model& model, bool steady);
 
-/// Returns the derivative of every prediction with respect to every datum and, on request, the
-/// Sobol' indices.
+/// Returns the derivative of each requested prediction with respect to each varied datum and, on
+/// request, the Sobol' indices.
 ///
 /// The derivative is the central difference at two steps, h and h/2, extrapolated: (4 D(h/2) -
 /// D(h))/3. The difference is one-sided if the model rejects values on the other side. The step h
@@ -52,11 +52,11 @@ struct SensitivityQuestion {
 /// ten times larger, because a steady state is found by iteration. The step of a count is 1, and
 /// there is no second step.
 ///
-/// The spreads come from the question. Otherwise, the spread of a fitted number is sqrt(3) times
-/// its standard error. This is half the width of a uniform distribution whose standard deviation is
-/// the standard error. All other data use 1 % of the value, 1 K for a temperature and 1 for a
-/// count. Global samples are uniform between value - spread and value + spread and independent of
-/// each other.
+/// The spreads come from `question`. If a spread is not given, the spread of a fitted number is
+/// sqrt(3) times its standard error. This is half the width of a uniform distribution whose
+/// standard deviation is the standard error. All other data use 1 % of the value, 1 K for a
+/// temperature and 1 for a count. Global samples are uniform between value - spread and value +
+/// spread and independent of each other.
 ///
 /// Points are solved on all cores. The results do not depend on the number of cores or on the order
 /// of the points. Throws text::InputError for an invalid question. Throws fit::Cancelled if
@@ -67,7 +67,8 @@ struct SensitivityQuestion {
 /// Returns the text of a state: "speed_rpm 6000, axial_load_N 300".
 [[nodiscard]] std::string words_of_state(const results::Sensitivity& s, std::size_t state);
 
-/// Returns one warning for each prediction without a value.
+/// Returns one warning for each prediction without a value, and one warning if samples have no
+/// prediction.
 [[nodiscard]] std::vector<std::string> sensitivity_warnings(const results::Sensitivity& s);
 
 }  // namespace raceway::session

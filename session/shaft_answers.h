@@ -10,9 +10,10 @@
 
 namespace raceway::session {
 
-/// Returns warnings on bearings of a shaft that lose their inner contacts or fall below their
-/// minimum load. Each warning gives the range of speeds, found between the points to half an rpm.
-/// The points must be in order of rising speed.
+/// Returns warnings if bearings of a shaft lose their inner contacts or if their load is below the
+/// minimum load. Each warning gives the range of speeds. The ends of the range are calculated
+/// between the points, with an accuracy of half an rpm. The points must be in order of rising
+/// speed.
 [[nodiscard]] std::vector<std::string> shaft_warnings(
     const model::Model& model, std::span<const shaft::ShaftPoint> points,
     std::span<const shaft::ShaftPrediction> predictions);

@@ -44,8 +44,8 @@ class ShaftCurve {
   [[nodiscard]] const results::BandOfResult* band() const { return band_ ? &*band_ : nullptr; }
   /// Returns true if every speed has a position and a torque.
   [[nodiscard]] bool converged() const;
-  /// Returns warnings of exceeded limits, each at the worst speed, of unloaded bearings, and of
-  /// speeds without a value.
+  /// Returns one warning for each exceeded limit, with the worst speed, and warnings of unloaded
+  /// bearings and of speeds without a value.
   [[nodiscard]] std::vector<record::Note> warnings() const;
 
   [[nodiscard]] std::string json() const;

@@ -24,15 +24,15 @@ struct PointAnswer {
   /// `friction`.
   bearing::BearingEquilibrium equilibrium{};
   friction::HeatSplit heat{};
-  std::optional<shaft::ShaftPrediction> shaft{};  ///< results of a shaft, instead of those above
+  std::optional<shaft::ShaftPrediction> shaft{};  ///< for a shaft, instead of the members above
   std::optional<results::BandOfResult> band{};    ///< half widths of the band, if requested
   model::Findings findings{};                     ///< limits that the answer exceeds
-  std::string why{};                              ///< the point, and the reason if it has no result
+  std::string why{};                              ///< if not converged: the point and the reason
 
   [[nodiscard]] bool converged() const { return status == bearing::SolveStatus::converged; }
 };
 
-/// On a shaft, the axial load of the point is the external load.
+/// Solves one operating point. On a shaft, the axial load of the point is the external load.
 [[nodiscard]] PointAnswer solve_point(const model::Model& model,
                                       const bearing::OperatingPoint& point,
                                       const std::optional<model::Band>& band = {});

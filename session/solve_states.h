@@ -32,7 +32,7 @@ struct StateArrays {
   [[nodiscard]] std::size_t size() const;
 };
 
-/// Results of states, in the order of their arrays with the last dimension fastest.
+/// Results of states in the order of the given arrays. The last dimension varies fastest.
 struct SolvedStates {
   std::vector<std::string> columns;  ///< names with their units; friction_torque_Nmm is the first
   std::vector<double> values;        ///< values column by column; NaN for a missing value
@@ -50,17 +50,17 @@ struct SolvedStates {
 /// band follow (band_columns()). Loads and temperatures that are not given come from the model.
 /// Throws text::InputError for a missing speed or load, for a number out of its range (with its
 /// place in the array), for an unknown column, and for radial loads or moments on a shaft. Throws
-/// Cancelled if `cancelled` is set during the calculation. Memory: the returned arrays and one
-/// block per thread.
+/// fit::Cancelled if `cancelled` is set during the calculation. The function needs memory for the
+/// returned arrays and for one block of states per thread.
 [[nodiscard]] SolvedStates solve_states(Messages& messages, const files::ModelFile& file,
                                         const StateArrays& states,
                                         const std::vector<std::string>& columns = {},
                                         const std::atomic<bool>* cancelled = nullptr,
                                         const model::Band* band = nullptr);
 
-/// Solves a single state and returns all columns with notes, with the same 15 digits as `raceway
-/// solve`. solve_states() uses a faster solver for several points together; docs/speed.md gives the
-/// difference. Throws like solve_states(), and for more than one state.
+/// Solves a single state and returns all columns with notes. The values have the same 15 digits as
+/// the output of `raceway solve`. solve_states() uses a faster solver for several points together;
+/// docs/speed.md gives the difference. Throws like solve_states(), and for more than one state.
 [[nodiscard]] SolvedStates solve_state(Messages& messages, const files::ModelFile& file,
                                        const StateArrays& states,
                                        const model::Band* band = nullptr);
@@ -77,10 +77,10 @@ struct PredictedStates {
   std::vector<bearing::SolveStatus> status;  ///< `not_finite` if only the reading is not a number
 };
 
-/// Predicts the readings of a rig at many states. The function computes no other columns. It solves
-/// the balls only if the model needs them. Arguments and results are otherwise as in
-/// solve_states(). Also throws text::InputError for a shaft, and for an effect that needs a time or
-/// a ring temperature, because states do not contain these inputs.
+/// Predicts the readings of a rig at many states. The function computes no other columns. The
+/// equilibrium of the balls is solved only if the model needs it. Arguments and results are
+/// otherwise as in solve_states(). Also throws text::InputError for a shaft, and for an effect that
+/// needs a time or a ring temperature, because states do not contain these inputs.
 [[nodiscard]] PredictedStates predict_states(Messages& messages, const files::ModelFile& file,
                                              const StateArrays& states);
 

@@ -21,9 +21,10 @@ struct DeflectionQuestion {
   bool axial = false;  ///< true: the force is axial; false: it is radial
   /// axial force in addition to a radial force, positive towards the tool [N]
   double axial_force = 0.0;
-  /// moment at the force [N m]; positive like the moment of a force further forward, at the tool
+  /// moment at the place of the force [N m]; positive if it turns the shaft like a positive force
+  /// further forward
   double moment = 0.0;
-  double at = 0.0;         ///< distance of the force from the nose face, to the rear [m]
+  double at = 0.0;         ///< distance of the force behind the nose face [m]
   double speed = 0.0;      ///< [rad/s]
   bool warm = false;       ///< true: uses the preload of the warm spindle at steady state
   bool coolant_on = true;  ///< coolant of the warm spindle
@@ -31,7 +32,8 @@ struct DeflectionQuestion {
   const std::atomic<bool>* cancelled = nullptr;  ///< cancels like Simulator::stop_on()
 };
 
-/// Throws text::InputError if all loads are zero or if the loads contradict each other.
+/// Throws text::InputError if `force` and `moment` are both zero, and if an axial force is given
+/// with a moment or with `axial_force`.
 void check(const DeflectionQuestion& question);
 
 /// Deflection of a shaft under a force.
@@ -44,7 +46,8 @@ struct SpindleDeflection {
 
   [[nodiscard]] bool converged() const { return result.converged(); }
   [[nodiscard]] std::vector<std::string> notes() const;
-  /// Returns the reason if there is no result, otherwise the limits that the result exceeds.
+  /// Returns a warning with the reason if there is no result, otherwise a warning for each limit
+  /// that the result exceeds.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string json() const;
   [[nodiscard]] std::string csv() const;

@@ -33,7 +33,8 @@ struct SpindleModes {
 
   [[nodiscard]] bool converged() const;
   [[nodiscard]] std::vector<std::string> notes() const;
-  /// Returns the speeds without modes with the reason, and the limits that are exceeded.
+  /// Returns a warning with the reason for each speed without modes, and a warning for each
+  /// exceeded limit.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string json() const;
   [[nodiscard]] std::string csv() const;
@@ -41,8 +42,8 @@ struct SpindleModes {
   [[nodiscard]] std::string page() const;
 };
 
-/// Computes the modes. Throws text::InputError for a model without shaft segments and for too many
-/// speeds.
+/// Computes the modes. Throws text::InputError for a model without shaft segments, for too many
+/// speeds, and for an invalid damping ratio or unbalance.
 [[nodiscard]] SpindleModes spindle_modes(const files::ModelFile& file,
                                          const ModesQuestion& question);
 

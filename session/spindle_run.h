@@ -23,9 +23,9 @@ struct RunQuestion {
   /// ambient temperature of every row [K]; NaN means the value of the programme, or the value of
   /// the model if the programme has none
   double ambient_temperature = unset;
-  bool coolant_on = true;    ///< false switches the coolant off in every row
-  bool mesh = true;          ///< true adds an estimate of the mesh error
-  bool assumptions = false;  ///< true adds the default values with the largest influence
+  bool coolant_on = true;                        ///< false switches the coolant off in every row
+  bool mesh = true;                              ///< true adds an estimate of the mesh error
+  bool assumptions = false;                      ///< true adds the most influential assumed numbers
   const std::atomic<bool>* cancelled = nullptr;  ///< cancels like Simulator::stop_on()
 };
 
@@ -37,7 +37,7 @@ struct SpindleRun {
   std::optional<spindle::State> start{};
   spindle::Run run{};
   results::MeshEstimate mesh{};
-  /// most influential defaults, at the steady state of the highest speed
+  /// most influential assumed numbers, at the steady state of the highest speed
   results::Assumptions assumptions{};
   std::vector<spindle::FieldCell> field{};  ///< temperature field at the end
   model::Findings findings{};
@@ -49,7 +49,8 @@ struct SpindleRun {
     return run.moments.size() - (run.has_end ? 1 : 0);
   }
   [[nodiscard]] std::vector<std::string> notes() const { return model::notes_of(findings); }
-  /// Returns the place and the reason of an early end, and the limits that the run exceeds.
+  /// Returns a warning with the time and the reason of an early end, and a warning for each limit
+  /// that the run exceeds.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string json(bool with_assumptions = true) const;
   [[nodiscard]] std::string csv() const;

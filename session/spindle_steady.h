@@ -34,10 +34,11 @@ struct SteadyQuestion {
   /// load at the nose, positive towards the tool [N]; NaN means the value of the model
   double axial_load = unset;
   double radial_load = 0.0;    ///< load at the nose in the direction of y [N]
-  double moment = 0.0;         ///< moment at the nose [N m], positive like a force further forward
+  double moment = 0.0;         ///< moment at the nose [N m]; positive if it turns the shaft like a
+                               ///< positive force in front of the nose
   double belt_force = unset;   ///< [N]; NaN: value of the model
   double motor_power = unset;  ///< electrical input of the motor [W], for heat formulas
-  bool assumptions = false;    ///< true adds the default values with the largest influence
+  bool assumptions = false;    ///< true adds the most influential assumed numbers
   const std::atomic<bool>* cancelled = nullptr;  ///< cancels like Simulator::stop_on()
 };
 
@@ -47,16 +48,16 @@ struct SteadySpindle {
   std::vector<results::SteadyState> states{};
   std::vector<std::string> roller_notes{};  ///< notes on roller bearings
   results::MeshEstimate mesh{};
-  /// most influential defaults, at the last speed with a steady state
+  /// most influential assumed numbers, at the last speed with a steady state
   results::Assumptions assumptions{};
   model::Findings findings{};
-  spindle::State end{};  ///< state of the last speed; empty if that speed has none
+  spindle::State end{};  ///< steady state of the last speed; empty if it does not exist
   std::vector<spindle::FieldCell> field{};  ///< temperature field of the last speed, cell by cell
 
   [[nodiscard]] bool converged() const;
   [[nodiscard]] std::vector<std::string> notes() const;
-  /// Returns the speeds without a steady state with the reason, and the limits that are exceeded at
-  /// the other speeds.
+  /// Returns a warning with the reason for each speed without a steady state, and a warning for
+  /// each limit that is exceeded at the other speeds.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string json(bool with_assumptions = true) const;
   [[nodiscard]] std::string csv() const;

@@ -49,7 +49,7 @@ struct SpindleSteps {
   [[nodiscard]] bool converged() const;
   /// Returns the number of step responses to speeds and to loads.
   [[nodiscard]] std::size_t count() const;
-  /// Returns the steps without a response, with the reason.
+  /// Returns a warning with the reason for each step without a response.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string csv() const;
   /// Returns the step responses as JSON. `error` is the error of a correction over a programme;
@@ -84,7 +84,7 @@ struct StepCorrectionQuestion {
 [[nodiscard]] correction::Model correction_of_steps(Messages& messages, const SpindleSteps& steps,
                                                     const StepCorrectionQuestion& question);
 
-/// Returns the names of the correction channels for the loads of a question.
+/// Returns the names of the correction channels for the requested load steps.
 [[nodiscard]] std::vector<std::string> load_channels(const StepQuestion& question);
 
 /// Compares a correction from step responses with the full simulation over a programme of speeds

@@ -18,10 +18,10 @@ namespace raceway::session {
 /// means the temperature of the rig. Throws std::invalid_argument if the point has no equilibrium.
 [[nodiscard]] double friction_power(const model::Model& model, double speed, double temperature);
 
-/// Returns the displacement at a speed that only the bearing sets cause [m].
+/// Returns the displacement that the bearing sets alone cause at a speed [m].
 [[nodiscard]] double kinematic_at(const model::Model& model, double speed);
 
-/// Parts of a correction that step responses do not determine: power over speed, and kinematic
+/// Parts of a correction in addition to the laws K(P) and T(P): power over speed, and kinematic
 /// displacement.
 struct StepParts {
   std::vector<results::PowerAtSpeed> power = {};
@@ -29,10 +29,10 @@ struct StepParts {
   std::vector<std::string> notes = {};
 };
 
-/// Returns these parts. Powers come from the steps if the steps give speeds. Otherwise they come
-/// from the friction of the model, up to the largest power of the steps. The kinematic law comes
-/// from the model. Without a model, it comes from the instant parts of the steps. `model` may be
-/// null.
+/// Returns these parts of a correction. Powers come from the steps if the steps give speeds.
+/// Otherwise they come from the friction of the model, up to the largest power of the steps. The
+/// kinematic law comes from the model. Without a model, this law comes from the immediate
+/// displacements of the steps. `model` may be null.
 [[nodiscard]] StepParts step_parts(const spindle::StepResponses& responses,
                                    const model::Model* model, double temperature);
 

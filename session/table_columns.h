@@ -8,9 +8,9 @@
 #include "model/model.h"
 #include "shaft/shaft_prediction.h"
 
-/// Columns of a table in addition to the torque. A bearing has moments, angles and pressures. A
-/// shaft has these columns for every bearing, and the position as the last column. Single states of
-/// a bearing also have stiffness and ball loads.
+/// Columns of a table in addition to the torque. A bearing has columns such as moments, angles and
+/// pressures. A shaft has these columns for every bearing, and the position as the last column.
+/// Single states of a bearing also have stiffness and ball loads.
 namespace raceway::session {
 
 enum class Columns { of_tables, of_states };
@@ -18,8 +18,8 @@ enum class Columns { of_tables, of_states };
 [[nodiscard]] std::vector<std::string> table_columns(const model::Model& model,
                                                      Columns which = Columns::of_tables);
 
-/// Fills the columns, the torque and the status of several points. Several threads may call it at
-/// the same time.
+/// Fills the columns, the torque and the status of several points. Several threads may call the
+/// function at the same time.
 void fill_table_line(const model::Model& model, std::span<const bearing::OperatingPoint> points,
                      std::span<friction::TablePoint> out, Columns which = Columns::of_tables);
 

@@ -69,7 +69,7 @@ struct TableFailures {
 [[nodiscard]] TableFailures failures(const model::Model& model,
                                      const friction::StribeckTable& table);
 
-/// Returns the points for the ball drawings of a report: some speeds at some pairs of loads. The
+/// Returns solved points for the ball drawings of a report: some speeds at some pairs of loads. The
 /// result is empty for a shaft, because the loads of the grid are not the loads of its bearings.
 [[nodiscard]] report::BearingStates states_to_draw(const model::Model& model,
                                                    const friction::TableAxes& grid);

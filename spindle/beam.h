@@ -129,8 +129,8 @@ struct Deflection {
                                  std::span<const PlaneSpring> springs,
                                  std::span<const BeamLoad> loads);
 
-/// Beam condensed onto a few nodes in one plane. It has the stiffness for (v, θ) of these nodes;
-/// all other nodes are eliminated, which is exact in statics.
+/// Beam condensed onto a few nodes in one plane. The stiffness refers to (v, θ) of these nodes. All
+/// other nodes are eliminated, which is exact in statics.
 class CondensedBeam {
  public:
   CondensedBeam(const Beam& beam, std::vector<std::size_t> nodes);

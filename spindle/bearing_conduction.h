@@ -9,15 +9,15 @@
 
 namespace raceway::spindle {
 
-/// Returns a typical heat conductance from ring to ring of a lubricated, turning ball bearing, in
-/// addition to its contacts [W/K].
+/// Returns a typical heat conductance from ring to ring of a lubricated, turning ball bearing
+/// [W/K], for use in addition to the conductance of its contacts.
 ///
 ///   G = 1650 Z D²      Z D² [m²]
 ///
 /// Source:   590 Z D² sqrt(7 + ln(ω d_m/(2000 D))) of [Schaefer1993] as implemented in the open
-///           program Thermca, evaluated at n d_m = 500 000 mm/min. The value includes the
-///           conductance of the contacts, which is about a tenth of it.
-/// Domain:   balls of 5 to 22 mm; within 12 % of the formula for n d_m from 200 000 to 2 000 000.
+///           program Thermca, evaluated at n d_m = 500 000 mm/min. This source formula also
+///           contains the conductance of the contacts, about a tenth of the value.
+/// Domain:   balls of 5 to 22 mm; within 12 % of that formula for n d_m from 200 000 to 2 000 000.
 /// Accuracy: unknown. For a 7014 bearing, the contact model of [Jungnickel2010] in the same program
 ///           gives 0.6 W/K, and this formula gives 4.7 W/K. The larger value agrees with the rule
 ///           that inner rings are 5 to 10 K warmer than outer rings.

@@ -23,8 +23,9 @@ namespace raceway::spindle {
 ///   T_s = a + w/S,   Q = G (T_si - T_so),   w_i = q_i - Q,   w_o = q_o + Q
 ///
 /// S is the conductance from cells to raceway. Radial loads on the shaft reach the bearings through
-/// the beam. Their additional bearing loads are kept constant between two calls of bear(), like
-/// films and seats. The elongation is in um so that all elements of s have similar size.
+/// the beam. The bearing loads from these radial loads are constant between two calls of bear(),
+/// like heat transfer coefficients and seats. The elongation is in um so that all elements of s
+/// have similar size.
 class BearingCoupling {
  public:
   BearingCoupling(const model::Model& model, const effects::SpindleCondition& condition,
@@ -38,7 +39,7 @@ class BearingCoupling {
   [[nodiscard]] Vector felt(const Vector& temperatures) const {
     return felt_ * temperatures + offset_;
   }
-  /// s = F T + s0: F, and s0.
+  /// The terms of s = F T + s0: felt_rows() is F, and felt_offset() is s0.
   [[nodiscard]] const SparseMatrix& felt_rows() const { return felt_; }
   [[nodiscard]] const Vector& felt_offset() const { return offset_; }
   /// Index in s of each element of the argument `given`. Heat enters the cells of a raceway with

@@ -18,7 +18,7 @@ namespace raceway::spindle {
 /// Accuracy: rounding; the matrix is diagonally dominant.
 class ConductanceSolver {
  public:
-  /// Afterwards, only the conductances of `paths` may change.
+  /// After construction, only the conductances of `paths` may change.
   explicit ConductanceSolver(const HeatPaths& paths);
   /// Returns false if A is not positive definite, which means that heat cannot leave.
   [[nodiscard]] bool factorise(const HeatPaths& paths, double capacity_factor);

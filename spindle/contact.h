@@ -36,7 +36,8 @@ struct RoughContact {
 ///   h = 1.25 (2 λ1 λ2/(λ1 + λ2)) (m/Ra) (p/H)^0.95
 ///
 /// Source:   Yovanovich's fit to Cooper, Mikic and Yovanovich (Int J Heat Mass Transfer 12, 1969,
-///           p. 279), whose own formula has 1.45 and 0.985. Ra is used for the rms roughness.
+///           p. 279), whose own formula has the factor 1.45 and the exponent 0.985. Ra replaces the
+///           rms roughness.
 /// Domain:   as for solid_contact().
 [[nodiscard]] inline double yovanovich_contact(const RoughContact& c, double pressure) {
   if (!(pressure > 0.0)) return 0.0;

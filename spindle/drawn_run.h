@@ -12,16 +12,17 @@ namespace raceway::spindle {
 struct DrawnRun {
   std::vector<ProfileRow> rows;
   std::vector<Moment> moments;  ///< one moment for each row
-  std::vector<State> states;    ///< rising in time; includes the state of the highest force
+  std::vector<State> states;    ///< in order of time, with the state of the highest front force
 };
 
-/// Simulates `run` of `profile` once more with equal time steps. `states` is the largest number of
-/// states, evenly spaced in time; the last one is at the end of the run.
+/// Repeats the simulation `run` of `profile` with the same time steps. `states` is the largest
+/// number of states. The states are evenly spaced in time, and the last one is at the end of the
+/// run.
 [[nodiscard]] DrawnRun drawn_run(Simulator& simulator, std::span<const ProfileRow> profile,
                                  const State* start, const Run& run, std::size_t states = 12);
 
-/// Adds the early end of a run as its last moment. If the end is after the last completed row, it
-/// also becomes an additional row of the programme. A run without an early end is unchanged.
+/// Adds the early end of a run as its last moment and as an additional row of the programme. The
+/// function changes nothing if the run has no early end, or if the run ended at the time of a row.
 void add_end(Simulator& simulator, std::vector<ProfileRow>& profile, const State* start, Run& run);
 
 }  // namespace raceway::spindle

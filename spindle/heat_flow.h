@@ -9,7 +9,7 @@
 
 namespace raceway::spindle {
 
-/// Thermal state of a spindle, with time steps and steady states.
+/// Thermal state of a spindle, which advances in time steps or settles to a steady state.
 ///
 /// The model is a mesh of cells together with the sets, or a network of bodies without sets.
 class HeatFlow {
@@ -23,8 +23,8 @@ class HeatFlow {
   struct Step {
     Status status = Status::not_run;
     Vector rate_before, rate_after;  ///< dT/dt [K/s]
-    double error = 0.0;  ///< of the embedded method, largest of all bodies; 0 if not requested [K]
-    double energy_error = unset;  ///< stored heat minus supplied heat, relative to the turnover [1]
+    double error = 0.0;              ///< estimate for the worst body [K]; 0 if not requested
+    double energy_error = unset;     ///< stored minus supplied heat, relative to all heat flows [1]
     std::array<double, reservoirs> out_before{}, out_after{};  ///< [W]
   };
 
@@ -34,13 +34,16 @@ class HeatFlow {
   /// Sets the inputs of the sets. Returns false if the sets have no equilibrium.
   [[nodiscard]] bool set_inputs(const Inputs& inputs);
   /// Advances by dt [s] under `inputs`, whose speed and loads must equal the values of the last
-  /// set_inputs(). Films, seats, and the bearing loads from radial loads on the shaft are computed
-  /// at the temperatures `films`. The state changes only if the status is `converged`.
+  /// set_inputs(). Heat transfer coefficients, seats, and the bearing loads from radial loads on
+  /// the shaft are computed at the temperatures in `films`. The state changes only if the status is
+  /// `converged`.
   [[nodiscard]] Step advance(const Inputs& inputs, double machine_rise, double dt,
                              const Vector& films, bool asks_for_error);
-  /// Finds the steady state under these inputs. `iterations` counts the updates of films and seats.
+  /// Finds the steady state under these inputs. `iterations` counts the updates of heat transfer
+  /// coefficients and seats.
   [[nodiscard]] Status settle(const Inputs& inputs, double machine_rise, int& iterations);
-  /// Returns the long-term gain of the loop of heat and preload at this state [1].
+  /// Returns the long-term gain of the loop heat -> temperature -> preload -> heat at this state
+  /// [1].
   [[nodiscard]] double gain();
 
   [[nodiscard]] const Vector& temperatures() const { return temperatures_; }
@@ -54,7 +57,8 @@ class HeatFlow {
   [[nodiscard]] double driven_heat() const {
     return system_ ? system_->driven_heat() : network_.source.sum();
   }
-  /// Limit of ring temperatures [K]; above it, the simulation stops as thermal runaway.
+  /// Limit of ring temperatures [K]. Above this limit, the simulation stops with the status
+  /// `thermal_runaway`.
   static constexpr double hottest_ring = kelvin(300.0);
 
  private:

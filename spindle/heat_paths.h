@@ -32,7 +32,7 @@ struct HeatPaths {
     int node;
     Reservoir reservoir;
     double conductance;  ///< [W/K]
-    double above = 0.0;  ///< temperature above that of the reservoir [K]
+    double above = 0.0;  ///< temperature rise above the reservoir [K]
     [[nodiscard]] double outside(const std::array<double, reservoirs>& temperature) const {
       return temperature[static_cast<std::size_t>(reservoir)] + above;
     }

@@ -17,14 +17,14 @@ struct Joint {
 };
 using Joints = std::vector<Joint>;
 
-/// Weight of one cell in a mean or a source.
+/// Weight of one cell in a mean temperature or in the distribution of a heat source.
 struct Share {
   int cell = -1;
   double share = 0.0;  ///< [1]
 };
 using Shares = std::vector<Share>;
 
-/// Returns the mean temperature of a body as weights with the sum 1.
+/// Returns the weights of these cells in their mean temperature, by volume, with the sum 1.
 [[nodiscard]] Shares mean_over(const Mesh& mesh, const std::vector<int>& cells);
 
 /// Position of one bearing in the mesh of cells.
@@ -38,7 +38,7 @@ struct BearingPlace {
   Joints inner_seat, outer_seat;
   Joints inner_raceway, outer_raceway;  ///< paths from cells to the raceway
   Shares inner_ring, outer_ring;        ///< weights of the mean temperatures
-  Shares shaft_below, housing_above;    ///< weights of shaft and housing at the seats
+  Shares shaft_below, housing_above;    ///< the same for shaft and housing at the seats
 };
 
 /// Side face of a ring that a clamping force presses against its neighbour: a shoulder, a spacer or
@@ -56,7 +56,7 @@ struct Layout {
   Mesh mesh;
   std::vector<BearingPlace> bearings;  ///< order as in model::rings_of()
   Joints shoulders, collars;
-  Joints clamped;  ///< spacers between rings without clamping force or contact resistance
+  Joints clamped;                  ///< spacers at inner rings, if no clamping force is given
   std::vector<ClampedFace> faces;  ///< faces with a clamping force, not in the groups above
   Joints housing_cylinder, housing_ends, nose, rear, flange;
   Joints gap;
@@ -67,12 +67,12 @@ struct Layout {
   double front_centre = unset, rear_centre = unset;
   std::vector<double> helix_length;  ///< length of each coolant channel [m]
 
-  /// Returns the material in the middle of a seat.
+  /// Returns the material of the first cell of a seat.
   [[nodiscard]] const model::SolidMaterial& material(const Shares& seat) const {
     return mesh.cells[static_cast<std::size_t>(seat.front().cell)].material;
   }
-  /// Returns the weights of a source between two planes, by volume. With a radius, only cells at
-  /// this radius are used. If there is no cell, the nearest cell is used.
+  /// Returns the weights of the cells of a heat source between two planes, by volume. If `radius`
+  /// is given, only cells at this radius are used. If no cell lies there, the nearest cell is used.
   [[nodiscard]] Shares source(Body body, double from, double to, double radius = unset) const;
 };
 
@@ -80,7 +80,7 @@ struct Layout {
 /// name, value with unit and allowed range.
 [[nodiscard]] Layout make_layout(const model::Model& model, model::Cells cells);
 
-/// Returns shaft and housing as regions, before their division into cells.
+/// Returns shaft, housing, rings and spacers as regions, before their division into cells.
 [[nodiscard]] std::vector<Region> regions_of(const model::Model& model);
 
 }  // namespace raceway::spindle

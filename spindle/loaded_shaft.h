@@ -11,7 +11,7 @@
 
 namespace raceway::spindle {
 
-/// Load on the shaft at one place, in addition to the axial load in the condition.
+/// Load on the shaft at one place, in addition to the axial load in ArrangementCondition.
 struct ShaftLoad {
   double position = 0.0;  ///< distance behind the nose face [m]
   double axial = 0.0;     ///< positive towards the tool [N]
@@ -39,14 +39,15 @@ struct ShaftBearings {
   std::vector<RollerSupport> rollers = {};
 };
 
-/// Shaft bent on its bearings. Only `report` is valid unless the solve converged.
+/// Shaft bent on its bearings. If the solver did not converge, only `report` is valid.
 struct LoadedShaft {
   double position = unset;           ///< x of the shaft, defined as in ArrangementEquilibrium [m]
   double rear_displacement = unset;  ///< δ_r [m]
   double front_force = unset, rear_force = unset;  ///< axial forces, summed over each side [N]
   Eigen::VectorXd y, z;                            ///< (v, θ) of all nodes in both planes
-  /// Values in the frame of each bearing, with +x in the direction in which its inner ring is
-  /// pressed: loads on the ring, and the balls with displacement and tangent stiffness.
+  /// Loads on the inner ring of each bearing, and the equilibrium of the balls with displacement
+  /// and tangent stiffness. Both are in the frame of the bearing: +x is the direction in which the
+  /// inner ring is pressed.
   std::vector<bearing::Vector5> loads;
   std::vector<bearing::BearingEquilibrium> bearings;
   /// State of the roller bearings, in a frame with x to the rear. `load` is the load from the
@@ -57,9 +58,9 @@ struct LoadedShaft {
 
 class ShaftBalance5;
 
-/// Elastic shaft on all its bearings, under loads at any places. It solves the problem of
-/// solve_loaded_shaft() repeatedly for different conditions, each starting from the previous
-/// solution. Several threads must not use one object simultaneously.
+/// Elastic shaft on all its bearings, under loads at any places. The object solves the problem of
+/// solve_loaded_shaft() for one condition after another. Each solution starts from the previous
+/// one. Several threads must not use one object simultaneously.
 class ShaftOnBearings {
  public:
   /// Bearings and loads must be at nodes of the beam. The beam is not needed after construction.
@@ -90,9 +91,11 @@ class ShaftOnBearings {
 /// equilibrium under the axial load only. If a start fails, the radial load is increased from zero
 /// in steps. Between the sets, the shaft has the axial stiffness of the arrangement.
 ///
-/// Domain:   `places`, the centres of the bearings on the shaft, front set first, are nodes of the
-/// beam. Accuracy: 1e-9 of the largest load; second-order effects of the axial force are neglected.
-/// Throws std::invalid_argument if the number of places differs from the number of bearings.
+/// Domain:   `places` contains the centres of the bearings on the shaft, front set first. Each
+/// centre
+///           must be a node of the beam. Throws std::invalid_argument if the number of places
+///           differs from the number of bearings.
+/// Accuracy: 1e-9 of the largest load; second-order effects of the axial force are neglected.
 [[nodiscard]] LoadedShaft solve_loaded_shaft(const Beam& beam,
                                              const bearing::Arrangement& arrangement,
                                              std::span<const double> places,
@@ -100,8 +103,8 @@ class ShaftOnBearings {
                                              const ShaftLoad& load,
                                              const bearing::EquilibriumOptions& options = {});
 
-/// Returns true if the inner ring of the bearing is pressed to the rear: the front set of an O
-/// arrangement and the rear set of an X arrangement.
+/// Returns true if the inner ring of bearing `i` is pressed to the rear, as in the front set of an
+/// O arrangement and in the rear set of an X arrangement.
 [[nodiscard]] bool presses_rearwards(const bearing::Arrangement& arrangement, std::size_t i);
 
 /// Returns the tangent stiffness of the bearings as springs of the beam. The coupling of force and

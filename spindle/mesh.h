@@ -27,7 +27,7 @@ struct Cell : Region {
   [[nodiscard]] double length() const { return end - start; }
   [[nodiscard]] double section() const;        ///< solid section across the axis [m²]
   [[nodiscard]] double heat_capacity() const;  ///< [J/K]
-  /// Returns the resistance from the middle to a face across the axis [K/W].
+  /// Returns the resistance from the middle to a face normal to the axis [K/W].
   [[nodiscard]] double half_axial_resistance() const;
   /// Returns the resistance from the middle radius to the inner or outer face, ln(r_f/r_m)/(2 π λ
   /// L) [K/W].
@@ -36,7 +36,7 @@ struct Cell : Region {
   [[nodiscard]] double middle_radius() const { return 0.5 * (inner_radius + outer_radius); }
 };
 
-/// Contact of two cells: through a face across the axis (`axial`) or along it.
+/// Contact of two cells: through a face normal to the axis (`axial`) or through a cylindrical face.
 struct Touch {
   int first = -1, second = -1;
   bool axial = true;
@@ -50,7 +50,7 @@ struct OpenFace {
   enum class Side { front, rear, inner, outer } side = Side::outer;
   double area = unset;  ///< [m²]
   double half = unset;  ///< resistance from the middle of the cell [K/W]
-  /// Returns true for a face along the axis.
+  /// Returns true for a cylindrical face.
   [[nodiscard]] bool radial() const { return side == Side::inner || side == Side::outer; }
 };
 
@@ -61,13 +61,13 @@ struct Mesh {
   std::vector<OpenFace> open;
 
   [[nodiscard]] std::size_t size() const { return cells.size(); }
-  /// Returns the cell of a body at a place, or its nearest cell; -1 if the mesh has no cell of the
-  /// body.
+  /// Returns the cell of a body at a place, or the cell of the body that is nearest to the place;
+  /// -1 if the mesh has no cell of the body.
   [[nodiscard]] int nearest(Body body, double position, double radius) const;
 };
 
 /// Divides regions into cells. The grid has lines at the edges of all regions and at `lines`.
-/// Further lines keep all cells shorter than `axial` and lower than `radial`.
+/// Further lines limit the size of all cells to `axial` along the axis and to `radial` across it.
 ///
 /// Domain: regions do not overlap. Throws std::invalid_argument for a region without volume.
 [[nodiscard]] Mesh make_mesh(std::span<const Region> regions, double axial, double radial,

@@ -40,8 +40,8 @@ struct RoundPart {
 /// Source:   Timoshenko and Goodier, Theory of Elasticity, 3rd ed., art. 150 to 152 (heat), Lamé
 ///           (fit), the rotating disc in plane strain (rotation).
 /// Domain:   places several wall thicknesses away from ends, steps and grooves of the part.
-/// Accuracy: exact to rounding for a wall with steady heat flow; otherwise limited by the
-///           temperatures.
+/// Accuracy: exact to rounding for a wall with steady heat flow; otherwise limited by the accuracy
+///           of the temperatures.
 [[nodiscard]] std::vector<Stress> stresses_of(const RoundPart& part);
 
 }  // namespace raceway::spindle

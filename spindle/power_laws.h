@@ -11,7 +11,7 @@ namespace raceway::spindle {
 /// value = slope P + offset, by unweighted least squares.
 struct StraightLine {
   double slope = unset, offset = unset;
-  /// from the residual; NaN with fewer than three points
+  /// Standard errors, from the residual; NaN with fewer than three points.
   double slope_std = unset, offset_std = unset;
   [[nodiscard]] double operator()(double power) const { return slope * power + offset; }
 };
@@ -25,13 +25,14 @@ struct PowerLaw {
   [[nodiscard]] double operator()(double power) const;
 };
 
-/// Curve of cubics through points. It has maxima and minima only at the points. Outside the points,
-/// the end values are used.
+/// Curve of cubics through points. The curve has maxima and minima only at the points. Outside the
+/// points, the end values are used.
 ///
 /// Source:   [FritschCarlson1980].
 class MonotoneCurve {
  public:
-  /// Throws std::invalid_argument without points, for different lengths, and if x does not rise.
+  /// Throws std::invalid_argument if there are no points, if x and y have different lengths, or if
+  /// x is not in ascending order.
   MonotoneCurve(std::vector<double> x, std::vector<double> y);
   [[nodiscard]] double operator()(double x) const;
   [[nodiscard]] const std::vector<double>& x() const { return x_; }
@@ -48,28 +49,29 @@ struct LagAt {
   double time_constant = unset;  ///< [s]
 };
 
-/// Laws K(P) and T(P). All values are NaN for fewer than two powers.
+/// Laws K(P) and T(P). All values are NaN for fewer than two different powers.
 ///
 /// Source:   lines from [Brecher2021, eq. 8 and 9].
-/// Traps:    a line is only a chord of the true curve. K(0) of a line has no physical meaning, and
-///           T of a line may reach zero.
+/// Traps:    a straight line is only a chord of the true curve. K(0) of a line has no physical
+///           meaning, and T of a line may reach zero.
 struct PowerLaws {
   StraightLine gain_line = {}, time_line = {};  ///< [m/W], [m]; [s/W], [s]
-  PowerLaw gain_power = {}, time_power = {};    ///< NaN if values differ in sign
+  PowerLaw gain_power = {}, time_power = {};    ///< NaN if the values have different signs
   /// Range of P in which both lines have the same sign as between the points [W]; from 0 to
   /// infinity if the sign never changes.
   double valid_from = unset, valid_to = unset;
 };
 
-/// Fits laws to these points, in any order. Throws std::invalid_argument for a negative power and
-/// for a value that is not finite.
+/// Fits laws to points in any order. Throws std::invalid_argument for a negative power and for a
+/// value that is not finite.
 [[nodiscard]] PowerLaws fit_power_laws(std::span<const LagAt> points);
 /// Fits laws over loads, which may have either sign.
 [[nodiscard]] PowerLaws fit_load_laws(std::span<const LagAt> points);
 
-/// Returns K through all points and through K(0) = 0. Points with equal power or load are averaged.
+/// Returns a curve of K through all points and through K(0) = 0. Points with equal power or load
+/// are averaged.
 [[nodiscard]] MonotoneCurve gain_curve(std::span<const LagAt> points);
-/// Returns T through all points. `at_rest` [s] is the value at 0, if it is known.
+/// Returns a curve of T through all points. `at_rest` [s] is the value at 0, if it is known.
 [[nodiscard]] MonotoneCurve time_curve(std::span<const LagAt> points, double at_rest = unset);
 
 }  // namespace raceway::spindle

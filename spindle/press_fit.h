@@ -10,7 +10,7 @@ namespace raceway::spindle {
 /// One of two round parts of a fit.
 struct PressedPart {
   double bore = unset;      ///< diameter [m]; 0 for a solid inner part
-  double diameter = unset;  ///< outer [m]
+  double diameter = unset;  ///< outer diameter [m]
   model::SolidMaterial material = {};
   double rise = 0.0;  ///< rise above the mounting temperature [K]
 };
@@ -26,12 +26,12 @@ struct PressFit {
   [[nodiscard]] bool loose() const { return !(pressure > 0.0); }
 };
 
-/// Returns the growth by rotation of the outer or inner surface of a ring, with both surfaces free
-/// of stress [m].
+/// Returns the radial growth of the outer or inner surface of a rotating ring whose surfaces are
+/// free of pressure [m].
 ///
 ///   u(r2) = ρ ω² r2/(4 E) ((1 - ν) r2² + (3 + ν) r1²);   for u(r1), exchange r1 and r2
 ///
-/// Source:   plane stress of a rotating disc with a hole, derived.
+/// Source:   derived from the plane stress of a rotating disc with a hole.
 /// Domain:   r1 >= 0.
 [[nodiscard]] inline double growth_by_rotation(const model::SolidMaterial& m, double radius,
                                                double other_radius, double speed) {
@@ -40,14 +40,14 @@ struct PressFit {
          ((1.0 - nu) * radius * radius + (3.0 + nu) * other_radius * other_radius);
 }
 
-/// Computes the pressure of a seat whose parts rotate at the same speed [Pa].
+/// Computes the pressure, the gap and the growth of a seat whose parts rotate at the same speed.
 ///
 ///   p = (δ/2)/(b (c_i/E_i + c_o/E_o)),   δ = δ0 + 2 (u_i - u_o) + 2 b (α_i T_i - α_o T_o)
 ///   c_i = (b² + a²)/(b² - a²) - ν_i,   c_o = (c² + b²)/(c² - b²) + ν_o,   radii a < b < c
 ///
 /// u is growth_by_rotation() of each separate part. δ0 is the diametral interference as mounted and
 /// at standstill, negative for a clearance.
-/// Source:   Lamé, plane stress; a radial finite element agrees to 1e-7.
+/// Source:   Lamé, plane stress; a solution with radial finite elements agrees to 1e-7.
 /// Domain:   a loose seat has no pressure and does not deform either part. Each part has a uniform
 ///           temperature and one section along the axis.
 /// Trap:     use speed 0 for an outer seat, because it does not rotate.

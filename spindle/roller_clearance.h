@@ -38,13 +38,14 @@ struct OperatingClearance {
 ///   s = s0 - 2 u_i + 2 u_o - 2 α D ΔT(rollers)
 ///
 /// u comes from press_fit(), with each ring as a plain sleeve between its seat and its raceway (d_m
-/// ∓ D). With ClearanceState::free, u is the growth relative to the bearing before mounting; with
-/// `mounted`, relative to the cold seat at standstill.
+/// ∓ D). With ClearanceState::free, u is the growth relative to the bearing before mounting. With
+/// ClearanceState::mounted, u is the growth relative to the cold seat at standstill.
 /// Source:   derived; Lamé as in press_fit(), compared with a numerical boundary value solution of
 ///           the seats.
-/// Domain:   the bore must be given and, with a housing, the outer diameter; otherwise
-///           std::invalid_argument is thrown. The outer ring does not rotate. Deformation of the
-///           rings between the rollers and of the housing is neglected.
+/// Domain:   the bore must be given. If there is a housing, the outer diameter must also be given.
+///           Otherwise std::invalid_argument is thrown. The outer ring does not rotate. The
+///           deformation of the rings between the rollers and the deformation of the housing are
+///           neglected.
 [[nodiscard]] OperatingClearance operating_clearance(const bearing::RollerBearing& bearing,
                                                      const RollerSeats& seats, double speed,
                                                      const RollerTemperatures& rises);

@@ -12,17 +12,17 @@
 #include "model/model.h"
 
 /// Simulates a spindle with its bearings: temperatures, expansion, preload and friction together,
-/// and the beam on its bearings.
+/// and the bending of the shaft.
 namespace raceway::spindle {
 
 struct LoadedShaft;
 
-/// End of a simulation.
+/// Outcome of a simulation.
 enum class Status { not_run, converged, no_equilibrium, thermal_runaway, step_limit };
 
 /// Returns the name in files: "thermal_runaway".
 [[nodiscard]] std::string_view name(Status status);
-/// Returns the status as a readable sentence.
+/// Returns the status as readable text: "the sets have no equilibrium".
 [[nodiscard]] std::string_view words(Status status);
 
 /// Operating conditions of a spindle. For NaN, the value of the model is used.
@@ -35,15 +35,16 @@ struct Inputs {
   double motor_power = unset;          ///< electrical input of the motor [W]
   double axial_load = 0.0;             ///< load at the nose, positive towards the tool [N]
   double radial_load = 0.0;            ///< load at the nose in the direction of y [N]
-  /// Moment at the nose in the plane of y [N m]. A positive moment has the direction of the moment
-  /// of a positive force in front of the nose.
+  /// Moment at the nose in the plane of y [N m]. The moment is positive if it turns the shaft like
+  /// a positive force in front of the nose.
   double moment = 0.0;
   double belt_force = unset;  ///< [N]
   bool coolant_on = true;
   [[nodiscard]] bool operator==(const Inputs&) const = default;
 };
 
-/// A row of a speed programme. Its inputs are valid from the previous row to the time of the row.
+/// A row of a speed programme. The inputs of a row are valid from the time of the previous row to
+/// the time of the row.
 struct ProfileRow {
   double time = unset;  ///< [s], rising
   Inputs inputs = {};
@@ -56,15 +57,15 @@ struct BearingState {
   double force = unset;         ///< axial [N]
   double radial_force = unset;  ///< [N]
   double clearance = unset;  ///< s, diametral clearance of a roller bearing; negative: preload [m]
-  double power = unset;      ///< friction loss [W]
+  double power = unset;      ///< friction loss of the bearing [W]
   double power_band = 0.0;   ///< half width of the 95 % band from a friction table [W]
 };
 
 /// Heat balance [W]. Heat that leaves the spindle is positive.
 struct HeatBalance {
   double friction = 0.0;  ///< friction of all bearings
-  /// Half width of the 95 % band of a friction table, fully correlated between all bearings of the
-  /// sets.
+  /// Half width of the 95 % band from a friction table. The errors of all bearings of the sets are
+  /// taken as fully correlated.
   double friction_band = 0.0;
   double drive = 0.0;  ///< heat of motor, drive and seals
   double coolant = 0.0, air = 0.0, machine = 0.0;
@@ -83,9 +84,9 @@ struct Moment {
   double time = unset;          ///< [s]
   double displacement = unset;  ///< displacement of the nose face relative to the flange, positive
                                 ///< towards the tool [m]
-  double kinematic_displacement = unset;  ///< displacement of the cold sets alone at that speed [m]
-  double set_position = unset;            ///< position of the front set from its equilibrium [m]
-  double elongation = unset;              ///< shaft relative to the housing between the sets [m]
+  double kinematic_displacement = unset;  ///< displacement of the cold sets alone at this speed [m]
+  double set_position = unset;  ///< change of the shaft position in the sets since rest [m]
+  double elongation = unset;    ///< of the shaft between the sets, relative to the housing [m]
   double front_force = unset, rear_force = unset;  ///< [N]
   HeatBalance heat = {};
   std::vector<double> sources = {};         ///< heat of each source in model::Spindle::heat [W]
@@ -111,13 +112,13 @@ struct Report {
   Status status = Status::not_run;
   int steps = 0, rejected = 0;
   /// error of the heat balance in the worst step: stored heat minus supplied heat, relative to the
-  /// turnover [1]
+  /// heat that the spindle receives and gives off [1]
   double energy_error = unset;
-  std::string message = {};  ///< place and reason of an early end
+  std::string message = {};  ///< reason for an early end
   [[nodiscard]] bool converged() const { return status == Status::converged; }
 };
 
-/// Result of a speed programme. After an early end, `moments` contains the rows before it.
+/// Result of a speed programme. After an early end, `moments` contains the rows before the end.
 struct Run {
   std::vector<Moment> moments = {};    ///< one for each row of the programme
   bool has_end = false;                ///< true if the last moment is the early end, see add_end()
@@ -141,7 +142,7 @@ struct FieldCell {
 struct SeatState {
   double pressure = unset;     ///< [Pa]; 0 for a loose seat, NaN if its conductance is given
   double gap = unset;          ///< radial gap of a loose seat [m]
-  double conductance = unset;  ///< contact spots and air [W/(m² K)]
+  double conductance = unset;  ///< of contact spots and air together [W/(m² K)]
 };
 /// Seats of the inner ring on the shaft and of the outer ring in the housing.
 struct SeatsOfBearing {
@@ -217,10 +218,10 @@ class Simulator {
   [[nodiscard]] const bearing::ArrangementEquilibrium* sets() const;
   /// Returns the sets as mounted; null for a network.
   [[nodiscard]] const bearing::Arrangement* arrangement() const;
-  /// Returns the bent shaft of the last call. The bearing friction is based on it. The result is
-  /// null for a network, and for a shaft without radial loads and roller bearings.
+  /// Returns the bent shaft of the last call. The bearing friction is computed with this shaft. The
+  /// result is null for a network, and for a shaft without radial loads and roller bearings.
   [[nodiscard]] const LoadedShaft* shaft() const;
-  /// Returns the conditions of the sets of the last call; null for a network.
+  /// Returns the conditions of the sets in the last call; null for a network.
   [[nodiscard]] const bearing::ArrangementCondition* sets_condition() const;
   /// Returns the seats at the end of the last call, in the order of Moment::bearings; empty for a
   /// network.
@@ -228,10 +229,10 @@ class Simulator {
   /// Returns joints and surfaces at the end of the last call; empty for a network.
   [[nodiscard]] std::vector<SurfaceState> surfaces() const;
   /// Returns the displacement along the shaft, from nose to rear end, at the end of the last call.
-  /// `moment` must be the result of that call. Empty for a network.
+  /// `moment` must be the result of that call. The list is empty for a network.
   [[nodiscard]] std::vector<ShaftPlace> along_shaft(const Moment& moment) const;
   /// Returns the stresses of shaft and rings at the end of the last call, which must have had this
-  /// speed. Empty for a network.
+  /// speed. The list is empty for a network.
   [[nodiscard]] std::vector<SectionStress> stresses(double speed) const;
   [[nodiscard]] std::vector<FieldCell> field(const State& state) const;
   [[nodiscard]] std::size_t cells() const;

@@ -4,7 +4,7 @@
 
 namespace raceway::spindle {
 
-/// Subject for a spindle with axial displacement and temperatures measured over time. Every channel
+/// Spindle model for fits to axial displacement and temperatures measured over time. Every channel
 /// is weighted by its noise and by the expected accuracy of a spindle model.
 class SpindleSubject : public model::ModelSubject {
  public:
@@ -37,7 +37,8 @@ class SpindleSubject : public model::ModelSubject {
   [[nodiscard]] std::vector<fit::Candidate> candidates() const override;
   [[nodiscard]] std::vector<std::string> catalogue() const override;
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
-  /// Returns eight consecutive parts with equal numbers of rows.
+  /// Returns eight consecutive parts with nearly equal numbers of rows; empty for a record with
+  /// fewer than 16 rows.
   [[nodiscard]] std::vector<fit::Blocking> blockings(const fit::Record& record) const override;
 
   [[nodiscard]] model::Expected expected() const override;

@@ -24,7 +24,7 @@ struct StepFit {
   Lag fast = {}, slow = {};
   double rms_of_two = unset;  ///< [m]
   /// True if the residual of one lag exceeds a hundredth of the gain, and the residual of two lags
-  /// is less than half of it.
+  /// is less than half the residual of one lag.
   bool two_needed = false;
   /// True if the record is longer than two time constants of the single lag. Otherwise, gain and
   /// time constant are extrapolated.
@@ -38,9 +38,9 @@ struct StepFit {
 /// Method:   variable projection. Gains come from linear least squares at each time constant. Time
 ///           constants come from a logarithmic grid and then from Gauss-Newton iterations with
 ///           Kaufman's derivatives. The fit needs no start values.
-/// Domain:   at least two rows at different times t > 0 for one lag and six for two. Rows may have
-///           any order and spacing, with t >= 0 [s]. T is limited to the range from a tenth of the
-///           first time to thirty times the last.
+/// Domain:   one lag needs at least two rows at different times t > 0, and two lags need six. Rows
+///           may have any order and spacing, with t >= 0 [s]. T is limited to the range from a
+///           tenth of the first time to thirty times the last.
 /// Accuracy: time constants to 1e-9 if the rows follow the law exactly.
 /// Traps:    subtract the kinematic part from the displacement first, because this immediate part
 ///           would look like a fast lag. Throws std::invalid_argument for too few rows, for a value

@@ -35,8 +35,8 @@ struct StepResponse {
   [[nodiscard]] bool converged() const { return status == Status::converged; }
 };
 
-/// Cooling at rest after the end of the fastest step. Values are NaN if it was not requested or if
-/// it did not converge.
+/// Cooling at rest after the end of the fastest step. Values are NaN if the cooling was not
+/// requested or did not converge.
 struct CoolDown {
   StepFit fit = {};  ///< fit to the cooling
   /// Time constants at P = 0 for the gains of the step before the cooling [s]: for the single lag,
@@ -68,7 +68,7 @@ struct StepOptions {
 };
 
 /// Simulates a step to each of these speeds [rad/s] from rest at ambient temperature, in parallel
-/// and with the effects of the model, and fits lags to the responses.
+/// and with the effects of the model, and fits one lag and two lags to each response.
 ///
 /// The power is not constant during a step: it may fall by half as the oil gets thinner. Gain and
 /// time constant are assigned to the power at the end of the step. Throws std::invalid_argument for
@@ -82,18 +82,19 @@ struct StepOptions {
 /// spindle without the load. One lag is fitted to the displacement after the immediate part. The
 /// power in a response is the total power of all bearings, not the increase by the load.
 ///
-/// Throws std::invalid_argument like step_responses(), and for loads that are 0 or do not rise.
+/// Throws std::invalid_argument like step_responses(), and for loads that are 0 or not in ascending
+/// order.
 [[nodiscard]] std::vector<LoadSteps> load_step_responses(const model::Model& model, Stepped stepped,
                                                          std::span<const double> speeds,
                                                          std::span<const double> loads,
                                                          const StepOptions& options = {});
 
-/// Returns gain and time constant of each load step that has a fit, over the load.
+/// Returns the load, the gain and the time constant of each load step that has a fit.
 [[nodiscard]] std::vector<LagAt> at_loads(const LoadSteps& loads);
 
-/// Returns gain and time constant of each step with a fit, at its final power: for the single lag,
-/// or for the faster or the slower of two lags.
+/// The single lag of a fit, or the faster or the slower of two lags.
 enum class WhichLag { one, fast, slow };
+/// Returns the final power, the gain and the time constant of each step with a fit.
 [[nodiscard]] std::vector<LagAt> at_powers(std::span<const StepResponse> steps,
                                            WhichLag which = WhichLag::one);
 

@@ -6,8 +6,8 @@
 
 namespace raceway::spindle {
 
-/// Returns the stresses of shaft and rings in each column of cells: temperature across the wall,
-/// pressure of the seat and rotation, by stresses_of().
+/// Returns the stresses of shaft and rings in each column of cells. Causes are the temperature
+/// across the wall, the pressure of the seat and the rotation (stresses_of()).
 ///
 /// The temperature of a surface follows from the temperature of its cell and the heat flow through
 /// half the cell, so a ring with one cell also has a gradient. Not included: bending, axial preload

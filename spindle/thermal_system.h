@@ -20,8 +20,8 @@ struct CylinderHeat {
 /// Cells of a spindle with their heat paths, except the bearings. Friction and conduction of the
 /// bearings depend on the sets (BearingCoupling).
 ///
-/// Films and seats depend on the temperatures passed to update(); they are constant within a time
-/// step.
+/// Heat transfer coefficients and seats depend on the temperatures passed to update(). Both are
+/// constant within a time step.
 class ThermalSystem {
  public:
   /// A group of heat paths with one conductance per area.
@@ -41,7 +41,7 @@ class ThermalSystem {
     model::Coolant channel;
     int node = -1;  ///< node at the mean temperature of inlet and outlet
     Group walls = {};
-    std::size_t flow = 0;  ///< outlet of the coolant
+    std::size_t flow = 0;  ///< index of the coolant flow in HeatPaths::outlets
   };
   [[nodiscard]] const std::vector<Circuit>& circuits() const { return circuits_; }
   /// Returns the inlet temperature of a circuit for these inputs [K].

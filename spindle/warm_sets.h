@@ -35,8 +35,9 @@ struct BearingHeat {
 ///
 /// Each bearing has its own ring temperatures (thermal_shift()); balls and lubricant have the mean
 /// temperature of the rings, as in the reference data of the tests. Friction depends on the axial
-/// forces of the warm sets, or of the cold sets at the same speed. The contributions of radial
-/// loads to forces, friction and position are kept between two calls of bear().
+/// forces of the warm sets. If the model sets `preload_feedback` to false, friction depends on the
+/// forces of the cold sets at the same speed. The contributions of radial loads to forces, friction
+/// and position are kept between two calls of bear().
 class WarmSets {
  public:
   /// Throws std::invalid_argument if the sets cannot be mounted.
@@ -100,7 +101,7 @@ class WarmSets {
   SetsAsked temperatures_;  ///< temperatures of the last solve()
   std::vector<BallConduction> conduction_;
   std::vector<BearingHeat> heat_;
-  std::vector<BearingHeat> more_;  ///< additional heat from radial loads; empty without
+  std::vector<BearingHeat> more_;  ///< additional heat from radial loads; empty without them
   double more_position_ = 0.0, more_front_ = 0.0, more_rear_ = 0.0;
   double rest_ = 0.0;
 };

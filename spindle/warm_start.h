@@ -17,25 +17,24 @@ struct WarmStart {
   double rise = unset;      ///< rise of the warmest thermometer above ambient in the first row [K]
   bool zeroed = false;      ///< true if the displacement was set to zero in the first row
 
-  /// Returns a sentence: "front_bearing_temperature_C and others are up to 11 K above the room
-  /// ...".
+  /// Returns a sentence: "the thermometers are up to 11 K above the room in the first row: ...".
   [[nodiscard]] std::string statement() const;
 };
 
 /// Finds the past operation that agrees best with the thermometers in the first row of a run. The
 /// result is empty unless two thermometers (or the only one) are more than 2 K above a cold start.
-/// It is also empty if the record has no ambient temperature, or if no past operation halves the
-/// error of a cold start.
+/// The result is also empty if the record has no ambient temperature, or if no past operation
+/// halves the error of a cold start.
 ///
-/// Candidates are constant speeds (of the first row, the mean and the highest) for a quarter of an
-/// hour to eight hours, with the other inputs of the first row. The displacement is treated as set
-/// to zero if its first reading is less than a quarter of the displacement after that past
-/// operation.
+/// Candidates are constant speeds above 0: the speed of the first row, the mean and the highest
+/// speed. Each lasts a quarter of an hour to eight hours, with the other inputs of the first row.
+/// The displacement is treated as set to zero if the amount of its first reading is less than a
+/// quarter of the displacement that the model predicts after the past operation.
 [[nodiscard]] std::optional<WarmStart> find_warm_start(const model::Model& model,
                                                        const record::Record& run,
                                                        std::span<const ProfileRow> profile);
 
-/// Returns the state of a spindle after that past operation. The run begins from this state.
+/// Returns the state of a spindle after the operation `past`. The run begins from this state.
 [[nodiscard]] State state_after(Simulator& simulator, const WarmStart& past,
                                 std::span<const ProfileRow> profile);
 

@@ -18,7 +18,7 @@ struct Explanation {
   fit::ResponseFit fit{};
   /// Base parameters, then the parameters of the candidates.
   std::vector<record::Parameter> parameters{};
-  double gain = unset;  ///< fall of -2 ln L against the base model, minus ln N for each free shape
+  double gain = unset;    ///< see RankedEffect::gain; relative to the base model
   bool ran_away = false;  ///< true if the fit diverged and the size is outside its plausible bounds
   /// Start values of the full fit if this fit is coarse; empty after a full fit.
   std::vector<Eigen::VectorXd> starts{};
@@ -26,14 +26,14 @@ struct Explanation {
   bool rechecked = false;
   double least_loss = unset;  ///< rise of -2 ln L if the weakest of several candidates is removed
   bool elastic = false;       ///< true if exponents bend the law
-  /// Exponent of each factor of the subject, by name; 0 for a factor that does not vary.
+  /// Exponent of each factor (Subject::factors()), by name; 0 for a factor that does not vary.
   std::vector<record::NamedValue> exponents{};
   std::size_t free_exponents = 0;  ///< number of free exponents
   /// Returns true if an exponent reached its bound.
   [[nodiscard]] bool bent_to_a_bound() const;
 };
 
-/// Extends the base model by candidates, refits it and keeps the fits made so far.
+/// Extends the base model by candidates, and refits the extended model.
 class Attribution {
  public:
   explicit Attribution(const Evidence& evidence);
@@ -42,8 +42,8 @@ class Attribution {
   /// Returns the first column and the number of columns of a candidate among the scores of the
   /// gate.
   [[nodiscard]] std::pair<Eigen::Index, Eigen::Index> score_range(std::size_t candidate) const;
-  /// Returns the length of each score after the base parameters are projected off [1]. The length
-  /// is the smallest value over all noise shapes that the readings allow.
+  /// Returns the length of each score after the base parameters are projected off [1]: the smallest
+  /// length over all noise shapes that the readings allow.
   [[nodiscard]] Eigen::VectorXd least_lengths() const;
   /// Returns the length at which the gate detects a score in 99 of 100 cases.
   [[nodiscard]] double length_found() const;
@@ -68,8 +68,8 @@ class Attribution {
   /// Repeats coarse fits as full fits if their gain may be within `reach` of the best gain. The
   /// pairs from which triples() starts are also repeated. The list is then sorted, best first.
   void refine(std::vector<Explanation>& list, double reach) const;
-  /// Bends the law of one candidate by powers of the subject's factors, with exponents within
-  /// +-0.2.
+  /// Bends the law of one candidate: multiplies the law by powers of Subject::factors(), with
+  /// exponents within +-0.2.
   [[nodiscard]] Explanation elastic(const Explanation& single) const;
   /// Applies the gate to an extended model.
   void recheck(Explanation& explanation) const;
@@ -95,7 +95,7 @@ class Attribution {
   [[nodiscard]] bool has_datum(const Explanation& e) const;
   /// Returns the parameter values of one candidate.
   [[nodiscard]] Eigen::VectorXd values_of(const Explanation& e, std::size_t member) const;
-  /// Computes the gain of a fit, or the reason why it has none.
+  /// Computes the gain of a fit. Marks a fit that ran away as not converged.
   void judge(Explanation& e) const;
   [[nodiscard]] std::vector<Eigen::VectorXd> starts(std::span<const fit::Screened* const> on,
                                                     const fit::Response& response) const;

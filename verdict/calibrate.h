@@ -26,13 +26,13 @@ struct Calibration {
   std::shared_ptr<const fit::Subject> subject{};  ///< model with the fitted values
   std::vector<record::Parameter> parameters{};    ///< free parameters
   Eigen::MatrixXd correlation{};  ///< correlation of the estimates; NaN without a standard error
-  int rows = 0;                   ///< used
+  int rows = 0;                   ///< number of rows used
   std::vector<std::size_t> rows_not_predicted{};  ///< rows of the record that were not used
   int degrees_of_freedom = 0;  ///< number of readings minus number of fitted parameters
   /// χ²/degrees of freedom for the noise of the data [1]; NaN if the noise is unknown.
   double reduced_chi_square = unset;
   fit::Likelihood likelihood{};
-  /// Factor that widens standard errors and intervals [1]; NaN if there are none.
+  /// Factor that widens standard errors and intervals [1]; NaN if there are no standard errors.
   double error_factor = unset;
   /// Profile interval of each parameter, if requested.
   std::vector<fit::ProfileInterval> profile{};
@@ -41,18 +41,19 @@ struct Calibration {
   fit::FitStatus status = fit::FitStatus::not_run;
   std::vector<record::Note> messages{};  ///< messages for the user
   /// Held-out error [SI] and correlation time of the residuals [s] of a model that only
-  /// approximates. NaN if unknown.
+  /// approximates the readings; NaN if unknown.
   double rms_held_out = unset, correlation_time = unset;
 
   [[nodiscard]] bool converged() const { return status == fit::FitStatus::converged; }
 };
 
 struct CalibrateOptions {
-  /// True if the profile intervals of the parameters are also computed (Calibration::profile).
+  /// If true, calibrate() also computes the profile intervals of the parameters
+  /// (Calibration::profile).
   bool profile = false;
 };
 
-/// Fits the free parameters of a subject to a record, within their bounds.
+/// Fits the free parameters of a model to a record, within their bounds.
 ///
 ///   minimise |W (y - f(x))|²
 ///
@@ -62,17 +63,19 @@ struct CalibrateOptions {
 /// deviations, a common scatter is added [PauleMandel1982]. Without declared deviations, all
 /// readings have equal weight. Rows without a prediction are left out and listed.
 ///
-/// Standard errors follow from the linearised problem, sqrt(diag (JᵀWᵀWJ)^-1). They are widened by
-/// sqrt(χ²/degrees of freedom) if the misfit exceeds the noise significantly (1 %). They do not
-/// include the bias from a missing effect. Profile-likelihood intervals use the same noise and the
-/// same factor. They end where the rise of -2 ln L is 3.84 times the square of this factor.
+/// Standard errors follow from the linearised problem, sqrt(diag (JᵀWᵀWJ)^-1). Standard errors are
+/// multiplied by sqrt(χ²/degrees of freedom) if the misfit exceeds the noise significantly (1 %) or
+/// the noise is unknown. Standard errors do not include the bias from a missing effect.
+/// Profile-likelihood intervals use the same noise and the same factor. The intervals end where the
+/// rise of -2 ln L is 3.84 times the square of this factor.
 ///
 /// If the data cannot separate a parameter from earlier parameters in the list, the fit keeps the
-/// parameter at its start value and marks all parameters of the group as not identifiable. The fit
-/// also keeps a parameter at its start value if the fitted standard error exceeds the range of the
-/// bounds, because such a fitted value has no meaning. Throws std::invalid_argument for a record
-/// that does not suit this kind of subject, for an unknown parameter, and for fewer readings than
-/// parameters. Models that only approximate need loop/loop.h instead.
+/// parameter at its start value. The fit marks this parameter and the earlier ones as not
+/// identifiable. The fit also keeps a parameter at its start value if the fitted standard error
+/// exceeds the range of the bounds, because such a fitted value has no meaning. Throws
+/// std::invalid_argument for a record that does not suit this kind of model, for an unknown
+/// parameter, and for fewer readings than parameters. For models that only approximate the readings
+/// (Subject::approximates()), use loop/loop.h.
 [[nodiscard]] Calibration calibrate_by_noise(const fit::Subject& subject,
                                              const record::Record& record,
                                              const CalibrateOptions& options = {});

@@ -69,7 +69,7 @@ enum class Judgement {
 /// Comparison of a model with the readings of one channel. Residuals are prediction minus reading.
 struct Comparison {
   const record::Channel* channel = nullptr;
-  int rows = 0;                                                     ///< compared
+  int rows = 0;                                                     ///< number of compared rows
   double rmse = unset, mae = unset, max_abs = unset, bias = unset;  ///< SI
   /// 100 (1 - |y - ŷ| / |y - mean y|) in Euclidean norms: 100 is a perfect prediction, 0 is as good
   /// as the mean, and a negative value is worse than the mean. NaN if all readings are equal.
@@ -86,28 +86,29 @@ struct Comparison {
   Judgement judgement = Judgement::unknown;
   double tolerance = unset;           ///< acceptable error [SI]; NaN if not given
   std::vector<ErrorRange> where{};    ///< errors by range of each varying input, worst first
-  std::vector<ErrorRange> records{};  ///< error of each joined record, in their order
+  std::vector<ErrorRange> records{};  ///< error of each joined record, in the order of the records
   std::vector<RowError> worst{};      ///< the five worst rows, worst first
   std::vector<RowError> errors{};     ///< all compared rows, in the order of the data
   std::vector<std::size_t> rows_not_predicted{};  ///< rows with a reading but without a prediction
   std::string statement{};  ///< one sentence: size and place of the error, structure or noise
 };
 
-/// Returns the noise of a measured channel, by estimate_noise(). For a model that only
-/// approximates, it is the standard deviation that the model declares, otherwise the scatter of
-/// readings that are neighbours in time.
+/// Returns the noise of a measured channel, by estimate_noise(). For a model that only approximates
+/// the readings, the noise is the standard deviation that the model declares. If it declares none,
+/// the noise is the scatter of readings that are neighbours in time.
 [[nodiscard]] fit::Noise noise_of(const record::Record& record, const fit::Measured& measured);
 
 /// Compares a model with every measured channel of the record. `fitted_parameters` is the number of
-/// model parameters that were fitted to these data. They reduce the degrees of freedom of the test.
-/// If you do not know the number, use 0, which makes the test milder. Throws std::invalid_argument
-/// if the record does not suit this kind of subject, has no rows, or has no predicted row.
+/// model parameters that were fitted to these data. Fitted parameters reduce the degrees of freedom
+/// of the test. If you do not know the number, use 0, which makes the test milder. Throws
+/// std::invalid_argument if the record does not suit this kind of model, has no rows, or has no row
+/// with a prediction.
 [[nodiscard]] std::vector<Comparison> compare(const fit::Subject& subject,
                                               const record::Record& record,
                                               int fitted_parameters = 0);
 
-/// Compares one channel with given predictions: `predicted` by row of the record, NaN for a missing
-/// prediction.
+/// Compares one channel with given predictions: `predicted` has one value for each row of the
+/// record; NaN marks a missing prediction.
 [[nodiscard]] Comparison compare(std::span<const double> predicted, const record::Record& record,
                                  const fit::Measured& measured, int fitted_parameters = 0);
 
@@ -118,8 +119,8 @@ void add_groups(Comparison& comparison, const record::Channel& kind,
 
 /// Fills Comparison::estimated_noise and the standard deviations of rows whose noise is unknown.
 /// The values come from a saturated regression, as in a diagnosis. For a model that only
-/// approximates, noise_of_calm_readings() gives an upper bound instead. The values do not change
-/// the verdict on structure or noise.
+/// approximates the readings, noise_of_calm_readings() gives an upper bound instead. The values do
+/// not change the verdict on structure or noise.
 void estimate_unknown_noise(const fit::Subject& subject, const record::Record& record,
                             std::vector<Comparison>& comparisons);
 

@@ -12,22 +12,22 @@
 namespace raceway::verdict {
 
 struct DiagnoseOptions {
-  /// Ids of the effects that may be missing; empty means all candidates of the subject.
+  /// Ids of the effects that may be missing; empty means all candidates for the model.
   std::vector<std::string> candidates{};
   /// Number of candidates tried earlier on these data, for the multiple-testing correction.
   int tried_before = 0;
   int most_rows = most_rows_of_a_fit;
   bool pairs = true;
-  /// True if the other base models of the subject are also tried when no candidate explains the
-  /// misfit, or when one candidate fits only with another law or an implausible size.
+  /// If true, other base models (Subject::other_bases()) are also tried when no candidate explains
+  /// the misfit, or when one candidate fits only with another law or an implausible size.
   bool other_bases = true;
   fit::NoiseOptions noise{};
   std::function<void(double share, std::string_view step)> progress{};
-  /// diagnose() throws Cancelled after this becomes true
+  /// diagnose() throws fit::Cancelled after this becomes true
   const std::atomic<bool>* cancelled = nullptr;
 };
 
-/// Diagnoses whether the model misses an effect, which effect it is, or which measurement would
+/// Finds out whether the model misses an effect, and which effect it is or which measurement would
 /// decide.
 ///
 ///   noise from a saturated regression -> gate (smooth misfit, largest score) -> each candidate
@@ -49,11 +49,12 @@ struct DiagnoseOptions {
 /// If a channel has a tolerance (Measured::tolerance), the question is whether a missing effect
 /// matters on held-out blocks within the measured range. Nothing is missing if the refitted model
 /// stays within the tolerance on these blocks. An effect explains the data if it brings the error
-/// within the tolerance. Effects whose error is at most a fifth larger are also named. Two effects
-/// explain the data if no single effect does and if the error of the best single effect is at least
-/// a fifth larger than the error of the pair. Throws std::invalid_argument if the data do not
-/// support a verdict, and Cancelled if the caller cancels. Models that only approximate need
-/// loop/loop.h instead.
+/// within the tolerance. Effects whose error is at most a fifth larger than the smallest error are
+/// also named. Two effects explain the data if no single effect does and if the error of the best
+/// single effect is at least a fifth larger than the error of the pair. Throws
+/// std::invalid_argument if the data do not support a verdict, and fit::Cancelled if the caller
+/// cancels. For models that only approximate the readings (Subject::approximates()), use
+/// loop/loop.h.
 [[nodiscard]] Diagnosis diagnose_by_noise(const fit::Subject& subject, const record::Record& record,
                                           const DiagnoseOptions& options = {});
 

@@ -36,7 +36,7 @@ struct ChannelDiagnosis {
   double rmse_before = unset, rmse_after = unset;  ///< errors in sample [SI]
   double tolerance = unset;                        ///< tolerance in SI units; NaN if not given
   /// Held-out errors without and with the effects of the verdict [SI]. If a tolerance is given,
-  /// they cover the measured range only.
+  /// these errors cover the measured range only.
   double rmse_held_out_before = unset, rmse_held_out_after = unset;
 
   [[nodiscard]] const record::Channel& channel() const { return *baseline.channel; }
@@ -47,12 +47,14 @@ struct RankedEffect {
   std::string id;
   std::string datum{};  ///< Candidate::datum: the wrong datum, if the candidate is not an effect
   std::string correction{};  ///< text with the corrected value of that datum
-  /// Candidate::acts_on. The id ends in ":" and this name, unless there is only one choice.
+  /// Places where the effect acts (Candidate::acts_on). The id ends in ":" and the name of the
+  /// place, unless there is only one choice.
   std::vector<std::pair<std::string, std::string>> acts_on{};
   bool by_column = false;  ///< Candidate::by_column
   bool in_verdict = false;
-  /// Fall of -2 ln L when the effect is added, minus ln N for each free shape. If the verdict is
-  /// `several_effects` and includes this effect, it is the gain of the whole set.
+  /// Fall of -2 ln L when the effect is added, minus ln N for each fitted parameter other than the
+  /// size, with N readings. If the verdict is `several_effects` and includes this effect, this is
+  /// the gain of the whole set.
   double gain = unset;
   fit::Likelihood likelihood{};                 ///< likelihood of the model that `gain` refers to
   std::vector<double> rmse{};                   ///< error of each channel in sample [SI]
@@ -99,7 +101,7 @@ struct ExplainedReadings {
   /// Prediction with the effects on and the base parameters refitted [SI].
   std::vector<double> total{};
   std::vector<double> base{};  ///< prediction of the same model with the effects off [SI]
-  /// For each effect, the total minus the prediction without it.
+  /// For each effect, the total minus the prediction without this effect.
   std::vector<EffectShare> effects{};
 };
 
@@ -134,7 +136,8 @@ struct SuggestedMeasurement {
   std::string words;  ///< description of the point
   int repeats = 2;
   std::string separates{};  ///< ids, e.g. "this-effect / that-effect"
-  /// Difference between the two effects at this point, before any refit [1].
+  /// Difference between the two effects at this point, in standard deviations of the noise and
+  /// before any refit [1].
   double difference_in_sigma = unset;
 };
 
@@ -162,19 +165,19 @@ struct Diagnosis {
   double p_value = unset;  ///< p of the gate: probability of such a misfit if no effect is missing
   double remaining_p_value = unset;  ///< p of the gate with the effects of the verdict switched on
   std::vector<RankedEffect>
-      effects;  ///< effects of the verdict first, best set leading; then by rank
+      effects;  ///< effects of the verdict first, starting with the best set; the others by rank
   std::vector<std::vector<std::string>>
       sets;                  ///< sets of effects whose gain is close to the best, best first
-  std::vector<SetFit> fits;  ///< fits of these sets; empty for a model that only approximates
+  std::vector<SetFit> fits;  ///< fits of these sets; empty if the model only approximates
   /// Likelihood of the refitted model without effects, with the estimated noise.
   fit::Likelihood likelihood;
   Correlation correlation;  ///< correlation for the best set, or for the model without effects
-  /// Readings of the best set of the verdict, if there is one, followed by the readings of every
-  /// ranked single effect.
+  /// Readings of the best set of the verdict, if there is one, followed by the readings of each
+  /// ranked effect outside this set.
   std::vector<ExplainedReadings> explained;
   bool verdict_is_explained = false;  ///< true if `explained` begins with the verdict's best set
-  /// Refits of a model that only approximates: first without effects, then with the best set of the
-  /// verdict.
+  /// Refits of a model that only approximates the readings: first without effects, then with the
+  /// best set of the verdict.
   std::vector<fit::Refit> refits;
   std::vector<DetectableSize> would_have_been_found;
   std::vector<NotTestable> not_testable;
@@ -195,14 +198,14 @@ struct Diagnosis {
   std::vector<fit::HoldOut> hold_out;
   double needed_gain = unset;                   ///< gain that an effect needs, ln N + 2 ln m
   int candidates_tried = 0;                     ///< m, including candidates tried earlier
-  int rows = 0;                                 ///< used
+  int rows = 0;                                 ///< number of rows used
   std::vector<std::size_t> outliers;            ///< rows with reduced weight
-  std::vector<std::size_t> rows_not_predicted;  ///< rows
-  /// Other base models, best first. They are tried if no candidate explains the misfit, or if one
-  /// candidate fits only with another law or an implausible size.
+  std::vector<std::size_t> rows_not_predicted;  ///< rows without a prediction
+  /// Other base models, best first. Other base models are tried if no candidate explains the
+  /// misfit, or if one candidate fits only with another law or an implausible size.
   std::vector<OtherBaseTried> other_bases{};
-  /// Diagnosis with the best of these models as the base model, with single candidates only. Null
-  /// if no other base model is good enough.
+  /// Diagnosis with the best model of `other_bases` as the base model, with single candidates only.
+  /// Null if no other base model is good enough.
   std::shared_ptr<const Diagnosis> given_other_base{};
   /// True if a tolerance is given and the refitted model meets this tolerance without effects.
   /// `significant_but_immaterial` names significant effects that reduce the held-out error but are
@@ -211,7 +214,7 @@ struct Diagnosis {
   std::vector<std::string> significant_but_immaterial;
   std::vector<record::Note> messages;  ///< messages for the user
 
-  /// Returns true if a tolerance was given and decides the verdict.
+  /// Returns true if a tolerance is given, which then decides the verdict.
   [[nodiscard]] bool tolerance_limited() const;
 };
 

@@ -10,8 +10,8 @@
 namespace raceway::verdict {
 
 /// Returns the parameters of one candidate of an explanation, named without its id. A size is
-/// plausible within three times the range seen in practice, plus or minus two standard errors. A
-/// wrong datum must be within the range itself.
+/// plausible within the range seen in practice, widened by a factor of three at both ends and by
+/// two standard errors. For a wrong datum, the factor is 1.
 [[nodiscard]] std::vector<record::Parameter> sizes_of(const fit::Problem& problem,
                                                       const Explanation& e, std::size_t member);
 
@@ -25,16 +25,16 @@ namespace raceway::verdict {
 [[nodiscard]] std::string correction_text(const fit::Problem& problem, const Explanation& e,
                                           std::size_t member);
 
-/// Returns the 95 % interval of the size of one candidate. A bent law has no interval, because its
-/// exponents have no physical meaning.
+/// Returns the 95 % interval of the size of one candidate. A bent law (Attribution::elastic()) has
+/// no interval, because its exponents have no physical meaning.
 [[nodiscard]] record::Interval size_interval(const Evidence& evidence, const Explanation& e,
                                              std::size_t member);
 
 /// Returns the probability that random offsets of blocks of rows follow one candidate as closely as
 /// the observed offsets: P(F(1, B - 2) >= G (B - 2) / R) for B blocks. G is the gain of the
 /// candidate. R is the part of the remaining sum of squares that one offset for each block
-/// explains. The probability is 0 if the candidate is also visible within blocks. It is NaN without
-/// blocks that may be undeclared runs (RowOrder::new_block).
+/// explains. The probability is 0 if the candidate is also visible within blocks. The result is NaN
+/// if there are no blocks that may be undeclared runs (RowOrder::new_block).
 [[nodiscard]] double chance_of_block_offsets(const Evidence& evidence, const Explanation& e,
                                              std::size_t member);
 
@@ -50,14 +50,14 @@ namespace raceway::verdict {
 [[nodiscard]] fit::Likelihood likelihood_of(const Evidence& evidence, const fit::ResponseFit& fit);
 
 /// Returns the correlation of the estimates, from a fit of these parameters or from their
-/// covariance. It is NaN for an estimate that has no covariance.
+/// covariance. The correlation is NaN for an estimate without a covariance.
 [[nodiscard]] Correlation correlation_of(const std::vector<record::Parameter>& parameters,
                                          const fit::ResponseFit& fit);
 [[nodiscard]] Correlation correlation_of(const std::vector<record::Parameter>& parameters,
                                          const Eigen::MatrixXd& covariance);
 
 /// Returns the rms error of each channel over the held-out blocks of all blockings [SI]. The result
-/// is empty for a bent law and without blockings.
+/// is empty for a bent law (Attribution::elastic()), and if there are no blockings.
 [[nodiscard]] std::vector<double> held_out(const Evidence& evidence, const fit::Response& response,
                                            const fit::ResponseFit& fit,
                                            const std::vector<fit::Blocking>& blockings);
@@ -70,7 +70,7 @@ namespace raceway::verdict {
     const std::vector<fit::Blocking>& blockings);
 
 /// Returns the readings of an explanation and the contributions of its effects, by observation. The
-/// law must not be bent.
+/// law must not be bent (Attribution::elastic()).
 [[nodiscard]] ExplainedReadings explained_readings(const Evidence& evidence, const Explanation& e);
 
 }  // namespace raceway::verdict

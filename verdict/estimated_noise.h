@@ -11,7 +11,8 @@ namespace raceway::verdict {
 struct EstimatedNoise {
   const record::Channel* channel = nullptr;
   double rms = unset;  ///< rms noise over the readings used [SI]
-  /// Standard deviations by row of the record [SI]. For unused rows, they come from the reading.
+  /// Standard deviations by row of the record [SI]. For unused rows, the standard deviation follows
+  /// from the reading.
   std::vector<double> std;
 };
 

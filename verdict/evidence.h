@@ -10,7 +10,7 @@
 
 namespace raceway::verdict {
 
-/// a larger record is reduced to this number of randomly chosen rows
+/// A larger record is reduced to this number of randomly chosen rows.
 constexpr int most_rows_of_a_fit = 4000;
 
 /// Model, data, candidates and noise, prepared for a diagnosis.
@@ -22,7 +22,8 @@ struct Evidence {
   Eigen::VectorXd size{};                ///< typical size of each reading from the base model
   std::vector<fit::NoiseModel> noise{};  ///< noise of each measured channel
   fit::Whitening whitening{};            ///< weights from the noise of all channels together
-  /// Weights from other noise shapes, one channel at a time.
+  /// Other possible weights. In each of them, one channel has another noise shape that its readings
+  /// allow.
   std::vector<fit::Whitening> allowed{};
   double degrees_of_freedom = unset;  ///< degrees of freedom of all channels
   fit::Response response{};           ///< response of the base model
@@ -30,7 +31,7 @@ struct Evidence {
   std::size_t rows_in_record = 0;
   /// True if there are too few rows to determine the noise; the declared noise is then used.
   bool few_rows = false;
-  std::string hint{};  ///< Judged::doubt()
+  std::string hint{};  ///< likely error in the data (fit::Judged::doubt())
   std::vector<record::Note> notes{};
 
   [[nodiscard]] std::size_t rows() const { return problem.record->rows(); }
@@ -48,9 +49,9 @@ struct EvidenceOptions {
   std::function<bool()> cancelled{};  ///< if it returns true, the work is cancelled; see Problem
 };
 
-/// Checks the data, estimates the noise from a saturated regression and refits the base model. Uses
-/// at most `most_rows` rows, chosen at random. Throws std::invalid_argument if the data do not
-/// support a verdict; the message says what is needed.
+/// Checks the data, estimates the noise from a saturated regression and refits the base model. The
+/// function uses at most `most_rows` rows, chosen at random. Throws std::invalid_argument if the
+/// data do not support a verdict; the message says what is needed.
 [[nodiscard]] Evidence gather_evidence(const fit::Subject& subject, const record::Record& record,
                                        const EvidenceOptions& options = {});
 

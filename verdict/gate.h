@@ -8,15 +8,15 @@
 
 namespace raceway::verdict {
 
-/// Standard normal numbers for the null distribution of the largest score. They are drawn at first
-/// use and are identical for all gates of a diagnosis, and for all diagnoses with the same number
-/// of scores. The first call of p_value() draws the numbers, so several threads must not call
-/// p_value() at the same time.
+/// Standard normal numbers for the null distribution of the largest score. The numbers are drawn at
+/// first use. They are identical for all gates of a diagnosis, and for all diagnoses with the same
+/// number of scores. The first call of p_value() draws the numbers, so several threads must not
+/// call p_value() at the same time.
 class NullDraws {
  public:
   explicit NullDraws(Eigen::Index scores, int draws = 10000) : scores_(scores), draws_(draws) {}
-  /// Returns the share of draws from N(0, C) whose largest score, divided by a χ scale, reaches
-  /// `observed`.
+  /// Returns the share of draws from N(0, C) whose largest score reaches `observed`. The scores of
+  /// each draw are divided by a random scale with the χ distribution.
   [[nodiscard]] double p_value(const Eigen::MatrixXd& correlation,
                                const std::vector<bool>& one_sided, double degrees_of_freedom,
                                double observed) const;
@@ -53,7 +53,7 @@ struct Gate {
   [[nodiscard]] bool alarm() const { return p_value() < alarm_level; }
 };
 
-/// The tangent hides a score whose visibility is below this value.
+/// Below this visibility, the fit of the base parameters (the tangent) hides a score.
 constexpr double invisible = 0.02;
 
 /// Applies the gate. All arguments are whitened. `one_sided` marks columns for which only a

@@ -16,7 +16,7 @@ struct HiddenInput {
   /// Share of the variance that is common to the rows of a run; NaN without runs.
   double run_share = unset;
   double run_p_value = unset;  ///< probability of such a share by chance; NaN without runs
-  /// Returns true if the level changes from run to run and not from row to row.
+  /// Returns true if the readings change mainly from run to run, and less from row to row.
   [[nodiscard]] bool follows_the_runs() const { return run_p_value < 1e-3 && run_share > 0.5; }
 };
 
@@ -24,8 +24,9 @@ struct HiddenInput {
 /// change by more than 5 % over such a range. A hidden input is reported if both the pooled and a
 /// robust standard deviation exceed Measured::most_scatter. Single wrong readings therefore do not
 /// cause a report. An analysis of variance of the logarithms tests whether the differences follow
-/// the runs. The result is empty if the test is impossible: fewer than 8 degrees of freedom, rows
-/// with a time (run-in makes readings differ at equal points), or a reading that is not positive.
+/// the runs. The result is empty if no hidden input is found. The result is also empty if the test
+/// is impossible: with fewer than 8 degrees of freedom, with rows that have a time (run-in makes
+/// readings differ at equal points), or with readings that are not positive.
 [[nodiscard]] std::optional<HiddenInput> find_hidden_input(const record::Record& record,
                                                            const fit::Measured& measured);
 

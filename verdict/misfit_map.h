@@ -16,12 +16,13 @@ struct MisfitCell {
   bool significant = false;  ///< true if significant at 5 % over the whole map (Bonferroni)
 };
 
-/// Map of a model's misfit over two inputs, with its significance.
+/// Map of the misfit of a model over two inputs, with the significance of each cell.
 ///
-/// The ranges come from Comparison::where: single levels if the data have few, otherwise bins with
-/// about equal numbers of rows. `across` is the swept input (Pattern::along). `up` is the first
-/// other setting, recorded input or run that varies, loads before temperatures. Without a varying
-/// input, an axis has one range with all rows.
+/// The ranges come from Comparison::where: single levels if the data have few levels, otherwise
+/// bins with about equal numbers of rows. `across` is the swept input (Pattern::along). `up` is the
+/// first other input that varies. Settings with a ratio scale, such as loads, come first. All other
+/// inputs follow, such as temperatures, and then runs. An axis without a varying input has one
+/// range with all rows.
 ///
 ///   standard error of the mean of m rows = sqrt(Σ s_i²) / m
 ///

@@ -53,22 +53,25 @@ class Search {
   /// Searches until the held-out error is within the tolerance.
   [[nodiscard]] Finding explain_within_tolerance();
 
-  /// Returns pairs that fit well, although neither of the two effects is proven. The search fills
-  /// this list and shape().
+  /// Returns pairs of effects that fit well, although neither effect of a pair is proven. The
+  /// search fills this list and shape().
   [[nodiscard]] const std::vector<std::vector<std::string>>& weak_pairs() const {
     return weak_pairs_;
   }
   [[nodiscard]] std::optional<fit::Shape>& shape() { return shape_; }
-  /// Returns true if the explanation has no wrong datum and no shape without a law.
+  /// Returns true if at least one member of the explanation is a physical effect, not a wrong datum
+  /// or an empirical shape.
   [[nodiscard]] bool is_physics(const Explanation& e) const;
   [[nodiscard]] bool is_physics_alone(const Explanation& e) const;
   [[nodiscard]] std::vector<std::string> ids_of(const Explanation& e) const;
   /// Returns true if the explanation raises the rms residual. Each channel is weighted by its
   /// noise, and outliers are left out.
   [[nodiscard]] bool raises_the_error(const Explanation& e) const;
-  /// Returns true if the explanation lowers this rms residual by at least `share`.
+  /// Returns true if the explanation lowers the rms residual of raises_the_error() by at least
+  /// `share`.
   [[nodiscard]] bool lowers_the_error(const Explanation& e, double share) const;
-  /// Returns the held-out error of an explanation as the largest share of a channel's tolerance.
+  /// Returns the held-out error of an explanation divided by the tolerance, for the channel with
+  /// the largest ratio [1].
   [[nodiscard]] double share_of_tolerance(const fit::Response& response,
                                           const fit::ResponseFit& fit) const;
 

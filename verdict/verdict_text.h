@@ -24,14 +24,17 @@ namespace raceway::verdict {
 /// Returns the sentence for `nothing_missing`: effects that would have been found, and effects that
 /// could not have been found.
 [[nodiscard]] std::string nothing_missing_text(const Diagnosis& d);
-/// Returns the sentence for a missing effect that does not matter within the tolerance.
+/// Returns the sentence for a model whose held-out error is within the tolerance, with the
+/// significant effects that are not important.
 [[nodiscard]] std::string within_tolerance_text(const Diagnosis& d);
-/// Returns the error without and with the effects, in sample and on held-out blocks.
+/// Returns the error without and with the effects, in sample and, if no tolerance is given, on
+/// held-out blocks.
 [[nodiscard]] std::string error_text(const Diagnosis& d);
 /// Returns the shifts of the base parameters when the effects of the verdict are left out. Only
 /// shifts of 1 % or more are included; empty if there are none.
 [[nodiscard]] std::string shift_text(const Diagnosis& d);
-/// Returns the first suggested measurement; empty if there is none.
+/// Returns up to three suggested measurements with the predicted separation, and the further
+/// quantities to record. The text is empty if there are none.
 [[nodiscard]] std::string measure_text(const Diagnosis& d);
 /// Describes two rows with equal settings and different readings.
 [[nodiscard]] std::string difference_text(const record::Record& record, const HiddenInput& hidden);

@@ -1,7 +1,7 @@
 """Calculate friction, kinematics and heat of spindle bearings, and find the missing effect of a model.
 
 A model is a TOML file, which the command ``raceway`` also uses. Names of arguments and results include the unit.
-Numbers and messages are the same as in the output of the command.
+Numbers are the same as in the output of the command. Messages are also the same, except that they name arguments in place of flags.
 
 >>> import raceway
 >>> model = raceway.Model.new("S 6014 C")

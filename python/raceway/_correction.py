@@ -54,7 +54,7 @@ class Correction(LoopModel):
 
     @classmethod
     def new(cls, record: Record) -> Correction:
-        """Create a correction for the displacements in a record over time. It is the starting point for `identify`.
+        """Create a correction for the displacements in a record over time. This correction is the starting point for `identify`.
 
         The correction has a channel for each temperature, and its `text` marks each assumption. If raceway does not know
         the name of a column, the correction contains a proposal in ``[columns]``. If the `Record` has a map of columns,
@@ -97,7 +97,7 @@ class Correction(LoopModel):
         """Reliability of the prediction of each displacement, tested on readings that the fit did not use.
 
         The value is ``"good"``, ``"only inside its range: ..."``, ``"do not use, because ..."``, or ``"not known: ..."``
-        if the file contains no information about it.
+        if the file contains no information about the reliability.
         """
         return self._engine.trust()
 
@@ -115,7 +115,7 @@ class Correction(LoopModel):
         time_limit_s: float | None = None,
         progress: Callable[[float, str], None] | None = None,
     ) -> Identification:
-        """Find the number of lags of each channel and their gains and time constants from a record over time.
+        """Find the number of lags of each channel, and the gains and time constants of the lags, from a record over time.
 
         Parameters
         ----------
@@ -141,8 +141,7 @@ class Correction(LoopModel):
         time_limit_s : float, optional
             Time limit [s]. After this time, the call stops and raises TimeoutError.
         progress : callable, optional
-            Function that receives the completed share (0 to 1) and the name of the current step. It is called at
-            most 20 times per second.
+            Function that receives the completed share (0 to 1) and the name of the current step. The function is called at most 20 times per second.
 
         Raises
         ------
@@ -188,12 +187,12 @@ class Correction(LoopModel):
         record : Record
             Record with ``time_s`` and the inputs. Readings of the displacement are optional.
         learn : bool
-            True updates the zero, the states and the gains with each reading, in the order of time. The prediction of
-            a row uses only earlier readings.
+            True updates the zero, the states of the lags and the gains with each reading, in the order of time. The prediction of a row uses only
+            earlier readings.
         every_s : float, optional
             Shortest time between two readings that `learn` uses [s]. The other readings test the result.
         forget_s : float, optional
-            Time in which learned gains return to the gains of the model [s]. Default: 7 days.
+            Time constant with which learned gains return to the gains of the model [s]. Default: 7 days.
         from_s, until_s : float, optional
             Time range of the readings that are evaluated: start and end, measured from the first row [s].
         """
@@ -219,8 +218,8 @@ class Correction(LoopModel):
         Raises
         ------
         InputError
-            The displacements differ, two channels have the same name, two corrections contain a law of instant
-            displacement, or the ranges do not overlap.
+            The displacements differ, two channels have the same name, two corrections contain a law of immediate displacement, or the ranges do not
+            overlap.
         """
         text, files, _ = _engine.joined([self._engine, *(other._engine for other in others)])
         return Correction(" and ".join([self.source, *(other.source for other in others)]), text, files)
@@ -234,7 +233,7 @@ class Correction(LoopModel):
         accept_untrusted: bool = False,
         overwrite: bool = False,
     ) -> Program:
-        """Return a program that runs on a control without this package. If `path` is given, also write the program to a file.
+        """Return the correction as a program or a table for a control, independent of this package. If `path` is given, also write it to a file.
 
         Parameters
         ----------
@@ -254,7 +253,8 @@ class Correction(LoopModel):
         Raises
         ------
         InputError
-            The `trust` of a displacement is "do not use, because ...", and `accept_untrusted` is False.
+            `accept_untrusted` is False, and the `trust` of a displacement is "do not use, because ..." or the correction has no channel and no
+            effect.
         """
         if format not in FORMATS:
             raise ValueError(f"format = {format!r}: must be python, c, csv or linuxcnc")

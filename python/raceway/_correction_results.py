@@ -149,7 +149,7 @@ class Program:
 
 
 def _numbers(axis: dict[str, Any]) -> list[tuple[str, dict[str, Any]]]:
-    """Return the parameters in the document of one displacement, with the names of the parameters of the model."""
+    """Return the parameters from the document of one displacement, with the same names as in the model."""
     offset = axis.get(in_unit_of(axis["displacement"], "offset_um"))
     found = [("offset", offset)] if offset else []
     for channel in axis.get("channels", []):

@@ -1,4 +1,4 @@
-"""Functions that read the documents of results: kinds of results, names and units of columns, RMS errors.
+"""Functions that read the JSON documents of results: kinds of results, names and units of columns, RMS errors.
 
 The plots, the notebook representations and the reports use these functions. The functions read only the documents
 that the command prints with ``--json``.
@@ -57,7 +57,7 @@ UNITS = {
 
 
 def kind_of(result: object) -> str:
-    """Return the name of the first class in the class hierarchy of the result that KINDS contains; "" if there is none."""
+    """Search the class hierarchy of a result, and return the first class name that is in KINDS; "" if there is none."""
     for one in type(result).__mro__:
         if one.__name__ in KINDS:
             return one.__name__
@@ -106,7 +106,7 @@ def unit_text(unit: str | None) -> str:
 
 
 def in_unit_of(displacement: str, name: str) -> str:
-    """Return the name of a number of a displacement. For an angle, "um" in the name is replaced by "urad".
+    """Return the key of a number that belongs to a displacement. For an angle, "um" in the name is replaced by "urad".
 
     >>> in_unit_of("displacement_z_um", "rmse_um"), in_unit_of("displacement_b_urad", "rmse_um")
     ('rmse_um', 'rmse_urad')
@@ -115,7 +115,7 @@ def in_unit_of(displacement: str, name: str) -> str:
 
 
 def error_unit(unit: str | None) -> str:
-    """Return the printed unit of an error of readings. The unit of a temperature difference is K.
+    """Return the unit of an error as the command prints it. For temperatures, the unit of an error is K.
 
     >>> error_unit("C"), error_unit("Nmm")
     ('K', 'N mm')

@@ -50,7 +50,7 @@ def axes_for(ax: Axes | None, caller: str) -> tuple[Axes, bool]:
 
 
 def has_room(ax: Axes, own: bool) -> bool:
-    """Return True if there is room next to the axes. This is the case in a new figure and in a figure with a layout engine."""
+    """Return True if there is room next to the axes, as in a new figure and in a figure with a layout engine."""
     engine = getattr(ax.figure, "get_layout_engine", lambda: None)()
     return own or engine is not None
 

@@ -36,8 +36,8 @@ class State:
     """Inputs of the function `torque`. Each column of the record is an array with one value per row.
 
     The arrays are ``speed_rpm``, ``axial_load_N``, ``radial_load_N``, ``temperature_C``, ``time_s`` and all other
-    recorded columns. Their names include the unit. Measured columns are not included. The data of the bearing are
-    single numbers: ``pitch_diameter_mm``, ``ball_diameter_mm``, ``ball_count``, ``contact_angle_deg``.
+    recorded columns. The names end with the unit, if there is one. Measured columns are not included. The data of the bearing are single numbers:
+    ``pitch_diameter_mm``, ``ball_diameter_mm``, ``ball_count``, ``contact_angle_deg``.
     """
 
     def __init__(self, columns: Mapping[str, Any]) -> None:
@@ -59,7 +59,7 @@ class Effect:
     Parameters
     ----------
     id : str
-        Name without blanks, dots or commas.
+        Name without blanks, dots, commas, semicolons and quotes. The name must not begin with =, +, - or @.
     torque : callable
         Function ``torque(state, **numbers)`` that returns the additional torque of every row [N mm], as an array or
         one number. `State` describes the argument ``state``. The torque of a row must depend only on that row. The
@@ -67,7 +67,7 @@ class Effect:
     numbers : mapping of str to Number, dict or float
         Numbers that a fit can determine. The first number is the size of the effect.
     title : str
-        Title of the effect in reports. Default: the first line of the docstring of `torque`.
+        Title of the effect in reports. Default: the first line of the docstring of `torque`, or the name of this function.
 
     Examples
     --------

@@ -8,7 +8,7 @@ from ._note import Note
 
 
 class InputError(ValueError):
-    """Error for an invalid input. The message is the complete message of the command.
+    """Error for an invalid input. The message is the message of the command, with the names of arguments in place of flags.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""Base class of models and corrections. It reads and writes their files."""
+"""Base class of models and corrections. The class reads and writes the files of both."""
 
 from __future__ import annotations
 

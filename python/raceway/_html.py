@@ -1,8 +1,7 @@
-"""Results in a notebook, as HTML without scripts in the colours of the page.
+"""Results in a notebook, as HTML that has no scripts and uses the colours of the page.
 
-Everything is drawn in ``currentColor`` and its shades and is therefore readable in light and dark
-notebooks. Pictures are inline SVG. Every text of a document is escaped, because users choose the names
-of files and effects.
+All parts are drawn in ``currentColor`` and its shades, so they are readable in light and dark notebooks. Pictures are inline SVG. Every text of a
+document is escaped, because users choose the names of files and effects.
 """
 
 from __future__ import annotations
@@ -37,7 +36,7 @@ def heading(words: str) -> str:
 
 
 def table(head: list[str], rows: list[list[str]], left: int = 1, units: int | None = None) -> str:
-    """Return a table of escaped cells. The first `left` columns and the column of units contain words."""
+    """Return a table of escaped cells. The first `left` columns and the column `units` contain words and are aligned to the left."""
 
     def cells(tag: str, row: list[str]) -> str:
         return "".join(f"<{tag} {_LEFT if i < left or i == units else _RIGHT}>{cell}</{tag}>" for i, cell in enumerate(row))
@@ -222,7 +221,7 @@ def _comparison(result: Any) -> str:
 
 
 def _ends(p: dict[str, Any]) -> list[str]:
-    """Return the cells of the interval by profile likelihood; none without an interval."""
+    """Return the cells of the interval by profile likelihood. The list is empty if the parameter has no interval."""
     if "profile" not in p:
         return []
     return [number(p["profile"][end], 5) + (" (open)" if p["profile"][f"open_{end}"] else "") for end in ("from", "to")]
@@ -320,7 +319,8 @@ def _rows_html(result: Any) -> str:
 
 
 def _solution(result: Any) -> str:
-    """Return the numbers of one operating point. Of a list, such as the balls, only the length is shown. For several points, return their rows."""
+    """Return the numbers of one operating point. For a list, such as the balls, only the length is shown. For several points, return the rows of the
+    points."""
     if result.data is None:
         return _rows_html(result)
     rows = []
@@ -354,12 +354,12 @@ def html_of(result: Any) -> str:
     Parameters
     ----------
     result : Diagnosis, Comparison, Calibration, Addition, Solution, Table, Displacement or a result of a spindle
-        The attribute ``data`` has the results as a dictionary. Tables and displacements also need ``to_frame()``.
+        The attribute ``data`` contains the results as a dictionary. A Table and a Displacement also need ``to_frame()``.
 
     Returns
     -------
     str
-        One ``<div>``. It contains no scripts, no styles for the page and no parts from a network.
+        One ``<div>``. The text contains no scripts, no styles for the page and no parts from a network.
 
     Raises
     ------

@@ -24,12 +24,12 @@ def _unit(axis: dict[str, Any]) -> str:
 
 
 def _error(axis: dict[str, Any], of: dict[str, Any], name: str) -> str:
-    """Return an error of a displacement. `name` is the key for a length, ending with um."""
+    """Return an error of a displacement from its document. `name` is the key for a length, which ends with um."""
     return number(of[in_unit_of(axis["displacement"], name)])
 
 
 def _head(data: dict[str, Any], names: list[str]) -> list[str]:
-    """Return the head of a table of displacements. Their unit replaces "*"."""
+    """Return the head of a table of displacements. The unit of the displacements replaces "*" in `names`."""
     units = sorted({_unit(axis) for axis in _axes(data)})
     return [name.replace("*", " or ".join(units)) for name in names]
 
@@ -54,7 +54,7 @@ def parameters_table(parameters: dict[str, dict[str, Any]]) -> str:
 
 
 def correction_html(correction: Any) -> str:
-    """Return a correction: its displacements, its inputs and its parameters."""
+    """Return a correction as HTML: its displacements, its inputs and its parameters."""
     return _page(
         paragraph(f'<b>{text(", ".join(correction.displacements))}</b> of ' f'{text(", ".join(correction.inputs) or "no input")}')
         + parameters_table(correction.parameters)
@@ -103,7 +103,7 @@ def identification_html(found: Any) -> str:
 
 
 def run_html(run: Any) -> str:
-    """Return the residuals of each displacement, or its errors with and without learning."""
+    """Return the residuals of each displacement. If the run learned, return the errors with and without learning."""
     data, rows = run.data, []
     learnt = "between_readings" in data
     for axis in _axes(data):

@@ -1,4 +1,4 @@
-"""Results of a spindle in a notebook, with the parts of _html.py."""
+"""Results of a spindle in a notebook, drawn with the functions of _html.py."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def _messages(result: Any) -> str:
 
 
 def _some(rows: list[Any]) -> tuple[list[Any], str]:
-    """Return rows at equal distances, with the first and the last, and a note on the omitted rows."""
+    """Return evenly spaced rows, including the first and the last row, and a note on the omitted rows."""
     if len(rows) <= MOST_ROWS:
         return rows, ""
     last = len(rows) - 1

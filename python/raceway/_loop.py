@@ -49,7 +49,7 @@ def asked(
 
 
 class LoopModel(FromFile):
-    """Methods that compare a model with records, find the missing effect, add it to the model and calculate the new error."""
+    """Methods that compare a model with records, find the missing effect, add this effect to the model and calculate the new error."""
 
     def _fitted(self, answer: _engine.Answer, fitted: str) -> dict[str, Any]:
         """Return the fitted models by the names of their records. A single model for all records has the name ""."""
@@ -81,7 +81,7 @@ class LoopModel(FromFile):
         from_s: float | None = None,
         until_s: float | None = None,
     ) -> Comparison:
-        """Calculate the error of the model on a record and the conditions with the largest error. With `others`, compare all models.
+        """Calculate the error of the model on a record, and find the conditions with the largest error. If `others` are given, compare all models.
 
         Parameters
         ----------
@@ -93,8 +93,8 @@ class LoopModel(FromFile):
             Parameters to fit to the record before the comparison. For a correction, groups such as ``"gains"`` are
             allowed.
         zero : {"mean", "first", "none"}
-            Constant that is subtracted before the comparison, only for a correction: the mean difference, the
-            first reading of a run, or nothing.
+            Error that is subtracted from the predictions of each run, only for a correction: the mean error, the error of the first reading, or
+            nothing.
         channel : str, optional
             Column of the displacement to use if a file has several, such as ``"displacement_z_um"``.
         per_record : iterable of str
@@ -103,7 +103,7 @@ class LoopModel(FromFile):
             True keeps the rows of a logger separate. False averages consecutive rows at equal speed and load to one
             dwell, and a note reports this.
         tolerance : str, optional
-            Smallest error that is important for your application, such as ``"2Nmm"``.
+            Largest error that is acceptable in your application, such as ``"2Nmm"``.
         from_s, until_s : float, optional
             Time range of the readings that are evaluated: start and end, measured from the first row [s]. Only for a
             correction.
@@ -141,8 +141,7 @@ class LoopModel(FromFile):
         record : Record or sequence of Record
             Measurements.
         profile : bool
-            True adds 95 % intervals by profile likelihood for `Calibration.conf_interval`. This needs dozens of
-            additional fits.
+            True adds 95 % intervals by profile likelihood for `Calibration.conf_interval`. The intervals need dozens of additional fits.
         channel, per_record, rows, from_s, until_s
             These arguments have the same meaning as in `compare`.
 
@@ -190,8 +189,7 @@ class LoopModel(FromFile):
         time_limit_s : float, optional
             Time limit [s]. After this time, the call stops and raises TimeoutError.
         progress : callable, optional
-            Function that receives the completed share (0 to 1) and the name of the current step. It is called at
-            most 20 times per second.
+            Function that receives the completed share (0 to 1) and the name of the current step. The function is called at most 20 times per second.
 
         Raises
         ------

@@ -80,7 +80,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
             Dimensions of a bearing that is not in the catalogue.
         spindle : bool
             True creates a template of a spindle with three of these bearings. You can use the template without
-            changes. Its `text` marks each assumed number.
+            changes. The `text` of the model marks each assumed number.
         oil : str, optional
             ISO VG grade of a mineral oil with viscosity index 100, such as ``"VG 32"``. The default is a thin
             spindle oil. Replace it with the oil of your bearing.
@@ -88,7 +88,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         Raises
         ------
         InputError
-            The bearing is unknown and has no dimensions. The message lists the most similar names.
+            The bearing is unknown and no dimensions are given (the message lists the most similar names), or the arguments do not suit the bearing.
 
         Examples
         --------
@@ -125,7 +125,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
 
     @property
     def columns(self) -> list[str]:
-        """Names of the result arrays of `solve`. Each name includes the unit."""
+        """Names of the result arrays of `solve`. A name ends with the unit of the result, unless the result has no unit."""
         return self._engine.columns
 
     def with_values(self, values: Mapping[str, float]) -> Model:
@@ -134,7 +134,8 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         Parameters
         ----------
         values : mapping of str to float
-            New values. A name is a name from `parameters`, or table and key of the file. The name gives the unit.
+            New values. A name is a name from `parameters`, or table and key of the file with a dot between them. The unit is the unit in
+            `parameters`, or the unit in the key.
 
         Examples
         --------
@@ -153,8 +154,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
     def with_effect(self, effect: Effect) -> Model:
         """Return the model with an effect that you have written. `diagnose` tries the effect, and `add` calibrates it.
 
-        A model file cannot contain such an effect. Therefore, `text` does not contain it. `effects` contains the effect
-        with its numbers.
+        A model file cannot contain such an effect, so it is not in `text`. `effects` contains the effect with its numbers.
         """
         if not isinstance(effect, Effect):
             raise TypeError(f"a raceway.Effect is wanted, not {type(effect).__name__}")
@@ -182,22 +182,21 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         Parameters
         ----------
         speed_rpm, axial_load_N, radial_load_N, temperature_C, moment_y_Nmm, moment_z_Nmm
-            Numbers or arrays. They are combined by the broadcasting rules of numpy. Arrays of float64 are read
-            without a copy, with any strides. The model supplies the values of omitted arguments. For a shaft,
-            `axial_load_N` is the external load. It is positive towards the tool.
+            Numbers or arrays. The arguments are combined by the broadcasting rules of numpy. Arrays of float64 are read without a copy, with any
+            strides. The model supplies the values of omitted arguments. For a shaft, `axial_load_N` is the external load, positive towards the tool.
         columns : sequence of str
             Names of the results to return, from `Model.columns`. An empty sequence returns all results.
         band : bool
-            True adds half the width of the 95 % band of friction torque, power loss and (on a shaft)
-            displacement. An example is ``friction_torque_band_Nmm``. The band includes only the uncertainty of the
-            fitted parameters. Therefore, the model must come from `calibrate` or `add`.
+            True adds half the width of the 95 % band of friction torque, power loss and (on a shaft) displacement, in columns such as
+            ``friction_torque_band_Nmm``. The band includes only the uncertainty of the fitted parameters. Therefore, the model must come from
+            `calibrate` or `add`.
 
         Returns
         -------
         Solution
             Arrays with the common shape of the arguments. If all arguments are single numbers, `Solution.data` is
-            the document of ``raceway solve --json`` with all balls. The values of a state without equilibrium are
-            NaN, and `Solution.status` gives the reason.
+            the document of ``raceway solve --json`` with all balls. For a state without equilibrium, results that need the equilibrium are NaN, and
+            `Solution.status` gives the reason.
 
         Raises
         ------
@@ -317,7 +316,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
 
 
 def _tables(text: str) -> set[str]:
-    """Return the names of the tables in a model file. The set is empty for an invalid file, because the library reports the error."""
+    """Return the names of the tables in a model file. For an invalid file, the set is empty, and the library reports the error later."""
     try:
         return set(tomllib.loads(text))
     except tomllib.TOMLDecodeError:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 class Note(str):
-    """One line of `notes`, or the text of a `Doubt`. It is a str whose attributes describe its subject.
+    """One line of `notes`, or the text of a `Doubt`. A note is a str whose attributes describe the subject of the note.
 
     Attributes
     ----------

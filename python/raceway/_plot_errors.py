@@ -1,4 +1,4 @@
-"""Pictures of errors: the ladder of models, and the map of the errors of one model."""
+"""Pictures of errors: the RMS errors of several models as bars, and the map of the errors of one model."""
 
 from __future__ import annotations
 
@@ -25,15 +25,14 @@ def ladder(*results: Any, labels: Sequence[str] | None = None, ax: Axes | None =
         Results from top to bottom. A Diagnosis has bars without and with the named effects. An Addition
         also has bars on held-out rows. Only the first of several measured channels is drawn.
     labels : sequence of str, optional
-        Labels of all bars except the noise. The default is the model's file, or before and after.
+        Labels of all bars except the noise. The default is the name of the model file, or "before" and "after".
     ax : matplotlib.axes.Axes, optional
         Axes for the picture. The default is a new figure.
 
     Returns
     -------
     matplotlib.axes.Axes
-        ``patches`` are the bars from top to bottom. Their width is the error in the unit of the
-        readings.
+        ``patches`` are the bars from top to bottom. The width of a bar is the error in the unit of the readings.
 
     Raises
     ------
@@ -130,8 +129,7 @@ def residuals(comparison: Any, x: str = "speed_rpm", y: str | None = "axial_load
         One row per reading, with its settings and ``error``, the prediction minus the reading in the unit
         of the reading. Rows without a prediction are left out.
     x, y : str
-        Columns of settings. With ``y=None`` the vertical axis shows the residuals, and the band of the
-        noise if it is known.
+        Columns of settings. With ``y=None`` the vertical axis shows the residuals, and the band of the noise if the noise is known.
     ax : matplotlib.axes.Axes, optional
         Axes for the picture. The default is a new figure.
 

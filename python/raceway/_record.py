@@ -77,7 +77,7 @@ class Record:
             self._data = self._data.with_beside([other._data for other in self._others])
 
     def beside(self, *others: Record) -> Record:
-        """Return this record over time, combined with other records of the same machine and time. Each record has its own `time_s`.
+        """Return this record over time, combined with other records of the same machine at the same time. Each record has its own `time_s`.
 
         At times between two rows, settings of a control keep their last value, and temperatures are interpolated
         linearly. The `notes` of a result report this. All records use the map of columns of this record.

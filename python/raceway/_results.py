@@ -25,7 +25,7 @@ STATUS = ("not_run", "converged", "no_equilibrium", "iteration_limit", "singular
 
 
 class Solution(Mapping[str, numpy.ndarray]):
-    """States of a bearing or a shaft as a mapping from names to arrays. The names include the units. Each array is also an attribute.
+    """States of a bearing or a shaft as a mapping from names to arrays. The names end with the units. Each array is also an attribute.
 
     Attributes
     ----------
@@ -83,7 +83,7 @@ class Solution(Mapping[str, numpy.ndarray]):
 
     @property
     def converged(self) -> numpy.ndarray:
-        """True for each state that converged. All values of such a state are numbers."""
+        """True for each state that converged."""
         return self._status == STATUS.index("converged")
 
     @property
@@ -128,7 +128,7 @@ class Solution(Mapping[str, numpy.ndarray]):
 
 
 class _Document:
-    """Base class of results that contain the document that the command prints with ``--json``."""
+    """Base class of results with a document, which the command prints with ``--json``."""
 
     _data: dict[str, Any] | None = None
 
@@ -159,16 +159,16 @@ class Table(_Document):
 
     @property
     def notes(self) -> list[Note]:
-        """Notes on balls without inner contact, loads above the rating, and pressures that cause dents."""
+        """Notes on balls without inner contact, loads above the rating, pressures that cause dents, and the influence of ceramic balls."""
         return self._engine.notes
 
     @property
     def warnings(self) -> list[str]:
-        """Operating limits of the bearing that points of the table exceed. ``data["judgement"]`` contains the numbers."""
+        """Warnings about operating limits of the bearing that points of the table exceed. ``data["judgement"]`` contains the numbers."""
         return self._engine.warnings
 
     def to_frame(self) -> pandas.DataFrame:
-        """Return one row per operating point, with the columns of ``raceway table --format plain`` and the status."""
+        """Return one row per operating point, with the columns of ``raceway table --format plain``. The last column is the status."""
         import pandas
 
         names, values, status = self._engine.columns()
@@ -194,7 +194,7 @@ class Displacement(_Document):
         return self._engine.json()
 
     def to_frame(self) -> pandas.DataFrame:
-        """Return one row per speed, with the columns of the command."""
+        """Return one row per speed, with the columns of the CSV file that the command writes."""
         return _frame(self._engine.csv(), comment="#")
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
@@ -339,8 +339,8 @@ class Calibration(_Fitted):
     Attributes
     ----------
     models : dict of str to Model
-        If each record has its own values (`per_record`), there is one model for each record, by the name of the
-        record. Otherwise, there is one model with the name ``""``.
+        If each record has its own values (`per_record`), there is one model for each record, and its key is the name of the record. Otherwise, there
+        is one model with the name ``""``.
     """
 
     @property
@@ -366,7 +366,7 @@ class Calibration(_Fitted):
         Notes
         -----
         At the ends of an interval, chi-square is 3.84 above its minimum. At each end, all other parameters are fitted
-        again. If the noise is estimated from the misfit, the value 3.84 is multiplied by the reduced chi-square
+        again. If the noise is unknown or the misfit exceeds the noise significantly, the value 3.84 is multiplied by the reduced chi-square
         (docs/files.md).
 
         Examples
@@ -415,7 +415,7 @@ class Addition(_Fitted):
     Attributes
     ----------
     models : dict of str to Model
-        Models with the added effects, by the same names as in `Calibration`.
+        Models with the added effects. The keys are the same as in `Calibration`.
     """
 
     @property

@@ -18,7 +18,7 @@ _FIRST = 15  # data of a report
 
 
 class Sensitivity(_Answer):
-    """Derivatives of predictions with respect to every datum of a model, and their Sobol' indices if requested.
+    """Derivatives of predictions with respect to each varied datum of a model and, if requested, Sobol' indices.
 
     A datum is a number of the model, such as a dimension or a temperature. The spread of a datum is its possible
     error in both directions. ``change`` is the resulting change of the prediction. ``share`` is the square of this
@@ -170,18 +170,17 @@ class SensitivityQuestion:
             Names of the data to vary. The name of a table, such as ``"bearing"``, means all data of this table.
             Default: all data.
         samples : int
-            Number of samples for the Sobol' indices. It must be a power of two. 0 calculates only the derivatives.
+            Number of samples for the Sobol' indices, a power of two. 0 calculates only the derivatives.
         seed : int
             Random seed of the samples.
         steady : bool
             True analyses the steady state of the whole spindle at each speed.
         coolant : bool
-            True if the coolant flows. It has an effect only with `steady`.
+            True if the coolant flows. This argument has an effect only with `steady`.
         time_limit_s : float, optional
             Time limit [s]. After this time, the call stops and raises TimeoutError.
         progress : callable, optional
-            Function that receives the completed share (0 to 1) and the name of the current step. It is called at
-            most 20 times per second.
+            Function that receives the completed share (0 to 1) and the name of the current step. The function is called at most 20 times per second.
 
         Raises
         ------

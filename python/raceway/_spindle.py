@@ -158,7 +158,8 @@ class StepResponses(_OfSpindle):
             Law that describes K and T as functions of P: a table through all steps (``"curve"``), a power of P
             (``"power"``), or a straight line (``"line"``).
         lags : {"auto", "one", "two"}
-            Number of delay elements. ``"auto"`` tries one and two elements on a day with changing speeds.
+            Number of delay elements. ``"auto"`` uses one element if it fits all steps. Otherwise it uses two, unless a simulation of changing speeds
+            has a smaller error with one.
         overwrite : bool
             True replaces existing files.
 

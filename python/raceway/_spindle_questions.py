@@ -44,15 +44,14 @@ class SpindleQuestions:
         axial_load_N : float, optional
             Axial load at the nose, positive towards the tool. Default: value of the model.
         radial_load_N, moment_Nm : float
-            Loads at the nose. A positive moment acts in the same direction as the moment of a positive radial load in front of
-            the nose.
+            Loads at the nose. The moment is positive if it turns the shaft like a positive radial load in front of the nose.
         belt_force_N : float, optional
             Belt force. Default: value of the model.
         motor_power_W : float, optional
-            Power of the motor. Only heat formulas with the motor power use it.
+            Power of the motor. Only heat formulas that contain ``motor_power_W`` use this value.
         assumptions : bool
-            True adds ``data["assumptions"]``: the five assumed numbers with the largest influence on the displacement
-            of the nose at the last speed. This needs about fifty additional steady states.
+            True adds ``data["assumptions"]``: the five assumed numbers (or fewer) with the largest influence on the displacement of the nose at the
+            last speed. The calculation needs six additional steady states for each assumed number.
         time_limit_s : float, optional
             Time limit [s]. After this time, the call stops and raises TimeoutError.
 
@@ -125,8 +124,8 @@ class SpindleQuestions:
             Room temperature for all rows. Default: the column of `profile`. Without this column, the value of the
             model is used.
         assumptions : bool
-            True adds ``data["assumptions"]``: the five assumed numbers with the largest influence on the displacement
-            of the nose in the steady state at the highest speed.
+            True adds ``data["assumptions"]``: the five assumed numbers (or fewer) with the largest influence on the displacement of the nose in the
+            steady state at the highest speed.
         time_limit_s : float, optional
             Time limit [s]. After this time, the call stops and raises TimeoutError.
 
@@ -139,8 +138,8 @@ class SpindleQuestions:
         Raises
         ------
         InputError
-            The model is not a model of a spindle, the profile has no time, no speed or several runs, or the initial
-            state belongs to another spindle.
+            The model is not a model of a spindle, the profile has no time, no speed or several runs or begins before 0 s, or the initial state
+            belongs to another spindle.
         KeyboardInterrupt
             The user pressed Ctrl+C. The call stops and returns no result.
 
@@ -190,7 +189,7 @@ class SpindleQuestions:
             True uses the bearing stiffness of the warm spindle in its steady state. False uses the bearing stiffness at
             the mounting temperature.
         coolant : bool
-            True if the coolant flows. It has an effect only with `warm`.
+            True if the coolant flows. This argument has an effect only with `warm`.
         count : int
             Number of modes, 1 to 40.
         damping_ratio : float, optional
@@ -258,14 +257,14 @@ class SpindleQuestions:
         at_mm : float
             Position of the force, as a distance behind the nose face.
         axial_force_N, moment_Nm : float
-            Loads at the same position, in addition to a radial force. The axial force is positive towards the tool. A
-            positive moment acts in the same direction as the moment of a positive radial force in front of this position.
+            Loads at the same position, in addition to a radial force. The axial force is positive towards the tool. The moment is positive if it
+            turns the shaft like a positive radial force in front of this position.
         speed_rpm : float
             Speed of the shaft.
         warm : bool
             True uses the preload of the warm spindle in its steady state at this speed.
         coolant : bool
-            True if the coolant flows. It has an effect only with `warm`.
+            True if the coolant flows. This argument has an effect only with `warm`.
 
         Raises
         ------
@@ -328,8 +327,7 @@ class SpindleQuestions:
             ``axial_displacement_um``, ``power_W`` or ``speed_rpm``, and ``load_case`` if several steps have the same
             size. With `load_cases`, the model can be any model of a shaft.
         temperature_C : float, optional
-            Lubricant temperature. It is used to calculate the power of load cases that give only a speed. Default:
-            value of the model.
+            Lubricant temperature. The program uses it to calculate the power of load cases that give only a speed. Default: value of the model.
         time_limit_s : float, optional
             Time limit [s]. After this time, the call stops and raises TimeoutError.
 

@@ -1,4 +1,4 @@
-"""``python3 -m raceway.sweep``: computes slabs of a sweep as tasks of a job array, and merges them."""
+"""``python3 -m raceway.sweep``: computes slabs (parts) of a sweep as tasks of a job array, and merges the slabs."""
 
 from __future__ import annotations
 
@@ -146,7 +146,7 @@ def _merge(asked: argparse.Namespace) -> str:
 
 
 def _guarded(cell: Any) -> Any:
-    """Return the cell, with an apostrophe in front if a spreadsheet would read its text as a formula. The library removes it again."""
+    """Return the cell, with an apostrophe in front if a spreadsheet would read its text as a formula. The library removes the apostrophe again."""
     return f"'{cell}" if isinstance(cell, str) and re.match("'*[-=+@]", cell) else cell
 
 

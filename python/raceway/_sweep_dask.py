@@ -1,4 +1,4 @@
-"""Slabs of a sweep over the workers of Dask."""
+"""Functions that compute slabs (parts) of a sweep with the workers of Dask."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def _dask() -> Any:
 
 
 def _security() -> Any:
-    """Return new keys, so that no other user of the computer can give work to these workers; without python3-cryptography, warn and return None."""
+    """Return new keys, so that no other user of the computer can give work to the workers. Without python3-cryptography, warn and return None."""
     distributed = _dask()
     try:
         return distributed.security.Security.temporary()
@@ -134,8 +134,7 @@ def run_on(
     """Let workers compute `slabs`, and call `done` for each finished slab, in any order.
 
     If a worker dies, Dask gives its slab to another worker. If a slab kills several workers, it is cut into
-    its items, which are computed one at a time. The item that kills workers becomes an error. The other
-    items have their values.
+    its items, which are computed one at a time. The item that kills workers gets an error in place of a value. The other items get their values.
     """
     distributed = _dask()
     mark = uuid.uuid4().hex[:12]

@@ -43,7 +43,7 @@ def decode(content: bytes) -> Any:
     Raises
     ------
     ValueError
-        Other bytes.
+        The bytes do not come from `encode`.
     """
     line, _, rest = content.partition(b"\n")
     try:

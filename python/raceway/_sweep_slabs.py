@@ -1,4 +1,4 @@
-"""Functions that compute the items of a sweep one after the other, and write and read the files of its slabs."""
+"""Functions that compute the items of a sweep one after the other, and write and read the files of the slabs (parts) of the sweep."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ _LONGEST_HEADER = 65536
 
 @dataclasses.dataclass(frozen=True)
 class Outcome:
-    """Outcome of one item: its pickled value or its exception, and its doubts."""
+    """Outcome of one item: its pickled value or its exception, and its warnings."""
 
     value: bytes | None  #: pickle, only for the processes of one sweep; slabs on disk contain data
     error: tuple[str, str, str] | None  #: kind, message, traceback
@@ -57,7 +57,7 @@ class Slab:
 
 
 def cut(items: int, of: int) -> list[Slab]:
-    """Return slabs of equal size; some have one item more."""
+    """Return slabs whose sizes differ by at most one item."""
     return [Slab(k + 1, of, items * k // of, items * (k + 1) // of) for k in range(of)]
 
 
@@ -122,7 +122,7 @@ def input_of(function: Callable[[Any], Any], names: Sequence[str], items: Sequen
 
 
 def _feed(hash_: Any, value: Any) -> None:
-    """Hash a value by its content and not by its memory layout, so that every process gets the same hash."""
+    """Hash a value by its content and not by its memory layout, so that all processes get the same hash."""
 
     def put(kind: str, content: bytes = b"") -> None:
         hash_.update(f"{kind} {len(content)};".encode())
@@ -220,7 +220,7 @@ def path_of(folder: str | os.PathLike[str], slab: Slab) -> pathlib.Path:
 
 
 def storable(outcomes: Sequence[Outcome]) -> list[Outcome]:
-    """Return the outcomes for a slab on disk. A value that is not plain data becomes an error of its item."""
+    """Return the outcomes for a slab on disk. An error replaces a value that is not plain data."""
     return [_storable(outcome) for outcome in outcomes]
 
 
@@ -362,7 +362,7 @@ def read_all(folder: str | os.PathLike[str]) -> list[SlabFile]:
     Raises
     ------
     InputError
-        A slab is missing, exists twice, is cut off, or has another input.
+        A slab is missing, exists twice, is cut off, or comes from another input than the first slab.
     """
     paths = slab_files(folder)
     if not paths:

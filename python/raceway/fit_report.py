@@ -26,7 +26,7 @@ def _unit(unit: str | None) -> str:
 
 
 def _error(value: float | None, unit: str | None) -> str:
-    """Return an error of readings with its unit. The unit of an error of temperatures is K."""
+    """Return an error with its unit. For temperatures, the unit of an error is K."""
     return f"{number(value, 4)} {'K' if unit == 'C' else _unit(unit)}".rstrip()
 
 
@@ -58,12 +58,12 @@ def _pair(one: dict[str, Any]) -> str:
 
 
 def _moved(one: dict[str, Any], readings: int) -> int:
-    """Number k of parameters that a fit varied, including parameters at a bound."""
+    """Return the number k of parameters that a fit varied, including parameters at a bound."""
     return readings - one["degrees_of_freedom"]
 
 
 def _criteria(data: dict[str, Any]) -> list[str]:
-    """Return the lines with AIC and BIC of a calibration and the formulas."""
+    """Return the lines with AIC and BIC of a calibration, and with the formulas for both."""
     n, chi = data["readings"], data["chi_square"]
     if data["aic"] is None:
         why = (
@@ -240,7 +240,7 @@ def _ranking(data: dict[str, Any]) -> list[str]:
 
 
 def _held_out(data: dict[str, Any]) -> list[str]:
-    """Return the lines with the errors of the explanations of a record over time. Such records have no likelihood."""
+    """Return the lines with the error of each explanation, for a record over time. Such records have no likelihood."""
     lines = [
         "[[Explanations by their errors]]",
         f"    {'':<50}{'RMS':>12}{'held out':>12}",
@@ -328,7 +328,7 @@ def fit_report(result: Any) -> str:
     Parameters
     ----------
     result : Calibration, Addition or Diagnosis
-        Result to report. The function reads its document ``data``.
+        Result to report. The function reads the document ``data`` of the result.
 
     Returns
     -------
@@ -341,7 +341,7 @@ def fit_report(result: Any) -> str:
     TypeError
         `result` has another type.
     ValueError
-        The Calibration was fitted to catalogue rigidities and has no readings.
+        The Calibration is a fit to catalogue rigidities, so it has no readings.
 
     Examples
     --------

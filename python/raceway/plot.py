@@ -106,7 +106,7 @@ def stribeck(table: Any, *, by: str | Sequence[str] | None = "axial_load_N", mea
 
 
 def _readings(ax: Axes, readings: pd.DataFrame, by: list[str], curves: list[tuple[Any, ...]]) -> None:
-    """Draw readings, each with the marker of its curve."""
+    """Draw readings with the marker of the nearest curve, or with a cross if no curve is near."""
     speed = draw.numbers(readings, "speed_rpm", "stribeck() measured")
     torque = draw.numbers(readings, "friction_torque_Nmm", "stribeck() measured")
     near = np.full(len(readings), -1)
@@ -262,7 +262,7 @@ def _table_curves(ax: Axes, frame: pd.DataFrame, by: list[str]) -> list[str]:
 
 
 def _race_legend(ax: Axes, own: bool, names: list[str], title: str | None) -> None:
-    """Place a legend with the line style of each race and the marker of each group. It has fewer entries than a legend of all curves."""
+    """Place a legend with the line style of each race and the marker of each group. This legend has fewer entries than a legend of all curves."""
     ink = mpl.rcParams["text.color"]
     races = [Line2D([], [], color=ink, linestyle="-", label="inner race"), Line2D([], [], color=ink, linestyle="--", label="outer race")]
     marks = [
@@ -281,8 +281,8 @@ def campbell(modes: Any, *, ax: Axes | None = None) -> Axes:
     Parameters
     ----------
     modes : Modes
-        Result of `Model.modes`. Its document contains ``rows`` with ``speed_rpm`` [rpm] and ``modes``. Each mode has
-        ``frequency_Hz`` [Hz] and ``whirl``: backward, forward, or standing (as at standstill).
+        Result of `Model.modes`. The document of the result contains ``rows`` with ``speed_rpm`` [rpm] and ``modes``. Each mode has ``frequency_Hz``
+        [Hz] and ``whirl``: backward, forward, or standing (as at standstill).
     ax : matplotlib.axes.Axes, optional
         Axes for the plot. The default is a new figure.
 

@@ -1,9 +1,8 @@
 """Sweeps over many items, such as a fleet of corrections or samples of a model, in this process or on many machines.
 
-One function computes the value of each item. The value does not depend on the worker, so a sweep over
-the workers of Dask or the tasks of Slurm equals the serial sweep to the last bit. If an item raises an
-exception, the sweep keeps the exception with the name of the item and continues. docs/scale.md describes
-both ways and their cost.
+One function computes the value of each item. The value does not depend on the worker, so a sweep over the workers of Dask or the tasks of Slurm gives
+the same values as the serial sweep, to the last bit. If an item raises an exception, the sweep keeps the exception with the name of the item and
+continues. docs/scale.md describes Dask and Slurm and their cost.
 
 >>> import raceway
 >>> from raceway import sweep
@@ -179,8 +178,8 @@ def run(
     Parameters
     ----------
     function : callable
-        Function of one item that returns numbers, arrays, text, or lists and dicts of them. It must return
-        the same value for the same item, so take the seed of random numbers from the item.
+        Function of one item that returns numbers, arrays, text, or lists and dicts of them. The function must return the same value for the same
+        item, so take the seed of random numbers from the item.
     items : iterable, or mapping of names to items
         Anything that can be pickled: models, corrections, records, numbers, paths.
     names : iterable of str, optional
@@ -198,7 +197,7 @@ def run(
     threads : int, optional
         Cores for one item. The default is all cores in this process, and 1 in a worker of Dask.
     progress : callable, optional
-        Function that receives the finished share and a few words. It is called after each slab, or after each item
+        Function that receives the finished share and a few words. The function is called after each slab, or after each item
         without `client`.
 
     Returns
@@ -301,14 +300,14 @@ def solve(
     speed_rpm, axial_load_N, radial_load_N, temperature_C, moment_y_Nmm, moment_z_Nmm, columns
         See `raceway.Model.solve`.
     states : int
-        Number of states in one slab. No result depends on it.
+        Number of states in one slab (part). The results do not depend on this number.
     client, folder, threads, progress
         See `run`.
 
     Raises
     ------
     InputError
-        The errors of `raceway.Model.solve`. The index in a message counts within the slab.
+        The errors of `raceway.Model.solve`. The index in a message is the index within the slab.
 
     Examples
     --------
@@ -375,11 +374,11 @@ class _States:
 
 @contextlib.contextmanager
 def workers(count: int | None = None, *, dashboard: bool = False) -> Iterator[Any]:
-    """Start worker processes of Dask on this computer, for `client` of `run` and `solve`. The processes end with the ``with`` block.
+    """Start worker processes of Dask on this computer, for the argument `client` of `run` and `solve`. The processes end with the ``with`` block.
 
     Put the code of the script below ``if __name__ == "__main__":``, because each worker imports the script.
-    The processes listen on the loopback interface only. They accept work from this process only (TLS with
-    their own keys). Their files are in a private folder.
+    The processes listen on the loopback interface only. If python3-cryptography is installed, the workers accept work from this process only (TLS
+    with their own keys). The files of the workers are in a private folder.
 
     Parameters
     ----------
@@ -415,7 +414,7 @@ def load(folder: str | os.PathLike[str]) -> Sweep:
     Raises
     ------
     InputError
-        A slab is missing, exists twice, is cut off, is from another input, or contains more than data.
+        A slab is missing, exists twice, is cut off, comes from another input than the first slab, or contains more than data.
     """
     slabs = read_all(folder)
     return Sweep([n for slab in slabs for n in slab.names], [o for slab in slabs for o in slab.outcomes])

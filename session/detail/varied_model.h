@@ -93,7 +93,7 @@ class Data {
   /// Returns true if the question names this datum, or if it names no data.
   [[nodiscard]] bool is_asked(std::size_t k) const;
 
-  /// Throws fit::Cancelled if the user cancels the question.
+  /// Throws fit::Cancelled if the user cancels the calculation.
   [[nodiscard]] Outcome predict(const Predictor& predictor,
                                 std::span<const std::pair<std::size_t, double>> changes) const;
 

@@ -30,12 +30,13 @@ class Programme {
   double start_;
 };
 
-/// Chooses step sizes [s]. They are short after a jump; later they depend on the error.
+/// Chooses step sizes [s]. Steps are short after a jump of the inputs; later, their size depends on
+/// the error.
 class StepSizes {
  public:
   static constexpr double longest_unless_given = 600.0;
 
-  /// `tolerance` is the error of a step in the temperature of the warmest body [K]. `given`
+  /// `tolerance` is the error that a step may have in the temperature of a body [K]. `given`
   /// contains the ends of all steps; it is empty for free step sizes.
   StepSizes(double longest, double tolerance, std::span<const double> given)
       : longest_(longest), tolerance_(tolerance), given_(given) {}
