@@ -10,9 +10,9 @@ namespace raceway::correction {
 /// Uncertainty of a predicted displacement at every row of a record [m].
 struct Band {
   std::vector<double> of_numbers{};  ///< standard error from the fitted parameters
-  /// Standard error from the first row of the record, because temperatures are relative to that
-  /// row. The resolution error of a sensor in that row shifts all later rows. The record of the fit
-  /// has the same error, which is part of the fitted offset.
+  /// Standard error from the first row of each run. Temperatures are relative to that row, so the
+  /// resolution error of a sensor in it shifts all later rows of the run. The record of the fit has
+  /// a similar error, which is part of the fitted offset.
   std::vector<double> of_beginning{};
   double of_what_is_left = 0.0;        ///< standard deviation of the residual
   std::vector<double> extrapolated{};  ///< extrapolated part, see extrapolated()
@@ -21,11 +21,11 @@ struct Band {
   ///   1.96 sqrt(gᵀ C g + b² + r²) + e
   ///
   /// g is ∂y/∂θ, and C is the covariance of the parameters θ. b² is the sum over sensors of
-  /// (∂y/∂T1)² 2 q²/12, where T1 is the value in the first row and q the resolution, if the record
-  /// shows a resolution. The factor 2 stands for this record and the record of the fit. r is the
-  /// rms of the residual on held-out parts. e is the extrapolated part of the prediction. Outside
-  /// the range of the fit, the band reaches from the value at the edge to twice the predicted
-  /// change beyond the edge.
+  /// (∂y/∂T1)² 2 q²/12, where T1 is the value in the first row and q the resolution. Sensors
+  /// without a visible resolution are left out. The factor 2 stands for two records: this one and
+  /// the record of the fit. r is the rms of the residual on held-out parts. e is the extrapolated
+  /// part of the prediction. Outside the range of the fit, the band reaches from the value at the
+  /// edge to twice the predicted change beyond the edge.
   ///
   /// Domain:   records that start at rest. For a warm machine, the initial states and the constant
   ///           come from the readings of the record and are assumed exact.
@@ -33,8 +33,9 @@ struct Band {
   [[nodiscard]] std::vector<double> half_width() const;
 };
 
-/// Returns the band of a model whose residual is known. Without a covariance, the parameters are
-/// assumed exact. `subject` is the model after aligned() with the record of the series.
+/// Returns the band of a model. Without a covariance in the model, the parameters are assumed
+/// exact; without a residual, r is 0. `subject` is the result of aligned() for this model and the
+/// record of `series`.
 [[nodiscard]] Band band_of(const CorrectionSubject& subject, const Model& model,
                            const std::shared_ptr<const Series>& series, const Beyond& beyond);
 

@@ -16,22 +16,22 @@ namespace raceway::correction {
 /// Each input becomes a channel with only a feedthrough, so the result runs like every other model.
 /// The model has no memory and extrapolates linearly. The fit leaves out channels driven by a
 /// power, inputs that never vary, and inputs that depend linearly on other inputs. A message names
-/// each of them.
+/// each input that is left out.
 ///
 /// Source:   least squares by QR, see regression.h. Standard errors are widened for the
 /// autocorrelation of the residual. The held-out error comes from eight parts of the record. Each
-/// part is predicted with the coefficients from the other parts. Throws std::invalid_argument
-/// without an input and for too few readings.
+/// part is predicted with coefficients that are fitted to the other parts. Throws
+/// std::invalid_argument if no input varies or there are too few readings.
 [[nodiscard]] Identification regression_baseline(const Model& model,
                                                  const std::vector<const Channel*>& offered,
                                                  const record::Record& record);
 
-/// Returns true if a model is only a linear regression.
+/// Returns true if a model has only instant channels of columns, as a linear regression has.
 [[nodiscard]] bool is_regression(const Model& model);
 
-/// Returns the channels of a model that these baselines can use, without their sections. The result
-/// also has one channel for each further column. Throws std::invalid_argument if there are no such
-/// channels.
+/// Returns the channels of a model that a regression or an ARX model can use, without their
+/// sections. Channels driven by a power are left out. The result also has one channel for each
+/// further column. Throws std::invalid_argument if there are no such channels.
 [[nodiscard]] std::vector<DrivenChannel> bare_channels(const Model& model,
                                                        const std::vector<const Channel*>& offered,
                                                        std::vector<record::Note>& messages);
@@ -51,19 +51,19 @@ struct ArxFit {
   /// Errors over the second half of the record, simulated with the fit to the first half.
   Metrics second_half{};
   std::vector<std::complex<double>> poles{};  ///< poles in z, the largest first
-  /// Time constant of each pole [s]; NaN if the pole is not a decay.
+  /// Time constant of each pole [s]; NaN unless the pole is real and between 0 and 1.
   std::vector<double> time_constants{};
   bool stable = false;
   /// Channels as transfer functions, one for each input, with a common denominator.
   std::vector<DrivenChannel> channels{};
-  double offset = 0.0;  ///< displacement for zero inputs, relative to the first reading [m]
+  double offset = 0.0;  ///< displacement for zero inputs: first reading + fitted constant [m]
 };
 
 struct ArxBaseline {
   double sampling = unset;  ///< time step of the even grid over the record [s]
   std::size_t rows = 0;
   std::vector<std::string> inputs{};
-  std::vector<ArxFit> fits{};  ///< fits by order
+  std::vector<ArxFit> fits{};  ///< one fit for each order, in rising order
   std::vector<record::Note> messages{};
 
   /// Returns the stable order with the smallest error over the second half, simulated with the fit
@@ -71,12 +71,13 @@ struct ArxBaseline {
   [[nodiscard]] const ArxFit* best() const;
 };
 
-/// Returns the model as transfer functions of one order, for calls at the sampling interval of the
-/// baseline.
+/// Returns a model whose channels are the transfer functions of `fit`. It is valid only for the
+/// sampling interval of the baseline.
 [[nodiscard]] Model with_arx(const Model& model, const ArxBaseline& baseline, const ArxFit& fit);
 
-/// Fits ARX models on an even time grid with the spacing of the readings. Throws
-/// std::invalid_argument without an input and for too few readings.
+/// Fits ARX models of the orders `lowest` to `highest` on an even time grid. Its step is the median
+/// interval between readings. Throws std::invalid_argument if there is no input or there are too
+/// few readings.
 [[nodiscard]] ArxBaseline arx_baseline(const Model& model,
                                        const std::vector<const Channel*>& offered,
                                        const record::Record& record, int lowest, int highest);

@@ -16,7 +16,7 @@ struct Interval {
 };
 
 /// Evaluates a law at x. Within the range of the fit, the law itself is used. Beyond this range,
-/// the result never rises more steeply than a straight line:
+/// the result never changes faster than the tangent at the edge:
 ///
 ///   y(edge) + the smaller change of   law(x) - y(edge)   and   y'(edge) (x - edge)
 ///

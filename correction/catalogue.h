@@ -7,7 +7,8 @@
 
 namespace raceway::correction {
 
-/// Returns the effects on a displacement over time, by id: see correction/effects/all_effects.h.
+/// Returns the effects on a displacement over time, sorted by id: see
+/// correction/effects/all_effects.h.
 [[nodiscard]] std::span<const EffectKind* const> kinds();
 /// Returns the effect with this id; null if there is none.
 [[nodiscard]] const EffectKind* find_kind(std::string_view id);

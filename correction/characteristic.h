@@ -9,8 +9,8 @@
 
 namespace raceway::correction {
 
-/// Gain or time constant of a delay element [SI] as a function of the input x, a power or a load. x
-/// is in the unit of its column: W or N.
+/// Gain or time constant of a delay element [SI] as a function of the input x. The input is a power
+/// in W or a load in N.
 class Characteristic {
  public:
   struct Line {
@@ -19,8 +19,8 @@ class Characteristic {
   struct Power {
     double factor, exponent;
   };
-  /// Linear interpolation between points with rising x. Outside the points, the end values are
-  /// used.
+  /// Linear interpolation between points with rising x. Beyond the first and the last point, their
+  /// values are used.
   struct Table {
     std::vector<double> input, value;
   };
@@ -34,7 +34,8 @@ class Characteristic {
 
   [[nodiscard]] double operator()(double input) const;
   /// Returns the range around x = 0 in which the value is positive, including `lower` and excluding
-  /// `upper`. A missing limit is infinite. A power law is not defined below 0.
+  /// `upper`. If there is no limit on one side, it is infinite. The range of a power law begins at
+  /// 0, because the law is not defined below. If the value at 0 is not positive, both limits are 0.
   [[nodiscard]] Interval positive_within() const;
   [[nodiscard]] const Form& form() const { return form_; }
 

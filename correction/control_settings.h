@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
-/// Contains the settings of a correction on a control. They are in [export] of a model file:
+/// Contains the settings of a correction on a control, from the table [export] of a model file: see
 /// docs/control.md.
 namespace raceway::correction {
 
-/// A value for all inputs or axes, and different values for some of them.
+/// A value for all inputs or axes, and exceptions for some of them.
 template <typename T>
 struct ByColumn {
   T all{};
@@ -45,18 +45,22 @@ struct ControlSettings {
   ByColumn<std::string> axis{};    ///< letter of the axis; empty: LETTER of displacement_LETTER_um
   // Settings of inputs, by their column.
   ByColumn<ControlLimits> plausible{
-      {-40.0, 150.0}, {}};  ///< `all`: for temperatures only; other inputs: ten times their range
-  ByColumn<double> fastest_per_s{1.0};  ///< `all`: for temperatures only; 0: not checked
-  ByColumn<double> stuck_s{3600.0};     ///< `all`: for temperatures only; 0: not checked
-  ByColumn<double> smoothing_s{0.0};    ///< smoothing time of the input of instant parts
+      {-40.0, 150.0}, {}};  ///< `all`: for temperatures only; others: 10 times their largest value
+  /// Largest change per second; `all`: for temperatures only. 0: not checked.
+  ByColumn<double> fastest_per_s{1.0};
+  /// Longest time without a change; `all`: for temperatures only. 0: not checked.
+  ByColumn<double> stuck_s{3600.0};
+  /// Time constant of the filter on the inputs of instant parts.
+  ByColumn<double> smoothing_s{0.0};
   // Settings of all axes and inputs.
   std::string on_fault = "last-safe";  ///< action after the hold: "hold", "last-safe", "zero"
   double hold_s = 60.0, fade_s = 300.0;
   double longest_gap_s = 10.0, clock_jump_s = 1800.0;
-  std::string restart = "decay";        ///< action after a longer gap: "decay", "resume", "rest"
-  std::string touch_off = "keep";       ///< offsets at touch-off: "keep", "clear"
-  std::string disabled = "zero";        ///< offsets while disabled: "zero", "freeze"
-  std::string beyond_range = "linear";  ///< sections beyond their range: "linear", "hold"
+  std::string restart = "decay";   ///< action after a longer gap: "decay", "resume", "rest"
+  std::string touch_off = "keep";  ///< offsets at touch-off: "keep", "clear"
+  std::string disabled = "zero";   ///< offsets while disabled: "zero", "freeze"
+  /// Response of sections beyond the range of the fit: "linear", "hold".
+  std::string beyond_range = "linear";
 };
 
 }  // namespace raceway::correction

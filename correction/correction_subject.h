@@ -11,7 +11,7 @@
 
 namespace raceway::correction {
 
-/// A correction model of one displacement over time, as a subject of the loop.
+/// Correction model of one displacement over time, for calibrate(), diagnose() and add().
 class CorrectionSubject : public fit::Subject {
  public:
   explicit CorrectionSubject(Model model);
@@ -28,10 +28,11 @@ class CorrectionSubject : public fit::Subject {
       const std::shared_ptr<const void>& prepared) const override;
   /// Returns the subject with the limits on time constants from the record, with the available
   /// columns, and with a zero for each run. The ranges, covariance and evidence of other records
-  /// are removed, because the new parameters will come from this whole record.
+  /// are removed, because the new parameters will come from this record.
   [[nodiscard]] std::unique_ptr<fit::Subject> informed_by(const fit::Record& record) const override;
 
-  /// Keeps the input range of this model. Use it to compare its parameters with another record.
+  /// Takes the input range of `model`, which informed_by() removes. Use it to apply the parameters
+  /// of that model to another record.
   void keep_range(const Model& model);
 
   [[nodiscard]] std::vector<fit::Parameter> parameters() const override;
@@ -45,25 +46,25 @@ class CorrectionSubject : public fit::Subject {
       std::span<const std::string> ids) const override;
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
   /// Returns the full id of the candidate that the user named, such as
-  /// "second-time-constant:ambient". The user may omit the place if it is the main channel or the
-  /// only axis. Unknown ids are returned unchanged. Throws std::invalid_argument if the name is
-  /// ambiguous. Call this on a subject returned by informed_by().
+  /// "second-time-constant:ambient". The user may omit the part after the colon if only one
+  /// candidate has this effect id, and may name the first channel although its full id omits it.
+  /// Unknown ids are returned unchanged. Throws std::invalid_argument if the name is ambiguous.
+  /// Call this on a subject returned by informed_by().
   [[nodiscard]] std::string meant_by(const std::string& id) const;
-  /// Returns the sensors whose coarse resolution is visible: the predicted displacement steps with
-  /// the last digit of the sensor, and the residual steps back by at most the amount that the model
-  /// explains. Call this function on a fitted model.
+  /// Returns the possible faults of the record: exchanged columns, a loose sensor, and a sensor
+  /// with coarse resolution (see correction/effects/). Call this function on a fitted model.
   [[nodiscard]] std::vector<fit::Fault> faults(const fit::Record& record) const override;
-  /// Returns eight consecutive parts of the record with equal numbers of readings. If an input
-  /// moves in only one part, each run is split into eight parts. A part that contains nearly all
-  /// motion of an input is never held out. If the machine was warm at the start of the record, the
-  /// first part is not held out either.
+  /// Returns eight consecutive parts of the record with equal numbers of readings; empty for fewer
+  /// than 16 readings. If the record has several runs and an input varies mainly in one part, each
+  /// run is split into eight parts instead. A part that contains nearly all variation of an input
+  /// is never held out. If the initial state is free, the first part is not held out either.
   [[nodiscard]] std::vector<fit::Blocking> blockings(const fit::Record& record) const override;
 
-  /// Unknowns that are not parameters of the model [m]: the zero of each run after the first, and
-  /// the initial states if the record did not begin at rest.
+  /// Unknowns that are not parameters of the model [m]: the zero of each run or clamping after the
+  /// first, and the initial states if the initial state is free.
   struct Beginning {
     fit::Parameter parameter{};
-    int zero = 0;  ///< run of the zero; for a state: channel and section
+    int zero = 0;  ///< index of the zero; a state has a channel and a section instead
     std::size_t channel = 0, section = 0;
     bool is_state = false;
   };

@@ -18,7 +18,7 @@ namespace raceway::correction {
 ///           the same step response and continues from the current state.
 /// Units:    K [m], T [s], x in the unit of its column: W, N.
 /// Domain:   T is positive. A power must be x >= 0; the published lines need 0 <= P < 214.7 W. A
-///           load may have either sign; a power law is not defined below 0.
+///           load may have either sign, except with a power law, which is not defined below 0.
 /// Traps:    the published K is a line with K(0) = 10.36 um, although no heat is produced at P = 0.
 ///           The paper does not discuss this. Here K(0) = 0, so a spindle at standstill cools
 ///           towards its rest position, with T(0).
@@ -32,10 +32,11 @@ struct DelayElement {
   [[nodiscard]] double target(double input) const { return input != 0.0 ? gain(input) : 0.0; }
 };
 
-/// Computes the displacement at every row [m]. The input is in the unit of its column. Between rows
-/// the input stays constant, like a setting of the record (see Clock). Every run begins at rest.
-/// After the first input outside the domain, the result is NaN until the end of the run. Beyond the
-/// range of the fit, K and T follow continued(). An input of 0 always gives the target 0.
+/// Computes the displacement at every row [m]. The input is in the unit of its column. Between
+/// rows, the input is constant; Clock::settings_hold selects the row with its value. Every run
+/// begins at rest. After the first input outside the domain, the result is NaN until the end of the
+/// run. Beyond the range of the fit, K and T follow continued(). An input of 0 always gives the
+/// target 0.
 void delay_response(const Clock& clock, std::span<const double> input, const DelayElement& element,
                     std::span<double> displacement, const Interval& seen = {});
 

@@ -20,14 +20,14 @@ struct EffectCard {
   std::string_view form;      ///< formula with u: input, x: state, y: displacement
   std::string_view needs;     ///< description of the record that the effect needs
   std::string_view confused;  ///< effects with which it may be confused
-  /// Parameters in the units of files. A unit "um/u" is per unit of the input.
+  /// Parameters in the units of files. The unit "um/u" means um per unit of the input.
   std::span<const record::NumberCard> numbers;
   std::size_t size = 0;     ///< index of the parameter whose neutral value switches the effect off
-  bool of_channel = false;  ///< true: changes the response of a channel; false: adds its own share
+  bool of_channel = false;  ///< true: changes a channel's response; false: adds to the displacement
   bool at_channel = false;  ///< true: `where` names a channel; empty means the first one
-  /// True if the name contains a column: the column that drives the effect or its window.
+  /// True if the full id contains a column: the column that drives the effect or its window.
   bool by_column = false;
-  bool by_window = false;   ///< true: may act in a window of a position
+  bool by_window = false;   ///< true: may be limited to a range of an axis position
   bool of_reading = false;  ///< true: valid only for this record, and not for a control
   /// True if the record itself shows the effect; such an effect has no parameter and is never
   /// switched on.
@@ -35,7 +35,7 @@ struct EffectCard {
   bool needs_input = false;  ///< true: a file must name its columns
 };
 
-/// Properties of a record that decide at which places of a model effects can act.
+/// Properties of a record that determine on which channels and columns effects can act.
 struct Surroundings {
   const Model& model;
   std::span<const Channel* const> varying{};  ///< inputs of the record that vary
@@ -44,7 +44,7 @@ struct Surroundings {
   double end = 0.0;                           ///< end of the record, behind the last row [s]
 
   [[nodiscard]] bool varies(const Channel& column) const;
-  /// Returns true if the first channel is a sum of lags, which effects can modify.
+  /// Returns true if the first channel has lags, which effects can modify.
   [[nodiscard]] bool first_channel_lags() const {
     return !model.channels.empty() && !model.channels.front().sections.empty();
   }
@@ -53,7 +53,8 @@ struct Surroundings {
   [[nodiscard]] std::string where(const DrivenChannel& channel) const {
     return &channel == &model.channels.front() ? std::string() : channel.name;
   }
-  /// Returns the columns of this kind that vary and that the model does not use as inputs.
+  /// Returns the columns that vary, that the model does not use as inputs, and for which
+  /// `is_of_kind` is true.
   [[nodiscard]] std::vector<const Channel*> unused(bool (*is_of_kind)(const Channel&)) const;
 };
 
@@ -75,7 +76,8 @@ class EffectKind {
 
   [[nodiscard]] virtual const EffectCard& card() const = 0;
 
-  /// Returns the effect at every place where the record allows the effect, with its initial values.
+  /// Returns one effect with initial values for each channel or column on which the record allows
+  /// it.
   [[nodiscard]] virtual std::vector<Effect> possible(const Surroundings& in) const;
   /// Returns the allowed values of a parameter. An empty result allows all values within the
   /// bounds.
@@ -86,13 +88,13 @@ class EffectKind {
   [[nodiscard]] virtual std::span<const record::NumberCard> numbers(const Effect& effect) const;
   /// Returns true if a file may omit this parameter and the following ones.
   [[nodiscard]] virtual bool may_end_before(std::size_t number) const;
-  /// Returns true if the displacement is proportional to a parameter.
+  /// Returns true if the contribution of the effect is proportional to this parameter.
   [[nodiscard]] virtual bool is_proportional(std::size_t number) const;
   /// Returns the bounds of a parameter; `limits` of the record apply to time constants.
   [[nodiscard]] virtual Interval bounds(const Effect& effect, std::size_t number,
                                         const Model& model, const TimeConstantLimits& limits) const;
-  /// Returns the key of a parameter in a file for a displacement in length units: "gain_um_K".
-  /// key_of() handles all units.
+  /// Returns the key of a parameter in a file if the displacement is a length: "gain_um_K".
+  /// key_of() also handles angles.
   [[nodiscard]] virtual std::string key(const Effect& effect, std::size_t number,
                                         const Model& model) const;
 
@@ -122,8 +124,8 @@ class EffectKind {
 /// Returns the unit of an effect's parameter for the reader: "um/K", or "urad/K" for an angle.
 [[nodiscard]] std::string unit_of(const Effect& effect, std::size_t number, const Model& model);
 
-/// Returns the contribution of effects with the parameters `gain` and `time_constant`: a lag of the
-/// input of the effect.
+/// Returns the contribution of an effect that is a lag of its input with the parameters `gain` and
+/// `time_constant_s`.
 [[nodiscard]] DrivenShare lag_of_input(const EffectKind& kind, const Effect& effect,
                                        const Model& model);
 

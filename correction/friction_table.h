@@ -7,7 +7,7 @@ namespace raceway::correction {
 
 /// Friction torque of a whole spindle on a grid of speed, loads and temperature.
 ///
-/// Loads are used by their absolute value unless the axis of the table contains negative loads.
+/// The absolute value of a load is used, unless the axis of this load contains negative values.
 struct FrictionTable {
   /// Units: [rad/s], [N], [N], [K].
   struct Point {
@@ -20,7 +20,7 @@ struct FrictionTable {
   /// Friction torque [N m]; speed varies fastest, then axial load, radial load and temperature.
   std::vector<double> torque{};
 
-  /// Interpolates linearly. Outside an axis, the value at its edge is used.
+  /// Interpolates linearly. Beyond the end of an axis, the value at its end is used.
   [[nodiscard]] double operator()(const Point& at) const;
   /// Returns true for a point within the axes. An axis with one value accepts all points.
   [[nodiscard]] bool holds(const Point& at) const;

@@ -14,20 +14,21 @@ namespace raceway::correction {
 ///
 ///   x(t + dt) = a x(t) + w,   a = exp(-dt/T),   w ~ N(0, s² (1 - a²) + q² dt)
 ///
-/// Without readings, the unknown returns to 0 with the memory T, and its standard deviation becomes
-/// s. With infinite T, it is a constant if q = 0, otherwise a random walk.
+/// Without readings, the unknown returns to 0 with the time constant T. If q = 0, its standard
+/// deviation returns to s. With infinite T, the unknown is a constant if q = 0, otherwise a random
+/// walk.
 struct Unknown {
   std::string name{};
   double std = unset;                                       ///< s, in the unit of the unknown
   double memory = std::numeric_limits<double>::infinity();  ///< T [s]
   double walk = 0.0;         ///< q, in the unit of the unknown per root of a second
   double first_std = unset;  ///< standard deviation at the start; NaN: s
-  double bound = std::numeric_limits<double>::infinity();  ///< largest absolute value
-  /// Index k of another unknown whose rate is this unknown, dx_k/dt = x; negative: none.
+  double bound = std::numeric_limits<double>::infinity();  ///< largest allowed absolute value
+  /// Index k of another unknown if this unknown is its rate, dx_k/dt = x; negative: it is no rate.
   int rate_of = -1;
 };
 
-/// Estimates a sum of unknowns from occasional readings.
+/// Estimates a weighted sum of unknowns from occasional readings.
 ///
 ///   y(t) = sum_j h_j(t) x_j(t) + v,   v ~ N(0, r²)
 ///
@@ -42,8 +43,9 @@ struct Unknown {
 /// Source:   derivation above. Tests compare it with the dense solution of the regression.
 /// Units:    x_j and h_j may have any units whose product is the unit of y.
 /// Domain:   s_j, T_j, r > 0; time must not go back.
-/// Trap:     if an unknown violates its bound after a reading, the unknowns are moved along the
-///           covariance until the bound is met. The covariance itself does not change.
+/// Trap:     if an unknown exceeds its bound after a reading, it is set to the bound, and the other
+///           unknowns are moved as their covariance with it requires. The covariance itself does
+///           not change.
 class UnknownsFilter {
  public:
   /// Throws std::invalid_argument for a standard deviation or memory that is not positive.
@@ -58,9 +60,9 @@ class UnknownsFilter {
 
   /// Advances by dt without a reading.
   void advance(double dt);
-  /// Processes a reading of the weighted sum with its noise at the current time.
+  /// Processes a reading of the weighted sum at the current time. `reading_std` is its noise.
   void learn(std::span<const double> weights, double reading, double reading_std);
-  /// Resets one unknown to its initial state.
+  /// Sets one unknown to 0 with its initial standard deviation.
   void reset(std::size_t unknown);
 
   [[nodiscard]] const std::vector<Unknown>& unknowns() const { return unknowns_; }

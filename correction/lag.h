@@ -47,8 +47,8 @@ struct Clock {
   record::SettingsHold settings_hold = record::SettingsHold::sampled;
 
   [[nodiscard]] std::size_t rows() const { return steps.size(); }
-  /// Returns the row whose settings are valid from the previous row to `row`. The row must not
-  /// begin a run.
+  /// Returns the row whose settings are valid from the previous row to `row`. `row` must not be the
+  /// first row of a run.
   [[nodiscard]] std::size_t held_until(std::size_t row) const {
     return settings_hold == record::SettingsHold::until_row ? row : row - 1;
   }
@@ -59,8 +59,8 @@ struct Clock {
 };
 
 /// Computes the state of a first-order lag with time constant T > 0 [s] at every row, in the unit
-/// of the input. Every run begins at `start`. `input` and `state` have a value for each row of the
-/// clock.
+/// of the input. Every run begins with the state `start`. `input` and `state` have a value for each
+/// row of the clock.
 void lag_response(const Clock& clock, std::span<const double> input, Hold hold,
                   double time_constant, double start, std::span<double> state);
 

@@ -9,8 +9,8 @@ namespace raceway::correction {
 
 struct LagBankOptions {
   std::vector<const Channel*> inputs{};  ///< columns used as inputs
-  /// Time constants of the lags of every input [s]; 0 means an instant response. An empty list
-  /// means usual_lags().
+  /// Time constants of the lags of every input [s]; 0 means an instant response. If the list is
+  /// empty, usual_lags() is used.
   std::vector<double> time_constants{};
   std::function<void(double share, std::string_view step)> progress{};
   std::function<bool()> cancelled{};  ///< cancels like IdentifyOptions::cancelled
@@ -20,23 +20,24 @@ struct LagBankOptions {
 /// grow by a factor of three, up to a quarter of that run.
 [[nodiscard]] std::vector<double> usual_lags(const Series& series);
 
-/// Model with many small shares: every input passes through the same lags, and one ridge regression
-/// finds all gains.
+/// Fits a bank of lags: every input passes through the same lags, and one ridge regression
+/// determines all gains.
 ///
 ///   minimise  mean (y - y0 - sum g_ij x_ij)² + λ sum (w_ij g_ij)²,   w_ij = s_i sqrt(τ_j/5400 s)
 ///
-/// x_ij is input i after lag j, and g is its gain [um/K, um/(m/min), um/1000 rpm]. λ [um² per
-/// square of that unit] is the strength. s is 1 except for speeds. Slow lags have larger penalties,
-/// because they affect the prediction for the longest time after the record. Lags below 600 s and
-/// the instant response have the penalty of τ = 600 s. A speed has two inputs: n, and n (n/1000
-/// rpm)^0.5, which rises like the friction. A speed has no instant share. The program tries λ from
-/// 0.01 to 10 and s of speeds from 0.1 to 1. Each combination is fitted to six initial parts of the
-/// record (0.59 to 0.88 of the record) and judged by the error on the rest of the record. The final
-/// gains are the mean over all combinations, weighted by this error to the power -4. Held-out parts
-/// from the middle of the record would favour gains that are valid only within the record. The
-/// choice of a single best strength would depend mostly on chance.
+/// x_ij is input i after lag j, and g_ij is its gain [um/K, um/(m/min), um/1000 rpm; um per tenth
+/// of the range of other columns]. λ is the strength [um² per square of the unit of g]. s_i is 1,
+/// except for speeds. Slow lags have larger penalties, because they affect the prediction for the
+/// longest time after the record. Lags below 600 s and the instant response have the penalty of τ =
+/// 600 s. A speed has two inputs: n, and n (n/1000 rpm)^0.5, which rises like the friction. A speed
+/// has no instant share. The program tries seven values of λ from 0.01 to 10 and three values of s
+/// for speeds from 0.1 to 1. Each combination is fitted to six initial parts of the record (59 % to
+/// 88 % of its duration) and judged by the error on the rest of the record. The final gains are the
+/// mean over all combinations, weighted by (error)^-4. Held-out parts from the middle of the record
+/// would favour gains that are valid only within the record. The choice of a single best strength
+/// would depend mostly on chance.
 ///
-/// If many sensors measure bodies whose influence on the displacement is unknown, this model
+/// If many sensors measure bodies whose influence on the displacement is unknown, a bank of lags
 /// predicts better than a few sections with fitted time constants. Such sections fit equally well
 /// but extrapolate badly. The gains have no physical meaning. They have no standard error, because
 /// the ridge shrinks them towards 0. If the model does not list its free parameters, only the
@@ -45,8 +46,8 @@ struct LagBankOptions {
 /// record of docs/spindle-record.md.
 ///
 /// Throws std::invalid_argument for a model with channels, a kinematic law, effects or a free
-/// initial state, without an input, for too few readings, and for a time constant that is negative
-/// or infinite.
+/// initial state, for an empty list of inputs, for too few readings, and for a time constant that
+/// is negative or not finite.
 [[nodiscard]] Identification identify_lag_bank(const Model& model, const record::Record& record,
                                                const LagBankOptions& options);
 

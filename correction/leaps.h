@@ -8,28 +8,28 @@
 
 namespace raceway::correction {
 
-/// Returns times between two readings at which a displacement jumps [s], for example because of a
-/// collet, a probe or a cable.
+/// Returns the times at which a displacement jumps [s], each halfway between two readings. Causes
+/// of a jump are, for example, a collet, a probe or a cable.
 ///
 /// For each pair of successive readings, one straight line is fitted to about ten minutes of
 /// readings up to the first one, and another line to the readings from the second one on (3 to 20
-/// readings each). The gap is the distance of the two lines halfway between the two readings.
-/// Without a jump, the gap shows only noise and curvature. A jump is a gap of more than five times
-/// the usual gap (robust standard deviation from the median). Gaps within ten minutes of a speed
-/// change are ignored, because the instant parts of the displacement step at a speed change. Slow
-/// changes of any size are not jumps.
+/// readings each). The gap is the distance between the two lines at the time halfway between the
+/// two readings. Without a jump, the gap shows only noise and curvature. A jump is a gap of more
+/// than five times the usual gap (robust standard deviation from the median). Gaps within ten
+/// minutes of a speed change are ignored, because the instant parts of the displacement step at a
+/// speed change. Slow changes of any size are not jumps.
 [[nodiscard]] std::vector<double> leaps(const record::Record& record,
                                         const record::Channel& displacement);
 
-/// Smallest visible jump of a temperature [K]; smaller jumps cannot be separated from the last
-/// digits.
+/// Smallest visible jump of a temperature [K]; smaller jumps cannot be distinguished from steps of
+/// the last digit.
 inline constexpr double seen_leap_of_a_sensor = 0.5;
 
-/// Returns the rows before which a temperature jumps faster than any body with heat capacity can.
-/// The jump exceeds 0.5 K and is more than four times the larger of the changes just before and
-/// just after it. The rows before and after the jump must belong to one run, the time step of the
-/// jump must be at most 1.5 times the step before it, and the speed must not change in this row and
-/// the three rows before it.
+/// Returns the rows before which a temperature jumps, because no body with heat capacity changes
+/// that fast. The jump exceeds 0.5 K. It is more than four times the change just before it and more
+/// than four times the change just after it. The rows before and after the jump must belong to one
+/// run, the time step of the jump must be at most 1.5 times the step before it, and the speed must
+/// be the same in this row and the three rows before it.
 [[nodiscard]] std::vector<std::size_t> leaping_rows(const record::Record& record,
                                                     const record::Channel& column);
 

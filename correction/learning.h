@@ -11,15 +11,15 @@ namespace raceway::correction {
 
 /// Settings for learning from a probe that measures the displacement occasionally.
 struct LearningOptions {
-  double every = 0.0;  ///< least time between two offered readings [s]; 0: all readings
+  double every = 0.0;  ///< shortest time between two offered readings [s]; 0: offer all
   /// Standard deviation of the model residual [m]. If it is NaN, the tolerance of the model is
-  /// used, or usual_misfit if there is no tolerance.
+  /// used. Without a tolerance, usual_misfit is used.
   double misfit = unset;
   double reading_std = unset;  ///< [m]; NaN: measured_std of the model, otherwise usual_reading_std
-  /// Time in which gains return to the values of the model [s].
+  /// Time constant with which gains return to the values of the model [s].
   double forgetting = 7.0 * 24.0 * 3600.0;
   double gain_std = 0.1;    ///< standard deviation of a relative gain error [1]
-  double gain_bound = 0.5;  ///< largest relative change of a gain [1]
+  double gain_bound = 0.5;  ///< largest relative change of a gain of the model [1]
 };
 
 inline constexpr double usual_misfit = 2.0 * um;
@@ -36,13 +36,13 @@ struct OfferedReading {
   double good_for = unset;  ///< time until the uncertainty exceeds the tolerance [s]
 };
 
-/// A part of the model with a learned size.
+/// A learned gain: of a part of the model, or of a lag that the model lacks.
 struct LearntGain {
-  std::string name{};  ///< channel or effect; "kinematic"; a lag with its time constant
-  /// Relative difference from the gain of the model [1]. For a lag that the model lacks, the
-  /// displacement for half the range of the input [m].
+  std::string name{};  ///< name of a channel or effect, "kinematic", or "spindle, lag of 2 h"
+  /// Relative difference from the gain of the model [1]. For a lag that the model lacks:
+  /// displacement that the lag adds for half the range of its input [m].
   double value = 0.0;
-  double std = unset;  ///< standard deviation in the same unit
+  double std = unset;  ///< standard deviation, in the unit of `value`
   bool is_lag = false, at_bound = false;
 };
 
@@ -52,11 +52,12 @@ struct IdentificationDue {
   std::string reason{};
 };
 
-/// Rms error of readings that were not offered, after the first learned reading [m].
+/// Rms error over the readings that were not offered, from the first learned reading on [m].
 struct ErrorBetween {
   std::size_t readings = 0;
-  double first = unset;   ///< model with its zero from the first reading of each run
-  double zeroed = unset;  ///< model with its zero from the last reading
+  double first =
+      unset;  ///< model without learning; its zero comes from the first reading of each run
+  double zeroed = unset;  ///< model without learning; its zero comes from the last learned reading
   double learnt = unset;
 };
 
@@ -71,16 +72,16 @@ struct Learning {
   /// Number of rows whose uncertainty exceeds the tolerance.
   std::size_t rows_beyond_tolerance = 0;
   /// Time from the last row until the uncertainty of the prediction exceeds the tolerance, with
-  /// constant inputs [s]. 0 means immediately, and infinite means not within 30 days. NaN means
-  /// that the tolerance or a reading is missing.
+  /// constant inputs [s]. It is infinite if this takes more than 30 days, and NaN if the model has
+  /// no tolerance or the last run has no learned reading.
   double next_reading = unset;
   double level = 1.0;  ///< ratio of actual to expected residual of the model [1]
   double misfit = unset, reading_std = unset;  ///< values that were used [m]
   Model model{};  ///< model with gains and zero at the end of the record
 };
 
-/// Runs a model over a record and corrects it with the readings as they arrive. The prediction of a
-/// row uses only readings of earlier rows.
+/// Simulates a model over a record and corrects the prediction with each offered reading. The
+/// prediction of a row uses only readings of earlier rows.
 ///
 ///   y = f(t) + z + sum_i d_i + sum_j a_j c_j(t) + sum_l b_l s_l(t) + v
 ///
@@ -88,22 +89,25 @@ struct Learning {
 /// reading. Afterwards it is a random walk of one misfit per root of an hour, plus a drift of half
 /// a misfit per hour with a memory of 12 h. The d_i describe the residual and the errors in the
 /// states of slow sections. One process has a memory of half an hour, and there is one further
-/// process for each slow time constant. Their joint standard deviation is a fifth of a misfit. The
-/// a_j are relative changes of contributions. The b_l are gains of lags that the model lacks: lags
-/// of 0.5, 2 and 8 h of the model inputs. The responses s_l are in units of half the input range.
-/// The joint standard deviation of all these lags is 2 misfits. All a and b return to 0 with the
-/// forgetting time. v is the noise of a reading. One UnknownsFilter estimates all of them together.
-/// The readings determine the size of these unknowns relative to v: the variance of the unknowns is
-/// multiplied by level². level² is the mean ratio of actual to expected variance over about the
-/// last 32 readings. The mean includes the expected ratio of 1 with the weight of 8 readings.
+/// process for each slow time constant. The joint standard deviation of these processes is a fifth
+/// of a misfit. The a_j are relative changes of the contributions c_j. The b_l are gains of lags
+/// that the model lacks: lags of 0.5, 2 and 8 h of the model inputs. The responses s_l are in units
+/// of half the input range. The joint standard deviation of all these lags is 2 misfits. All a and
+/// b return to 0 with the forgetting time. v is the noise of a reading. One UnknownsFilter
+/// estimates all unknowns together. The readings determine the size of these unknowns relative to
+/// v: the variance of the unknowns is multiplied by level². level² is the mean ratio of actual to
+/// expected variance over about the last 32 readings. The mean includes the expected ratio of 1
+/// with the weight of 8 readings.
 ///
 /// A reading is rejected if it differs from the prediction by more than 5 expected standard
-/// deviations. The next reading is then offered regardless of the interval. The zero is reset if
-/// this next reading agrees with the rejected one, or if the two readings before it were rejected.
+/// deviations. The next reading is then offered regardless of the interval. If it is just as far
+/// off, it resets the zero in two cases: it agrees with the rejected reading, or the two readings
+/// before it were rejected.
 ///
 /// Source:   a Kalman filter. Sizes and times are our choice, based on the record of
 ///           docs/correction.md with models from three initial parts of it.
-/// Domain:   records over time. A lag is added only if the model contains the range of the input.
+/// Domain:   records over time. A lag is added to a channel only if the model contains the range of
+///           its input.
 /// Accuracy: the standard deviation depends on these assumptions.
 ///
 /// Throws std::invalid_argument if the displacement column, all readings or an input are missing.

@@ -17,8 +17,9 @@
 #include "record/record.h"
 #include "record/series_channel.h"
 
-/// Describes the displacement of a machine over hours from data that its control has: a sum of lags
-/// of temperatures, power, speed and feeds, and an instant part that follows the speed.
+/// Describes the displacement of a machine over hours with data from its control. The model is a
+/// sum of lags of temperatures, power, speed and feeds, and of an instant part that follows the
+/// speed.
 namespace raceway::correction {
 
 using record::Channel;
@@ -29,14 +30,14 @@ class OwnEffect;
 /// inner points, and linear between an outer and an inner point.
 struct Window {
   const Channel* column = nullptr;  ///< position of the axis
-  std::array<double, 4> points{};  ///< rising positions [SI]; infinite where the window has no edge
+  std::array<double, 4> points{};   ///< rising positions [SI]; infinite on a side without an edge
   /// True if the window scales the input before the lags, for heat that arises in the window. False
   /// if it scales the displacement, for a body that moves the tool only in the window.
   bool of_input = false;
 
   [[nodiscard]] double operator()(double position) const;
-  /// Returns "300..600" in the unit of the column, or "300.." without an upper edge. If the edges
-  /// are not sharp, the text has all four points.
+  /// Returns "300..600" in the unit of the column, or "300.." without an upper edge. If an edge is
+  /// not sharp, the text contains all four points.
   [[nodiscard]] std::string range_text() const;
 };
 
@@ -48,22 +49,22 @@ struct TableCoordinate {
 
 /// Input of a channel.
 ///
-/// Temperatures are taken relative to the first row of a run. For feeds and speeds, the absolute
-/// value is used. Other columns keep their sign.
+/// Temperatures are taken relative to the first row of a run. For feeds, speeds and the coolant
+/// state, the absolute value is used. Other columns keep their sign.
 struct Input {
   std::string name{};                     ///< name in the file: "power_W", or the only column
   std::vector<const Channel*> columns{};  ///< the mean of these columns is the input
-  const Channel* reference = nullptr;     ///< its rise is subtracted from the input
-  /// Exponent for a speed n. The input is then n (n/1000 rpm)^(exponent - 1), because heat rises
-  /// faster than n.
+  const Channel* reference = nullptr;     ///< temperature whose rise is subtracted from the input
+  /// Exponent for a speed n. The input is n (n/1000 rpm)^(exponent - 1). An exponent above 1
+  /// describes heat that rises faster than n.
   double exponent = 1.0;
-  Interval seen{};  ///< range of that speed in the fit [SI]; continued() applies beyond it
-  /// Power: the torque of the table at the speed, times the speed.
+  Interval seen{};  ///< range of the speed in the fit [SI]; continued() applies beyond it
+  /// Friction table of a power input. The power is the torque from the table times the speed.
   std::shared_ptr<const FrictionTable> table{};
-  TableCoordinate axial_load{}, radial_load{}, temperature{};  ///< other coordinates in that table
+  TableCoordinate axial_load{}, radial_load{}, temperature{};  ///< other coordinates in the table
   Interval within{};                                           ///< limits of the power [W]
   std::optional<Window> window{};
-  std::shared_ptr<const OwnEffect> formula{};  ///< function of columns, with these parameter values
+  std::shared_ptr<const OwnEffect> formula{};  ///< user-defined function of columns
   std::vector<double> formula_values{};
 
   [[nodiscard]] bool is_power() const { return table != nullptr; }
@@ -77,22 +78,22 @@ struct Input {
   [[nodiscard]] record::Course course() const;
 };
 
-/// A lag, described by the response to a unit step of the input and a time constant.
+/// A lag, described by its final response to a unit step of the input and by a time constant.
 struct Section {
   double gain = unset;           ///< [m] per SI unit of the input
   double time_constant = unset;  ///< [s]
 };
 
-/// A body that moves, driven by one input.
+/// Contribution to the displacement that one input drives.
 struct DrivenChannel {
   std::string name{};
   Input input{};
   std::vector<Section> sections{};
   double feedthrough = 0.0;  ///< instant response [m] per SI unit of the input
-  double scale = 1.0;  ///< factor on the whole channel, for example the gain of a sister spindle
-  /// Replaces the sections by a gain and time constant that depend on the power.
+  double scale = 1.0;  ///< factor on the whole channel, for example for a spindle of the same type
+  /// Replaces the sections by a gain and a time constant that depend on the power or load.
   std::optional<DelayElement> element{};
-  /// Replaces the sections by printed coefficients for one sampling time, in um/K for every input.
+  /// Replaces the sections by a transfer function with printed coefficients for one sampling time.
   std::optional<TransferFunction> printed{};
 };
 
@@ -105,7 +106,7 @@ struct Kinematic {
 struct Effect {
   std::string id{};
   std::string where{};  ///< channel or axis on which it acts; empty if there is none
-  std::vector<const Channel*> columns{};  ///< the mean of these columns drives it
+  std::vector<const Channel*> columns{};  ///< the mean of these columns drives the effect
   std::optional<Window> window{};         ///< window in which it acts
   std::vector<double> values{};           ///< parameter values in the units of its card
   /// user-defined effect; null for an effect of the catalogue
@@ -120,9 +121,9 @@ enum class InitialState { rest, free };
   return state == InitialState::free ? "free" : "rest";
 }
 
-/// Prior knowledge about a parameter of the model before the next fit, in the units of the files.
+/// Prior of a parameter for the next fit, in the units of the files.
 struct NumberPrior {
-  std::string name{};  ///< name of the parameter, "spindle.scale"
+  std::string name{};  ///< name of the parameter, such as "spindle.scale"
   record::Prior prior{};
 };
 
@@ -130,7 +131,7 @@ struct NumberPrior {
 struct SeenRange {
   const Channel* column = nullptr;      ///< null for the power of a channel
   std::string name{};                   ///< name of the column or the channel
-  double lower = unset, upper = unset;  ///< [SI]; temperatures as absolute values, not as rise
+  double lower = unset, upper = unset;  ///< [SI]; a temperature itself, not its rise
   double still = unset;                 ///< longest time with a constant temperature, if known [s]
 };
 
@@ -138,9 +139,11 @@ struct SeenRange {
 /// its own range although the combination never occurred.
 struct SeenTogether {
   std::vector<const Channel*> columns{};  ///< columns that varied
-  Eigen::VectorXd mean{}, std{};          ///< [SI]; absolute values, except for temperatures
+  Eigen::VectorXd mean{},
+      std{};  ///< [SI]; of absolute values for speeds, feeds and the coolant state
   Eigen::MatrixXd correlation{};
-  double farthest = unset;  ///< distance of the farthest point from the mean [1]: see range.h
+  double farthest =
+      unset;  ///< largest distance of a point from the mean [1]: see Distance in range.h
 };
 
 /// Residual of the fitted model.
@@ -149,15 +152,15 @@ struct Left {
   double correlation_time = unset;  ///< [s]
 };
 
-/// Evidence for a fitted model from readings that the fit did not use. trust.h judges this
-/// evidence.
+/// Evidence for a fitted model from readings that the fit did not use. trust_of() judges it.
 struct Evidence {
   double error = unset;  ///< rms error on these readings; NaN if there are none [m]
   /// Rms of the readings after subtracting one constant from each run [m].
   double uncorrected = unset;
-  double duration = unset;    ///< duration of the readings of the longest run [s]
-  bool one_way = false;       ///< true if the readings only move once from one state to another
-  bool other_record = false;  ///< true if both errors come from a different record than the fit
+  double duration = unset;  ///< duration of the readings of the longest run [s]
+  bool one_way = false;     ///< true if the readings only move once from one state to another
+  bool other_record =
+      false;  ///< true if `error` and `uncorrected` come from another record than the fit
 };
 
 struct Model {
@@ -171,7 +174,7 @@ struct Model {
   std::vector<DrivenChannel> channels{};
   std::optional<Kinematic> kinematic{};
   std::vector<Effect> effects{};
-  /// Names of free parameters or of groups of them: see groups().
+  /// Names of free parameters or of groups such as "gains": see free_names(). Empty: the default.
   std::vector<std::string> free{};
   std::vector<NumberPrior> priors{};
   std::vector<SeenRange> range{};

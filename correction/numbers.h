@@ -21,7 +21,7 @@ struct Number {
   record::Parameter parameter{};  ///< parameter "spindle.gain_1", in the units of the files
   std::string group{};  ///< "gains", "time_constants", "offset", "kinematic", "scale" or "effects"
   double* place = nullptr;  ///< address of the value in the model
-  double factor = 1.0;      ///< value in the model over value of the parameter
+  double factor = 1.0;      ///< ratio of the value in the model to the value of the parameter
 };
 
 /// Returns all parameters, in the order of the file. The places point into the model, so the model
@@ -32,16 +32,18 @@ struct Number {
 [[nodiscard]] std::vector<record::Parameter> parameters(const Model& model,
                                                         const TimeConstantLimits& limits = {});
 
-/// Returns the names of the parameters that the model's list of free names and groups selects, in
-/// the order of the model. Without a list, all parameters are free except scales without a prior.
-/// Throws std::invalid_argument for an unknown name.
+/// Returns the names of the free parameters in the order of the model. Model::free selects them by
+/// name or group. If it is empty, all parameters are free, except scales without a prior.
+/// Parameters of user-defined effects that are off are never free. Throws std::invalid_argument for
+/// an unknown name.
 [[nodiscard]] std::vector<std::string> free_names(const Model& model);
 
 /// Returns true if a name denotes a group of parameters, such as "gains".
 [[nodiscard]] bool is_group(std::string_view name);
 
-/// Returns the shortest time constant for a lag of this input [s]. A faster response to power or
-/// speed belongs to the law of the kinematic displacement.
+/// Returns the shortest time constant for a lag of this input [s]. For power, speed and other
+/// inputs that are constant between rows, it is at least 180 s, because a faster response belongs
+/// to the kinematic law.
 [[nodiscard]] double shortest_time_constant(const Input& input, const TimeConstantLimits& limits);
 
 /// Returns the channel with this name, or the first one for an empty name; null if there is none.
@@ -50,8 +52,8 @@ struct Number {
 /// Returns the input of an effect: see EffectKind::input().
 [[nodiscard]] Input input_of(const Effect& effect, const Model& model);
 
-/// Returns "ambient-drift", or "second-time-constant:ambient" if the effect names a channel or
-/// axis.
+/// Returns the id of an effect with its channel, axis, column or window, if it has one:
+/// "ambient-drift", "second-time-constant:ambient".
 [[nodiscard]] std::string full_id(const Effect& effect);
 
 }  // namespace raceway::correction

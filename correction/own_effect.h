@@ -13,8 +13,8 @@ namespace raceway::correction {
 /// User-defined effect: a formula of the columns of a record, in the units of the files. It changes
 /// y to y + K/(1 + tau s) f(columns, parameters). Without a time constant, it acts instantly.
 ///
-/// If the formula contains a temperature, its value is taken relative to the first row of a run,
-/// like the temperatures themselves. The formula uses the columns as recorded, so speeds and feeds
+/// If the formula contains a temperature, the value of the formula in the first row of each run is
+/// subtracted, as for temperatures. The formula uses the columns as recorded, so speeds and feeds
 /// keep their sign.
 class OwnEffect final : public EffectKind {
  public:
@@ -40,7 +40,8 @@ class OwnEffect final : public EffectKind {
   [[nodiscard]] const std::vector<const Channel*>& columns() const { return columns_; }
   [[nodiscard]] bool follows_a_temperature() const;
 
-  /// Returns the value in one row. Columns are in the order of columns() and in their units.
+  /// Returns the value of the formula in one row. Columns are in the order of columns() and in
+  /// their units.
   [[nodiscard]] double value(std::span<const double> columns, std::span<const double> parameters,
                              std::vector<double>& scratch) const;
 
@@ -68,7 +69,7 @@ class OwnEffect final : public EffectKind {
   EffectCard card_;
 };
 
-/// Returns the record column with this name in formulas; null for an unknown name.
+/// Returns the record column that this name denotes in a formula; null if there is none.
 [[nodiscard]] const Channel* column_of_formula(std::string_view name);
 
 }  // namespace raceway::correction

@@ -7,13 +7,13 @@
 
 namespace raceway::correction {
 
-/// State of the machine at a row. It shows in which state a model fails.
+/// State of the machine in each row. Errors grouped by it show in which state a model fails.
 inline constexpr record::Channel phase{
     .name = "phase", .variable = "phase", .words = "phase", .role = record::Role::run};
 
-/// Returns the phase of each row: "after a change of speed" (15 min); "rising" or "falling" if the
-/// displacement changed by more than 5 % of its span in the last half hour; otherwise "at rest" or
-/// "steady".
+/// Returns the phase of each row: "after a change of speed" (for 15 min); "rising" or "falling" if
+/// the displacement changed by more than 5 % of its span in the last half hour; otherwise "at rest"
+/// at speed 0, or "steady".
 [[nodiscard]] std::vector<std::string> phases(const record::Record& record,
                                               const record::Channel& displacement);
 

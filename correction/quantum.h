@@ -8,9 +8,9 @@
 
 namespace raceway::correction {
 
-/// Returns the last digit of a column [SI]: the smallest difference between two values, if all
-/// other differences are multiples of it. Otherwise the result is NaN. It is also NaN for fewer
-/// than three or more than 2000 different values.
+/// Returns the resolution of a column [SI], which is one step of its last digit: the smallest
+/// difference between two values, if all other differences are multiples of it. Otherwise the
+/// result is NaN. It is also NaN for fewer than three or more than 2000 different values.
 [[nodiscard]] double quantum_of(const record::Channel& channel, std::span<const double> values);
 
 /// Longest time step within a record, in multiples of the usual step. A longer step is a gap
@@ -23,13 +23,13 @@ struct Still {
 };
 
 /// Returns the longest time for which the values of a record stayed constant. A new run or a gap
-/// ends such a time, because the sensor may have changed during the gap.
+/// ends such a time, because the value may have changed in between.
 [[nodiscard]] Still longest_still(const record::Record& record, std::span<const double> values);
 
 /// Returns likely values between the steps of a sensor. At a change of the last digit, the true
-/// value is half-way between the two digits. The function interpolates between these changes. At a
-/// turning point, the middle between two changes has the value of the digit. `begins` is true at
-/// the first row of a run.
+/// value is assumed halfway between the two readings. The function interpolates between these
+/// changes. Where the trend reverses between two changes, the value at the middle time is the
+/// reading itself. `begins` is true at the first row of a run.
 [[nodiscard]] std::vector<double> between_digits(std::span<const double> time,
                                                  std::span<const double> values,
                                                  const std::vector<bool>& begins);

@@ -10,7 +10,7 @@
 
 namespace raceway::correction {
 
-/// Properties of a time record that are important for a model.
+/// Properties of a time record that matter for a correction model.
 struct RecordCheck {
   struct Quantum {
     const Channel* column = nullptr;
@@ -18,28 +18,30 @@ struct RecordCheck {
   };
   struct Printed {
     std::string channel;
-    double factor = 1.0;     ///< one unit of the input's column in SI
-    double quantum = unset;  ///< resolution of the input in the record, or 0.1 of its unit [SI]
+    double factor = 1.0;  ///< one unit of the input's column in SI
+    double quantum =
+        unset;  ///< resolution of the input in the record, if visible, else 0.1 of its unit [SI]
     TransferFunctionCheck check;
   };
   const Channel* displacement = nullptr;
   double sampling = unset;             ///< median time between rows [s]
   double duration = unset;             ///< duration of the longest run [s]
   std::size_t readings = 0;            ///< number of readings of the displacement
-  fit::Repeatability repeatability{};  ///< repeatability from repeated readings within stops
-  double noise_at_most = unset;        ///< upper bound of the noise of widely spaced readings [m]
-  double reading_interval = unset;     ///< median [s]
+  fit::Repeatability repeatability{};  ///< from repeated readings within stops
+  double noise_at_most =
+      unset;  ///< upper bound of the noise if readings are more than 120 s apart [m]
+  double reading_interval = unset;  ///< median time between two readings [s]
   /// Range of time constants that the record can determine [s].
   double shortest = unset, longest = unset;
   std::vector<Quantum> quanta{};
   std::vector<Printed> printed{};  ///< printed transfer functions of the model
   std::vector<record::Note> warnings{};
-  /// Warnings about sensors of the model's inputs.
+  /// Those of the warnings that concern sensors of the model's inputs.
   std::vector<record::Note> of_its_inputs{};
 };
 
-/// Describes in one sentence where an input leaves the range of its delay element. The text is
-/// empty if all inputs stay in their ranges.
+/// Describes in one sentence the first row in which an input leaves the range of its delay element.
+/// The text is empty if there is no such row.
 [[nodiscard]] std::string beyond_element(const Model& model, const record::Record& record);
 
 [[nodiscard]] RecordCheck check_record(const Model& model, const record::Record& record);

@@ -11,8 +11,8 @@ namespace raceway::correction {
 struct Regression {
   Eigen::VectorXd coefficients{};  ///< one for each column
   double rms = unset;              ///< rms residual, in the unit of the readings
-  /// Condition number: ratio of the largest to the smallest singular value of the columns. At 1e8
-  /// and above, the coefficients lose digits.
+  /// Condition number: ratio of the largest to the smallest singular value of the columns. At 1e8,
+  /// the coefficients have lost half of their digits.
   double condition = unset;
 };
 
@@ -21,8 +21,9 @@ struct Regression {
 /// for linearly dependent columns.
 [[nodiscard]] Regression regress(const Eigen::MatrixXd& columns, const Eigen::VectorXd& readings);
 
-/// Returns the gain of a sister spindle, <y - rest, s>/<s, s>: the factor on the simulated share s
-/// of the spindle [Transfer2022, eq. 6]. The remainder of the model is assumed correct.
+/// Returns the gain of another spindle of the same type, <y - rest, s>/<s, s>. It is the factor on
+/// the simulated contribution s of the spindle [Transfer2022, eq. 6]. `rest`, the remainder of the
+/// model, is assumed correct.
 [[nodiscard]] double sister_scale(const Eigen::VectorXd& measured, const Eigen::VectorXd& rest,
                                   const Eigen::VectorXd& spindle);
 

@@ -14,13 +14,13 @@
 
 namespace raceway::correction {
 
-/// Response of a channel with effects that change its lags.
+/// Changes that effects make to the lags of a channel.
 struct Answer {
   double sensor_time_constant = 0.0;  ///< sensor time constant [s]: the input is T (1 + it s)
-  double off_gain = 1.0, off_time_constant = 1.0;  ///< ratios that act while coolant_on is 0
-  /// s and g of speed_dependent_time_constant.h.
+  double off_gain = 1.0, off_time_constant = 1.0;  ///< ratios that apply while coolant_on is 0
+  /// Parameters s and g of effects/speed_dependent_time_constant.h.
   double speed_factor = 0.0, gain_power = 1.0;
-  double falling = 1.0;  ///< ratio of τ while the input is below the state
+  double falling = 1.0;  ///< factor on τ while the input is below the state of the lag
   Interval speed{};      ///< speed range of the fit [rpm], beyond which s and g are continued()
 
   [[nodiscard]] bool is_plain() const {
@@ -29,16 +29,16 @@ struct Answer {
   }
 };
 
-/// Returns the effective absolute value of a speed or feed that drives a channel: see
-/// Input::exponent.
+/// Returns the absolute value of a speed or feed, with the exponent of Input::exponent.
 [[nodiscard]] double driving_size(double value, double exponent);
 
-/// A time record prepared for the models of this folder: time steps, inputs relative to the first
-/// row of each run, and stored lag responses. Several threads may share one object.
+/// A time record prepared for the models of this folder: time steps, inputs (temperatures relative
+/// to the first row of each run), and stored responses of lags. Several threads may share one
+/// object.
 class Series {
  public:
-  /// `record` must live longer than this object. Throws std::invalid_argument if time is missing or
-  /// goes back.
+  /// `record` must live longer than this object. Throws std::invalid_argument if the time is
+  /// missing or does not increase within a run.
   explicit Series(const record::Record& record);
 
   [[nodiscard]] const record::Record& record() const { return record_; }
@@ -46,7 +46,8 @@ class Series {
   [[nodiscard]] const Clock& clock() const { return clock_; }
   /// Time since the first row of the run [s].
   [[nodiscard]] std::span<const double> time() const { return time_; }
-  /// Index of the zero of the displacement for each row: one per run and clamping state.
+  /// Index of the zero of the displacement for each row. Each run has one zero for each value of
+  /// setup_id.
   [[nodiscard]] std::span<const int> zero() const { return zero_; }
   [[nodiscard]] int zeros() const { return zeros_; }
   [[nodiscard]] std::span<const double> speed_rpm() const { return speed_rpm_; }
@@ -54,32 +55,36 @@ class Series {
   [[nodiscard]] std::span<const double> coolant() const { return coolant_; }
 
   using Values = std::shared_ptr<const std::vector<double>>;
-  /// Returns the input at every row [SI]: a rise of temperature [K], a power [W], a speed or a
-  /// feed, multiplied by the weight of a window on the input. Throws std::invalid_argument if the
-  /// record lacks a column.
+  /// Returns the input at every row [SI]: a rise of temperature [K], a power [W], the absolute
+  /// value of a speed or feed, or another quantity. If the input has a window on it, the result is
+  /// multiplied by the weight of the window. Throws std::invalid_argument if the record lacks a
+  /// column.
   [[nodiscard]] Values input(const Input& input) const;
-  /// Returns the input of an instant part at the time of the reading in each row, including its
-  /// window.
+  /// Returns the input of an instant part at the time of the reading in each row, multiplied by the
+  /// weight of its window.
   [[nodiscard]] Values at_once(const Input& input) const;
-  /// Returns the weight of a window on the displacement at the time of the reading in each row;
-  /// null for an input without such a window.
+  /// Returns the weight of a window on the displacement at the time of the reading in each row. The
+  /// result is null if the input has no such window.
   [[nodiscard]] Values shown_share(const Input& input) const;
   /// Returns the number of rows at which the spindle turns and the power is outside the axes of its
   /// friction table.
   [[nodiscard]] std::size_t rows_beyond_table(const Input& input) const;
 
-  /// Returns the state of a lag of this input in the unit of the input, including its window.
+  /// Returns the state of a lag of this input, in the unit of the input and multiplied by the
+  /// weight of its window.
   [[nodiscard]] Values lag(const Input& input, double time_constant, const Answer& answer) const;
   /// Returns n^(1 - B exp(-C n)) for the speed n in rpm. Above the speed range of the fit, the
   /// value follows continued(). The lower end of the range is standstill, where the value is 0.
   [[nodiscard]] Values kinematic(double B, double C, const Interval& seen = {}) const;
-  /// Returns a lag of exp(-n/n0). At standstill, the input of the lag is 0. Beyond the speed range
-  /// of the fit, the input follows continued().
+  /// Returns the state of a lag whose input is exp(-n/n0), with the speed n and n0 =
+  /// `decay_speed_rpm`. At standstill, the input is 0. Beyond the speed range of the fit, the input
+  /// follows continued().
   [[nodiscard]] Values motor(double decay_speed_rpm, double time_constant,
                              const Interval& seen = {}) const;
-  /// Returns exp(-t/tau) from the first row of the first run; 0 in later runs.
+  /// Returns exp(-t/tau) with the time t from the first row of the first run; 0 in later runs.
   [[nodiscard]] Values decay(double time_constant) const;
-  /// Returns 1 - exp(-t/tau) from the first row of the record, through all runs.
+  /// Returns 1 - exp(-t/tau). The time t starts at the first row of the record and continues
+  /// through all runs.
   [[nodiscard]] Values settling(double time_constant) const;
 
  private:

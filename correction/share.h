@@ -9,28 +9,28 @@
 
 namespace raceway::correction {
 
-/// Share of the displacement that is a lag of an input, or proportional to the input.
+/// Contribution to the displacement that is a lag of an input or proportional to the input.
 struct DrivenShare {
   Input input{};
-  double gain = 0.0;             ///< [um] per unit of the input as displayed
+  double gain = 0.0;             ///< [um] per unit of the input in text (Input::unit())
   double time_constant = unset;  ///< [s]; NaN: instant
 };
 
-/// Share of a motor that heats up or cools down with the spindle: a lag of exp(-n/n0) while the
-/// spindle turns.
+/// Contribution of a motor that heats up or cools down with the spindle. It is a lag whose input is
+/// exp(-n/n0) while the spindle turns, and 0 at standstill.
 struct MotorShare {
   double gain = 0.0;         ///< [um]
   double time_constant = 0;  ///< [s]
   double decay_speed = 0;    ///< n0 [rpm]
 };
 
-/// Share that settles from the start of the record: size (1 - exp(-t/τ)).
+/// Contribution that settles from the start of the record: size (1 - exp(-t/τ)).
 struct SettlingShare {
   double size = 0.0;         ///< [um]
   double time_constant = 0;  ///< [s]
 };
 
-/// Steps of a reading at given times.
+/// Contribution with steps at given times.
 struct JumpShare {
   struct Jump {
     double size = 0.0;  ///< [um]
@@ -40,17 +40,17 @@ struct JumpShare {
 };
 
 /// Contribution of an effect to the displacement. Simulation, step responses and exported programs
-/// all use this contribution, so their results agree. The contribution is empty for an effect that
-/// changes the response of a channel.
+/// all use this contribution, so their results agree. An effect that changes the response of a
+/// channel has no contribution (std::monostate).
 using Share =
     std::variant<std::monostate, DrivenShare, MotorShare, SettlingShare, JumpShare, Kinematic>;
 
-/// Receives a weight [m] and a factor for each row. A Series stores the factors, so calls with
-/// equal parameters receive the same object.
+/// Receives one term of the displacement: a weight, times a value for each row. A Series stores the
+/// values, so calls with equal parameters receive the same object.
 using Sink = std::function<void(double weight, const Series::Values& values)>;
 
-/// Simulates a share on a record. `seen` is the speed range of the fit [rpm]. Beyond this range,
-/// laws follow continued().
+/// Simulates a contribution on a record and passes its terms to `sink`. `seen` is the speed range
+/// of the fit [rpm]. Beyond this range, laws of the speed follow continued().
 void add_share(const Share& share, const Series& series, const Interval& seen, const Sink& sink);
 
 }  // namespace raceway::correction

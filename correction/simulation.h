@@ -12,18 +12,18 @@ namespace raceway::correction {
 
 /// Contribution of one part of a model to the displacement, at every row [m].
 struct Contribution {
-  std::string name{};  ///< channel or effect; "kinematic"
+  std::string name{};  ///< name of a channel or effect, or "kinematic"
   std::vector<double> displacement{};
 };
 
 /// Simulates the displacement at every row of a record from rest [m], including the offset of the
-/// model. After a power leaves the range of a delay element, the result is NaN until the end of
+/// model. After the input of a delay element leaves its domain, the result is NaN until the end of
 /// that run. Beyond the range of the model, lags remain linear, and laws follow continued(). Throws
 /// std::invalid_argument if the record lacks an input, or if its sampling interval differs from the
 /// interval of printed coefficients.
 void simulate(const Model& model, const Series& series, std::span<double> displacement);
 
-/// Calls the sink with each term that simulate() adds to the offset.
+/// Passes each term that simulate() adds to the offset to the sink.
 void show_parts(const Model& model, const Series& series, const Sink& sink);
 
 /// Returns the contributions of the parts to the displacement, without the offset.

@@ -16,7 +16,7 @@ struct StepResponse {
   std::string unit{};   ///< "K"; empty for an input without a unit
   struct Part {
     std::string name{};            ///< "section 1", or the effect that added the part
-    double gain = unset;           ///< final displacement [m]
+    double gain = unset;           ///< final displacement after this step [m]
     double time_constant = unset;  ///< [s]
   };
   std::vector<Part> parts{};
@@ -30,10 +30,11 @@ struct StepResponse {
   std::vector<std::string> changed_by{};
 };
 
-/// Returns the step responses of all channels of a model and of all effects that are lags. The step
-/// is 1 K, W or m/min, or 1000 rpm. The record determines the input values for a delay element (the
-/// median above zero, the largest, and the lowest below zero) and the duration for printed
-/// coefficients. Effects without a lag and the kinematic law are left out.
+/// Returns the step responses of all channels of a model and of all effects that are lags. An
+/// effect on a channel is part of the response of that channel. The step is 1 K, W or m/min, or
+/// 1000 rpm. The record determines the input values for a delay element (the median above zero, the
+/// largest, and the lowest below zero) and the duration for printed coefficients. Effects without a
+/// lag and the kinematic law are left out.
 [[nodiscard]] std::vector<StepResponse> step_responses(const Model& model,
                                                        const record::Record& record);
 

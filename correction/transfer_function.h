@@ -9,7 +9,7 @@
 
 namespace raceway::correction {
 
-/// Transfer function as papers and controls print it, for one sampling time.
+/// Transfer function with coefficients as papers and controls print them, for one sampling time.
 ///
 ///   y(k) = sum a(i) u(k-i) - sum b(i) y(k-i),   b(0) = 1
 ///
@@ -17,16 +17,17 @@ namespace raceway::correction {
 /// Traps:    slow poles are so close to 1 that the printed digits determine gain and stability.
 ///           With a sampling time of 1 s and time constants of 5400 and 900 s, the coefficients of
 ///           the denominator have a sum of only 2e-7. The program therefore reads, checks and runs
-///           transfer functions, but never identifies them. Identification uses sections.
+///           transfer functions, but identify() uses sections. Only the ARX baseline fits transfer
+///           functions, for comparison.
 struct TransferFunction {
   std::vector<double> numerator, denominator;
   double sampling = unset;  ///< [s]
 };
 
-/// Cancels a common root of numerator and denominator at exactly 1. Such a pole never decays. It
-/// cancels in exact arithmetic, but the numerical result drifts. Throws std::invalid_argument
-/// without coefficients, if b(0) is not 1, if a coefficient is not finite, and if the sampling time
-/// is not positive.
+/// Returns the function without a common root of numerator and denominator at exactly 1. Such a
+/// pole never decays. It cancels in exact arithmetic, but the numerical result drifts. Throws
+/// std::invalid_argument if a polynomial is empty, b(0) is not 1, a coefficient is not finite, or
+/// the sampling time is not positive.
 [[nodiscard]] TransferFunction reduced(const TransferFunction& printed);
 
 /// Returns the reduced function with a numerator in um per `unit` [SI] of the input and with two
@@ -39,15 +40,16 @@ struct TransferFunction {
 /// function.
 [[nodiscard]] std::vector<double> run(const TransferFunction& printed,
                                       std::span<const double> input);
-/// Runs the function as a controller does, in single precision and not reduced.
+/// Runs the function as a controller does: in single precision and without cancelling roots.
 [[nodiscard]] std::vector<float> run_single(const TransferFunction& printed,
                                             std::span<const float> input);
 
-/// Transfer function as a sum of lags of the previous input sample and a direct feedthrough.
+/// Transfer function as the sum of a direct feedthrough and of lags that follow the previous input
+/// sample.
 ///
 ///   y(k) = through u(k) + sum x_i(k),   x_i(k) = x_i(k-1) + rise_i (gain_i u(k-1) - x_i(k-1))
 ///
-/// Source:   partial fractions in z^-1, of the reduced function.
+/// Source:   partial fractions of the reduced function in z^-1.
 /// Domain:   the poles are real, distinct and in the open interval (0, 1). The numerator is not
 ///           longer than the denominator.
 /// Accuracy: limited by the poles, which are found in extended precision because poles of slow
@@ -65,8 +67,8 @@ struct ParallelForm {
 /// Throws std::invalid_argument if a pole prevents this form; the message names the pole.
 [[nodiscard]] ParallelForm parallel_form(const TransferFunction& printed);
 
-/// Explains poles that no physical body has, one sentence each: on or outside the unit circle,
-/// negative, or complex.
+/// Returns one sentence for each kind of pole that no thermal body has: on or outside the unit
+/// circle, negative, or complex.
 [[nodiscard]] std::vector<std::string> pole_warnings(const TransferFunction& printed);
 
 /// Returns true if a pole of the reduced function lies on or outside the unit circle.
@@ -75,7 +77,7 @@ struct ParallelForm {
 /// Properties of printed coefficients.
 struct TransferFunctionCheck {
   std::vector<std::complex<double>> poles{};  ///< poles as printed, the largest first
-  /// Time constant of each pole [s]; NaN if the pole is not a decay.
+  /// Time constant of each pole [s]; NaN unless the pole is real and between 0 and 1.
   std::vector<double> time_constants{};
   double dc_gain = unset;  ///< in the unit of a(0)
   /// Range of the gain from rounding the last printed digit of every coefficient: 5th and 95th
@@ -89,7 +91,7 @@ struct TransferFunctionCheck {
 };
 
 /// Checks printed coefficients. `quantum` is the resolution of the input's sensor in its unit.
-/// `unit` is the unit of the displacement. The check reports a step of the resolution that moves
+/// `unit` is the unit of the displacement. A warning is added if one step of the resolution moves
 /// the displacement by more than a tenth of this unit.
 [[nodiscard]] TransferFunctionCheck check(const TransferFunction& printed, double quantum = 0.1,
                                           std::string_view unit = "um");

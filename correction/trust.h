@@ -7,7 +7,7 @@
 #include "correction/model.h"
 #include "correction/range.h"
 
-/// Rates the trust in a correction from held-out readings.
+/// Rates how far a correction can be trusted, from its error on held-out readings.
 namespace raceway::correction {
 
 enum class TrustLevel { unknown, do_not_use, within_range, good };
@@ -24,15 +24,16 @@ struct Trust {
 /// ...", "not known: ...".
 [[nodiscard]] std::string line_of(const Trust& trust);
 
-/// Returns the rms of the readings after subtracting one constant from each run: the error without
-/// a correction [m].
+/// Returns the rms of the readings after subtracting the mean of each run [m]. This is the error
+/// without a correction.
 [[nodiscard]] double uncorrected_rms(const Model& model, const record::Record& record);
 
-/// Returns the evidence of a record to which a model was fitted. `error` is the rms error on
+/// Returns the evidence from the record to which a model was fitted. `error` is the rms error on
 /// held-out readings [m]; NaN if nothing could be held out.
 [[nodiscard]] Evidence evidence_on(const Model& model, const record::Record& record, double error);
 
-/// Returns the trust that the evidence of a model supports. The first matching level is used:
+/// Returns the trust that the evidence of a model supports; `unknown` if the model has no evidence.
+/// The first matching level is used:
 ///
 ///   do not use    nothing was held out; the readings move only once from one state to another; a
 ///                 time constant is longer than the readings; the residual contains more than half
@@ -41,17 +42,17 @@ struct Trust {
 ///                 tolerance or, without a tolerance, a quarter of the displacement
 ///   good          otherwise
 ///
-/// An error on another record (`Evidence::other_record`) is direct evidence. The function then
-/// ignores the conditions on the shape and the length of the first record.
+/// If the error comes from another record (`Evidence::other_record`), the conditions on the length
+/// of the readings and on readings that move only once are not checked.
 /// Accuracy: the limits are our choice. They were tested on corrections found in the first 1 to 12
 /// h of data/corrections/exact. No correction whose residual in test.csv exceeds a fifth of the
 /// displacement is rated good.
 [[nodiscard]] Trust trust_of(const Model& model);
 
-/// Returns the trust for a record. The level is never better than the level that the readings of
-/// the record support. If the record leaves the range, the level is at best "within range".
-/// `errors` are the errors of the readings after subtracting one constant; `uncorrected` comes from
-/// uncorrected_rms().
+/// Returns the trust for a record. The level is `do_not_use` if the error leaves more than half of
+/// the mean square of the displacement in this record; otherwise trust_of() applies. If the record
+/// leaves the range of the fit, `good` becomes `within_range`. `errors` are the errors of the
+/// readings after subtracting one constant; `uncorrected` comes from uncorrected_rms().
 [[nodiscard]] Trust trust_on(const Model& model, const Metrics& errors, double uncorrected,
                              const Beyond& beyond);
 

@@ -4,9 +4,9 @@
 
 namespace raceway::correction {
 
-/// Two temperature columns have exchanged names, because a plug or a header was exchanged. The
-/// effect exchanges two columns and fits the model again. The effect tries each pair of columns of
-/// which the model uses at least one.
+/// Two temperature columns have exchanged names, because a plug or a header was exchanged. faults()
+/// returns the record with exchanged columns for each pair of which the model uses at least one. It
+/// leaves out columns with jumps and pairs that drive one channel together.
 struct ExchangedColumns final : EffectKind {
   static constexpr EffectCard exchanged_card{
       .id = "exchanged-columns",

@@ -10,11 +10,11 @@
 
 namespace raceway::correction {
 
-/// A recorded column that the model does not use. The effect is a lag of this column. A position is
-/// not a heat source, so its column acts without a lag. If the channels of the model have a common
-/// reference, a temperature is taken relative to this reference. A position can also define a
-/// window in which an additional lag of the input of a channel acts. Some windows of the recorded
-/// range of the position are tried.
+/// A recorded column that the model does not use moves the machine. The effect is a lag of this
+/// column. A position is not a heat source, so its column acts without a lag. If the channels of
+/// the model have a common reference, a temperature is taken relative to this reference. A position
+/// can also define a window in which an additional lag of the input of a channel acts. Five windows
+/// within the recorded range of the position are tried.
 struct RecordedInput final : EffectKind {
   static constexpr EffectCard recorded_card{
       .id = "input",

@@ -4,9 +4,9 @@
 
 namespace raceway::correction {
 
-/// The displacement steps with the last digit of a sensor. The record itself shows this effect: at
-/// each change of that digit, the residual steps back by at most the amount that the feedthrough
-/// explains.
+/// The predicted displacement steps with the last digit of a sensor. The record itself shows this
+/// effect: where that digit changes, the residual steps back by at least 0.4 of the step that the
+/// feedthrough predicts, on average over 30 or more changes.
 struct SensorQuantisation final : EffectKind {
   static constexpr EffectCard quantisation_card{
       .id = "sensor-quantisation",

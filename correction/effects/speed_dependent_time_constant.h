@@ -5,7 +5,7 @@
 
 namespace raceway::correction {
 
-/// A faster spindle warms up in a shorter time:
+/// The machine warms up in a shorter time at a higher speed n:
 ///
 ///   τ = τ0 f,  K = K0 f^g,  f = 1/(1 + s n/10 000 rpm)
 struct SpeedDependentTimeConstant final : EffectKind {
