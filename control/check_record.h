@@ -14,24 +14,26 @@ namespace raceway::control {
 /// Returns a check record from the first run of a measured record, with at most `most_rows` rows.
 ///
 /// Inputs are limited to the ranges of the models, because the program of a control intentionally
-/// differs from `correct` outside these ranges. The check ends at the first row in which a power
-/// leaves its range. It has no rows if fewer than two rows remain.
+/// differs from `correct` outside these ranges. The check ends before the first row in which a
+/// power leaves its range or a model has no result. It has no rows if fewer than two rows remain.
 [[nodiscard]] ControlCheck check_of(const ControlPlan& plan,
                                     const std::vector<correction::Model>& models,
                                     const record::Record& record, std::size_t most_rows = 1000);
 
 /// Returns a synthetic check record within the ranges: warm-up, cool-down, blocks of speeds and
-/// feeds, a coolant that switches on and off, and a gap in time. The record is long enough for the
-/// slowest section.
+/// feeds, a coolant that switches on and off, and a gap in time. Without difference equations, the
+/// record lasts twice the time constant of the slowest section. With them, it has 60 rows at their
+/// sampling interval and no gap.
 [[nodiscard]] ControlCheck made_up_check(const ControlPlan& plan,
                                          const std::vector<correction::Model>& models);
 
-/// Returns one sentence for each unsmoothed sensor and each axis that a step of the last digit of
-/// this sensor moves by half a micrometre or more at once.
+/// Returns one sentence for each temperature sensor without smoothing and each axis, if one step of
+/// the last digit of the sensor moves the axis by 0.5 um (urad) or more at once.
 [[nodiscard]] std::vector<std::string> coarse_sensors(const ControlPlan& plan,
                                                       const record::Record& record);
 
-/// Applies allow_to_stand() to every sensor of a record. Returns one sentence for each change.
+/// Applies allow_to_stand() to every input, with the longest time for which the record shows it
+/// constant. Returns one sentence for each change.
 [[nodiscard]] std::vector<std::string> allow_still_sensors(ControlPlan& plan,
                                                            const record::Record& record);
 

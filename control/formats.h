@@ -6,10 +6,11 @@
 
 #include "control/plan.h"
 
-/// Corrections as programs and tables that run without raceway.
+/// Writes corrections as programs and tables that need no raceway on the control.
 ///
-/// All programs give the same numbers as `correct`. Their flags have the same meaning in all
-/// formats: see docs/control.md. `name` is the file name without extension, as an identifier.
+/// If all inputs are valid and within the ranges of the models, the programs give the same numbers
+/// as `correct`, except for the differences in ControlPlan::notes. Flags have the same meaning in
+/// all programs: see docs/control.md. `name` is the file name without extension, as an identifier.
 namespace raceway::control {
 
 /// Returns a program for Python 2.7 and 3. It needs only the standard library.
@@ -29,7 +30,8 @@ namespace raceway::control {
 [[nodiscard]] std::string control_hal_shutdown(const ControlPlan& plan, std::string_view name,
                                                std::string_view program);
 
-/// Returns a table with one number per row, with its unit and its part.
+/// Returns a table with one number per row, with its unit and the part of the correction that uses
+/// it.
 [[nodiscard]] std::string control_csv(const ControlPlan& plan);
 
 }  // namespace raceway::control

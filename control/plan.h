@@ -18,8 +18,8 @@
 ///   s += (1 - exp(-dt/tau)) (target - s),   dt the time since the last call, as measured
 ///
 /// Inputs that vary linearly between two samples, such as temperatures, use the exact step for a
-/// ramp. Polynomials with poles of lags become sections; other polynomials run as difference
-/// equations with a fixed interval between calls.
+/// ramp. A transfer function that is a sum of lags (correction::parallel_form()) becomes sections.
+/// Other transfer functions run as difference equations with a fixed interval between calls.
 namespace raceway::control {
 
 inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
@@ -70,7 +70,7 @@ struct ControlDrive {
   std::size_t reference = nowhere;    ///< reference temperature of a rise
   /// Inputs at which the table of a power is read.
   std::size_t axial_load = nowhere, radial_load = nowhere, temperature = nowhere;
-  double temperature_C = unset;            ///< value if no input has it
+  double temperature_C = unset;            ///< temperature for the table if no input supplies it
   std::size_t table = nowhere;             ///< table of a power
   double exponent = 1.0;                   ///< exponent of a size
   double decay_rpm = unset;                ///< n0 of a motor
@@ -80,7 +80,7 @@ struct ControlDrive {
   /// points, 1 between the inner points, and linear between an outer and an inner point.
   std::size_t window = nowhere;
   double window_from = unset, window_full_from = unset, window_full_to = unset, window_to = unset;
-  bool window_of_drive = false;  ///< true: the window multiplies u, else the displacement
+  bool window_of_drive = false;  ///< true: the window multiplies u; false: the displacement
 };
 
 /// A lag whose input is a drive.
@@ -90,10 +90,10 @@ struct ControlSection {
   double gain = unset;  ///< [um] per unit of the drive
   double time_constant_s = unset;
   bool straight = false;  ///< true: u is linear between samples; false: constant
-  double direct = 0.0;    ///< share of gain u without lag, for a sensor that lags
+  double direct = 0.0;    ///< share of gain u that acts at once, because the sensor lags
   double off_gain = 1.0, off_time_constant = 1.0;  ///< ratios if coolant_on is 0
   double speed_factor = 0.0, gain_power = 1.0;     ///< tau f, K f^g, f = 1/(1 + s n/10 000 rpm)
-  double falling = 1.0;                            ///< ratio of tau if the target is nearer to 0
+  double falling = 1.0;                            ///< factor on tau if u is below s/gain
 };
 
 /// A function of the drive: a line, a power law, or a table that is constant beyond its ends.
@@ -126,8 +126,8 @@ struct ControlFeedthrough {
 ///
 ///   y(k) = sum numerator(i) u(k-i) - sum denominator(i) y(k-i),   denominator(0) = 1
 ///
-/// The equation advances in a call that follows `sampling_s` after the previous call. In other
-/// calls, it does not change.
+/// The equation advances in a call that comes `sampling_s` after the previous call (within
+/// interval_tolerance). In other calls, y does not change.
 struct ControlEquation {
   std::string channel{};
   std::size_t drive = nowhere;
@@ -151,14 +151,15 @@ struct ControlAxis {
   std::string column{};      ///< "displacement_z_um"
   std::string identifier{};  ///< as in ControlInput
   std::string name{};        ///< name of the model
-  std::string letter{};      ///< machine axis that it moves: "z"; empty if not given
+  std::string letter{};      ///< machine axis that the output moves: "z"; empty if not given
   double sign = -1.0, limit_um = 100.0, slew_um_s = 1.0;
-  double unit_um = 1.0;  ///< unit of the output
+  double unit_um = 1.0;  ///< unit of the output, in um
   bool counts = false;   ///< true: the output is a whole number of these units
   std::string output{};  ///< "offset_z_um", "offset_z_mm", "offset_z_counts", "offset_b_urad"
-  bool angle = false;    ///< true: urad in place of um in all numbers
+  bool angle = false;    ///< true: all numbers in um are in urad instead
   double offset_um = 0.0;
-  /// Trust in the model in the words of correction::name(), and the reason; empty if not known.
+  /// Trust in the model as a text from correction::name(), and the reason. Both are empty if the
+  /// trust is not known.
   std::string trust{}, trust_because{};
   std::vector<ControlSection> sections{};
   std::vector<ControlElement> elements{};
@@ -167,8 +168,8 @@ struct ControlAxis {
   std::vector<ControlKinematic> kinematics{};
 };
 
-/// A record with the results of `correct`. The program contains this record, so that a user can
-/// check the program.
+/// A record with the results of `correct`. The exported program contains this record, so that users
+/// can check the program on their control.
 struct ControlCheck {
   struct Row {
     double time_s = unset;
@@ -189,10 +190,10 @@ struct ControlPlan {
   std::vector<ControlAxis> axes{};
   ControlCheck check{};
   correction::ControlSettings settings{};  ///< settings for all inputs and axes
-  /// One sentence for each part of the models that is missing in the plan or differs from the
-  /// model.
+  /// One sentence for each part of the models that the plan lacks or changes, and for each check
+  /// that the program cannot make.
   std::vector<std::string> notes{};
-  /// One sentence for each physically implausible property of a part.
+  /// One sentence for each physically impossible property of a difference equation.
   std::vector<std::string> warnings{};
 };
 
@@ -203,7 +204,7 @@ struct ControlPlan {
 [[nodiscard]] std::size_t place_of(const ControlPlan& plan, std::string_view column);
 
 /// Makes a plan. Throws InputError for parts that a control cannot run: polynomials that never
-/// decay, polynomials with different sampling intervals, and a user-made formula.
+/// decay, polynomials with different sampling intervals, and user-defined formulas.
 [[nodiscard]] ControlPlan control_plan(const std::vector<correction::Model>& models,
                                        const correction::ControlSettings& settings,
                                        const std::string& source);
@@ -213,10 +214,10 @@ struct ControlPlan {
 void in_order(ControlPlan& plan);
 
 /// Increases stuck_s, the time after which a sensor counts as stuck, if a working sensor was
-/// constant for `still_s`. The new time is 1.5 times `still_s`, rounded up to 10 minutes, at most
-/// one day. This applies only to a temperature for which `settings` have the default of stuck_s.
-/// Returns a sentence on the change; empty if nothing changed. `where` names the record in which
-/// the sensor was constant.
+/// constant for `still_s`. The new time is 1.5 times `still_s`, rounded up to 10 minutes, and at
+/// most one day. It is used only if it is longer than the current time, only for temperatures, and
+/// only if `settings` have the default of stuck_s. Returns a sentence on the change; empty if
+/// nothing changed. `where` names the record in which the sensor was constant.
 [[nodiscard]] std::string allow_to_stand(ControlInput& input, double still_s,
                                          const correction::ControlSettings& settings,
                                          const std::string& where);
@@ -229,7 +230,7 @@ void in_order(ControlPlan& plan);
 /// Returns the text on the trust in the model of an axis; empty if not known.
 [[nodiscard]] std::string trust_line(const ControlAxis& axis);
 
-/// Makes every axis give its offset in whole counts, for LinuxCNC.
+/// Changes the output of every axis to whole counts, for LinuxCNC.
 void count_in_whole_numbers(ControlPlan& plan);
 
 /// Returns the interval between two calls that the equations of a plan need [s]; NaN if there are

@@ -21,21 +21,22 @@ struct CostlyFit {
 /// Stopping rule of a fit.
 struct CostlyEnd {
   double settled = 1e-4;  ///< relative fall of the misfit that counts as no progress
-  /// Fits with a larger misfit than this value need no exact derivatives.
+  /// A fit with a larger misfit than this value ends without exact derivatives.
   double hopeless = std::numeric_limits<double>::infinity();
   /// True if the fit stops as soon as exact or approximate derivatives predict a relative fall
-  /// below `settled`. Such a fit takes the last step without a prediction. The result shows which
-  /// misfit a full fit would reach.
+  /// below `settled`. Such a fit takes the last step by extrapolation, without a prediction. Its
+  /// misfit approximates the misfit of a full fit.
   bool rough = false;
 };
 
 /// Minimises the weighted sum of squares of means over the named parameters by the method of
 /// Levenberg and Marquardt. A parameter has a logarithmic scale if its bounds span more than a
-/// decade; otherwise its typical size is the scale. Derivatives are differences over a fiftieth or
-/// a fifth of the scale, so neither the tolerance of a simulation nor its step sizes disturb them.
-/// Between two sets of differences, a rank-one update corrects the derivatives (Broyden 1965). A
-/// fit needs two predictions for each parameter plus four. Several threads must not use one object
-/// at the same time, because its methods share a buffer of readings.
+/// decade; otherwise its typical size is the scale. Derivatives are differences over 0.02 of the
+/// logarithm or 0.2 of the typical size. These steps are so large that neither the tolerance of a
+/// simulation nor its step sizes disturb the derivatives. Between two sets of differences, a
+/// rank-one update corrects the derivatives (Broyden 1965). A typical fit needs two predictions for
+/// each parameter, plus four. Several threads must not use one object at the same time, because its
+/// methods share a buffer of readings.
 class CostlyProblem {
  public:
   /// The arguments are the same as for Separable.
@@ -47,10 +48,11 @@ class CostlyProblem {
   [[nodiscard]] CostlyFit from(const Eigen::VectorXd& start, const CostlyEnd& end) const;
   /// Continues from `base`, a fit of the first of these parameters. The remaining parameters belong
   /// to candidates. `sizes` are the indices of the candidate parameters that were neutral at the
-  /// end of `base`. `initial` contains values that are not neutral. If a fit stops at a bound or
-  /// lowers the misfit by less than 10 %, it starts again from the start of `base`, if that point
-  /// is far away and the derivatives promise a gain there. In `base`, parameters may have moved to
-  /// absorb the missing effect, and these values may block the candidate.
+  /// end of `base`. `initial` contains values that are not neutral. If the size of a candidate ends
+  /// at a bound, or the misfit falls by less than 10 %, a second fit begins at the start of `base`.
+  /// The second fit runs only if that point is far away and the derivatives predict a gain there.
+  /// It is needed because parameters of `base` may have moved to absorb the missing effect, and
+  /// then block the candidate.
   [[nodiscard]] CostlyFit beyond(const CostlyFit& base, const Eigen::VectorXd& initial,
                                  const std::vector<std::size_t>& sizes, const CostlyEnd& end) const;
   /// Continues a fit of these parameters.

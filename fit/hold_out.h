@@ -8,7 +8,7 @@
 
 namespace raceway::fit {
 
-/// Returns blocks of observations instead of blocks of rows.
+/// Returns Judged::blockings() with the block of each observation instead of each row.
 [[nodiscard]] std::vector<Blocking> blocks_of_observations(const Judged& subject,
                                                            const Record& record,
                                                            const Observations& observed);
@@ -39,8 +39,8 @@ struct HoldOut {
 [[nodiscard]] std::vector<double> rms_over(const std::vector<HoldOut>& results,
                                            std::vector<double> HoldOut::*rmse);
 
-/// Returns true if the model is better in two blockings (or in all, if there are fewer) and
-/// significantly worse in none.
+/// Returns true if the second model is better in at least two blockings (or in all, if there are
+/// fewer) and significantly worse in none.
 [[nodiscard]] bool confirmed(const std::vector<HoldOut>& results);
 
 }  // namespace raceway::fit

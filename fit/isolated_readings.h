@@ -7,13 +7,13 @@
 
 #include "record/record.h"
 
-/// Removes readings over time that cannot be true.
+/// Removes readings that cannot be true from records over time.
 namespace raceway::fit {
 
 /// Criteria for isolated readings, as distances from the neighbours.
 struct Isolation {
   bool steady = true;       ///< true: also removes small jumps while speed and loads are steady
-  double impossible = 3.0;  ///< limit at any speed, in multiples of the range of all other readings
+  double impossible = 3.0;  ///< limit at any speed, in multiples of the range of the readings
 };
 
 /// A time record without its isolated readings, and a list of them.
@@ -60,12 +60,12 @@ struct PossibleRows {
   std::vector<std::string> statements{};
 };
 
-/// Removes impossible rows of a rig or shaft: rows with a temperature below -60 or above 200 C, and
-/// rows with an extreme reading of the first measured channel. A test that would remove more than a
-/// tenth of the rows removes none. A reading is extreme if it lies outside the range of the
-/// readings by more than three times this range, although the inputs of its row are within the
-/// range of the other rows. The range excludes two readings, or a hundredth of the readings, at
-/// either end. Records with fewer than 15 rows are not changed.
+/// Removes impossible rows from the record of a rig or shaft: rows with a temperature below -60 or
+/// above 200 C, and rows with an extreme reading of the first measured channel. A test that would
+/// remove more than a tenth of the rows removes none. A reading is extreme if it lies outside the
+/// range of the readings by more than three times this range, although the inputs of its row are
+/// within the range of the other rows. The range excludes two readings, or a hundredth of the
+/// readings, at either end. Records with fewer than 15 rows are not changed.
 [[nodiscard]] PossibleRows without_impossible_rows(const record::Record& record);
 
 }  // namespace raceway::fit

@@ -13,8 +13,8 @@ namespace raceway::fit {
 using record::Channel;
 using record::Record;
 
-/// Form of a smooth misfit of unknown origin: the typical reading times a sum of products of powers
-/// of inputs.
+/// Form of a smooth misfit of unknown origin. It is the typical reading times a sum of terms. Each
+/// term is a product of powers of the inputs.
 struct Surface {
   struct Input {
     std::vector<double> values;  ///< value of each row, on a scale on which the misfit is smooth
@@ -24,8 +24,8 @@ struct Surface {
   std::vector<std::vector<int>> terms{};  ///< exponents of all inputs, for each term
 };
 
-/// Columns of a regression that fits any missing effect. The residuals of this regression are
-/// therefore noise. If there are too few rows for all columns, the first columns are used.
+/// Columns of the saturated regression. It has so many terms that it fits any missing effect, so
+/// its residuals are noise. If there are too few rows for all columns, the first columns are used.
 struct Saturation {
   Surface surface{};
   std::vector<const Channel*> levels{};  ///< inputs with one free value for each level
@@ -35,8 +35,7 @@ struct Saturation {
   bool proportional = false;
 };
 
-/// Quantity with a value for each row. A law may be bent, which means that it is multiplied by
-/// powers of this quantity.
+/// Quantity with a value for each row. A law may be multiplied by a power of this quantity.
 struct Factor {
   std::string name;            ///< readable name: "speed"
   std::vector<double> values;  ///< value of each row
@@ -74,7 +73,7 @@ struct Fault {
   bool certain = true;     ///< true: the fault is certain for every model; false: the fault must
                            ///< explain the residuals
   std::string datum;       ///< description of the fault: "the sensor of ..."
-  std::string correction;  ///< details of the fault
+  std::string correction;  ///< description of the correction: "its resolution is 0.1 K ..."
   /// Record without the fault, as far as a correction is possible.
   std::shared_ptr<const Record> without{};
 };
@@ -99,8 +98,8 @@ class Judged {
   /// Returns the input that an effect of Subject::catalogue() needs and that the model or record
   /// lacks; empty if nothing is missing.
   [[nodiscard]] virtual std::string lacks(const std::string& id, const Record& record) const;
-  /// Returns the missing levels. Without these levels, parameters of the model have almost the same
-  /// influence. Empty if none are missing.
+  /// Returns the levels of inputs that the record lacks. Without them, parameters of the model have
+  /// almost the same influence as the effect. The text is empty if none are missing.
   [[nodiscard]] virtual std::string lacks_levels(const std::string& id, const Record& record) const;
   /// Returns faults of the record. Default: none.
   [[nodiscard]] virtual std::vector<Fault> faults(const Record& record) const;
@@ -118,10 +117,11 @@ class Judged {
   /// Returns the factors by whose powers the law of a candidate may be multiplied. Default: the
   /// inputs with a value in every row.
   [[nodiscard]] virtual std::vector<Factor> factors(const Record& record) const;
-  /// Returns the formula of a shape; empty if the model supports none.
+  /// Returns the formula of a shape; empty if the model supports no formulas.
   [[nodiscard]] virtual std::optional<Formula> formula(const Record& record) const;
-  /// Returns the blockings for hold-out tests. Default: one level or range of levels of one input
-  /// at a time; runs if there are few inputs.
+  /// Returns the blockings for hold-out tests. Default: a blocking for each input that varies, with
+  /// its levels or up to eight ranges as blocks. If there are fewer than three such blockings, runs
+  /// are also held out.
   [[nodiscard]] virtual std::vector<Blocking> blockings(const Record& record) const;
 
   // Next measurements.
@@ -130,7 +130,8 @@ class Judged {
   [[nodiscard]] virtual std::vector<Axis> axes(const Record& record) const;
   /// Describes a point. Default: "995 rpm, 100 N".
   [[nodiscard]] virtual std::string words(std::span<const Setting> point) const;
-  /// Returns further quantities that would separate the rival effects if they were recorded.
+  /// Returns the quantities that should also be recorded to separate the rival effects. Default:
+  /// none.
   [[nodiscard]] virtual std::vector<std::string> records_needed(
       const Record& record, const std::vector<std::vector<std::string>>& rivals,
       const std::vector<std::string>& not_testable) const;

@@ -14,7 +14,7 @@ class LeastSquares {
   [[nodiscard]] double fall(const Eigen::VectorXd& d) const;
 
   /// Finds the minimum of |r - A d|² + damping Σ |A_k|² d_k² for d within [lower, upper] by an
-  /// active-set method. Returns true if the method settled. `side` gives the bound at which each
+  /// active-set method. Returns true if the method converged. `side` gives the bound at which each
   /// parameter is held.
   bool solve(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, double damping,
              Eigen::VectorXd& d, std::vector<int>& side) const;

@@ -5,7 +5,7 @@
 
 namespace raceway::fit {
 
-/// Likelihood of readings for a fit, with normal noise of covariance S.
+/// Likelihood of the readings for a fit, with normally distributed noise of covariance S.
 ///
 ///   -2 ln L = χ² + ln det(2 π S),   χ² = eᵀ S^-1 e
 ///   AIC = -2 ln L + 2 k      [Akaike1974]
@@ -35,8 +35,8 @@ struct Likelihood {
 [[nodiscard]] double widening(double misfit, int degrees_of_freedom);
 
 /// Returns the likelihood of independent readings with equal weights and the most likely noise
-/// variance: -2 ln L = N (1 + ln(2 π s²)), s² = Σe²/N. As usual, k does not include the variance of
-/// the noise.
+/// variance: -2 ln L = N (1 + ln(2 π s²)), s² = Σe²/N. k does not include the variance of the
+/// noise.
 [[nodiscard]] Likelihood likelihood_of_alike(double rmse, int readings, int parameters);
 
 }  // namespace raceway::fit

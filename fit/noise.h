@@ -30,8 +30,8 @@ struct Noise {
 
 /// Returns the noise of a measured channel: the rms of declared or regression standard deviations
 /// if every reading has one. Otherwise the noise is the scatter within repeats, if the repeats have
-/// at least 3 degrees of freedom. The misfit of a model is never used, because missing physics
-/// would then appear as noise.
+/// at least 3 degrees of freedom and are not all equal. The misfit of a model is never used,
+/// because missing physics would then appear as noise.
 [[nodiscard]] Noise estimate_noise(const record::Record& record, const record::Channel& measured);
 
 /// Readings that were repeated during one stop, for example by several approaches of a probe.
@@ -53,14 +53,15 @@ struct Repeatability {
 
 /// Finds the scatter of readings within stops: groups of 2 to 30 readings of one run, with much
 /// longer breaks between groups than within a group. A straight line is subtracted from groups of 4
-/// or more readings, because the machine may move during the stop. The result is empty if the
-/// record has no such groups.
+/// or more readings, because the machine may move during the stop. The result is empty unless at
+/// least two such groups contain at least half of the readings and have at least 3 degrees of
+/// freedom.
 [[nodiscard]] Repeatability repeatability(const record::Record& record,
                                           const record::Channel& measured);
 
 /// Returns the scatter of single readings [SI], from stops if there are any, otherwise from
-/// neighbouring readings. NaN if there are fewer than 32 readings, or if they are too far apart in
-/// time to separate noise from real motion.
+/// neighbouring readings. NaN if there are fewer than 32 readings, or if the readings are too far
+/// apart in time (120 s) to separate noise from real motion.
 [[nodiscard]] double noise_of_neighbours(const record::Record& record,
                                          const record::Channel& measured);
 

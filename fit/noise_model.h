@@ -14,12 +14,12 @@ namespace raceway::fit {
 ///
 ///   s_i² = (relative y_i (n_i/n_max)^p)² + (absolute a_i)² + (input b_i)²
 ///
-/// The input n is the swept input, and a_i = 1. The number b_i is the change of the reading when an
+/// The input n is the swept input, and a_i = 1. The number b_i is the change of reading i when an
 /// input changes by the width of a level. Both a and b are divided by their rms. The correlation is
-/// described in Whitening. For means over dwells, a_i comes from the scatter within a dwell and is
-/// independent of its neighbours. Declared standard deviations replace the whole sum. The noise is
-/// estimated from the residuals of a saturated regression. The misfit of a physical model is never
-/// used, because missing physics would then appear as noise.
+/// described in Whitening. For means over dwells, a_i comes from the scatter within the dwell, and
+/// this part of the noise is independent of other readings. Declared standard deviations replace
+/// the whole sum. The noise is estimated from the residuals of a saturated regression. The misfit
+/// of a physical model is never used, because missing physics would then appear as noise.
 struct NoiseModel {
   /// Standard deviation relative to the reading, at the largest value of the swept input [1].
   double relative = 0.0;
@@ -40,8 +40,8 @@ struct NoiseModel {
   /// Other shapes of the noise that the readings allow. A verdict must be valid for each of these
   /// shapes.
   std::vector<Whitening> allowed{};
-  /// True if the data cannot show the difference between runs, because the setting also changes
-  /// with every change of run.
+  /// True if the data cannot show offsets of runs, because a setting also changes with every change
+  /// of run.
   bool unknown_runs = false;
   bool undeclared_blocks = false;  ///< `run_share` describes blocks that are not declared as runs
   bool as_declared = false;  ///< true: the declared standard deviations agree with the estimate
@@ -110,8 +110,8 @@ struct ChannelReadings {
                                               const Eigen::VectorXd& size,
                                               const NoiseOptions& options = {});
 
-/// Returns a whitening with this noise for other readings of the channel, of typical sizes `size`
-/// [SI].
+/// Returns the whitening of this noise for other readings of the channel. `size` is a typical size
+/// of each reading [SI].
 [[nodiscard]] Whitening whitening_of(const NoiseModel& noise, const ChannelReadings& readings,
                                      const Eigen::VectorXd& size);
 
@@ -119,13 +119,13 @@ struct ChannelReadings {
 /// the error is smaller.
 [[nodiscard]] double beyond_noise(double error, double noise);
 
-/// Adds the declared error of the model to the noise as independent scatter. `error` [SI] is the
-/// same for every reading.
+/// Adds the declared error of the model to the noise as independent scatter. `error` [SI] applies
+/// to every reading.
 void add_model_error(NoiseModel& noise, const ChannelReadings& readings, double error);
 
-/// Returns known noise: a given standard deviation of every reading, with independent readings. Use
-/// this function for readings that come from a regression over many more samples than there are
-/// readings, because the regression then determines the scatter well.
+/// Returns the noise of independent readings with the known standard deviations
+/// ChannelReadings::std. Use this function for readings that come from a regression over many more
+/// samples than there are readings, because the regression then determines the scatter well.
 [[nodiscard]] NoiseModel known_noise_model(const ChannelReadings& readings);
 
 }  // namespace raceway::fit

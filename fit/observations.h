@@ -7,8 +7,8 @@
 
 namespace raceway::fit {
 
-/// Readings that a subject predicts, in sequence: channel by channel, each in the order of the
-/// rows.
+/// Readings that a model predicts, in sequence: channel by channel, each channel in the order of
+/// the rows.
 struct Observations {
   std::vector<Measured> channels{};
   std::vector<std::size_t> place{};  ///< index of each channel in Subject::measured()

@@ -27,7 +27,7 @@ struct Screened {
   /// Change of the readings for the largest size seen in practice: one column, or none if this
   /// change is a multiple of the scores.
   Eigen::MatrixXd most{};
-  std::string not_testable{};  ///< reason why it cannot be tested, in one sentence; empty if it can
+  std::string not_testable{};  ///< reason why the candidate cannot be tested; empty if it can
 
   [[nodiscard]] const std::string& id() const { return candidate.id; }
   /// Returns the parameter that is the size of the candidate.

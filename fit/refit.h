@@ -8,7 +8,7 @@
 
 namespace raceway::fit {
 
-/// Mean of readings, predicted by a fit to the other parts of the record.
+/// Mean of neighbouring readings that a fit to the other parts of the record predicts.
 struct HeldOutReading {
   std::size_t channel = 0;  ///< index in Subject::measured()
   std::size_t row = 0;      ///< row in the middle of the mean

@@ -40,8 +40,8 @@ struct Response {
   /// Returns the derivatives of the readings (observations x parameters) by differences within the
   /// bounds.
   [[nodiscard]] Eigen::MatrixXd jacobian(const Eigen::VectorXd& x) const;
-  /// Returns one-sided differences from the readings at `x`. They are accurate enough on the way to
-  /// an optimum.
+  /// Returns the derivatives by one-sided differences; `at_x` are the readings at `x`. They are
+  /// accurate enough on the way to an optimum.
   [[nodiscard]] Eigen::MatrixXd slope_beside(const Eigen::VectorXd& x,
                                              const Eigen::VectorXd& at_x) const;
   /// Tests whether the response is affine, and stores the affine form if it is.
@@ -71,21 +71,23 @@ struct ResponseFit {
   Eigen::MatrixXd tangent;
   double misfit = unset;  ///< |residual|², which is -2 ln L up to a constant [1]
 
-  /// Returns the parameter with its fitted value, error and bound.
+  /// Returns the parameter with its fitted value, its standard error and the bound that it has
+  /// reached.
   [[nodiscard]] Parameter fitted(const Response& response, std::size_t parameter) const;
 };
 
 /// Minimises |W (y - f(x))|² within the bounds. Affine responses are solved directly. Others use
 /// the method of Levenberg and Marquardt from each start, until two starts reach the best optimum
-/// (misfit within 1e-6). If no two starts agree, the fit counts as not converged.
+/// (relative difference of the misfit below 1e-6). If no two starts agree, the fit counts as not
+/// converged.
 [[nodiscard]] ResponseFit fit_response(const Response& response, const Whitening& whitening,
                                        const Eigen::VectorXd& measured,
                                        const std::vector<Eigen::VectorXd>& starts);
 
 /// Runs one search from one start. Use this function for a first ranking of many fits, and repeat
-/// the best of them in full. The search stops if a step promises a fall of the misfit below 0.05,
-/// or below 1e-4 of the misfit if that is larger. A fit that stops for this reason counts as
-/// converged. The response must not be affine.
+/// the best of them in full. The search stops if the predicted fall of the misfit in the next step
+/// is below 0.05, or below 1e-4 of the misfit if that is larger. A fit that stops for this reason
+/// counts as converged. The response must not be affine.
 [[nodiscard]] ResponseFit coarse_fit(const Response& response, const Whitening& whitening,
                                      const Eigen::VectorXd& measured, const Eigen::VectorXd& start);
 

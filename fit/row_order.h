@@ -17,9 +17,10 @@ namespace raceway::fit {
 [[nodiscard]] std::string nested_settings(const Record& record, bool each_in_one_run = false);
 
 /// Returns the rows in the standard order of a diagnosis, independent of their order in the record:
-/// by time if all rows have a time (within runs, if runs overlap in time), then by settings. Joined
-/// records remain separate. A record without time and runs keeps its order if its rows sweep one
-/// input at successive levels of another setting.
+/// by time if all rows have a time (within runs, if runs overlap in time), then by settings and
+/// readings. Without a time, rows are sorted by run first. Joined records remain separate. A record
+/// without time and runs keeps its order if its rows sweep one input at successive levels of
+/// another setting.
 [[nodiscard]] std::vector<std::size_t> order_of_rows(const Record& record);
 
 /// Returns, for readings at these rows, the time since the previous reading, the starts of runs,

@@ -24,17 +24,16 @@ struct Means {
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(list.size()); }
 };
 
-/// Returns the tolerance of a channel [SI]: the given value. Without a given value, a model that
-/// only approximates has the tolerance of its declared error combined with the noise of a reading.
-/// Otherwise NaN.
+/// Returns the tolerance of a channel [SI]. If no value is given, it is calculated for models that
+/// only approximate: it is the root of the sum of squares of the declared model error and the noise
+/// of a reading. In all other cases, it is NaN.
 [[nodiscard]] double tolerance_of(const Measured& measured, const Record& record);
 
 /// Returns means over `width` [s], each within one run and one block. A width of 0 keeps single
 /// rows.
 [[nodiscard]] Means means_of(const Subject& subject, const Record& record, double width);
 
-/// Fit of linear parameters and of other parameters. The readings are linear functions of the
-/// linear parameters.
+/// Fit of linear and other parameters. The readings are linear functions of the linear parameters.
 struct SeparableFit {
   bool converged = false;
   int iterations = 0;
@@ -55,9 +54,9 @@ struct SeparableFit {
 /// A ridge of 1e-6 on columns of unit length prevents two lags with nearly equal time constants
 /// from growing against each other. A prior adds w (v - value)²/std² for its parameter v, where w
 /// is the variance of a weighted mean. Parameters that the means determine better than the prior
-/// follow the means; the others stay at the prior. Results that a bending parameter does not change
-/// (Predictor::bends()) are stored between evaluations. Several threads must not use one object at
-/// the same time, because they would share the stored results.
+/// follow the means; the others stay at the prior. Predictions that a bending parameter does not
+/// change (Predictor::bends()) are stored between evaluations. Several threads must not use one
+/// object at the same time, because they would share the stored results.
 class Separable {
  public:
   /// `record` and `prepared` are the arguments of Subject::predictor(). All arguments must live
@@ -70,7 +69,7 @@ class Separable {
   /// Returns the indices of the bending parameters in parameters().
   [[nodiscard]] const std::vector<std::size_t>& bending() const { return bending_; }
 
-  /// Returns the least misfit for the given bending parameters.
+  /// Returns the fit with the least misfit for the given bending parameters.
   [[nodiscard]] SeparableFit at(const Eigen::VectorXd& values, int left_out = -1,
                                 double ridge = usual_ridge) const;
   /// Fits from one start. Parameters in `held` keep their values. Means of the block `left_out` are
@@ -78,9 +77,9 @@ class Separable {
   [[nodiscard]] SeparableFit from(const Eigen::VectorXd& start, int left_out = -1,
                                   const std::vector<bool>& held = {},
                                   double ridge = usual_ridge) const;
-  /// Returns the fall of the misfit for each of these values of `place` if the parameter `size` is
-  /// free. The parameter `place` acts only through `size`. Linear parameters are refitted; bending
-  /// parameters keep their values.
+  /// Returns the fall of the misfit for each value in `tried` of the parameter `place`, if the
+  /// parameter `size` is free. `place` has an influence only if `size` is not zero. Linear
+  /// parameters are refitted; bending parameters keep their values.
   [[nodiscard]] std::vector<double> falls(Eigen::VectorXd values, std::size_t size,
                                           std::size_t place,
                                           const std::vector<double>& tried) const;

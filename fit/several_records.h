@@ -50,7 +50,7 @@ class SeveralRecords : public Subject {
   [[nodiscard]] std::unique_ptr<Predictor> predictor(
       const Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
-  /// Uses the information of all records together.
+  /// Returns a copy with information from all records together.
   [[nodiscard]] std::unique_ptr<Subject> informed_by(const Record& record) const override;
 
   [[nodiscard]] std::vector<Parameter> parameters() const override;
@@ -75,15 +75,16 @@ class SeveralRecords : public Subject {
   [[nodiscard]] std::string lacks_levels(const std::string& id,
                                          const Record& record) const override;
 
-  /// Returns the saturated regression of the model, with an additional level and slope in each
-  /// record for every input.
+  /// Returns the saturated regression of the model. Each record after the first has an additional
+  /// constant and, for every input, an additional slope.
   [[nodiscard]] Saturation saturation(const Record& record) const override;
   [[nodiscard]] std::vector<const Channel*> scattering(const Record& record) const override;
   [[nodiscard]] std::vector<Factor> factors(const Record& record) const override;
   [[nodiscard]] std::optional<Formula> formula(const Record& record) const override;
-  /// Returns the blockings of the model. With three or more records, whole records are also held
-  /// out. With own parameters, no block may contain a whole record, because other records do not
-  /// determine the own parameters of that record.
+  /// Returns the blockings of the model. Without own parameters, whole records are also held out if
+  /// there are three or more. With own parameters, a blocking is left out if one of its blocks
+  /// contains a whole record, because other records do not determine the own parameters of that
+  /// record.
   [[nodiscard]] std::vector<Blocking> blockings(const Record& record) const override;
   [[nodiscard]] std::string doubt(const Record& record,
                                   std::span<const double> predicted) const override;

@@ -12,8 +12,8 @@ namespace raceway::fit {
 [[nodiscard]] Eigen::MatrixXd surface_columns(const Surface& surface, const Observations& observed,
                                               const Eigen::VectorXd& size);
 
-/// Returns `size` times an indicator of each level, for channels measured at few levels. These
-/// columns describe steps that a smooth surface cannot.
+/// Returns `size` times an indicator of each level, for channels with 3 to 12 levels. These columns
+/// describe steps, which a smooth surface cannot describe.
 [[nodiscard]] Eigen::MatrixXd level_columns(const std::vector<const Channel*>& channels,
                                             const Record& record, const Observations& observed,
                                             const Eigen::VectorXd& size);

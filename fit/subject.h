@@ -10,9 +10,9 @@
 #include "record/parameter.h"
 #include "record/record.h"
 
-/// Interface of the loop. The loop finds the error of a model against measurements, the missing
-/// effect, and the gain from this effect. It handles records, channels and parameters without
-/// knowing their physical meaning.
+/// Interface between models and the loop: calibrate(), diagnose() and add(). The loop compares a
+/// model with measurements and finds the missing effect. It handles records, channels and
+/// parameters without knowledge of their physical meaning.
 namespace raceway::fit {
 
 using record::Bound;
@@ -20,7 +20,7 @@ using record::Interval;
 using record::NamedValue;
 using record::Parameter;
 
-/// A channel that a subject predicts, and prior knowledge about the readings of this channel.
+/// A channel that a model predicts, and prior knowledge about the readings of this channel.
 struct Measured {
   const Channel* channel = nullptr;
   /// Size of a reading, relative to the rms of all readings, below which the scatter no longer
@@ -65,7 +65,7 @@ class Predictor {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 };
 
-/// An effect or datum that may be missing or wrong in a subject.
+/// An effect that may be missing in a model, or a datum that may be wrong.
 struct Candidate {
   std::string id;
   std::vector<Parameter> parameters{};  ///< parameters, named "id.name"
@@ -81,7 +81,7 @@ struct Candidate {
   /// Allowed values of each parameter, rising. An empty list, or an empty entry for one parameter,
   /// allows all values within its bounds. In a model that only approximates, a parameter with a
   /// list gives the place at which the preceding linear parameter acts, such as the time of a jump.
-  /// Places after the first are used only if they are needed.
+  /// The second and further places of one candidate are used only if they are needed.
   std::vector<std::vector<double>> only{};
   /// True if the candidate only corrects this record and does not apply to other records.
   bool of_reading = false;
@@ -121,8 +121,8 @@ struct OtherBase {
   /// `lacks`).
   std::shared_ptr<const Subject> subject{};
   std::string lacks{};  ///< data that this base model needs and that the subject lacks
-  /// True if the exponents are fitted too. Such a base model describes the data but is no law, so
-  /// that it is used only where no law does as well.
+  /// True if the exponents are fitted too. Such a base model only describes the data, so it is used
+  /// only if no law fits equally well.
   bool fitted_form = false;
 };
 
@@ -188,7 +188,7 @@ class Subject : public Judged {
   /// Explains in one sentence why an id of catalogue() cannot act in this model, for any record.
   /// The text is empty if the effect can act. Default: empty.
   [[nodiscard]] virtual std::string rules_out(const std::string& id) const;
-  /// Describes the meaning of a candidate that is a datum, at these parameter values.
+  /// Describes the corrected datum if the candidate is a datum, for these parameter values.
   /// Default: an empty text.
   [[nodiscard]] virtual std::string correction(const std::string& id,
                                                std::span<const double> values) const;

@@ -35,8 +35,8 @@ struct RowOrder {
 /// the run, r_i = u/s_i. The variance of a reading then differs from s². A reading may have a white
 /// part that is independent of its neighbours. Then c s replaces s, and s² (1 - c²) is added to its
 /// own variance. The result consists of the innovations of the Kalman filter with these states,
-/// divided by their standard deviations. It is exact and needs time and memory proportional to the
-/// number of rows.
+/// divided by the standard deviations of the innovations. The transformation is exact and needs
+/// time and memory proportional to the number of rows.
 class Whitening {
  public:
   Whitening() = default;

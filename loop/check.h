@@ -13,7 +13,7 @@ struct Check {
   struct Column {
     const record::Channel* channel = nullptr;
     double lower = unset, upper = unset;  ///< SI
-    int levels = 0;  ///< number of different values, at the resolution of files
+    int levels = 0;  ///< number of different values, after rounding to 0.001 of the unit
   };
   struct MeasuredChannel {
     const record::Channel* channel = nullptr;
@@ -26,16 +26,18 @@ struct Check {
     std::string id;
     std::string ruled_out;  ///< reason why the effect cannot act here; empty if it can
     std::string missing;    ///< input that the record or the model lacks; empty if testable
-    std::string levels;     ///< levels that the base parameters need; empty if none are missing
+    std::string levels;     ///< missing levels, see Judged::lacks_levels(); empty if none
   };
   int rows = 0, runs = 0;
-  /// Channels that the subject predicts, then other channels.
+  /// Channels that the model predicts, then the other measured channels.
   std::vector<MeasuredChannel> measured;
   std::vector<Column> columns;
-  std::vector<record::Parameter> free;  ///< free parameters, identifiable or not
+  std::vector<record::Parameter>
+      free;             ///< all free parameters, including those that are not identifiable
   std::string problem;  ///< reason why the free parameters cannot be fitted; empty if they can
-  /// Settings with a different value in every run, as text. A new setup of the rig for each run
-  /// could have the same effect on the readings. The text is empty if there are no such settings.
+  /// Names of settings that are constant within each run and different in every run. A new setup of
+  /// the rig for each run could have the same effect on the readings. The text is empty if there
+  /// are no such settings.
   std::string runs_coincide_with;
   /// One entry for each effect, in the order of Subject::catalogue().
   std::vector<Testable> catalogue;

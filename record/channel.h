@@ -15,7 +15,7 @@ namespace raceway::record {
 enum class Role {
   setting,    ///< set by the operator; may explain a reading
   recorded,   ///< recorded but not set; may explain a reading
-  measured,   ///< predicted by a model
+  measured,   ///< measured; a model may predict it
   deviation,  ///< standard deviation of a measured channel
   time,
   run,   ///< index of the run of a row
@@ -32,13 +32,14 @@ struct Channel {
   std::string_view unit = {};        ///< readable unit: "N mm"
   double factor = 1.0;               ///< SI = factor * value + offset
   double offset = 0.0;
-  double lower = 0.0, upper = 0.0;  ///< closed range of a cell in the unit of the column
+  double lower = 0.0, upper = 0.0;  ///< lowest and highest allowed value, in the unit of the column
   Role role = Role::setting;
   /// Values with a smaller difference belong to one level. The step is a share of the largest value
   /// if `ratio` is set, otherwise it is in SI.
   double step = 0.0;
   bool ratio = false;  ///< true: differences are relative to the size of the values
-  /// Channels of one kind are compared with the largest value of that kind.
+  /// Channels of one kind have a common scale: the largest value among them. Small differences
+  /// relative to this scale do not count.
   std::string_view kind = {};
   std::string_view place = {};      ///< text after a value of the channel: "rpm", "N axial load"
   std::string_view of = {};         ///< measured channel to which a deviation belongs

@@ -12,7 +12,7 @@ namespace raceway::record {
 struct FormulaError : std::invalid_argument {
   FormulaError(const std::string& what, std::size_t where, std::string which)
       : std::invalid_argument(what), position(where), unknown_name(std::move(which)) {}
-  std::size_t position;      ///< position as a byte in the formula
+  std::size_t position;      ///< position in the formula [byte]
   std::string unknown_name;  ///< the unknown name; empty for other errors
 };
 
@@ -25,10 +25,10 @@ class Expression {
   ~Expression();
 
   [[nodiscard]] const std::string& text() const { return text_; }
-  /// Returns the indices of the names that the formula uses, rising.
+  /// Returns the indices of the names that the formula uses, in ascending order.
   [[nodiscard]] const std::vector<std::size_t>& used() const { return used_; }
-  /// Evaluates the formula. `values` are the values of the used names, in the order of these names.
-  /// The result may be NaN.
+  /// Evaluates the formula. `values` are the values of the used names, in the order of used(). The
+  /// result is NaN where the formula has no value, for example outside the domain of a function.
   [[nodiscard]] double operator()(std::span<const double> values) const;
 
  private:

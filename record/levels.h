@@ -15,8 +15,8 @@ namespace raceway::record {
 /// Returns the index of the level of a value. `starts` are the lowest values of all levels.
 [[nodiscard]] std::size_t level_of(double value, std::span<const double> starts);
 
-/// Returns the step of a channel for these values [SI]: values with a smaller difference belong to
-/// one level.
+/// Returns the step of a channel for these values [SI]. Values whose difference is smaller than the
+/// step belong to one level.
 [[nodiscard]] double step_of(const Channel& channel, std::span<const double> values);
 
 }  // namespace raceway::record

@@ -32,11 +32,11 @@ struct NoteCode {
   NoteKind kind;
   std::string_view meaning;
 
-  /// Returns a note with this code; `text` is complete.
+  /// Returns a note with this code. `text` is the complete text of the note.
   [[nodiscard]] Note operator()(std::string text, Place place = {}) const;
 };
 
-/// A message that accompanies an answer. Its text is for the reader and may change.
+/// A message that accompanies a result. Its text is for people and may change between versions.
 struct Note {
   const NoteCode* code = nullptr;
   std::string text;

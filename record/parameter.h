@@ -8,15 +8,16 @@
 
 namespace raceway::record {
 
-/// Card of a parameter of a law or an effect. Values are in the unit of the files, given by `unit`
-/// and by the ending of `name`.
+/// Description of a parameter of a law or an effect. Values are in the unit of the files, given by
+/// `unit` and by the ending of `name`.
 struct NumberCard {
   std::string_view name;
   std::string_view unit;                                    ///< "1" if dimensionless
   double initial;                                           ///< default value and start of a fit
   double lower, upper;                                      ///< closed bounds for fits and files
   double plausible_lower = lower, plausible_upper = upper;  ///< range seen in practice
-  /// Value at which the effect has no influence; NaN for a parameter that only changes its shape.
+  /// Value at which the effect has no influence; NaN for a parameter that only changes the shape of
+  /// the effect.
   double neutral = 0.0;
   /// True for a temperature that a fit keeps within the temperatures of the record.
   bool of_the_record = false;
@@ -48,9 +49,9 @@ struct Parameter {
   double initial = unset;               ///< default value in the law
   double lower = unset, upper = unset;  ///< closed bounds
   double plausible_lower = unset, plausible_upper = unset;  ///< range seen in practice
-  double neutral = unset;  ///< value without influence; NaN for a shape
-  /// True if readings are proportional to the parameter while all others are fixed. Several such
-  /// parameters are jointly linear.
+  double neutral = unset;  ///< value without influence; NaN if it changes only a shape
+  /// True if the readings are linear in the parameter while all others are fixed. The readings are
+  /// also linear in all such parameters together.
   bool proportional = false;
   double scale = 1.0;   ///< typical size, > 0
   double std = unset;   ///< standard error; NaN at a bound and if the data do not determine it
@@ -58,12 +59,12 @@ struct Parameter {
   Bound at_bound = Bound::none;
   /// False if the data do not determine the parameter, or not separately from another one.
   bool identifiable = true;
-  Prior prior{};  ///< prior for models that only approximate
+  Prior prior{};  ///< prior; used only for models that only approximate
   /// True if the parameter stays at its start because another parameter has the same influence.
   /// It is also true if the parameter stays at its prior because the record does not determine the
   /// parameter.
   bool held = false;
-  bool plausible = true;  ///< true if the value is within the widened range seen in practice
+  bool plausible = true;  ///< false if the value is too far outside the range seen in practice
 };
 
 /// A value with the name of its parameter.

@@ -25,8 +25,8 @@ struct Part {
   std::string source;  ///< file name, for messages
 };
 
-/// Rows between which a setting of a time record is valid. Settings are speeds, loads and the
-/// coolant.
+/// Rows between which a setting of a time record is valid. Settings are all inputs that are
+/// constant between rows, such as speeds, loads and the coolant state.
 enum class SettingsHold {
   sampled,   ///< valid from its row to the next; the reading in the row was taken with this setting
   from_row,  ///< valid from its row to the next; the reading in the row was taken just before the
@@ -64,8 +64,8 @@ struct Record {
   /// Returns the index of the part of a row; 0 if the record was not joined.
   [[nodiscard]] std::size_t part_of(std::size_t row) const;
 
-  /// Adds a column or replaces the column of the same channel. Throws std::invalid_argument if its
-  /// length differs from the others.
+  /// Adds a column or replaces the column of the same channel. Throws std::invalid_argument if the
+  /// number of values differs from the number of rows.
   Column& set(const Channel& channel, std::vector<double> values);
 
   /// Returns true if the values of a channel differ by more than its step, absolute or relative to
@@ -81,19 +81,21 @@ struct Record {
   /// Returns a record with the columns and without rows.
   [[nodiscard]] Record without_rows() const;
 
-  /// Returns "line 12" of a file, or "row 3" counted from 1; for a part "line 12 of monday".
+  /// Returns the place of a row in words: "line 12" for a file, otherwise "row 3" (counted from 1).
+  /// For joined records, the name of the part follows: "line 12 of monday".
   [[nodiscard]] std::string place(std::size_t row) const;
   /// Returns the line of a row, or its number counted from 1.
   [[nodiscard]] int line(std::size_t row) const;
 };
 
-/// Joins records of one kind. Their order in the result is the order of their sources and does not
-/// depend on the argument. The result has all rows, record by record, and separate runs for each
-/// record. It has all columns of any record, with NaN if a record lacks a column. A part has the
-/// name of its source without folder and extension. If names would be equal, they include the
-/// folder. A deviation counts as known only if it is known in all records. The result keeps the
+/// Joins records of one kind. The result has all rows, record by record, and separate runs for each
+/// record. The records are sorted by their file names, so the order in the argument has no
+/// influence. It has all columns of any record, with NaN if a record lacks a column. A part has the
+/// name of its source without folder and extension. If two of these names are equal, both include
+/// the folder. A deviation counts as known only if it is known in all records. The result keeps the
 /// notes of all records. Throws std::invalid_argument for fewer than two records, for two records
-/// of one source, and for a record whose readings have an unknown factor.
+/// of one source, for a record whose readings have an unknown factor, and for records with
+/// different `settings_hold`.
 [[nodiscard]] Record joined(std::vector<Record> records);
 
 }  // namespace raceway::record

@@ -12,7 +12,7 @@ using RepeatGroup = std::vector<std::size_t>;
 /// Tolerances within which two rows belong to the same point, for all inputs.
 struct SamePoint {
   double relative = 1e-3;  ///< relative tolerance for inputs that are compared by ratio [1]
-  /// Tolerance for other inputs [K]; it corresponds to 0.3 % of a viscosity.
+  /// Tolerance for other inputs [K]. The default changes the viscosity of an oil by about 0.3 %.
   double temperature = 0.1;
 };
 

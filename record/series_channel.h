@@ -16,9 +16,9 @@ enum class Course {
 /// Returns the quantity of a column of a time record; null for an unknown name. Channels are
 /// created when they are first needed, because a machine may have any number of sensors. Names:
 /// NAME_temperature_C, NAME_feed_m_min, NAME_speed_rpm, coolant_on, setup_id, displacement_NAME_um
-/// and _urad, offset_NAME_um and _urad, NAME_position_mm, NAME_current_A, NAME_voltage_V, NAME in
-/// W, N, Nm, l_min, bar or percent, and from the table time_s, speed_rpm, run_id. Several threads
-/// may call this function at the same time.
+/// and _urad, offset_NAME_um and _urad, NAME_position_mm, NAME_current_A, NAME_voltage_V, NAME_W,
+/// NAME_N, NAME_Nm, NAME_l_min, NAME_bar and NAME_percent, and time_s, speed_rpm and run_id from
+/// the table in channel.h. Several threads may call this function at the same time.
 [[nodiscard]] const Channel* series_channel(std::string_view name);
 
 [[nodiscard]] Course course_of(const Channel& channel);

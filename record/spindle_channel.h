@@ -28,8 +28,8 @@ inline constexpr Channel motor_power{.name = "motor_power_W",
                                      .ratio = true,
                                      .place = "W motor power"};
 
-/// Recorded moment at the nose [N m]. A positive moment has the same direction as the moment of a
-/// radial load in front of the nose.
+/// Recorded moment at the nose [N m]. It is positive if it turns the shaft like a positive radial
+/// load in front of the nose.
 inline constexpr Channel nose_moment{.name = "moment_Nm",
                                      .variable = "moment",
                                      .words = "moment at the nose",
@@ -56,7 +56,7 @@ inline constexpr Channel belt_force{.name = "belt_force_N",
 /// name. Names: time_s, run_id, speed_rpm, axial_load_N, radial_load_N, moment_Nm, belt_force_N,
 /// coolant_on, motor_heat_W, motor_power_W, ambient_temperature_C, machine_temperature_C,
 /// coolant_inlet_temperature_C. Measured channels are axial_displacement_um (with std_um) and every
-/// other NAME_temperature_C of a sensor. In contrast, temperatures are inputs in series_channel().
+/// other NAME_temperature_C of a sensor. In series_channel(), all temperatures are inputs instead.
 [[nodiscard]] const Channel* spindle_channel(std::string_view name);
 
 /// Returns the channel for the measured temperature of the sensor with this name.

@@ -5,7 +5,7 @@
 
 namespace raceway {
 
-/// Value that was not given. Validation reports such values.
+/// Value of a number that was not given: NaN.
 inline constexpr double unset = std::numeric_limits<double>::quiet_NaN();
 
 // Factors to SI: `12.7 * mm` is a length in m, and `length / mm` is the number of millimetres.
