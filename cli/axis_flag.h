@@ -8,9 +8,9 @@
 
 namespace raceway::cli {
 
-/// Returns the rising values of a flag: "100,300,900", "0:12000:250" (from:to:step), or both:
-/// "0,100:500:100". Throws text::InputError for other texts. The range is used only for
-/// ask_about_thousands().
+/// Parses the values of a flag: "100,300,900", "0:12000:250" (from:to:step), or both:
+/// "0,100:500:100". Throws text::InputError for other texts and if the values are not in ascending
+/// order. The range is used only for ask_about_thousands().
 [[nodiscard]] std::vector<double> axis(const std::string& text, const NumberRange& range,
                                        const std::string& flag);
 
@@ -19,7 +19,7 @@ namespace raceway::cli {
 struct AxisFlags {
   std::string speed, axial_load, radial_load, temperature;
 
-  /// Declares the flags; `speed_help` is the help text of the speed.
+  /// Declares the flags; `speed_help` is the help text of `--speed`.
   void declare(CLI::App& command, const std::string& speed_help);
   /// Returns the values of each flag; empty if a flag is not given.
   [[nodiscard]] session::AskedAxes asked() const;

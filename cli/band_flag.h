@@ -9,19 +9,20 @@
 
 namespace raceway::cli {
 
-/// Flag `--band` of a command: uncertainty of its numbers from the fitted parameters.
+/// Flag `--band` of a command: uncertainty of its results from the uncertainty of the fitted
+/// parameters.
 struct BandFlag {
   bool on = false;
 
   /// Declares the flag.
   void declare(CLI::App& command);
-  /// Returns nothing if no band was requested. Throws text::InputError if the model has no
-  /// covariance of its values.
+  /// Returns the band of a model, or nothing if the flag is not set. Throws text::InputError if the
+  /// model has no covariance of its parameters.
   [[nodiscard]] std::optional<model::Band> of(const files::ModelFile& file) const;
 };
 
-/// Returns a text such as "+- 0.23" for a half width [SI]. `unit` is the factor of the unit of the
-/// text.
+/// Returns a text such as "+- 0.23" for a half width [SI]. `unit` is the SI value of the unit in
+/// the text.
 [[nodiscard]] std::string band_text(double half_width, double unit = 1.0);
 
 }  // namespace raceway::cli

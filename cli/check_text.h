@@ -13,12 +13,13 @@ namespace raceway::cli {
 /// Prints rows, noise and columns of a record, the parameters that can be fitted and the effects
 /// that can be tested.
 void print_check(const loop::Check& check, const record::Record& data);
-/// Prints whether the settings of a row apply from the previous row to this row, or from this row
-/// to the next row.
+/// Prints for which time the settings of a row apply: from the previous row to this row, or from
+/// this row to the next row.
 void print_settings_hold(record::SettingsHold hold);
-/// Prints clock, noise, last digits and transfer functions of a record over time.
+/// Prints the time steps, the noise and the resolutions of a record over time, and a check of
+/// printed transfer functions.
 void print_check(const correction::RecordCheck& check);
-/// Prints the defaults used by a model, one per line.
+/// Prints the assumptions of a model, one per line: defaults, estimates and marked values.
 void print_defaults(const std::string& source, const std::vector<files::UsedDefault>& defaults);
 
 }  // namespace raceway::cli

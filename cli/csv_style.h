@@ -12,8 +12,8 @@ namespace raceway::cli {
 /// Form of the tables that a command writes: `--format csv`, `plain` or `excel`, `--separator` and
 /// `--decimal-mark`.
 ///
-/// `plain` and `excel` have the header in the first line. They write the comments and the model to
-/// a second file: run.csv and run_comments.txt.
+/// `plain` and `excel` have the header in the first line. The comments and the model go to a second
+/// file: run_comments.txt for run.csv. If the table goes to stdout, they are omitted.
 struct CsvStyle {
   std::string format = "csv", separator, decimal_mark;
 
@@ -21,7 +21,7 @@ struct CsvStyle {
   void declare(CLI::App& command, const std::vector<std::string>& others = {},
                const std::string& help = {});
   /// Throws text::InputError for `--separator` or `--decimal-mark` without `--format excel`, and if
-  /// both are the same character.
+  /// the separator equals the decimal mark.
   void check() const;
   /// Throws text::InputError if put() would fail.
   void require_writable(const std::string& path, text::IfExists if_exists) const;

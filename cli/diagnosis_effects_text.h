@@ -16,9 +16,10 @@ inline constexpr int error_digits = 3;
 
 /// Returns a table of at most `most` effects, best first, and the number of further effects.
 [[nodiscard]] std::string effects_text(const verdict::Diagnosis& d, std::size_t most);
-/// Prints the tested effects, best first: errors, gain, size.
+/// Prints the tested effects, best first, with their errors, gains and sizes.
 void print_effects(const verdict::Diagnosis& d);
-/// Prints confidence intervals of the sizes in the verdict, and the changes of the base parameters.
+/// Prints confidence intervals for the sizes of the effects in the verdict, and the changes of the
+/// base parameters.
 void print_intervals(const verdict::Diagnosis& d);
 /// Prints the other base models tested.
 void print_other_bases(const verdict::Diagnosis& d);

@@ -9,12 +9,12 @@
 
 namespace raceway::cli {
 
-/// Returns the unit of errors of a channel for readers: K for temperatures.
+/// Returns the unit in which errors of a channel are printed, for example K for temperatures.
 [[nodiscard]] inline std::string error_unit(const record::Channel& channel) {
   return std::string(verdict::unit_of_difference(channel));
 }
 
-/// Converts an error [SI] to this unit. The text does not contain the unit.
+/// Returns an error [SI] as text in the unit error_unit(). The text does not contain the unit.
 [[nodiscard]] inline std::string error_text(double error, const record::Channel& channel,
                                             int digits = 4) {
   return number(error / channel.factor, digits);

@@ -19,7 +19,7 @@ class FittedModels {
 
   /// Throws text::InputError if an output file cannot be written.
   void require_writable(const fit::Subject& subject) const;
-  /// Writes the models in `calibration` and reports each file.
+  /// Writes the fitted models and reports each file.
   void write(const session::LoopQuestion& asked, const verdict::Calibration& calibration) const;
   /// Returns the file names for messages: "a.toml" or "a-monday.toml and a-friday.toml".
   [[nodiscard]] std::string names(const fit::Subject& subject) const;

@@ -5,7 +5,8 @@
 #include <string_view>
 #include <vector>
 
-/// Help texts that fit the terminal, and the message for a first argument that is not a command.
+/// Help texts that fit the terminal, and the message for a first argument that is a file instead of
+/// a command.
 namespace raceway::cli {
 
 /// Writes help with two columns, names and meanings, wrapped at the width of the terminal.
@@ -21,11 +22,11 @@ class HelpFormatter : public CLI::Formatter {
   [[nodiscard]] std::string make_description(const CLI::App* app) const override;
 };
 
-/// Returns the commands for help, completions and man pages, in the order of these texts.
+/// Returns the commands that help, completions and man pages list, in their order.
 [[nodiscard]] std::vector<const CLI::App*> listed_commands(const CLI::App& app);
 
-/// Returns a text on the commands for a file that the user gave in place of a command. The text is
-/// empty if `name` is not a file and does not look like a file name.
+/// Returns a message with suitable commands if the user gave a file instead of a command. The
+/// message is empty if `name` is not a file and does not look like a file name.
 [[nodiscard]] std::string file_as_command(std::string_view name);
 
 }  // namespace raceway::cli

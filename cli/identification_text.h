@@ -11,8 +11,8 @@
 
 namespace raceway::cli {
 
-/// Unit of a table of several displacements. The unit is above the columns if all displacements
-/// have the same unit. Otherwise it follows each number.
+/// Unit for a table of several displacements. If all displacements have the same unit, the unit is
+/// printed above the columns. Otherwise it follows each number.
 class CommonUnit {
  public:
   /// Each of the `results` has a member `displacement`.

@@ -13,7 +13,7 @@ namespace raceway::cli {
 /// text::InputError.
 [[nodiscard]] friction::TableSlab slab_of(const std::string& text);
 
-/// Joins the files of `table --slab` to one table, for `table --merge`. The table is the same as
+/// Joins the files of `table --slab` to one table, for `table --merge`. The result equals the table
 /// from a single run.
 void merge_slabs(const std::vector<std::string>& slabs, const std::string& output,
                  const CsvStyle& csv, text::IfExists if_exists);

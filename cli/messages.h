@@ -6,8 +6,8 @@
 #include "record/note.h"
 #include "session/messages.h"
 
-/// Messages of a run, one function for each kind. All output to stderr and every JSON document on
-/// stdout uses these functions.
+/// Messages of a run, one function for each kind. All messages on stderr and all JSON documents on
+/// stdout use these functions, except for the progress bar and the message after a stop signal.
 namespace raceway::cli {
 
 /// Switches off the output of say(), tell() and warn(), for `--quiet`. Errors are still printed.
@@ -17,7 +17,7 @@ void set_quiet(bool quiet);
 /// with the same code.
 void show_every_message();
 
-/// Prints the number of notes and warnings of each code that were not printed.
+/// Prints for each code how many notes and warnings were not printed.
 void count_hidden_messages();
 
 /// Returns true if progress bars are shown: stderr is a terminal and --quiet is not set.

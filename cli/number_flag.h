@@ -19,12 +19,13 @@ using text::speed_range;
 using text::temperature_range;
 
 /// Declares a flag with one number in a range. `value` is unchanged if the flag is not given.
-/// Parsing throws text::InputError for other texts.
+/// Parsing throws text::InputError for a text that is not a number and for a number outside the
+/// range.
 CLI::Option* add_number(CLI::App& command, const std::string& flag, double& value,
                         const NumberRange& range, const std::string& help);
 
 /// Throws text::InputError for numbers that have two possible meanings. For example, 1.200 is 1.2
-/// in English and 1200 in German. The function accepts 1.200 if 1200 is outside the range.
+/// in English and 1200 in German. If 1200 is outside the range, the function accepts 1.200 as 1.2.
 void ask_about_thousands(std::span<const std::string_view> numbers, const NumberRange& range,
                          const std::string& flag);
 

@@ -19,13 +19,13 @@ namespace raceway::cli {
 struct OutputFlags {
   std::string output;
   bool force = false;
-  std::string force_flag = "--force";  ///< `--replace` if `--force` of the command is a load
+  std::string force_flag = "--force";  ///< `--replace` if `--force` is a load of this command
 
   /// Declares `-o`.
   CLI::Option* declare_output(CLI::App& command, const std::string& help);
   /// Declares `--force`.
   void declare_force(CLI::App& command, const std::string& help = "replace the file if it exists");
-  /// Returns the behaviour for an existing file.
+  /// Returns the action if the file already exists.
   [[nodiscard]] text::IfExists if_exists() const;
   [[nodiscard]] bool to_file() const { return !output.empty() && output != "-"; }
   /// Throws text::InputError if the file cannot be written. Call it before a long calculation.
@@ -33,8 +33,8 @@ struct OutputFlags {
   /// Throws text::InputError for `-o -`. `shows` names the output that the command prints to
   /// stdout.
   void refuse_stdout(const std::string& command, const std::string& shows) const;
-  /// Writes a model and the files that the model names, and prints "my.toml written". Does nothing
-  /// without a file.
+  /// Writes a model, with the names of the files in it relative to the new file, and prints
+  /// "my.toml written". Does nothing if no output is given.
   void put_model(const std::string& text, const std::vector<files::NamedFile>& named) const;
   /// Writes the text and prints "my.toml written, WHAT". Prints the text if there is no file.
   void put(const std::string& text, const std::string& what = {}) const;

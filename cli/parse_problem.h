@@ -11,9 +11,9 @@ struct FlagProblem {
   std::string flag, what;  ///< `what` names the flag too
 };
 
-/// Finds an error in the flags of a command: a flag is unknown (with a similar name), is given
-/// twice, or has no value. Call it before parsing. For a misspelt flag, the parser would only
-/// report that the flag is missing.
+/// Finds the first error in the flags of a command: a flag is unknown (the message suggests a
+/// similar one), is given twice, or has no value. Call it before parsing. For a misspelt flag, the
+/// parser would only report that the flag is missing.
 [[nodiscard]] std::optional<FlagProblem> flag_problem(const CLI::App& command,
                                                       std::span<char* const> arguments);
 

@@ -39,7 +39,7 @@ void write_message(std::string_view text);
 /// message, or an empty text.
 [[nodiscard]] std::string stdout_problem();
 
-/// Returns the same message for a known error number.
+/// Returns the message of stdout_problem() for this error number.
 [[nodiscard]] std::string stdout_problem(int error);
 
 }  // namespace raceway::cli

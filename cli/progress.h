@@ -7,13 +7,13 @@
 
 namespace raceway::cli {
 
-/// Returns `[####......]  42 %  12 s left  step` in at most `width` characters. `elapsed` [s] gives
-/// the rate.
+/// Returns `[####......] 42 % 12 s left step` in at most `width` characters. The remaining time
+/// follows from `share` and `elapsed` [s].
 [[nodiscard]] std::string progress_line(double share, double elapsed, std::string_view step,
                                         std::size_t width);
 
 /// Progress bar on stderr during a long calculation. It disappears at the end. Create it only if
-/// shows_progress().
+/// shows_progress() returns true.
 class Progress {
  public:
   Progress();

@@ -4,14 +4,16 @@
 #include <string>
 #include <vector>
 
-/// Files of a run. No command overwrites an input or writes two outputs to the same file.
+/// Files of a run. A command does not overwrite its inputs and does not write two outputs to the
+/// same file.
 namespace raceway::cli {
 
 /// Finds the inputs and outputs in a parsed command line. The files of --output, --report, --plot,
-/// --save, --correction, --end-state and --field are outputs. Every other argument that names a
-/// file is an input, and so is standard input. Throws text::InputError if an output is also an
-/// input, even by another path, if two outputs are the same file, and for an argument with a
-/// control character. `calibrate` and `add` may replace their own MODEL.
+/// --save, --correction, --end-state and --field are outputs. Every other argument that names an
+/// existing file is an input. Standard input is an input if it is a file. Throws text::InputError
+/// if an output is also an input, even by another path, if two outputs are the same file, and for
+/// an argument with a control character. As an exception, `calibrate` and `add` may replace their
+/// own MODEL.
 void check_files(const CLI::App& command);
 
 /// Checks outputs whose names are known only during the run. Call it after check_files().

@@ -10,7 +10,7 @@
 /// Flags that several commands share. Each flag is declared only here.
 namespace raceway::cli {
 
-/// Returns the behaviour for an existing file, set by --force.
+/// Returns the action for an output file that already exists; --force sets it.
 [[nodiscard]] inline text::IfExists on_existing(bool force) {
   return force ? text::IfExists::replace : text::IfExists::refuse;
 }
@@ -36,7 +36,8 @@ void declare(CLI::App& command, session::Period& period);
 /// Declares `--channel COLUMN`, formerly `--displacement`.
 void declare_channel(CLI::App& command, std::string& channel);
 
-/// Declares the flags of every command of the loop: the flags above and `--per-record f0,z`.
+/// Declares the flags that the commands of the loop (calibrate, diagnose, add and others) share:
+/// `--channel`, `--per-record f0,z`, `--rows`, and the flags for reading measurements.
 void declare(CLI::App& command, session::LoopOptions& loop);
 
 /// Declares `--tolerance 2um,0.5K`.

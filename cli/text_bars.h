@@ -8,12 +8,13 @@ namespace raceway::cli {
 
 /// Returns a bar of '#' whose length shows value / full, with at most `width` characters. A
 /// positive value has at least one '#'. A `mark` up to `full`, such as a noise floor or a
-/// threshold, is a '|' in the bar or beyond it. A `second` mark, for the tolerance, is a ':' and
-/// replaces a '|' at the same place.
+/// threshold, is a '|' in the bar or after its end. A `second` mark, for the tolerance, is a ':'
+/// and replaces a '|' at the same place.
 [[nodiscard]] std::string bar(double value, double full, std::size_t width, double mark = -1.0,
                               double second = -1.0);
 
-/// Returns true if stdout is a terminal with colours: NO_COLOR is not set, and TERM is not "dumb".
+/// Returns true if stdout is a terminal that shows colours, NO_COLOR is not set, and TERM is not
+/// "dumb".
 [[nodiscard]] bool colours();
 
 enum class Colour { good, bad, strong };

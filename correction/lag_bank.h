@@ -28,14 +28,14 @@ struct LagBankOptions {
 /// x_ij is input i after lag j, and g_ij is its gain [um/K, um/(m/min), um/1000 rpm; um per tenth
 /// of the range of other columns]. λ is the strength [um² per square of the unit of g]. s_i is 1,
 /// except for speeds. Slow lags have larger penalties, because they affect the prediction for the
-/// longest time after the record. Lags below 600 s and the instant response have the penalty of τ =
-/// 600 s. A speed has two inputs: n, and n (n/1000 rpm)^0.5, which rises like the friction. A speed
-/// has no instant share. The program tries seven values of λ from 0.01 to 10 and three values of s
-/// for speeds from 0.1 to 1. Each combination is fitted to six initial parts of the record (59 % to
-/// 88 % of its duration) and judged by the error on the rest of the record. The final gains are the
-/// mean over all combinations, weighted by (error)^-4. Held-out parts from the middle of the record
-/// would favour gains that are valid only within the record. The choice of a single best strength
-/// would depend mostly on chance.
+/// longest time after the record. Lags below 600 s and the instant response have the same penalty
+/// as a lag of 600 s. A speed has two inputs: n, and n (n/1000 rpm)^0.5, which rises like the
+/// friction. A speed has no instant share. The program tries seven values of λ from 0.01 to 10 and
+/// three values of s for speeds from 0.1 to 1. Each combination is fitted to six initial parts of
+/// the record (59 % to 88 % of its duration) and judged by the error on the rest of the record. The
+/// final gains are the mean over all combinations, weighted by (error)^-4. Held-out parts from the
+/// middle of the record would favour gains that are valid only within the record. The choice of a
+/// single best strength would depend mostly on chance.
 ///
 /// If many sensors measure bodies whose influence on the displacement is unknown, a bank of lags
 /// predicts better than a few sections with fitted time constants. Such sections fit equally well

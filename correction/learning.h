@@ -55,8 +55,8 @@ struct IdentificationDue {
 /// Rms error over the readings that were not offered, from the first learned reading on [m].
 struct ErrorBetween {
   std::size_t readings = 0;
-  double first =
-      unset;  ///< model without learning; its zero comes from the first reading of each run
+  /// Model without learning; its zero comes from the first reading of each run.
+  double first = unset;
   double zeroed = unset;  ///< model without learning; its zero comes from the last learned reading
   double learnt = unset;
 };

@@ -139,11 +139,11 @@ struct SeenRange {
 /// its own range although the combination never occurred.
 struct SeenTogether {
   std::vector<const Channel*> columns{};  ///< columns that varied
-  Eigen::VectorXd mean{},
-      std{};  ///< [SI]; of absolute values for speeds, feeds and the coolant state
+  /// [SI]; of absolute values for speeds, feeds and the coolant state.
+  Eigen::VectorXd mean{}, std{};
   Eigen::MatrixXd correlation{};
-  double farthest =
-      unset;  ///< largest distance of a point from the mean [1]: see Distance in range.h
+  /// Largest distance of a point from the mean [1]: see Distance in range.h.
+  double farthest = unset;
 };
 
 /// Residual of the fitted model.
@@ -159,8 +159,8 @@ struct Evidence {
   double uncorrected = unset;
   double duration = unset;  ///< duration of the readings of the longest run [s]
   bool one_way = false;     ///< true if the readings only move once from one state to another
-  bool other_record =
-      false;  ///< true if `error` and `uncorrected` come from another record than the fit
+  /// True if `error` and `uncorrected` come from another record than the fit.
+  bool other_record = false;
 };
 
 struct Model {

@@ -61,8 +61,8 @@ struct Beyond {
   struct Part {
     const Channel* column = nullptr;  ///< null: a power, or the joint range of inputs
     std::string name{};  ///< name of the column or channel; empty: the joint range of inputs
-    double lower = unset,
-           upper = unset;             ///< [SI]; for the joint range: limits of the distance, from 0
+    /// [SI]; for the joint range: limits of the distance, from 0.
+    double lower = unset, upper = unset;
     std::size_t rows = 0, first = 0;  ///< number of rows, and the first of them
     double value = unset;             ///< value in that first row
     double farthest = unset;          ///< value farthest outside the range

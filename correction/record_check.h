@@ -19,8 +19,8 @@ struct RecordCheck {
   struct Printed {
     std::string channel;
     double factor = 1.0;  ///< one unit of the input's column in SI
-    double quantum =
-        unset;  ///< resolution of the input in the record, if visible, else 0.1 of its unit [SI]
+    /// Resolution of the input in the record, if visible, else 0.1 of its unit [SI].
+    double quantum = unset;
     TransferFunctionCheck check;
   };
   const Channel* displacement = nullptr;
@@ -28,8 +28,8 @@ struct RecordCheck {
   double duration = unset;             ///< duration of the longest run [s]
   std::size_t readings = 0;            ///< number of readings of the displacement
   fit::Repeatability repeatability{};  ///< from repeated readings within stops
-  double noise_at_most =
-      unset;  ///< upper bound of the noise if readings are more than 120 s apart [m]
+  /// Upper bound of the noise if readings are more than 120 s apart [m].
+  double noise_at_most = unset;
   double reading_interval = unset;  ///< median time between two readings [s]
   /// Range of time constants that the record can determine [s].
   double shortest = unset, longest = unset;

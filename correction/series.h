@@ -76,7 +76,7 @@ class Series {
   /// Returns n^(1 - B exp(-C n)) for the speed n in rpm. Above the speed range of the fit, the
   /// value follows continued(). The lower end of the range is standstill, where the value is 0.
   [[nodiscard]] Values kinematic(double B, double C, const Interval& seen = {}) const;
-  /// Returns the state of a lag whose input is exp(-n/n0), with the speed n and n0 =
+  /// Returns the state of a lag whose input is exp(-n/n0), where n is the speed and n0 is
   /// `decay_speed_rpm`. At standstill, the input is 0. Beyond the speed range of the fit, the input
   /// follows continued().
   [[nodiscard]] Values motor(double decay_speed_rpm, double time_constant,

@@ -17,13 +17,13 @@ struct BearingOutline {
   double outer_diameter = unset;   ///< [m]
   double width = unset;            ///< [m]; NaN if not known
   std::string dimension_series{};  ///< series of ISO 15, "10"; empty if unknown
-  double contact_angle = unset;    ///< [rad]; from the designation, otherwise 15 deg
+  double contact_angle = unset;    ///< [rad]; NaN: not known, 15 deg are used
   int ball_count = 0;              ///< 0: not known
   std::string ball_material = "steel";
 };
 
-/// An estimated number with its lower and upper value. The limits come from the ratios in the rows
-/// of a catalogue.
+/// An estimated number with its lower and upper value. The limits come from the spread of ratios in
+/// the rows of a catalogue.
 struct Estimate {
   double value = unset;
   double lower = unset, upper = unset;
@@ -35,17 +35,18 @@ struct EstimatedBearing {
   Estimate ball_count;                                 ///< the given count, if there is one
   Estimate static_load_rating;                         ///< [N]
   std::size_t rows = 0;      ///< number of catalogue rows used for the ratios
-  bool like_section = true;  ///< false: too few such rows, all rows are used
-  bool like_series = true;   ///< false: no row has the dimension series of the bearing
+  bool like_section = true;  ///< true: rows of similar section; false: too few, all rows
+  bool like_series = true;   ///< false: no row has the dimension series of this bearing
 };
 
 /// Returns the contact angle and the ball material from the designation (files/designation.h), and
-/// bore, outer diameter and width from ISO 15 (files/boundary_dimensions.h). The dimensions are NaN
-/// for a size outside that table. Throws InputError for a bearing of another type.
+/// bore, outer diameter and width from ISO 15 (files/boundary_dimensions.h). The angle is NaN if
+/// the designation does not state it, and the dimensions are NaN for a size outside that table.
+/// Throws InputError for a bearing without angular contact.
 [[nodiscard]] BearingOutline outline_of(std::string_view designation);
 
-/// Estimates the inner geometry from catalogue rows of similar section. If there are too few such
-/// rows, it uses all rows.
+/// Estimates the inner geometry from catalogue rows of similar section. If there are fewer than
+/// eight such rows, it uses all rows with a contact angle.
 ///
 ///   d_m = (d + D)/2,   D_w = k (D - d)/2,   Z = φ π d_m / D_w,   C0 = c Z D_w² cos α
 ///
@@ -63,16 +64,17 @@ struct EstimatedBearing {
 struct NamedRow {
   CatalogueBearing row;
   bool is_estimated = false;   ///< true: the bearing is in no catalogue
-  bool ceramic_balls = false;  ///< from its designation
+  bool ceramic_balls = false;  ///< true if the designation states ceramic balls
   bool states_angle = true;    ///< false: 15 deg is assumed
 };
-/// Returns the row of the catalogue, or the estimate from the designation if there is none. Throws
-/// InputError like find_bearing() for an unknown size, and like outline_of().
+/// Returns the row of the catalogue, or an estimate from the designation if the catalogue does not
+/// have the bearing. Throws InputError like find_bearing() for an unknown size, and like
+/// outline_of().
 [[nodiscard]] NamedRow bearing_called(std::string_view name,
                                       const std::vector<CatalogueBearing>& rows);
 
-/// Returns a commented model with the spread of every estimated key: one bearing on a rig, or three
-/// in a spindle. `oil` is the ISO VG grade of the oil.
+/// Returns a commented model with the spread of every estimated key. The model describes one
+/// bearing on a rig, or a spindle with three such bearings. `oil` is the ISO VG grade of the oil.
 [[nodiscard]] std::string estimated_model_text(
     const EstimatedBearing& bearing, friction::FrictionLaw law = friction::FrictionLaw::palmgren,
     bool of_spindle = false, const std::string& oil = {});

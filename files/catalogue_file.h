@@ -8,7 +8,7 @@
 
 namespace raceway::files {
 
-/// Light, medium or strong preload of a mounted pair, as printed by the manufacturer.
+/// Preload class of a mounted pair (light, medium or strong), with the numbers of the manufacturer.
 struct PairPreload {
   double force = unset;           ///< [N]
   double axial_rigidity = unset;  ///< rigidity of the pair [N/m]
@@ -34,9 +34,9 @@ struct CatalogueBearing {
   [[nodiscard]] std::string full_name() const { return maker + " " + designation; }
 };
 
-/// Returns the path of a data file or data folder. The function looks in share/raceway next to the
-/// program or the shared library, then in the source tree, then in the installation folder. The
-/// path is empty if nothing is found.
+/// Returns the path of a data file or data folder. The function looks in share/raceway of the
+/// installation to which the program or the shared library belongs, then in the source tree, then
+/// in the installation folder set at build time. The path is empty if nothing is found.
 [[nodiscard]] std::string data_file(const std::string& name);
 
 /// Returns the catalogue folder bearings/ of the data; empty if not found.
@@ -47,17 +47,17 @@ struct CatalogueBearing {
 [[nodiscard]] std::string own_data_directory();
 
 /// Reads one catalogue file. A line `# maker: NAME` names the manufacturer. Without this line, the
-/// name is the file name up to the first underscore. Throws InputError like read_csv(), and for
-/// impossible values.
+/// name is the file name up to the first underscore, in capitals. Throws InputError like
+/// read_csv(), and for impossible values.
 [[nodiscard]] std::vector<CatalogueBearing> read_catalogue(const std::string& path);
 
 /// Parses a catalogue from its text.
 [[nodiscard]] std::vector<CatalogueBearing> parse_catalogue(std::string text,
                                                             const std::string& path);
 
-/// Returns the rows of the user's folder (bearings/*.csv, or *.csv if there are none), then all
-/// rows of bearings/*.csv in the data directory, file by file. Throws InputError if neither folder
-/// has a row.
+/// Returns the rows of the user's folder (bearings/*.csv, or *.csv if it has no folder bearings),
+/// then the rows of bearings/*.csv in the data directory, file by file. Throws InputError if
+/// RACEWAY_DATA names a folder without a catalogue, or if no catalogue is found.
 [[nodiscard]] std::vector<CatalogueBearing> read_catalogues();
 
 /// Returns the rows whose name contains `filter`, or all rows if `filter` is empty. Case, blanks

@@ -39,8 +39,8 @@ struct NamedChannel {
 /// a count).
 [[nodiscard]] const text::Unit* unit_of(const record::Channel& channel);
 
-/// Returns the channel with this name. The name may have another unit of the same dimension:
-/// "friction_torque_Nm", "speed [1/min]".
+/// Returns the channel with this name; nothing if there is none. The name may have another unit of
+/// the same dimension: "friction_torque_Nm", "speed [1/min]".
 [[nodiscard]] std::optional<NamedChannel> named_channel(
     std::string_view name, std::span<const record::Channel* const> channels);
 
@@ -52,15 +52,15 @@ struct NamedChannel {
 /// measured, except temperatures of the surroundings.
 [[nodiscard]] std::optional<NamedChannel> named_spindle_channel(std::string_view name);
 
-/// One line of [columns], which names the source of one column.
+/// One line of [columns]. It states the source of one channel.
 struct ColumnRule {
   std::string key;                   ///< as written in [columns]: "friction_torque_Nmm"
   const record::Channel* channel;    ///< channel that the key names
   const text::Unit* key_unit;        ///< unit at the end of the key; null: the unit of the channel
   std::string header{};              ///< header of the user's column; empty for a constant
-  std::optional<double> constant{};  ///< for all rows, in the unit of the key
+  std::optional<double> constant{};  ///< value for all rows, in the unit of the key
   const text::Unit* unit = nullptr;  ///< unit of the user's column, if the rule states it
-  bool excel_date = false;           ///< the numbers are days since 1900, as in Excel
+  bool excel_date = false;           ///< true: the numbers are days since 1900, as in Excel
   double factor = 1.0;               ///< factor that multiplies the numbers
   text::Place place{};               ///< place of the rule in the file
 };
@@ -80,8 +80,8 @@ struct Combination {
 struct ColumnMap {
   std::string source{};
   std::vector<ColumnRule> rules{};
-  char decimal_mark = '\0';                             ///< mark of the file; '\0': not given
-  std::optional<text::DateOrder> date_order{};          ///< order in dates with slashes
+  char decimal_mark = '\0';                     ///< decimal mark of the file; '\0': not given
+  std::optional<text::DateOrder> date_order{};  ///< order of day and month in dates with slashes
   std::optional<record::SettingsHold> settings_hold{};  ///< only for a record over time
   std::vector<Combination> transducers{};               ///< only for a record over time
 
@@ -95,10 +95,10 @@ struct ReadOptions {
   ColumnMap columns{};
   /// Calibration that converts a column torque_signal_V to friction torque.
   std::optional<rig::TorqueSensor> sensor{};
-  bool drop_nan = false;    ///< rows with a missing number are omitted and reported
-  bool over_time = false;   ///< columns of records over time
-  bool of_spindle = false;  ///< columns of records of a spindle over time
-  bool of_several = false;  ///< columns of the map may be in another file of the same record
+  bool drop_nan = false;    ///< true: rows with a missing number are omitted and reported
+  bool over_time = false;   ///< true: the file is a record over time
+  bool of_spindle = false;  ///< true: the file is a record of a spindle over time
+  bool of_several = false;  ///< true: columns of the map may be in another file of the same record
 };
 
 /// Returns all channels that a file may have: channels of a record, of a fall between two speeds,

@@ -24,30 +24,31 @@ struct CorrectionFile {
   std::vector<NamedFile> files{};         ///< files that the correction names, as they were read
 };
 
-/// Reads [correction] (keys with their units: raceway keys) into SI. File names in the correction
-/// are relative to its folder.
+/// Reads [correction] into SI. `raceway keys` lists the keys with their units. File names in the
+/// correction are relative to the folder of the file.
 ///
 /// Throws InputError with file, line, key, value and allowed range.
 [[nodiscard]] CorrectionFile read_correction(const std::string& path);
 
-/// Parses [correction] from text; `source` is the name in messages. File names are relative to the
-/// folder of `source`. Files in `held` are not read again.
+/// Parses [correction] from text; `source` is the file name in messages. File names are relative to
+/// the folder of `source`. Files in `held` are not read again.
 [[nodiscard]] CorrectionFile parse_correction(std::string text, const std::string& source,
                                               std::vector<NamedFile> held = {});
 
 /// Returns the table [correction.prior] of a model; empty without priors.
 [[nodiscard]] std::string prior_text(const correction::Model& model);
 
-/// Returns the line that states a window in a channel or an effect.
+/// Returns the line of a file that defines a window of a channel or an effect.
 [[nodiscard]] std::string window_text(const correction::Window& window);
 
-/// Returns a file with only these models: their channels with columns, offsets, tolerances and
-/// ranges. `comment` is the first line of the file.
+/// Returns the text of a new file with only these models: their channels with columns, offsets,
+/// tolerances and ranges. `comment` is the first line of the file.
 [[nodiscard]] std::string new_corrections(const std::vector<correction::Model>& models,
                                           const std::string& comment);
 
-/// Returns the text with the numbers, sections, channels, effects and ranges of these models. The
-/// models come from the file or extend its models. Comments and everything else stay unchanged.
+/// Returns the text of `file` with the numbers, sections, channels, effects and ranges of these
+/// models. The models are the models of the file, changed or extended. Comments and everything else
+/// stay unchanged.
 [[nodiscard]] std::string with_corrections(const CorrectionFile& file,
                                            const std::vector<correction::Model>& models);
 

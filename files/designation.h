@@ -35,7 +35,7 @@ struct Designation {
   std::string ball_code{};    ///< code of ceramic balls: "HC"
   std::string preload{};      ///< "light", "medium", "heavy", "extra light"
   std::string arrangement{};  ///< "DB", "DF", "DT"
-  std::string other_type{};   ///< no angular contact: "a cylindrical roller bearing"
+  std::string other_type{};   ///< type if it has no angular contact: "a cylindrical roller bearing"
 
   /// Returns the size of the bearing: "6014" for "B7014-C"; empty if not known.
   [[nodiscard]] std::string size() const;
@@ -43,7 +43,7 @@ struct Designation {
   [[nodiscard]] std::optional<BoundaryDimensions> boundary() const;
 };
 
-/// Parses a designation. Never throws; unknown data stay empty.
+/// Parses a designation. Never throws; unknown data stay empty or NaN.
 [[nodiscard]] Designation read_designation(std::string_view text);
 
 /// Throws InputError if the designation names a bearing without angular contact.

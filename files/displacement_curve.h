@@ -20,11 +20,11 @@ struct DisplacementCurve {
 
 /// Reads `speed_rpm`, `axial_displacement_um` and, if present, `std_um` from a CSV of `raceway
 /// displacement` or of a rig; "-" is standard input. Other columns are not read. Rows without a
-/// displacement are not read if their column `status` gives the reason. `notes` lists the columns
-/// and rows that were not read.
+/// displacement are not read if the file has a column `status` that is not "converged" in these
+/// rows. `notes` lists the columns and rows that were not read.
 ///
-/// Throws InputError like read_csv(), for a missing column, and for every other cell that is empty,
-/// not a number or impossible. One message lists all these cells.
+/// Throws InputError like read_csv(), for a missing column, and for every other cell of the read
+/// columns that is empty, not a number or impossible. One message lists all these cells.
 [[nodiscard]] DisplacementCurve read_displacement_curve(const Source& source,
                                                         const ReadOptions& options = {});
 

@@ -24,8 +24,8 @@ struct Doubt {
   std::vector<Guess> units{};  ///< empty if the question is not about a unit
 };
 
-/// Returns the doubt about a temperature channel with the range `from` to `to` [C], which looks
-/// like K or F.
+/// Returns the question about a temperature channel whose values look like another unit, "K" or
+/// "F". `from` and `to` are the range of the values as they were read [C].
 [[nodiscard]] Doubt other_temperature(const record::Channel& channel, double from, double to,
                                       std::string_view unit);
 
@@ -34,8 +34,8 @@ struct Doubt {
                                            const text::Unit& unit);
 
 /// Throws InputError if [columns] does not settle a doubt about the unit of a column of `source`.
-/// The message has each question and the line of [columns] that answers it. All other doubts are
-/// returned as warnings.
+/// The message contains each question and the line of [columns] that answers it. All other doubts
+/// are returned as notes.
 [[nodiscard]] std::vector<record::Note> asked_about(const std::vector<Doubt>& doubts,
                                                     const Source& source,
                                                     const ReadOptions& options);

@@ -14,7 +14,7 @@
 /// tables.
 namespace raceway::files {
 
-/// Kinds of values of a key.
+/// Kind and allowed values of a key.
 struct Form {
   std::string_view kind;                ///< "number", "text", "true or false", "list" or "table"
   double lower = unset, upper = unset;  ///< closed range of a number, in `unit`
@@ -37,7 +37,7 @@ struct Required {};
 
 /// Default of a key, for a file without this key.
 struct Default {
-  double value = unset;      ///< value of a number, in its unit; `unset`, no words: no default
+  double value = unset;      ///< value of a number, in its unit; NaN without words: no default
   std::string_view words{};  ///< one of the words of the form, or the origin of the default
   bool required = false;     ///< no default: the key is required in its table
 

@@ -16,8 +16,8 @@ struct ListedKey {
   Key key;
 
   [[nodiscard]] std::string meaning() const;
-  /// Default as text: a number, a word in quotes, or words on its origin; empty if the key has no
-  /// default.
+  /// Returns the default as text: a number, a word in quotes, or a description of its origin. The
+  /// text is empty if the key has no default.
   [[nodiscard]] std::string fallback() const;
 };
 

@@ -43,7 +43,7 @@ class ModelData {
   [[nodiscard]] std::size_t find(std::string_view name) const;
 
   /// Returns the model with new values of these data, given by index. Throws InputError for invalid
-  /// values, like the reader of a file. Several threads may call this function at the same time.
+  /// values, like read_model(). Several threads may call this function at the same time.
   [[nodiscard]] ModelFile with(std::span<const std::pair<std::size_t, double>> changes) const;
 
  private:

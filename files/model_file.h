@@ -25,11 +25,11 @@ struct ModelFile {
   /// Full name of the row selected by [bearing] catalogue; empty without one.
   std::string catalogue = {};
   /// Keys of [bearing], of the bearings of an [arrangement] and of [solver] whose values differ
-  /// from defaults and catalogue.
+  /// from defaults and catalogue, and all keys of the file that only the contact law uses.
   std::vector<std::string> written = {};
   /// All defaults that were used.
   std::vector<UsedDefault> defaults;
-  /// Further notes, one line each, without the file's name.
+  /// Further notes, one line each, without the name of the file.
   std::vector<record::Note> notes = {};
   ColumnMap columns = {};  ///< columns of the measurements
   /// Torque sensor, if the file names one.
@@ -37,15 +37,15 @@ struct ModelFile {
   std::vector<NamedFile> files = {};  ///< files named in the model, as they were read
 };
 
-/// Reads a TOML model (keys with their units: raceway keys) into SI.
+/// Reads a TOML model into SI. `raceway keys` lists the keys with their units.
 ///
 /// Throws InputError with file, line, key, value and allowed range for invalid TOML, unknown or
 /// missing keys and tables, wrong types, values out of range, impossible bearings and invalid
 /// formulas.
 [[nodiscard]] ModelFile read_model(const std::string& path);
 
-/// Reads a model from its text. `source` is its name in messages, and names of files are relative
-/// to the folder of `source`. Files in `held` are not read again.
+/// Reads a model from its text. `source` is the file name in messages. File names in the model are
+/// relative to the folder of `source`. Files in `held` are not read again.
 [[nodiscard]] ModelFile parse_model(std::string text, const std::string& source,
                                     std::vector<NamedFile> held = {});
 
@@ -61,13 +61,14 @@ struct KeyValue {
 };
 
 /// Returns the text with these values. Comments, order and blanks stay. A missing key with a
-/// default is added to its table. Reading the text gives the values exactly. Throws InputError if
-/// the text is not TOML or lacks the [[effect]], and std::invalid_argument for a value that is not
-/// finite.
+/// default is added to its table. If the text is read again, it gives exactly these values. Throws
+/// InputError if the text is not TOML or lacks the [[effect]], and std::invalid_argument for a
+/// value that is not finite.
 [[nodiscard]] std::string with_values(std::string_view text, std::span<const KeyValue> changes);
 
-/// Returns the text with this effect as a new [[effect]] at its end. Nothing else changes. Reading
-/// the text gives the effect exactly. Throws std::invalid_argument for a value that is not finite.
+/// Returns the text with this effect as a new [[effect]] at its end. Nothing else changes. If the
+/// text is read again, it gives exactly this effect. Throws std::invalid_argument for a value that
+/// is not finite.
 [[nodiscard]] std::string with_effect(std::string_view text, const effects::Effect& effect);
 
 /// Returns the text of a file with the numbers of `fitted`: every number of model::parameters() at

@@ -22,7 +22,7 @@ class NamedFiles {
 
   /// Returns the file with this name. Throws InputError like read_text().
   [[nodiscard]] const NamedFile& read(const std::string& name);
-  /// Returns the name of the file for messages.
+  /// Returns the file name for messages.
   [[nodiscard]] std::string shown(const std::string& name) const;
   /// Returns the files read so far.
   [[nodiscard]] const std::vector<NamedFile>& list() const { return read_; }

@@ -16,13 +16,14 @@ struct NewCorrection {
 
 /// Makes a first model file for the displacements of a record over time. The file has one channel
 /// for each temperature that varies by more than 0.5 K. If there is no such temperature, the file
-/// has one channel for the speed. If there are more than four such temperatures, the file has no
-/// channel. A comment in the file then gives the command for a bank of lags.
+/// has one channel for the speed, if the speed varies. If there are more than four such
+/// temperatures, the file has no channel. A comment in the file then gives the command for a bank
+/// of lags.
 ///
 /// Assumed values are marked: the tolerance is a tenth of the range of the displacement, a time
-/// constant is a tenth of the record, and each channel gets an equal share of the range as its
-/// gain. Headers of other programs become [columns], as in suggested_columns(). The columns in
-/// `options` do not change. A doubtful unit gives only a note and no error, because this file
+/// constant is a tenth of the record, and the gains divide the range equally among the channels.
+/// Headers of other programs become [columns], as in suggested_columns(). Rules in
+/// `options.columns` are kept. A doubtful unit gives only a note and no error, because this file
 /// contains no results.
 ///
 /// Throws InputError like read_series(), and for a record without a displacement.

@@ -13,8 +13,8 @@ struct OilGrade {
   double at_100_C = unset;  ///< viscosity at 100 C for viscosity index 100, by ISO 2909 [mm2/s]
 };
 
-/// Returns the oil for "VG 32", "ISO VG 32" or "32". Throws text::InputError with all grades for
-/// any other text.
+/// Returns the oil for "VG 32", "ISO VG 32" or "32". Throws text::InputError with a list of all
+/// grades for any other text.
 [[nodiscard]] OilGrade oil_grade(std::string_view words);
 
 /// Returns the table [lubricant] of a new model: viscosities of the oil, or of a thin spindle oil

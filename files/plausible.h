@@ -14,7 +14,8 @@ namespace raceway::files {
 
 /// Checks for lengths in inches. Two values are tested: the share of the pitch circle that the
 /// balls fill, and the rating compared with the size of the balls. Lengths look like inches if the
-/// share is far too low or the rating is far too high, and if this value would be usual in inches.
+/// share is far too low or the rating is far too high, and if the same value would be usual with
+/// lengths in inches.
 [[nodiscard]] std::string looks_like_inches(const bearing::BearingGeometry& geometry);
 
 }  // namespace raceway::files

@@ -26,15 +26,15 @@ struct SensorReadings {
 [[nodiscard]] SensorReadings read_sensor_readings(const Source& source,
                                                   const ReadOptions& options = {});
 
-/// Returns the table [torque_sensor] for a model or a separate file. The program can read this
-/// table.
+/// Returns the table [torque_sensor] for a model or a separate file. parse_model() and the reader
+/// of sensor files read this table again.
 [[nodiscard]] std::string torque_sensor_text(const rig::SensorCalibration& calibration,
                                              std::string_view source);
 
 /// Returns the unit of a coefficient: "V", "V/Nm", "V/Nm2", "V/Nm3".
 [[nodiscard]] std::string coefficient_unit(int coefficient);
 
-/// Returns the calibration as a JSON document (docs/files.md); see results.h.
+/// Returns the calibration as a JSON document (docs/files.md).
 [[nodiscard]] std::string sensor_calibration_json(const rig::SensorCalibration& calibration,
                                                   const std::string& source);
 

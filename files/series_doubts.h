@@ -16,12 +16,12 @@ namespace raceway::files {
 ///                conditions: in this unit the record is longer than the time constant, and the
 ///                lags of the model explain the readings much better.
 /// Temperatures:  values between 220 and 470 C look like kelvin. Values look like Fahrenheit if no
-///                sensor was ever colder than 59 C, or the surroundings never colder than 50 C. A
-///                single sensor looks like Fahrenheit if its coldest reading, converted from
-///                Fahrenheit, nearly equals the coldest reading of all sensors.
-/// Displacements: less than 0.02 or more than 300 um per kelvin look like mm, m or nm (angles:
-///                arcsec, mrad, deg or rad), if the values are then 0.05 to 100 um or urad per
-///                kelvin.
+///                sensor was ever colder than 59 C, or a sensor of the surroundings never colder
+///                than 50 C. A single sensor looks like Fahrenheit if its coldest reading,
+///                converted from Fahrenheit, nearly equals the coldest reading of all sensors.
+/// Displacements: less than 0.02 or more than 300 um for each kelvin of the largest temperature
+///                change look like mm, m or nm (angles: arcsec, mrad, deg or rad), if they are 0.05
+///                to 100 um (urad) per kelvin in this unit.
 [[nodiscard]] std::vector<Doubt> series_doubts(const record::Record& data,
                                                const std::vector<correction::Model>& models);
 

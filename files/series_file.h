@@ -9,8 +9,9 @@
 
 namespace raceway::files {
 
-/// Reads a record over time (columns with their units: docs/files.md) into SI: time_s or dates,
-/// inputs of the machine, and displacements. Other columns are ignored, and a note lists them.
+/// Reads a record over time into SI: time_s or dates, inputs of the machine, and displacements.
+/// docs/files.md lists the columns with their units. Other columns are ignored, and a note lists
+/// them.
 ///
 /// An empty cell in a displacement means no reading. Inputs are filled between their readings
 /// (files/detail/filled_inputs.h). Only the displacements in `wanted` are kept; all of them if
@@ -24,7 +25,7 @@ namespace raceway::files {
                                          const std::vector<const record::Channel*>& needed,
                                          const ReadOptions& options = {});
 
-/// Returns the options for the columns of read_series().
+/// Returns the options with `over_time` set, as read_series() needs them.
 [[nodiscard]] ReadOptions over_time(ReadOptions options);
 
 }  // namespace raceway::files

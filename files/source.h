@@ -10,7 +10,7 @@
 
 namespace raceway::files {
 
-/// A file, or data that replace a file: a text, or the columns of a table.
+/// A file to read, or data that replace it: a text, or the columns of a table.
 struct Source {
   std::string name;                         ///< path of the file, or a name for messages
   std::shared_ptr<const std::string> text;  ///< null: the text is read from the file

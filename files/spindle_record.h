@@ -9,16 +9,17 @@ namespace raceway::files {
 
 /// Reads operating conditions and measurements of a spindle over time into SI: time_s or dates,
 /// speed_rpm, the inputs that record::spindle_channel() knows, the sensors of the model and
-/// axial_displacement_um. Other columns are named in a note and ignored.
+/// axial_displacement_um. Other columns are ignored, and a note lists them.
 ///
-/// An empty cell of a measured column means that there is no reading. An empty cell in any other
-/// column is an error. Throws like read_series(), and for a column whose name looks like a misspelt
-/// sensor.
+/// An empty cell of a measured column means that there is no reading. Inputs are filled between
+/// their readings, as in read_series(). Throws like read_series(), for a column whose name looks
+/// like a misspelt sensor, for a load that the model cannot carry, and if a heat formula of the
+/// model needs a column that is missing.
 [[nodiscard]] record::Record read_spindle_record(const Source& source,
                                                  const model::Spindle& spindle,
                                                  const ReadOptions& options = {});
 
-/// Returns the options for the columns of read_spindle_record().
+/// Returns the options with `over_time` and `of_spindle` set, as read_spindle_record() needs them.
 [[nodiscard]] ReadOptions of_spindle(ReadOptions options);
 
 }  // namespace raceway::files

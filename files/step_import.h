@@ -10,7 +10,7 @@
 /// Step responses computed by another program, such as a finite-element run of a spindle.
 namespace raceway::files {
 
-/// Response to one constant load, which starts at t = 0 from rest. The times rise.
+/// Response to one load that starts at t = 0 from rest. The times are in ascending order.
 struct LoadCase {
   std::string name = {};
   double power_start = unset, power_end = unset;  ///< [W]; NaN: the power follows from the speed
@@ -30,10 +30,10 @@ struct LoadCase {
 /// occurs twice in a case, and a speed that changes within a case.
 [[nodiscard]] std::vector<LoadCase> read_load_cases(const std::string& path);
 
-/// Parses load cases from text; `source` is the name in messages.
+/// Parses load cases from text; `source` is the file name in messages.
 [[nodiscard]] std::vector<LoadCase> parse_load_cases(std::string text, const std::string& source);
 
-/// Units of two columns without a header.
+/// SI values of the units of two columns without a header.
 struct HistoryUnits {
   double time = 1.0, length = um;
 };
@@ -49,7 +49,7 @@ struct HistoryUnits {
 /// have two numbers, and for a time or a displacement that is not finite or out of range.
 [[nodiscard]] LoadCase read_history(const std::string& given, const HistoryUnits& units);
 
-/// Fits a step response to each case. A case without a power gives a response without a power.
+/// Fits a step response to each case. If a case has no power, its response has no power either.
 /// Throws InputError for a case that cannot be fitted.
 [[nodiscard]] std::vector<spindle::StepResponse> fit_load_cases(const std::vector<LoadCase>& cases);
 

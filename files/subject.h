@@ -7,10 +7,10 @@
 
 namespace raceway::files {
 
-/// Returns the subject of a model: a bearing on a rig, the sets on a shaft, or a spindle.
+/// Returns the fit::Subject of a model: a bearing on a rig, the sets on a shaft, or a spindle.
 [[nodiscard]] std::shared_ptr<const model::ModelSubject> make_subject(const model::Model& model);
-/// Returns the subject of a model for a record. For the sets on a shaft the columns of the record
-/// decide: axial displacement or friction torque.
+/// Returns the fit::Subject of a model for a record. For the sets on a shaft, the columns of the
+/// record determine whether it predicts axial displacement or friction torque.
 [[nodiscard]] std::shared_ptr<const model::ModelSubject> make_subject(const model::Model& model,
                                                                       const record::Record& record);
 

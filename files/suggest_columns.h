@@ -16,7 +16,7 @@ namespace raceway::files {
                                             const model::ModelSubject& subject);
 
 /// Suggests [columns] for a record over time and the corrections of a file. Words in the headers
-/// identify the columns that the corrections need. Other columns get new names.
+/// identify the columns that the corrections need. Other columns get names made from their headers.
 [[nodiscard]] std::string suggested_columns(const Source& source,
                                             const std::vector<correction::Model>& models);
 

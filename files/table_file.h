@@ -46,7 +46,7 @@ struct SlabText {
 /// many rows.
 [[nodiscard]] std::string merged_table_text(const std::vector<SlabText>& slabs);
 
-/// Parses a table from text; `source` is the name in messages.
+/// Parses a table from text; `source` is the file name in messages.
 [[nodiscard]] TableFile parse_table(std::string text, const std::string& source);
 
 }  // namespace raceway::files

@@ -17,7 +17,7 @@ struct UsedDefault {
     derived,    ///< value calculated from other values, as stated in `why`
   };
   std::string table, key;  ///< `effect[0]` is the first effect
-  std::string value;       ///< as it would be written in the file, or in words
+  std::string value;       ///< value as in a file, or in words
   Origin origin = Origin::key;
   std::string why = {};  ///< reason for the reader; empty for Origin::key
 
@@ -26,7 +26,7 @@ struct UsedDefault {
     return fmt::format("{}.{} = {}{}", table, key, value,
                        why.empty() ? "" : fmt::format(" ({})", why));
   }
-  /// Returns `solver.tilt = "locked" (default)`, or the reason instead of "default".
+  /// Returns `solver.tilt = "locked" (default)`; if there is a reason, it replaces "default".
   [[nodiscard]] std::string line() const {
     return short_line() + (why.empty() ? " (default)" : "");
   }

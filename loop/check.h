@@ -32,8 +32,7 @@ struct Check {
   /// Channels that the model predicts, then the other measured channels.
   std::vector<MeasuredChannel> measured;
   std::vector<Column> columns;
-  std::vector<record::Parameter>
-      free;             ///< all free parameters, including those that are not identifiable
+  std::vector<record::Parameter> free;  ///< all free parameters, even if not identifiable
   std::string problem;  ///< reason why the free parameters cannot be fitted; empty if they can
   /// Names of settings that are constant within each run and different in every run. A new setup of
   /// the rig for each run could have the same effect on the readings. The text is empty if there

@@ -14,12 +14,12 @@
 #include "verdict/compare.h"
 #include "verdict/diagnosis.h"
 
-/// Page of a record over time: measured and predicted values with the inputs below, the
+/// Page of a record over time. It shows measured and predicted values with the inputs below, the
 /// contribution of each channel, the residual, step responses, and the error of each model or
 /// effect.
 namespace raceway::report {
 
-/// Data for the pictures: a correction, or a spindle with each measured channel.
+/// A model for the pictures: a correction, or a spindle with each measured channel.
 struct DrawnModel {
   std::string name{};                             ///< name for readers
   std::shared_ptr<const fit::Subject> subject{};  ///< a correction is aligned with the record
@@ -30,8 +30,8 @@ struct DrawnModel {
 
 /// Returns the page with the document that `command` prints with `--json`. Models of the same
 /// channel share the readings of this channel. The page shows the eight held-out parts for the
-/// first model of each channel. `facts` describe spindles. `changes` are the differences from each
-/// spindle to the next.
+/// first model of each channel. `facts` describe spindles. `changes` are the differences between
+/// each spindle model and the next one.
 [[nodiscard]] std::string record_report(const std::string& command, const std::string& results,
                                         const record::Record& record,
                                         const std::vector<DrawnModel>& models,

@@ -20,8 +20,8 @@
 
 /// Writes results as one HTML page with pictures. The page needs no network. It contains the
 /// document that `--json` prints, the data of the pictures, and the script that draws the pictures
-/// (report/page/). Equal results give equal bytes. If there are several measured channels, the page
-/// draws the first one.
+/// (report/page/). Equal results give identical files. If there are several measured channels, the
+/// page draws the first one.
 namespace raceway::report {
 
 /// Returns false in a program that was built with -DRACEWAY_REPORT=OFF. The functions below then
@@ -35,8 +35,8 @@ struct ModelOfPage {
   std::vector<files::UsedDefault> defaults;
 };
 
-/// Returns the page of models in the order of their creation, with comparisons of their measured
-/// channels. `facts` may be empty, here and in the functions below.
+/// Returns the page that compares models with a record, in the given order of the models. `facts`
+/// may be empty, here and in the functions below.
 [[nodiscard]] std::string comparison_report(
     const std::vector<std::string>& model_files, const std::vector<model::Model>& models,
     const std::vector<std::vector<verdict::Comparison>>& comparisons, const record::Record& record,
@@ -53,8 +53,8 @@ struct ModelOfPage {
                                      const verdict::AddResult& result,
                                      const std::vector<ModelOfPage>& facts = {});
 
-/// Operating points of a bearing with their predicted equilibrium. The page draws them in addition
-/// to the curves.
+/// Operating points of a bearing with the predictions for them. The page draws them in addition to
+/// the curves.
 using BearingStates = std::vector<std::pair<bearing::OperatingPoint, model::FrictionPrediction>>;
 
 /// Returns the page of a table. `measured` may be null. The measured friction torque is the sum of
@@ -68,11 +68,11 @@ using BearingStates = std::vector<std::pair<bearing::OperatingPoint, model::Fric
 /// The fitted law of a shaft's displacement, or the reason why there is none.
 struct LawOfReport {
   std::optional<shaft::KinematicLawFit> fit;
-  std::string statement;  ///< fit quality of the law, or the reason for no fit
+  std::string statement;  ///< quality of the fit, or the reason why there is no fit
 };
 
-/// Returns the page of displacement over speed. `warnings` are the texts of the command on
-/// bearings, on speeds without equilibrium and on exceeded limits. `findings` contains the exceeded
+/// Returns the page of displacement over speed. `warnings` are the warnings of the command about
+/// bearings, speeds without equilibrium and exceeded limits. `findings` contains the exceeded
 /// limits as data.
 [[nodiscard]] std::string displacement_report(
     const std::string& model_file, const model::Model& model,
@@ -80,8 +80,8 @@ struct LawOfReport {
     const LawOfReport& law, const std::vector<std::string>& warnings,
     const std::vector<ModelOfPage>& facts = {}, const model::Findings& findings = {});
 
-/// Returns the page that contains a document. The function escapes `<` in the JSON text of the
-/// document, because `<` could end the data too early.
+/// Returns the page that contains a document. The function escapes `<` in the JSON text, because
+/// `</script>` in a text would end the data too early.
 [[nodiscard]] std::string report_page(const std::string& document);
 
 }  // namespace raceway::report

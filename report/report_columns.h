@@ -7,11 +7,11 @@
 namespace raceway::report {
 
 /// Rows of numbers for the pictures of a report, column by column, as compact JSON. Numbers have
-/// seven digits. A column with the same value in all rows is written as this value. Unknown numbers
-/// are null.
+/// seven digits. A column with the same value in all rows is written as `constant` with this value,
+/// instead of `values`. Unknown numbers are null.
 ///
 /// If there are more than `most_rows` rows or `most_numbers` numbers, rows are omitted. Rows at
-/// equal distances and the rows of keep() stay.
+/// equal distances and the rows that keep() names remain.
 class ReportColumns {
  public:
   explicit ReportColumns(std::size_t rows) : rows_(rows) {}

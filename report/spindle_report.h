@@ -8,8 +8,8 @@
 #include "results/spindle_results.h"
 #include "spindle/drawn_run.h"
 
-/// Pages of `raceway spindle`: the contents of runs.csv as pictures, and the cross-section with the
-/// temperature of each cell.
+/// Pages of `raceway spindle`: pictures of the course of a run or of the steady states, and the
+/// cross-section with the temperature of each cell.
 namespace raceway::report {
 
 /// Temperatures of all cells at one time, or at one speed.
@@ -19,7 +19,7 @@ struct DrawnField {
   std::vector<spindle::FieldCell> cells;
 };
 
-/// Returns the page of a run. `mesh_text` is the text of the command on the mesh error.
+/// Returns the page of a run. `mesh_text` is the statement of the command on the mesh error.
 [[nodiscard]] std::string spindle_run_report(
     const ModelOfPage& model, const std::string& programme, std::size_t rows_asked,
     const spindle::Run& run, const spindle::DrawnRun& drawn, std::span<const DrawnField> fields,

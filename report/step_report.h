@@ -9,9 +9,9 @@
 
 namespace raceway::report {
 
-/// Returns the page of `raceway step-response`. `source` is the origin of the steps. `facts` are
-/// empty if the steps were read without a model. `error` is the error of the correction over
-/// `programme`; null if it was not requested.
+/// Returns the page of `raceway step-response`. `source` names the model or the file of the steps.
+/// `facts` are empty if the steps were read without a model. `error` is the comparison of the
+/// correction with the simulation of `programme`; null if it was not requested.
 [[nodiscard]] std::string step_report(const std::string& source,
                                       const spindle::StepResponses& responses,
                                       const spindle::PowerLaws& laws,

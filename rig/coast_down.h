@@ -8,30 +8,31 @@
 
 namespace raceway::rig {
 
-/// Options for dividing a coast-down into windows, one for each row. The defaults suit records with
-/// some hundred to a million samples.
+/// Options for dividing a coast-down into windows. Each window gives one row. The defaults are
+/// suitable for records with a few hundred to a million samples.
 struct CoastDownOptions {
   int windows = 40;        ///< wanted windows per run; more windows give more and noisier rows
-  int fewest_samples = 7;  ///< per window; fewer leave less than 4 degrees of freedom for noise
-  /// largest fall of the speed within a window, relative to its start [1]
+  int fewest_samples = 7;  ///< least number in a window; 7 leave 4 degrees of freedom for noise
+  /// Largest fall of the speed within a window, relative to the speed at the start of the window
+  /// [1].
   double largest_fall = 0.25;
 };
 
 /// Result for one run of a coast-down.
 struct CoastDownRun {
   std::string run;             ///< run_id; empty if the file has none
-  int samples = 0;             ///< samples used; samples with the same time are one sample
+  int samples = 0;             ///< samples used; samples with the same time count as one
   int before_release = 0;      ///< excluded samples: run-up and plateau
   int outliers = 0;            ///< samples excluded as outliers
-  int rows = 0;                ///< number of torques found
+  int rows = 0;                ///< number of rows, each with a torque
   double speed_noise = unset;  ///< standard deviation of one sample (or block mean) [rad/s]
   double correlation = 0.0;    ///< correlation of neighbouring residuals; 0 if not significant [1]
   double torque_std = unset;   ///< standard deviation of the torque, median over the rows [N m]
 };
 
 struct CoastDownTorque {
-  /// Rows of friction torque with their standard deviation `known` and the means of all recorded
-  /// inputs. The notes list all changes to the data.
+  /// Rows of friction torque with their standard deviation (Column::known) and the means of all
+  /// recorded inputs. The notes describe all changes to the data.
   record::Record record;
   std::vector<CoastDownRun> runs;
 };
@@ -52,18 +53,19 @@ struct CoastDownTorque {
 ///
 /// The standard deviation of a row is the residual scale of the whole run (robust, Huber's proposal
 /// 2) times the gain of the slope. If neighbouring residuals are correlated (filtered signals), the
-/// standard deviation is increased by the factor of a first-order autoregression. Samples more than
-/// 8 robust deviations from a robust local parabola are excluded and listed in the notes. Windows
+/// standard deviation is increased by the factor of a first-order autoregression. Samples that are
+/// more than 8 robust standard deviations away from a robust local parabola are excluded. Windows
 /// do not span gaps. Dense records are first averaged in blocks, at most 32 in a window.
 ///
-/// The line number of a row is the line in the middle of its window. The notes give the place of
-/// all samples that were excluded or averaged.
+/// The line number of a row is the line in the middle of its window. The notes state how many
+/// samples were excluded or averaged, and the first places.
 /// Domain:   constant inertia, no drive. The function excludes samples before the release
 /// (release.h), samples at standstill or below Rig::minimum_speed, windows in which the shaft
-/// speeds up, and runs with fewer samples than one window. If the shaft is driven up again within a
-/// run, each coast-down in the run is used. Samples with the same time are averaged. Throws
-/// std::invalid_argument without an inertia, for a value that is not finite, for a time that
-/// decreases within a run (the message names the line), and if no run is long enough.
+/// speeds up, and runs with fewer samples than the smallest window. If the shaft is driven up again
+/// within a run, each coast-down in the run is used. Samples with the same time are averaged.
+/// Throws std::invalid_argument if the inertia is missing or not positive, for a value that is not
+/// finite, for a time that decreases within a run (the message names the line), and if no run is
+/// long enough.
 [[nodiscard]] CoastDownTorque coast_down_torque(const record::Record& coast_down,
                                                 const model::Rig& rig,
                                                 const CoastDownOptions& options = {});

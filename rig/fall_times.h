@@ -14,7 +14,8 @@ struct Fall {
   double time_deviation = unset;    ///< standard deviation of the time [s]; NaN: not declared
 };
 
-/// Returns the speed at which a torque M ~ ω^p equals its mean over the time of a fall [rad/s].
+/// Returns the speed at which a torque M ~ ω^p equals the mean torque over the time of a fall
+/// [rad/s].
 ///
 /// The mean over time, J (ω1 - ω2)/t, is the harmonic mean over speed, because dt = J dω/M(ω):
 ///
@@ -33,15 +34,16 @@ struct Fall {
 ///   M = J (ω1 - ω2)/t   at   ω_e = speed_of_mean_torque(ω1, ω2, p) (1 + (p'/p) s²/24)
 ///
 /// The exponent p and its change p' = dp/d ln ω come from a parabola of ln M over ln ω through the
-/// row and its neighbours. Neighbours are falls of the same run with the same inputs, whose middle
-/// is more than half a fall away. At an end, the next two falls are used. For two falls, p' is 0;
-/// for a single fall, p = 2/3, as for a viscous moment. With these values, ω_e is correct to second
-/// order in s for every smooth law.
+/// row and its neighbours. Neighbours are falls of the same run with the same inputs, if their
+/// middle is more than half a fall away. At an end, the next two falls are used. For two falls, p'
+/// is 0; for a single fall, p = 2/3, as for a viscous moment. With these values, ω_e is correct to
+/// second order in s for every smooth law.
 ///
 /// `falls` has one entry for each row of `record`, which contains the other inputs and the runs.
-/// The speed of the record is replaced. A deviation of the time gives a deviation of the torque,
-/// σ_M = M σ_t/t. Throws std::invalid_argument without an inertia, for different lengths, and for
-/// an invalid fall (with its place).
+/// The speed of the record is replaced. If every fall has a standard deviation of the time, the
+/// torques have one too: σ_M = M σ_t/t. Throws std::invalid_argument if the inertia is missing or
+/// not positive, if `falls` and `record` differ in length, and for an invalid fall (with its
+/// place).
 [[nodiscard]] record::Record fall_torque(const record::Record& record, std::span<const Fall> falls,
                                          const model::Rig& rig);
 

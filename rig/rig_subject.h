@@ -4,7 +4,7 @@
 
 namespace raceway::rig {
 
-/// Subject for a bearing on a rig that measures friction torque or coasts down.
+/// Model of a bearing on a rig that measures friction torque or coasts down, as a fit::Subject.
 class RigSubject : public model::ModelSubject {
  public:
   /// Throws std::invalid_argument for the model of a shaft.
@@ -19,11 +19,12 @@ class RigSubject : public model::ModelSubject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// Returns the columns: the torque times a cubic in ln speed, ln axial load and temperature with
-  /// interactions, and ln radial load if it varies. For cylindrical rollers, the radial load
-  /// replaces the axial load.
+  /// Returns the columns: the torque times a cubic polynomial in ln speed, ln axial load and
+  /// temperature with interactions. Quadratic terms are added for the radial load, the preload and
+  /// the ring temperatures if they vary. For cylindrical rollers, the radial load replaces the
+  /// axial load.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
-  /// Returns the temperature.
+  /// Returns the temperature if it varies.
   [[nodiscard]] std::vector<const record::Channel*> scattering(
       const fit::Record& record) const override;
   /// Returns speed, load and viscosity.
@@ -34,11 +35,11 @@ class RigSubject : public model::ModelSubject {
   [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;
   /// Returns the other laws, "law:skf" and so on.
   [[nodiscard]] std::vector<fit::OtherBase> other_bases() const override;
-  /// Also names the rows that two parameters of the contact law need: rows with thin films, and
-  /// rows with high pressure.
+  /// Also names the rows that two parameters of the contact law need: mu_boundary needs thin films,
+  /// and limiting_traction needs high pressure.
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
-  /// Returns measurements that distinguish a wrong datum from an effect: the oil or the
-  /// temperature, measured again.
+  /// Returns the measurements that would distinguish a wrong datum from an effect, such as a new
+  /// measurement of the oil or the temperature.
   [[nodiscard]] std::vector<std::string> records_needed(
       const fit::Record& record, const std::vector<std::vector<std::string>>& rivals,
       const std::vector<std::string>& not_testable) const override;

@@ -27,7 +27,7 @@ inline constexpr double sensor_significance = 0.01;
 ///
 ///   F = (Σ n_l (mean_l - V(M_l))² / (L - p)) / (Σ (V - mean_l)² / (N - L))
 ///
-/// N readings at L torques, with p coefficients. Source: [NISThandbook, 4.4.4.6].
+/// N readings at L torques; the curve has p coefficients. Source: [NISThandbook, 4.4.4.6].
 struct LackOfFit {
   double statistic = unset;            ///< F statistic; NaN without repeats
   double p_value = unset;              ///< [1]
@@ -51,7 +51,7 @@ struct SensorCalibration {
   TorqueSensor sensor;
   int readings = 0, torques = 0, degrees_of_freedom = 0;
   double signal_range = unset;  ///< |V(highest) - V(lowest)|, the reference for relative errors [V]
-  /// its standard deviation, which gives the uncertainty of the gain [V]
+  /// Standard deviation of `signal_range`, which gives the uncertainty of the gain [V].
   double range_std = unset;
   double off_line = unset;   ///< largest distance of a mean from the best straight line [V]
   double off_curve = unset;  ///< largest distance of a mean from the curve [V]
@@ -62,7 +62,7 @@ struct SensorCalibration {
   /// p-value of the hypothesis that the scatter is equal at every torque, after [Koenker1981] [1];
   /// NaN below 10 readings.
   double even_scatter_p_value = unset;
-  /// scatter in the lower and upper half of the range [V]
+  /// Scatter in the lower and in the upper half of the range [V].
   double scatter_low = unset, scatter_high = unset;
   std::vector<record::Note> notes{}, warnings{};
 
@@ -71,10 +71,10 @@ struct SensorCalibration {
   [[nodiscard]] double std(int coefficient) const;
 };
 
-/// Fits the signal over the torque by least squares, with QR on the scaled torque. If no degree is
-/// given, it uses the lowest degree for which no higher term, up to the third, is significant. If
-/// the scatter changes along the range, the covariance is valid for any scatter (HC3 of
-/// [MacKinnon1985]).
+/// Fits the signal as a polynomial of the torque by least squares, with QR decomposition for the
+/// scaled torque. If no degree is given, the lowest degree is used for which no higher term, up to
+/// the third, is significant. If the scatter changes significantly along the range, the covariance
+/// comes from HC3 of [MacKinnon1985], which allows such a change.
 ///
 /// Throws std::invalid_argument for an invalid degree, for only one reference torque, for too few
 /// torques or readings for the degree, and for a signal that does not depend on the torque or is

@@ -17,7 +17,7 @@ namespace raceway::rig {
 ///   beyond them the tangent at that end
 ///
 /// Source:   definition. The inverse function gives the torque of a reading.
-/// Domain:   V increases or decreases over the whole range, so turning_torque() is empty.
+/// Domain:   V increases or decreases over the whole range; turning_torque() is then empty.
 /// Trap:     fit the signal as a function of the torque, not the reverse. Weights on an arm are
 ///           known much better than the signal, and the scatter of the signal would reduce the
 ///           slope of a fit of M over V.
@@ -29,8 +29,8 @@ struct TorqueSensor {
   double highest_torque = unset;    ///< [N m]
   double lowest_signal = unset;     ///< range of the signal in the calibration [V]
   double highest_signal = unset;    ///< [V]
-  std::optional<double> zero = {};  ///< signal of the day without torque, replaces V(0) [V]
-  /// standard deviation of `zero` [V]; default: `scatter` (one reading)
+  std::optional<double> zero = {};  ///< signal without torque on the day; replaces V(0) [V]
+  /// Standard deviation of `zero` [V]; default: `scatter`, for a single reading.
   std::optional<double> zero_std = {};
   std::string source = {};  ///< file of the calibration, for messages
 };
@@ -40,7 +40,7 @@ struct TorqueSensor {
 [[nodiscard]] std::optional<double> turning_torque(const Eigen::VectorXd& coefficients,
                                                    double lowest, double highest);
 
-/// Returns the signal at a torque [V] with the zero of the calibration.
+/// Returns the signal V(M) at a torque [V], with the zero of the calibration.
 [[nodiscard]] double signal_at(const TorqueSensor& sensor, double torque);
 
 /// Returns true if both sensors convert every signal to the same torque.
@@ -58,7 +58,7 @@ struct SensedTorque {
 };
 
 /// Accuracy: rounding; standard deviations are linearised. `signal_std` [V] replaces the scatter of
-/// one reading; NaN if it is not known.
+/// one reading; NaN keeps the scatter.
 [[nodiscard]] SensedTorque torque_of(const TorqueSensor& sensor, double signal,
                                      double signal_std = unset);
 
@@ -66,12 +66,12 @@ struct SensedTorque {
 struct SensedTorques {
   std::vector<double> torque{};  ///< [N m]; NaN without a reading
   std::vector<double> std{};     ///< [N m]; empty if the calibration has no scatter
-  /// notes on the errors of the torques and on signals outside the calibration
+  /// Notes on the errors of the torques and on signals outside the calibration.
   std::vector<record::Note> notes{};
 };
 
-/// `deviations` has one entry for each signal [V] or is empty. `lines` are line numbers of the
-/// file, for notes.
+/// Converts the signals of a record to torques. `deviations` has a standard deviation for each
+/// signal [V], or is empty. `lines` are line numbers of the file, for notes.
 [[nodiscard]] SensedTorques sensed_torques(const TorqueSensor& sensor,
                                            std::span<const double> signals,
                                            std::span<const double> deviations,
