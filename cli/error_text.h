@@ -20,8 +20,7 @@ namespace raceway::cli {
   return number(error / channel.factor, digits);
 }
 
-/// Returns the noise of the data of a comparison and the source of this noise, or the reason why
-/// the noise is not known.
+/// Returns the noise of the compared data and its source, or the reason why the noise is not known.
 [[nodiscard]] std::string noise_text(const verdict::Comparison& comparison);
 
 /// If a record has at least this number of channels, their errors are printed as one table.

@@ -22,7 +22,8 @@ class HelpFormatter : public CLI::Formatter {
   [[nodiscard]] std::string make_description(const CLI::App* app) const override;
 };
 
-/// Returns the commands that help, completions and man pages list, in their order.
+/// Returns the commands in the order in which help texts, completions and man pages list them.
+/// Hidden commands are left out.
 [[nodiscard]] std::vector<const CLI::App*> listed_commands(const CLI::App& app);
 
 /// Returns a message with suitable commands if the user gave a file instead of a command. The

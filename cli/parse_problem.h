@@ -8,7 +8,7 @@
 namespace raceway::cli {
 
 struct FlagProblem {
-  std::string flag, what;  ///< `what` names the flag too
+  std::string flag, what;  ///< `what` is the message; it also contains the flag
 };
 
 /// Finds the first error in the flags of a command: a flag is unknown (the message suggests a

@@ -6,7 +6,8 @@
 
 namespace raceway::cli {
 
-/// Prints the sets of a shaft at one operating point: bearings, position, stiffness and friction.
+/// Prints the bearing sets of a shaft at one operating point: bearings, position, stiffness and
+/// friction.
 void print_shaft_state(const model::Model& model, const bearing::OperatingPoint& point,
                        const shaft::ShaftPrediction& prediction);
 

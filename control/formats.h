@@ -26,7 +26,7 @@ namespace raceway::control {
 /// to the axes.
 [[nodiscard]] std::string control_hal(const ControlPlan& plan, std::string_view name,
                                       std::string_view program);
-/// Returns the lines of HAL that return the offset to 0 before LinuxCNC ends.
+/// Returns the lines of HAL that move the offset back to 0 before LinuxCNC ends.
 [[nodiscard]] std::string control_hal_shutdown(const ControlPlan& plan, std::string_view name,
                                                std::string_view program);
 

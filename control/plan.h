@@ -52,7 +52,8 @@ struct ControlTogether {
 /// value of a load is used if the load axis has no negative value.
 struct ControlTable {
   std::string file{};
-  /// Increasing values, at least one per axis; exactly one if no input of the drive reads the axis.
+  /// Increasing values, at least one per axis; exactly one if no input supplies a value for the
+  /// axis.
   std::vector<double> speed_rpm{}, axial_load_N{}, radial_load_N{}, temperature_C{};
   std::vector<double> torque_Nmm{};  ///< in the order of the axes; the speed varies fastest
 };
@@ -62,19 +63,19 @@ struct ControlDrive {
   enum class Kind {
     rise,   ///< mean rise of temperatures from their first values, minus the rise of the reference
             ///< [K]
-    size,   ///< mean of inputs, speeds to a power: x (x/1000)^(exponent - 1)
+    size,   ///< mean of the inputs; a speed x enters as x (x/1000)^(exponent - 1)
     power,  ///< torque of a table times the speed [W]
     motor   ///< exp(-n/n0) while the motor turns, else 0
   } kind = Kind::size;
-  std::vector<std::size_t> inputs{};  ///< inputs of rise and size
+  std::vector<std::size_t> inputs{};  ///< inputs of the kinds rise and size
   std::size_t reference = nowhere;    ///< reference temperature of a rise
-  /// Inputs at which the table of a power is read.
+  /// Inputs that supply the loads and the temperature for the table of a power.
   std::size_t axial_load = nowhere, radial_load = nowhere, temperature = nowhere;
   double temperature_C = unset;            ///< temperature for the table if no input supplies it
-  std::size_t table = nowhere;             ///< table of a power
-  double exponent = 1.0;                   ///< exponent of a size
-  double decay_rpm = unset;                ///< n0 of a motor
-  double lowest = unset, highest = unset;  ///< range of a power, as for an input
+  std::size_t table = nowhere;             ///< table of the kind power
+  double exponent = 1.0;                   ///< exponent of the kind size
+  double decay_rpm = unset;                ///< n0 of the kind motor
+  double lowest = unset, highest = unset;  ///< range of a power in the data of the fit
   std::string unit{};                      ///< "K"
   /// Input of the window, the position of an axis. The window is a factor: 0 outside the outer
   /// points, 1 between the inner points, and linear between an outer and an inner point.
@@ -104,7 +105,7 @@ struct ControlCurve {
   std::vector<double> input{}, value{};
 };
 
-/// A section with target and time constant that depend on the drive, a power or a load.
+/// A section whose target and time constant depend on its drive. The drive is a power or a load.
 struct ControlElement {
   std::string channel{};
   std::size_t drive = nowhere;
@@ -137,8 +138,8 @@ struct ControlEquation {
       denominator{};  ///< [um] per unit of the drive; [1], of equal length
 };
 
-/// Largest deviation of the interval between two calls from the sampling interval, as a share of
-/// the sampling interval.
+/// Largest allowed difference between the interval of two calls and the sampling interval, relative
+/// to the sampling interval [1].
 inline constexpr double interval_tolerance = 0.05;
 
 /// Instant part: A n^(1 - B exp(-C n)).
@@ -183,7 +184,7 @@ struct ControlPlan {
   std::string source{};  ///< name of the model file
   std::vector<ControlInput> inputs{};
   std::size_t speed = nowhere,
-              coolant = nowhere;            ///< indices of the inputs with a special role
+              coolant = nowhere;            ///< indices of speed_rpm and coolant_on in `inputs`
   std::vector<ControlTogether> together{};  ///< one for each model with a joint range
   std::vector<ControlTable> tables{};
   std::vector<ControlDrive> drives{};

@@ -16,17 +16,18 @@ namespace raceway::correction {
 /// Each input becomes a channel with only a feedthrough, so the result runs like every other model.
 /// The model has no memory and extrapolates linearly. The fit leaves out channels driven by a
 /// power, inputs that never vary, and inputs that depend linearly on other inputs. A message names
-/// each input that is left out.
+/// each input that is left out. Standard errors are widened for the autocorrelation of the
+/// residual. The held-out error comes from eight parts of the record. Each part is predicted with
+/// coefficients that are fitted to the other parts.
 ///
-/// Source:   least squares by QR, see regression.h. Standard errors are widened for the
-/// autocorrelation of the residual. The held-out error comes from eight parts of the record. Each
-/// part is predicted with coefficients that are fitted to the other parts. Throws
-/// std::invalid_argument if no input varies or there are too few readings.
+/// Throws std::invalid_argument if no input varies or there are too few readings.
+/// Source:   least squares by QR decomposition, see regression.h.
 [[nodiscard]] Identification regression_baseline(const Model& model,
                                                  const std::vector<const Channel*>& offered,
                                                  const record::Record& record);
 
-/// Returns true if a model has only instant channels of columns, as a linear regression has.
+/// Returns true if a model consists only of instant channels driven by columns, as a linear
+/// regression does.
 [[nodiscard]] bool is_regression(const Model& model);
 
 /// Returns the channels of a model that a regression or an ARX model can use, without their
@@ -75,9 +76,9 @@ struct ArxBaseline {
 /// sampling interval of the baseline.
 [[nodiscard]] Model with_arx(const Model& model, const ArxBaseline& baseline, const ArxFit& fit);
 
-/// Fits ARX models of the orders `lowest` to `highest` on an even time grid. Its step is the median
-/// interval between readings. Throws std::invalid_argument if there is no input or there are too
-/// few readings.
+/// Fits ARX models of the orders `lowest` to `highest` on an even time grid. The step of the grid
+/// is the median interval between readings. Throws std::invalid_argument if there is no input or
+/// there are too few readings.
 [[nodiscard]] ArxBaseline arx_baseline(const Model& model,
                                        const std::vector<const Channel*>& offered,
                                        const record::Record& record, int lowest, int highest);

@@ -13,7 +13,7 @@ namespace raceway::correction {
 /// Returns the effect with this id; null if there is none.
 [[nodiscard]] const EffectKind* find_kind(std::string_view id);
 
-/// Returns the cards of the effects.
+/// Returns the descriptions of the effects, sorted by id.
 [[nodiscard]] std::span<const EffectCard> catalogue();
 [[nodiscard]] const EffectCard* find_card(std::string_view id);
 

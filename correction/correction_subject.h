@@ -49,7 +49,7 @@ class CorrectionSubject : public fit::Subject {
   /// "second-time-constant:ambient". The user may omit the part after the colon if only one
   /// candidate has this effect id, and may name the first channel although its full id omits it.
   /// Unknown ids are returned unchanged. Throws std::invalid_argument if the name is ambiguous.
-  /// Call this on a subject returned by informed_by().
+  /// Call this function on the result of informed_by().
   [[nodiscard]] std::string meant_by(const std::string& id) const;
   /// Returns the possible faults of the record: exchanged columns, a loose sensor, and a sensor
   /// with coarse resolution (see correction/effects/). Call this function on a fitted model.
@@ -61,7 +61,7 @@ class CorrectionSubject : public fit::Subject {
   [[nodiscard]] std::vector<fit::Blocking> blockings(const fit::Record& record) const override;
 
   /// Unknowns that are not parameters of the model [m]: the zero of each run or clamping after the
-  /// first, and the initial states if the initial state is free.
+  /// first, and the initial states if `initial_state` is "free".
   struct Beginning {
     fit::Parameter parameter{};
     int zero = 0;  ///< index of the zero; a state has a channel and a section instead

@@ -9,7 +9,8 @@
 
 namespace raceway::correction {
 
-/// Delay element whose gain and time constant depend on its input x, the power loss or a load.
+/// Delay element whose gain and time constant depend on its input x. The input is the power loss or
+/// a load.
 ///
 ///   T(x) du/dt = K(x) - u
 ///
@@ -21,7 +22,7 @@ namespace raceway::correction {
 ///           load may have either sign, except with a power law, which is not defined below 0.
 /// Traps:    the published K is a line with K(0) = 10.36 um, although no heat is produced at P = 0.
 ///           The paper does not discuss this. Here K(0) = 0, so a spindle at standstill cools
-///           towards its rest position, with T(0).
+///           towards its rest position with the time constant T(0).
 struct DelayElement {
   Characteristic gain, time_constant;
   bool both_signs = false;  ///< true: the input may be negative

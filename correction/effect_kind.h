@@ -25,7 +25,8 @@ struct EffectCard {
   std::size_t size = 0;     ///< index of the parameter whose neutral value switches the effect off
   bool of_channel = false;  ///< true: changes a channel's response; false: adds to the displacement
   bool at_channel = false;  ///< true: `where` names a channel; empty means the first one
-  /// True if the full id contains a column: the column that drives the effect or its window.
+  /// True if the full id contains a column: the column that drives the effect, or the column of its
+  /// window.
   bool by_column = false;
   bool by_window = false;   ///< true: may be limited to a range of an axis position
   bool of_reading = false;  ///< true: valid only for this record, and not for a control
@@ -41,7 +42,7 @@ struct Surroundings {
   std::span<const Channel* const> varying{};  ///< inputs of the record that vary
   std::span<const Interval> ranges{};         ///< range of each of these inputs [SI]
   std::span<const double> jump_times{};       ///< times at which the displacement jumps [s]
-  double end = 0.0;                           ///< end of the record, behind the last row [s]
+  double end = 0.0;                           ///< end of the record: 1 s after the last row [s]
 
   [[nodiscard]] bool varies(const Channel& column) const;
   /// Returns true if the first channel has lags, which effects can modify.
@@ -84,7 +85,7 @@ class EffectKind {
   [[nodiscard]] virtual std::vector<double> choices(std::size_t number,
                                                     const Surroundings& in) const;
 
-  /// Returns the parameters of the card that the switched-on effect uses.
+  /// Returns those parameters of the card that this effect uses.
   [[nodiscard]] virtual std::span<const record::NumberCard> numbers(const Effect& effect) const;
   /// Returns true if a file may omit this parameter and the following ones.
   [[nodiscard]] virtual bool may_end_before(std::size_t number) const;
@@ -113,7 +114,7 @@ class EffectKind {
   virtual void change(const Effect& effect, const Model& model, Answer& answer) const;
 
  protected:
-  /// Returns the effect switched on at this place, with its initial values.
+  /// Returns the effect with its initial values, on this channel or axis and with these columns.
   [[nodiscard]] Effect at(std::string where = {}, std::vector<const Channel*> columns = {}) const;
 };
 

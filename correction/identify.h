@@ -40,7 +40,7 @@ struct AheadError {
 struct StrengthTried {
   double strength = unset;      ///< [um² per square of a gain in um/K, um/(m/min), um/1000 rpm]
   double speed_weight = unset;  ///< [1]
-  double rms_ahead = unset;     ///< mean rms error over all cuts [m]
+  double rms_ahead = unset;     ///< rms error on later readings, mean over the fitted parts [m]
   double share = unset;         ///< weight in the final gains [1]
 };
 

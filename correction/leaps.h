@@ -25,11 +25,11 @@ namespace raceway::correction {
 /// the last digit.
 inline constexpr double seen_leap_of_a_sensor = 0.5;
 
-/// Returns the rows before which a temperature jumps, because no body with heat capacity changes
-/// that fast. The jump exceeds 0.5 K. It is more than four times the change just before it and more
-/// than four times the change just after it. The rows before and after the jump must belong to one
-/// run, the time step of the jump must be at most 1.5 times the step before it, and the speed must
-/// be the same in this row and the three rows before it.
+/// Returns the rows before which a temperature jumps: it changes faster than a body with heat
+/// capacity can. The jump exceeds 0.5 K. It is more than four times the change just before it and
+/// more than four times the change just after it. The rows before and after the jump must belong to
+/// one run, the time step of the jump must be at most 1.5 times the step before it, and the speed
+/// must be the same in this row and the three rows before it.
 [[nodiscard]] std::vector<std::size_t> leaping_rows(const record::Record& record,
                                                     const record::Channel& column);
 

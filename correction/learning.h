@@ -25,7 +25,7 @@ struct LearningOptions {
 inline constexpr double usual_misfit = 2.0 * um;
 inline constexpr double usual_reading_std = 0.3 * um;
 
-/// Result of a reading that a probe offered.
+/// A reading that was offered for learning, and its result.
 struct OfferedReading {
   std::size_t row = 0;
   /// Reading and prediction [m]; the prediction does not yet use this reading.
@@ -69,7 +69,7 @@ struct Learning {
   std::vector<IdentificationDue> due{};
   ErrorBetween error{};
   double tolerance = unset;  ///< [m]
-  /// Number of rows whose uncertainty exceeds the tolerance.
+  /// Number of rows in which the uncertainty of the prediction exceeds the tolerance.
   std::size_t rows_beyond_tolerance = 0;
   /// Time from the last row until the uncertainty of the prediction exceeds the tolerance, with
   /// constant inputs [s]. It is infinite if this takes more than 30 days, and NaN if the model has

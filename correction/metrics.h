@@ -18,7 +18,7 @@ struct Metrics {
   /// (1 - |y - s| / |y - mean of y|) 100 with the measured y: 100 means a perfect simulation, and 0
   /// means that the mean would be as good.
   double fit_percent = unset;
-  /// (1 - largest |residue|/largest |measured displacement|) 100.
+  /// Reduction of the largest error: (1 - largest |residue| / largest |measured displacement|) 100.
   double reduction_of_max_percent = unset;
 };
 

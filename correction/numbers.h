@@ -18,7 +18,7 @@ struct TimeConstantLimits {
 
 /// A parameter of a model that may be fitted.
 struct Number {
-  record::Parameter parameter{};  ///< parameter "spindle.gain_1", in the units of the files
+  record::Parameter parameter{};  ///< for example "spindle.gain_1", in the units of the files
   std::string group{};  ///< "gains", "time_constants", "offset", "kinematic", "scale" or "effects"
   double* place = nullptr;  ///< address of the value in the model
   double factor = 1.0;      ///< ratio of the value in the model to the value of the parameter

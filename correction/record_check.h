@@ -14,7 +14,7 @@ namespace raceway::correction {
 struct RecordCheck {
   struct Quantum {
     const Channel* column = nullptr;
-    double step = unset;  ///< [SI]: the values are the least value plus multiples of it
+    double step = unset;  ///< [SI]; all values are the smallest value plus multiples of it
   };
   struct Printed {
     std::string channel;
@@ -36,7 +36,7 @@ struct RecordCheck {
   std::vector<Quantum> quanta{};
   std::vector<Printed> printed{};  ///< printed transfer functions of the model
   std::vector<record::Note> warnings{};
-  /// Those of the warnings that concern sensors of the model's inputs.
+  /// The warnings that concern sensors of the model's inputs.
   std::vector<record::Note> of_its_inputs{};
 };
 

@@ -16,7 +16,7 @@ namespace raceway::correction {
 
 /// Changes that effects make to the lags of a channel.
 struct Answer {
-  double sensor_time_constant = 0.0;  ///< sensor time constant [s]: the input is T (1 + it s)
+  double sensor_time_constant = 0.0;               ///< τ of a sensor [s]: see effects/sensor_lag.h
   double off_gain = 1.0, off_time_constant = 1.0;  ///< ratios that apply while coolant_on is 0
   /// Parameters s and g of effects/speed_dependent_time_constant.h.
   double speed_factor = 0.0, gain_power = 1.0;
@@ -29,7 +29,8 @@ struct Answer {
   }
 };
 
-/// Returns the absolute value of a speed or feed, with the exponent of Input::exponent.
+/// Returns the absolute value of a speed or feed after the exponent is applied: see
+/// Input::exponent.
 [[nodiscard]] double driving_size(double value, double exponent);
 
 /// A time record prepared for the models of this folder: time steps, inputs (temperatures relative
@@ -66,8 +67,8 @@ class Series {
   /// Returns the weight of a window on the displacement at the time of the reading in each row. The
   /// result is null if the input has no such window.
   [[nodiscard]] Values shown_share(const Input& input) const;
-  /// Returns the number of rows at which the spindle turns and the power is outside the axes of its
-  /// friction table.
+  /// Returns the number of rows in which the spindle turns and its operating point is outside the
+  /// axes of the friction table.
   [[nodiscard]] std::size_t rows_beyond_table(const Input& input) const;
 
   /// Returns the state of a lag of this input, in the unit of the input and multiplied by the

@@ -23,7 +23,7 @@ struct Contribution {
 /// interval of printed coefficients.
 void simulate(const Model& model, const Series& series, std::span<double> displacement);
 
-/// Passes each term that simulate() adds to the offset to the sink.
+/// Passes to `sink` each term that simulate() adds to the offset.
 void show_parts(const Model& model, const Series& series, const Sink& sink);
 
 /// Returns the contributions of the parts to the displacement, without the offset.

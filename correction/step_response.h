@@ -10,7 +10,7 @@ namespace raceway::correction {
 
 /// Response over time to a step of one input, from rest. Each part is a lag: gain (1 - exp(-t/T)).
 struct StepResponse {
-  std::string name{};   ///< channel or effect
+  std::string name{};   ///< name of the channel or effect
   std::string input{};  ///< readable name of the input that steps
   double step = 1.0;    ///< size of the step in `unit`
   std::string unit{};   ///< "K"; empty for an input without a unit

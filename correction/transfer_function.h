@@ -58,7 +58,7 @@ struct TransferFunction {
 ///           constant -dt/ln(1 - rise), and its input is held between samples.
 struct ParallelForm {
   struct Lag {
-    double rise, gain;  ///< 1 - pole [1]; in the unit of a(0)
+    double rise, gain;  ///< rise: 1 - pole [1]; gain: in the unit of a(0)
   };
   double through = 0.0;  ///< in the unit of a(0)
   std::vector<Lag> lags{};

@@ -30,12 +30,12 @@ struct Estimate {
 };
 
 struct EstimatedBearing {
-  BearingOutline outline;                              ///< with data from the designation
+  BearingOutline outline;  ///< as given; an unknown contact angle is set to 15 deg
   Estimate ball_diameter, pitch_diameter, conformity;  ///< [m], [m], [1]
   Estimate ball_count;                                 ///< the given count, if there is one
   Estimate static_load_rating;                         ///< [N]
   std::size_t rows = 0;      ///< number of catalogue rows used for the ratios
-  bool like_section = true;  ///< true: rows of similar section; false: too few, all rows
+  bool like_section = true;  ///< true: from rows of similar section; false: from all rows
   bool like_series = true;   ///< false: no row has the dimension series of this bearing
 };
 

@@ -39,7 +39,7 @@ struct CatalogueBearing {
 /// in the installation folder set at build time. The path is empty if nothing is found.
 [[nodiscard]] std::string data_file(const std::string& name);
 
-/// Returns the catalogue folder bearings/ of the data; empty if not found.
+/// Returns the data folder, which contains the catalogues in bearings/; empty if it is not found.
 [[nodiscard]] std::string data_directory();
 
 /// Returns the user's data folder from the environment variable RACEWAY_DATA; empty if it is not

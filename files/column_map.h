@@ -69,7 +69,7 @@ struct ColumnRule {
 struct Combination {
   struct Term {
     const record::Channel* transducer;
-    double factor;  ///< [m/m], for an angle [rad/m]
+    double factor;  ///< [m/m]; for an angle [rad/m]
   };
   const record::Channel* displacement;
   std::vector<Term> terms{};

@@ -19,7 +19,7 @@ struct CorrectionFile {
   std::string text;                       ///< text of the file, for editing
   std::vector<UsedDefault> defaults{};    ///< every default that was used
   std::vector<record::Note> notes{};      ///< further notes for the user
-  ColumnMap columns{};                    ///< columns of the measurements
+  ColumnMap columns{};                    ///< rules for the columns of measurements
   correction::ControlSettings control{};  ///< settings of the control from [export]
   std::vector<NamedFile> files{};         ///< files that the correction names, as they were read
 };

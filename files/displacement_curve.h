@@ -28,8 +28,8 @@ struct DisplacementCurve {
 [[nodiscard]] DisplacementCurve read_displacement_curve(const Source& source,
                                                         const ReadOptions& options = {});
 
-/// Returns a table as CSV: speed_rpm, axial_displacement_um, slope_um_rpm, and the rule of
-/// interpolation. `source` is the curve from which the table was made.
+/// Returns a table as CSV: speed_rpm, axial_displacement_um, slope_um_rpm, with the rule of
+/// interpolation in a comment. `source` is the curve from which the table was made.
 [[nodiscard]] std::string displacement_table_text(const shaft::DisplacementTable& table,
                                                   std::string_view source);
 

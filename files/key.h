@@ -35,10 +35,10 @@ struct Form {
 
 struct Required {};
 
-/// Default of a key, for a file without this key.
+/// Default of a key that a file does not contain.
 struct Default {
   double value = unset;      ///< value of a number, in its unit; NaN without words: no default
-  std::string_view words{};  ///< one of the words of the form, or the origin of the default
+  std::string_view words{};  ///< one of the allowed texts, or the origin of the default
   bool required = false;     ///< no default: the key is required in its table
 
   constexpr Default() = default;

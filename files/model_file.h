@@ -31,7 +31,7 @@ struct ModelFile {
   std::vector<UsedDefault> defaults;
   /// Further notes, one line each, without the name of the file.
   std::vector<record::Note> notes = {};
-  ColumnMap columns = {};  ///< columns of the measurements
+  ColumnMap columns = {};  ///< rules for the columns of measurements
   /// Torque sensor, if the file names one.
   std::optional<rig::TorqueSensor> sensor = {};
   std::vector<NamedFile> files = {};  ///< files named in the model, as they were read
@@ -60,10 +60,10 @@ struct KeyValue {
   std::string comment = {};
 };
 
-/// Returns the text with these values. Comments, order and blanks stay. A missing key with a
-/// default is added to its table. If the text is read again, it gives exactly these values. Throws
-/// InputError if the text is not TOML or lacks the [[effect]], and std::invalid_argument for a
-/// value that is not finite.
+/// Returns the text with these values. Comments, order and blanks do not change. A missing key with
+/// a default is added to its table. If the text is read again, it gives exactly these values.
+/// Throws InputError if the text is not TOML or lacks the [[effect]], and std::invalid_argument for
+/// a value that is not finite.
 [[nodiscard]] std::string with_values(std::string_view text, std::span<const KeyValue> changes);
 
 /// Returns the text with this effect as a new [[effect]] at its end. Nothing else changes. If the

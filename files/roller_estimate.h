@@ -24,8 +24,8 @@ struct EstimatedRollers {
   [[nodiscard]] bool printed() const { return !std::isnan(outer_raceway); }
 };
 
-/// Estimates the rollers of a size of series N10. The boundary dimensions follow dimension series
-/// 10 (files/boundary_dimensions.h).
+/// Estimates the rollers of a bearing of series N10. The boundary dimensions follow dimension
+/// series 10 (files/boundary_dimensions.h).
 ///
 ///   d_m = (d + D)/2,   L = D_w
 ///   printed sizes   D_w = E - d_m,   Z = C0/(44 (1 - γ) L D_w), rounded

@@ -26,8 +26,8 @@ struct SensorReadings {
 [[nodiscard]] SensorReadings read_sensor_readings(const Source& source,
                                                   const ReadOptions& options = {});
 
-/// Returns the table [torque_sensor] for a model or a separate file. parse_model() and the reader
-/// of sensor files read this table again.
+/// Returns the table [torque_sensor] for a model or a separate file. parse_model() can read this
+/// table.
 [[nodiscard]] std::string torque_sensor_text(const rig::SensorCalibration& calibration,
                                              std::string_view source);
 

@@ -10,8 +10,8 @@
 namespace raceway::files {
 
 /// Reads a record over time into SI: time_s or dates, inputs of the machine, and displacements.
-/// docs/files.md lists the columns with their units. Other columns are ignored, and a note lists
-/// them.
+/// docs/files.md lists the columns with their units. Other columns are not used in calculations,
+/// and a note lists them.
 ///
 /// An empty cell in a displacement means no reading. Inputs are filled between their readings
 /// (files/detail/filled_inputs.h). Only the displacements in `wanted` are kept; all of them if

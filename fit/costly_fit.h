@@ -47,12 +47,12 @@ class CostlyProblem {
   [[nodiscard]] const std::vector<Parameter>& parameters() const { return parameters_; }
   [[nodiscard]] CostlyFit from(const Eigen::VectorXd& start, const CostlyEnd& end) const;
   /// Continues from `base`, a fit of the first of these parameters. The remaining parameters belong
-  /// to candidates. `sizes` are the indices of the candidate parameters that were neutral at the
-  /// end of `base`. `initial` contains values that are not neutral. If the size of a candidate ends
-  /// at a bound, or the misfit falls by less than 10 %, a second fit begins at the start of `base`.
-  /// The second fit runs only if that point is far away and the derivatives predict a gain there.
-  /// It is needed because parameters of `base` may have moved to absorb the missing effect, and
-  /// then block the candidate.
+  /// to candidates. `sizes` are the indices of the parameters that are the sizes of the candidates.
+  /// `initial` contains values of all parameters, with sizes that are not neutral. If the size of a
+  /// candidate ends at a bound, or the misfit falls by less than 10 %, a second fit begins at the
+  /// start of `base`. The second fit runs only if that point is far away and the derivatives
+  /// predict a gain there. It is needed because parameters of `base` may have moved to absorb the
+  /// missing effect, and then block the candidate.
   [[nodiscard]] CostlyFit beyond(const CostlyFit& base, const Eigen::VectorXd& initial,
                                  const std::vector<std::size_t>& sizes, const CostlyEnd& end) const;
   /// Continues a fit of these parameters.

@@ -1,7 +1,8 @@
 #pragma once
 
-/// Returns probabilities of the usual tests. The functions are compiled only once, because the
-/// distributions of Boost.Math add seconds to the compilation of every file that includes them.
+/// Probabilities and quantiles of the distributions that tests need. The functions are compiled
+/// only once, because the distributions of Boost.Math add seconds to the compilation of every file
+/// that includes them.
 ///
 /// Degrees of freedom are positive and need not be whole numbers. Each function throws
 /// std::domain_error for arguments outside its domain.

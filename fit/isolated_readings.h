@@ -19,11 +19,11 @@ struct Isolation {
 /// A time record without its isolated readings, and a list of them.
 struct Isolated {
   record::Record record{};                   ///< isolated readings are NaN
-  std::vector<std::size_t> rows{};           ///< rows of isolated readings, rising
+  std::vector<std::size_t> rows{};           ///< rows of isolated readings, in ascending order
   const record::Channel* channel = nullptr;  ///< channel of the readings; null if none were removed
-  bool impossible = false;  ///< true if a reading is outside the range of the others at any speed
+  bool impossible = false;  ///< true if a reading was removed because of `by.impossible`
   Isolation by{};           ///< criteria that were used
-  bool by_model = false;    ///< true if the residuals of a model showed the readings
+  bool by_model = false;    ///< true if the readings were found in the residuals of a model
 
   [[nodiscard]] bool any() const { return !rows.empty(); }
   /// Describes the result: "56 readings of axial displacement jump and return ...".

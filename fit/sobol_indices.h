@@ -36,7 +36,8 @@ class SobolDesign {
   std::vector<std::uint32_t> points_;  // sample by sample, A before B
 };
 
-/// Shares of the variance of one function [1]. Each error is half the width of a 95 % interval.
+/// Shares of the variance of a function that one input causes [1]. Each error is half the width of
+/// a 95 % interval.
 struct SobolIndex {
   double first = unset, first_error = unset;  ///< share of this input without interactions
   /// Share including all interactions with other inputs.

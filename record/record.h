@@ -84,17 +84,18 @@ struct Record {
   /// Returns the place of a row in words: "line 12" for a file, otherwise "row 3" (counted from 1).
   /// For joined records, the name of the part follows: "line 12 of monday".
   [[nodiscard]] std::string place(std::size_t row) const;
-  /// Returns the line of a row, or its number counted from 1.
+  /// Returns the line of a row in the file, or the number of the row (counted from 1) if there is
+  /// no file.
   [[nodiscard]] int line(std::size_t row) const;
 };
 
 /// Joins records of one kind. The result has all rows, record by record, and separate runs for each
 /// record. The records are sorted by their file names, so the order in the argument has no
-/// influence. It has all columns of any record, with NaN if a record lacks a column. A part has the
-/// name of its source without folder and extension. If two of these names are equal, both include
-/// the folder. A deviation counts as known only if it is known in all records. The result keeps the
-/// notes of all records. Throws std::invalid_argument for fewer than two records, for two records
-/// of one source, for a record whose readings have an unknown factor, and for records with
+/// influence. The result has all columns of any record, with NaN if a record lacks a column. A part
+/// has the name of its source without folder and extension. If two of these names are equal, both
+/// include the folder. A deviation counts as known only if it is known in all records. The result
+/// keeps the notes of all records. Throws std::invalid_argument for fewer than two records, for two
+/// records of one source, for a record whose readings have an unknown factor, and for records with
 /// different `settings_hold`.
 [[nodiscard]] Record joined(std::vector<Record> records);
 

@@ -22,7 +22,7 @@ struct CoastDownOptions {
 struct CoastDownRun {
   std::string run;             ///< run_id; empty if the file has none
   int samples = 0;             ///< samples used; samples with the same time count as one
-  int before_release = 0;      ///< excluded samples: run-up and plateau
+  int before_release = 0;      ///< excluded samples before the release: run-up and plateau
   int outliers = 0;            ///< samples excluded as outliers
   int rows = 0;                ///< number of rows, each with a torque
   double speed_noise = unset;  ///< standard deviation of one sample (or block mean) [rad/s]

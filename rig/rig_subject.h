@@ -12,8 +12,8 @@ class RigSubject : public model::ModelSubject {
 
   [[nodiscard]] std::vector<fit::Measured> measured() const override;
   void require(const fit::Record& record) const override;
-  /// Returns the equilibria of the original model, with which all predictors of ball-based effects
-  /// begin.
+  /// Returns the equilibria for the values of the model file. Predictors that need an equilibrium
+  /// begin with them.
   [[nodiscard]] std::shared_ptr<const void> prepare(const fit::Record& record) const override;
   [[nodiscard]] std::unique_ptr<fit::Predictor> predictor(
       const fit::Record& record, const std::vector<std::string>& names,

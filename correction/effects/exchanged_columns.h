@@ -4,9 +4,10 @@
 
 namespace raceway::correction {
 
-/// Two temperature columns have exchanged names, because a plug or a header was exchanged. faults()
-/// returns the record with exchanged columns for each pair of which the model uses at least one. It
-/// leaves out columns with jumps and pairs that drive one channel together.
+/// Two temperature columns have exchanged names, because a plug or a header was exchanged. For each
+/// pair of temperatures of which the model uses at least one, faults() returns the record with the
+/// two columns exchanged. It leaves out columns with jumps and pairs that drive one channel
+/// together.
 struct ExchangedColumns final : EffectKind {
   static constexpr EffectCard exchanged_card{
       .id = "exchanged-columns",

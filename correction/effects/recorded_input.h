@@ -74,9 +74,9 @@ struct RecordedInput final : EffectKind {
  private:
   static constexpr double endless = std::numeric_limits<double>::infinity();
 
-  /// These windows are tried: proportional to the position along the axis, the upper half of the
-  /// axis, and each third of the axis. The lower half needs no window, because it is the channel
-  /// minus the upper half. Edges are round numbers in the unit of the column.
+  /// Returns the windows that are tried: a weight proportional to the position along the axis, the
+  /// upper half of the axis, and each third of the axis. The lower half needs no window, because it
+  /// is the channel minus the upper half. Edges are round numbers in the unit of the column.
   static std::array<Window, 5> windows_of(const Channel& position, const Interval& range) {
     const double low = position.in_unit(range.lower), width = position.in_unit(range.upper) - low;
     const double grain = std::pow(10.0, std::floor(std::log10(width)) - 2.0);
@@ -92,7 +92,8 @@ struct RecordedInput final : EffectKind {
             between(third, third, two_thirds, two_thirds),
             between(two_thirds, two_thirds, endless, endless)};
   }
-  /// Ambient temperatures belong to ambient-drift; feeds and speeds belong to their own effects.
+  /// Returns true for columns that no other effect uses. Ambient temperatures belong to
+  /// ambient-drift, and feeds and speeds have their own effects.
   static bool is_nameless(const Channel& c) {
     return !record::is_ambient(c) && !record::acts_by_amount(c) && c.kind != record::offset_kind;
   }

@@ -4,7 +4,8 @@
 
 namespace raceway::correction {
 
-/// The sensor lags behind the temperature: the input is T (1 + τ s).
+/// The sensor lags behind the temperature. The input is therefore T (1 + τ s), with the reading T
+/// and the time constant τ of the sensor.
 struct SensorLag final : EffectKind {
   static constexpr record::NumberCard lag{
       "sensor_time_constant_s", "s", 0.0, 0.0, 3600, 0.0, 3600, 0.0};
