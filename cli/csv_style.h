@@ -13,7 +13,7 @@ namespace raceway::cli {
 /// `--decimal-mark`.
 ///
 /// `plain` and `excel` have the header in the first line. The comments and the model go to a second
-/// file: run_comments.txt for run.csv. If the table goes to stdout, they are omitted.
+/// file: run_comments.txt for run.csv. If the table goes to stdout, comments and model are omitted.
 struct CsvStyle {
   std::string format = "csv", separator, decimal_mark;
 

@@ -12,7 +12,7 @@
 namespace raceway::cli {
 
 /// Unit for a table of several displacements. If all displacements have the same unit, the unit is
-/// printed above the columns. Otherwise it follows each number.
+/// printed above the columns. Otherwise the unit follows each number.
 class CommonUnit {
  public:
   /// Each of the `results` has a member `displacement`.

@@ -36,15 +36,15 @@ void tell(const std::vector<std::string>& notes);
 void warn(const std::string& warning);
 void warn(const std::vector<std::string>& warnings);
 
-/// Returns the receiver of the messages of a session. It prints them like tell(). It also rejects
-/// files that a session reads and that are outputs of the same run.
+/// Returns the receiver of the messages of a session. The receiver prints them like tell(). It also
+/// rejects files that the session reads and that are outputs of the same run.
 [[nodiscard]] session::Messages& messages();
 
 /// Prints the reason why there is no result, even with --quiet.
 void complain(const std::string& line);
 
-/// Stores the JSON document of this run. It is printed after all other work of the command, so that
-/// no error follows it.
+/// Stores the JSON document of this run. The document is printed after all other work of the
+/// command, so that no error can follow it.
 void put_document(std::string json);
 
 /// Returns the JSON document of this run and clears it; empty if there is none.

@@ -33,8 +33,8 @@ struct OutputFlags {
   /// Throws text::InputError for `-o -`. `shows` names the output that the command prints to
   /// stdout.
   void refuse_stdout(const std::string& command, const std::string& shows) const;
-  /// Writes a model, with the names of the files in it relative to the new file, and prints
-  /// "my.toml written". Does nothing if no output is given.
+  /// Writes a model and prints "my.toml written". File names in the model become relative to the
+  /// folder of the new file. Does nothing if no output is given.
   void put_model(const std::string& text, const std::vector<files::NamedFile>& named) const;
   /// Writes the text and prints "my.toml written, WHAT". Prints the text if there is no file.
   void put(const std::string& text, const std::string& what = {}) const;

@@ -7,8 +7,8 @@
 #include "correction/model.h"
 #include "record/record.h"
 
-/// Makes the check record for the program of a plan. It has rows of a record and the results of
-/// `correct` for these rows.
+/// Makes the check record for the program of a plan. A check record has rows of a record and the
+/// results of `correct` for these rows.
 namespace raceway::control {
 
 /// Returns a check record from the first run of a measured record, with at most `most_rows` rows.

@@ -198,7 +198,7 @@ struct ControlPlan {
   std::vector<std::string> warnings{};
 };
 
-/// Returns the input of a column. The range and the checks of the input are not set.
+/// Returns the ControlInput for a column, without its range and its checks.
 [[nodiscard]] ControlInput input_of(const record::Channel& channel);
 
 /// Returns the index of the input of a column, or `nowhere`.
@@ -216,9 +216,9 @@ void in_order(ControlPlan& plan);
 
 /// Increases stuck_s, the time after which a sensor counts as stuck, if a working sensor was
 /// constant for `still_s`. The new time is 1.5 times `still_s`, rounded up to 10 minutes, and at
-/// most one day. It is used only if it is longer than the current time, only for temperatures, and
-/// only if `settings` have the default of stuck_s. Returns a sentence on the change; empty if
-/// nothing changed. `where` names the record in which the sensor was constant.
+/// most one day. The function changes only temperatures, only to a longer time, and only if
+/// `settings` have the default of stuck_s. Returns a sentence on the change; empty if nothing
+/// changed. `where` names the record in which the sensor was constant.
 [[nodiscard]] std::string allow_to_stand(ControlInput& input, double still_s,
                                          const correction::ControlSettings& settings,
                                          const std::string& where);

@@ -72,8 +72,8 @@ struct ArxBaseline {
   [[nodiscard]] const ArxFit* best() const;
 };
 
-/// Returns a model whose channels are the transfer functions of `fit`. It is valid only for the
-/// sampling interval of the baseline.
+/// Returns a model whose channels are the transfer functions of `fit`. This model is valid only for
+/// the sampling interval of the baseline.
 [[nodiscard]] Model with_arx(const Model& model, const ArxBaseline& baseline, const ArxFit& fit);
 
 /// Fits ARX models of the orders `lowest` to `highest` on an even time grid. The step of the grid

@@ -19,8 +19,8 @@ class Characteristic {
   struct Power {
     double factor, exponent;
   };
-  /// Linear interpolation between points with rising x. Beyond the first and the last point, their
-  /// values are used.
+  /// Linear interpolation between points with rising x. Before the first point and after the last
+  /// one, the value of that point is used.
   struct Table {
     std::vector<double> input, value;
   };
@@ -34,8 +34,9 @@ class Characteristic {
 
   [[nodiscard]] double operator()(double input) const;
   /// Returns the range around x = 0 in which the value is positive, including `lower` and excluding
-  /// `upper`. If there is no limit on one side, it is infinite. The range of a power law begins at
-  /// 0, because the law is not defined below. If the value at 0 is not positive, both limits are 0.
+  /// `upper`. A limit is infinite if the value remains positive on that side. The range of a power
+  /// law begins at 0, because the law is not defined below. If the value at 0 is not positive, both
+  /// limits are 0.
   [[nodiscard]] Interval positive_within() const;
   [[nodiscard]] const Form& form() const { return form_; }
 

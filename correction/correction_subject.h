@@ -31,8 +31,8 @@ class CorrectionSubject : public fit::Subject {
   /// are removed, because the new parameters will come from this record.
   [[nodiscard]] std::unique_ptr<fit::Subject> informed_by(const fit::Record& record) const override;
 
-  /// Takes the input range of `model`, which informed_by() removes. Use it to apply the parameters
-  /// of that model to another record.
+  /// Takes the input range of `model`, which informed_by() removes. Use this function to apply the
+  /// parameters of that model to another record.
   void keep_range(const Model& model);
 
   [[nodiscard]] std::vector<fit::Parameter> parameters() const override;

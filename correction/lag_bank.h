@@ -38,10 +38,10 @@ struct LagBankOptions {
 /// single best strength would depend mostly on chance.
 ///
 /// If many sensors measure bodies whose influence on the displacement is unknown, a bank of lags
-/// usually predicts better than a few sections with fitted time constants. Such sections fit
-/// equally well but extrapolate badly. The gains have no physical meaning. They have no standard
-/// error, because the ridge shrinks them towards 0. If the model does not list its free parameters,
-/// only the offset remains free after this fit.
+/// usually predicts better than a few sections with fitted time constants. A few sections fit the
+/// record equally well, but extrapolate badly. The gains of a bank have no physical meaning. These
+/// gains have no standard error, because the ridge shrinks them towards 0. If the model does not
+/// list its free parameters, only the offset remains free after this fit.
 /// Source: ridge regression [HoerlKennard1970]. The lags and weights are our choice, based on the
 /// record of docs/spindle-record.md.
 ///

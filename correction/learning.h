@@ -12,8 +12,8 @@ namespace raceway::correction {
 /// Settings for learning from a probe that measures the displacement occasionally.
 struct LearningOptions {
   double every = 0.0;  ///< shortest time between two offered readings [s]; 0: offer all
-  /// Standard deviation of the model residual [m]. If it is NaN, the tolerance of the model is
-  /// used. Without a tolerance, usual_misfit is used.
+  /// Standard deviation of the model residual [m]. NaN means the tolerance of the model, or
+  /// usual_misfit if the model has no tolerance.
   double misfit = unset;
   double reading_std = unset;  ///< [m]; NaN: measured_std of the model, otherwise usual_reading_std
   /// Time constant with which gains return to the values of the model [s].
@@ -72,8 +72,8 @@ struct Learning {
   /// Number of rows in which the uncertainty of the prediction exceeds the tolerance.
   std::size_t rows_beyond_tolerance = 0;
   /// Time from the last row until the uncertainty of the prediction exceeds the tolerance, with
-  /// constant inputs [s]. It is infinite if this takes more than 30 days, and NaN if the model has
-  /// no tolerance or the last run has no learned reading.
+  /// constant inputs [s]. The time is infinite if it exceeds 30 days, and NaN if the model has no
+  /// tolerance or the last run has no learned reading.
   double next_reading = unset;
   double level = 1.0;  ///< ratio of actual to expected residual of the model [1]
   double misfit = unset, reading_std = unset;  ///< values that were used [m]
@@ -86,8 +86,8 @@ struct Learning {
 ///   y = f(t) + z + sum_i d_i + sum_j a_j c_j(t) + sum_l b_l s_l(t) + v
 ///
 /// f is the model with the contributions c_j. The zero z of the run is unknown until its first
-/// reading. Afterwards it is a random walk of one misfit per root of an hour, plus a drift of half
-/// a misfit per hour with a memory of 12 h. The d_i describe the residual and the errors in the
+/// reading. Afterwards z is a random walk of one misfit per root of an hour, plus a drift of half a
+/// misfit per hour with a memory of 12 h. The d_i describe the residual and the errors in the
 /// states of slow sections. One process has a memory of half an hour, and there is one further
 /// process for each slow time constant. The joint standard deviation of these processes is a fifth
 /// of a misfit. The a_j are relative changes of the contributions c_j. The b_l are gains of lags
@@ -100,9 +100,9 @@ struct Learning {
 /// with the weight of 8 readings.
 ///
 /// A reading is rejected if it differs from the prediction by more than 5 expected standard
-/// deviations. The next reading is then offered regardless of the interval. If it is just as far
-/// off, it resets the zero in two cases: it agrees with the rejected reading, or the two readings
-/// before it were rejected.
+/// deviations. The next reading is then offered regardless of the interval. A next reading that is
+/// also outside this limit resets the zero in two cases: it agrees with the rejected reading, or
+/// the two readings before it were rejected.
 ///
 /// Source:   a Kalman filter. Sizes and times are our choice, based on the record of
 ///           docs/correction.md with models from three initial parts of it.

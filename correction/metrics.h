@@ -12,8 +12,8 @@ struct Metrics {
   std::size_t readings = 0;
   double rms = unset, mean_abs = unset, max_abs = unset;
   double residue_min = unset, residue_max = unset;
-  /// |max| + |min| of the residue, as printed in [Transfer2022, eq. 7]. It equals the peak-to-peak
-  /// value if max and min have different signs and is larger otherwise.
+  /// |max| + |min| of the residue, as printed in [Transfer2022, eq. 7]. This sum equals the
+  /// peak-to-peak value if max and min have different signs; otherwise it is larger.
   double peak_to_peak = unset;
   /// (1 - |y - s| / |y - mean of y|) 100 with the measured y: 100 means a perfect simulation, and 0
   /// means that the mean would be as good.

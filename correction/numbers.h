@@ -33,7 +33,7 @@ struct Number {
                                                         const TimeConstantLimits& limits = {});
 
 /// Returns the names of the free parameters in the order of the model. Model::free selects them by
-/// name or group. If it is empty, all parameters are free, except scales without a prior.
+/// name or group. If Model::free is empty, all parameters are free, except scales without a prior.
 /// Parameters of user-defined effects that are off are never free. Throws std::invalid_argument for
 /// an unknown name.
 [[nodiscard]] std::vector<std::string> free_names(const Model& model);
@@ -42,8 +42,8 @@ struct Number {
 [[nodiscard]] bool is_group(std::string_view name);
 
 /// Returns the shortest time constant for a lag of this input [s]. For power, speed and other
-/// inputs that are constant between rows, it is at least 180 s, because a faster response belongs
-/// to the kinematic law.
+/// inputs that are constant between rows, the result is at least 180 s, because a faster response
+/// belongs to the kinematic law.
 [[nodiscard]] double shortest_time_constant(const Input& input, const TimeConstantLimits& limits);
 
 /// Returns the channel with this name, or the first one for an empty name; null if there is none.

@@ -7,7 +7,7 @@
 
 namespace raceway::correction {
 
-/// State of the machine in each row. Errors grouped by it show in which state a model fails.
+/// State of the machine in each row. Errors grouped by this state show where a model fails.
 inline constexpr record::Channel phase{
     .name = "phase", .variable = "phase", .words = "phase", .role = record::Role::run};
 

@@ -39,16 +39,16 @@ void forget_what_was_seen(Model& model);
 ///   d = sqrt(zᵀ (R + 0.01 I)^-1 z),   z = (x - mean)/std, R: correlation of the inputs
 ///
 /// This is the distance of [Mahalanobis1936]. The distance grows with the deviation of one input
-/// from the mean, in units of the spread of this input. It also grows if correlated inputs do not
-/// follow their correlation. The term 0.01 I keeps d finite for exactly correlated inputs: if two
-/// of them differ by 0.14 of their standard deviation, d is 1.
+/// from the mean, in units of the spread of this input. The distance also grows if correlated
+/// inputs do not follow their correlation. The term 0.01 I keeps d finite for exactly correlated
+/// inputs: if two of them differ by 0.14 of their standard deviation, d is 1.
 class Distance {
  public:
   explicit Distance(const SeenTogether& seen);
   [[nodiscard]] double operator()(const Eigen::VectorXd& x) const;
 
   /// Returns the weights with d = |weights z|, a lower triangular matrix. Exported control programs
-  /// use it.
+  /// use this matrix.
   [[nodiscard]] const Eigen::MatrixXd& weights() const { return weights_; }
 
  private:
@@ -75,11 +75,11 @@ struct Beyond {
 };
 [[nodiscard]] Beyond beyond_range(const Model& model, const Series& series);
 
-/// Returns the extrapolated part of the prediction at every row [m]. It is the sum over the parts
-/// of the model of |part - part with limited inputs|. To limit the inputs, each input is first
-/// limited to its range. Then all inputs are moved towards their mean until they are inside the
-/// joint range. The result is 0 if no row is outside a range. After such a row, lags keep a
-/// difference for some time.
+/// Returns the extrapolated part of the prediction at every row [m]. This amount is the sum of
+/// |part - part with limited inputs| over the parts of the model. To limit the inputs, each input
+/// is first limited to its range. Then all inputs are moved towards their mean until they are
+/// inside the joint range. The result is 0 if no row is outside a range. After such a row, lags
+/// keep a difference for some time.
 [[nodiscard]] std::vector<double> extrapolated(const Model& model, const Series& series,
                                                const Beyond& beyond);
 

@@ -21,9 +21,9 @@ struct Regression {
 /// for linearly dependent columns.
 [[nodiscard]] Regression regress(const Eigen::MatrixXd& columns, const Eigen::VectorXd& readings);
 
-/// Returns the gain of another spindle of the same type, <y - rest, s>/<s, s>. It is the factor on
-/// the simulated contribution s of the spindle [Transfer2022, eq. 6]. `rest`, the remainder of the
-/// model, is assumed correct.
+/// Returns the gain of another spindle of the same type, <y - rest, s>/<s, s>. This gain is the
+/// factor on the simulated contribution s of the spindle [Transfer2022, eq. 6]. `rest`, the
+/// remainder of the model, is assumed correct.
 [[nodiscard]] double sister_scale(const Eigen::VectorXd& measured, const Eigen::VectorXd& rest,
                                   const Eigen::VectorXd& spindle);
 

@@ -24,10 +24,10 @@ struct TransferFunction {
   double sampling = unset;  ///< [s]
 };
 
-/// Returns the function without a common root of numerator and denominator at exactly 1. Such a
-/// pole never decays. It cancels in exact arithmetic, but the numerical result drifts. Throws
-/// std::invalid_argument if a polynomial is empty, b(0) is not 1, a coefficient is not finite, or
-/// the sampling time is not positive.
+/// Returns the function without a common root of numerator and denominator at exactly 1. A pole at
+/// 1 never decays. In exact arithmetic, the two roots cancel, but the numerical result drifts.
+/// Throws std::invalid_argument if a polynomial is empty, b(0) is not 1, a coefficient is not
+/// finite, or the sampling time is not positive.
 [[nodiscard]] TransferFunction reduced(const TransferFunction& printed);
 
 /// Returns the reduced function with a numerator in um per `unit` [SI] of the input and with two

@@ -44,9 +44,9 @@ struct Trust {
 ///
 /// If the error comes from another record (`Evidence::other_record`), the conditions on the length
 /// of the readings and on readings that move only once are not checked.
-/// Accuracy: the limits are our choice. They were tested on corrections found in the first 1 to 12
-/// h of data/corrections/exact. No correction whose residual in test.csv exceeds a fifth of the
-/// displacement is rated good.
+/// Accuracy: the limits are our choice. The limits were tested on corrections found in the first 1
+/// to 12 h of data/corrections/exact. No correction whose residual in test.csv exceeds a fifth of
+/// the displacement is rated good.
 [[nodiscard]] Trust trust_of(const Model& model);
 
 /// Returns the trust for a record. The level is `do_not_use` if the error leaves more than half of

@@ -46,7 +46,7 @@ struct EstimatedBearing {
 [[nodiscard]] BearingOutline outline_of(std::string_view designation);
 
 /// Estimates the inner geometry from catalogue rows of similar section. If there are fewer than
-/// eight such rows, it uses all rows with a contact angle.
+/// eight such rows, the function uses all rows with a contact angle.
 ///
 ///   d_m = (d + D)/2,   D_w = k (D - d)/2,   Z = φ π d_m / D_w,   C0 = c Z D_w² cos α
 ///

@@ -10,8 +10,8 @@
 #include "record/parameter.h"
 #include "record/units.h"
 
-/// Keys of model files as data. Each reader has its own table of keys. files/key_tables.h lists all
-/// tables.
+/// Describes the keys of model files as data. Each reader has its own table of keys.
+/// files/key_tables.h lists all tables.
 namespace raceway::files {
 
 /// Kind and allowed values of a key.

@@ -55,8 +55,8 @@ struct KeyValue {
   /// [[effect]].
   std::string key;
   double value;
-  /// New comment after the value. If it is empty, the present comment stays. A table in braces gets
-  /// no comment.
+  /// New comment after the value. If this text is empty, the present comment stays. A table in
+  /// braces gets no comment.
   std::string comment = {};
 };
 

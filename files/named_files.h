@@ -16,8 +16,8 @@ struct NamedFile {
 /// Files named by a model. Each file is read once.
 class NamedFiles {
  public:
-  /// `model` is the file of the model. Names are relative to its folder. Files in `held` are not
-  /// read again.
+  /// `model` is the path of the model. Names are relative to the folder of the model. Files in
+  /// `held` are not read again.
   explicit NamedFiles(const std::string& model, std::vector<NamedFile> held = {});
 
   /// Returns the file with this name. Throws InputError like read_text().

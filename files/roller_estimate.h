@@ -32,8 +32,8 @@ struct EstimatedRollers {
 ///   others          D_w = 0.485 (D - d)/2 to 0.5 mm,   Z = 0.71 π d_m/D_w, rounded
 ///
 /// Accuracy: the rating C of these rollers agrees with the printed C within 2.1 % for eight of
-///           eleven sizes. It is 5.6 % too high for N1013 and 16 % too low for N1022 and N1024. The
-///           estimate does not use the printed C.
+///           eleven sizes. This rating is 5.6 % too high for N1013 and 16 % too low for N1022 and
+///           N1024. The estimate does not use the printed C.
 /// Throws InputError for another series and for a size with unknown dimensions.
 [[nodiscard]] EstimatedRollers estimated_rollers(std::string_view designation);
 

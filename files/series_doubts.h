@@ -25,10 +25,11 @@ namespace raceway::files {
 [[nodiscard]] std::vector<Doubt> series_doubts(const record::Record& data,
                                                const std::vector<correction::Model>& models);
 
-/// Returns doubts about the units of a record of a spindle. They include another unit of the time
-/// or the speed, if the simulation explains the readings only in this unit. The time may be in min,
-/// h or d if the record is shorter than 4 hours, and in ms if it is longer than 10 days. The speed
-/// may be in 1/s, rad/s or krpm if it stays below n d_m = 3e5 mm/min.
+/// Returns doubts about the units of a record of a spindle. In addition to the doubts above, the
+/// time or the speed may be in another unit, if the simulation explains the readings only in that
+/// unit. The time may be in min, h or d if the record is shorter than 4 hours, and in ms if it is
+/// longer than 10 days. The speed may be in 1/s, rad/s or krpm if it stays below n d_m = 3e5
+/// mm/min.
 [[nodiscard]] std::vector<Doubt> series_doubts(const record::Record& data,
                                                const model::ModelSubject& spindle);
 

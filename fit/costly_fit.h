@@ -51,8 +51,8 @@ class CostlyProblem {
   /// `initial` contains values of all parameters, with sizes that are not neutral. If the size of a
   /// candidate ends at a bound, or the misfit falls by less than 10 %, a second fit begins at the
   /// start of `base`. The second fit runs only if that point is far away and the derivatives
-  /// predict a gain there. It is needed because parameters of `base` may have moved to absorb the
-  /// missing effect, and then block the candidate.
+  /// predict a gain there. The second fit is needed because parameters of `base` may have moved to
+  /// absorb the missing effect, and then block the candidate.
   [[nodiscard]] CostlyFit beyond(const CostlyFit& base, const Eigen::VectorXd& initial,
                                  const std::vector<std::size_t>& sizes, const CostlyEnd& end) const;
   /// Continues a fit of these parameters.

@@ -36,12 +36,12 @@ struct Isolated {
 /// Both neighbours must be on the same side of the reading. The distance of the reading from each
 /// neighbour must be more than 6 robust standard deviations and more than three times the distance
 /// between the two neighbours. The robust standard deviation is 1.4826 times the median distance of
-/// readings from the middle of their four neighbours. Its lower limit is 0.3 % of the range of the
-/// central 90 % of the readings. A rise after a standstill, a peak at a change of speed and a
-/// lasting jump are not isolated readings. At any speed, a reading is isolated if its distance from
-/// both neighbours exceeds `by.impossible` times the range of the readings (without two readings,
-/// or the outermost 1 %, at either end). If both rules together would remove more than a tenth of
-/// the readings, none is removed.
+/// readings from the middle of their four neighbours. The lower limit of this deviation is 0.3 % of
+/// the range of the central 90 % of the readings. A rise after a standstill, a peak at a change of
+/// speed and a lasting jump are not isolated readings. At any speed, a reading is isolated if its
+/// distance from both neighbours exceeds `by.impossible` times the range of the readings (without
+/// two readings, or the outermost 1 %, at either end). If both rules together would remove more
+/// than a tenth of the readings, none is removed.
 [[nodiscard]] Isolated without_isolated_readings(const record::Record& record);
 
 /// Removes isolated readings of the given channel. If `predicted` gives a value for each row, the

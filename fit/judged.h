@@ -13,8 +13,8 @@ namespace raceway::fit {
 using record::Channel;
 using record::Record;
 
-/// Form of a smooth misfit of unknown origin. It is the typical reading times a sum of terms. Each
-/// term is a product of powers of the inputs.
+/// Form of a smooth misfit of unknown origin. The misfit is the typical reading times a sum of
+/// terms. Each term is a product of powers of the inputs.
 struct Surface {
   struct Input {
     std::vector<double> values;  ///< value of each row, on a scale on which the misfit is smooth
@@ -24,8 +24,9 @@ struct Surface {
   std::vector<std::vector<int>> terms{};  ///< exponents of all inputs, for each term
 };
 
-/// Columns of the saturated regression. It has so many terms that it fits any missing effect, so
-/// its residuals are noise. If there are too few rows for all columns, the first columns are used.
+/// Columns of the saturated regression. This regression has so many terms that it fits any missing
+/// effect, so its residuals are noise. If there are too few rows for all columns, the first columns
+/// are used.
 struct Saturation {
   Surface surface{};
   std::vector<const Channel*> levels{};  ///< inputs with one free value for each level

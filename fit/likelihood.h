@@ -35,8 +35,8 @@ struct Likelihood {
 [[nodiscard]] double widening(double misfit, int degrees_of_freedom);
 
 /// Returns the likelihood of independent readings with equal weights and the most likely noise
-/// variance: -2 ln L = N (1 + ln(2 π s²)), s² = Σe²/N. k does not include the variance of the
-/// noise.
+/// variance: -2 ln L = N (1 + ln(2 π s²)), s² = Σe²/N. The number of parameters k does not include
+/// the variance of the noise.
 [[nodiscard]] Likelihood likelihood_of_alike(double rmse, int readings, int parameters);
 
 }  // namespace raceway::fit

@@ -66,7 +66,7 @@ struct Repeatability {
                                          const record::Channel& measured);
 
 /// Returns an upper bound for the scatter of readings that are far apart in time, with one reading
-/// in each stop [SI]. It uses the quarter of the readings closest to the line between their
+/// in each stop [SI]. The bound uses the quarter of the readings closest to the line between their
 /// neighbours. This quarter shows only noise if the machine was at rest for a quarter of the time.
 /// NaN for fewer than 12 readings.
 [[nodiscard]] double noise_of_calm_readings(const record::Record& record,

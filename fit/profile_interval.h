@@ -8,7 +8,7 @@
 namespace raceway::fit {
 
 /// Half width of the central 95 % interval of the normal distribution, in standard deviations. Its
-/// square belongs to χ² with one degree of freedom.
+/// square is the 95 % quantile of χ² with one degree of freedom.
 constexpr double normal_95 = 1.959963984540;
 constexpr double profile_rise = normal_95 * normal_95;
 
@@ -24,15 +24,15 @@ struct ProfileInterval {
 ///   χ²(value) - χ²(least) = 3.84 factor²
 ///
 /// All other parameters are fitted again at every value [BatesWatts1988, ch. 6;
-/// VenzonMoolgavkar1988]. The number 3.84 belongs to χ² with one degree of freedom. `factor` widens
-/// the interval like the standard errors: it is the root of the reduced χ² if the size of the noise
-/// comes from the misfit. For a model that is linear in its parameters, the interval is value +-
-/// 1.96 factor std.
+/// VenzonMoolgavkar1988]. The number 3.84 is the 95 % quantile of χ² with one degree of freedom.
+/// `factor` widens the interval like the standard errors: it is the root of the reduced χ² if the
+/// size of the noise comes from the misfit. For a model that is linear in its parameters, the
+/// interval is value +- 1.96 factor std.
 ///
 /// If χ² does not rise by this amount within the bounds, the interval is open and ends at the
 /// bound. Without a bound, the open end is infinite. An end is NaN if fits on the way to it do not
-/// converge. Each end is accurate to 1e-4 of its distance from the value. An end needs one refit of
-/// a linear model, and about five refits of other models.
+/// converge. Each end is accurate to 1e-4 of its distance from the fitted value. An end needs one
+/// refit of a linear model, and about five refits of other models.
 [[nodiscard]] ProfileInterval profile_interval(const Response& response, const ResponseFit& fit,
                                                const Whitening& whitening,
                                                const Eigen::VectorXd& measured,

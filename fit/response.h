@@ -40,8 +40,8 @@ struct Response {
   /// Returns the derivatives of the readings (observations x parameters) by differences within the
   /// bounds.
   [[nodiscard]] Eigen::MatrixXd jacobian(const Eigen::VectorXd& x) const;
-  /// Returns the derivatives by one-sided differences; `at_x` are the readings at `x`. They are
-  /// accurate enough on the way to an optimum.
+  /// Returns the derivatives by one-sided differences; `at_x` are the readings at `x`. These
+  /// derivatives are accurate enough on the way to an optimum.
   [[nodiscard]] Eigen::MatrixXd slope_beside(const Eigen::VectorXd& x,
                                              const Eigen::VectorXd& at_x) const;
   /// Tests whether the response is affine, and stores the affine form if it is.

@@ -12,8 +12,8 @@
 namespace raceway::fit {
 
 /// Returns the settings that vary between runs and are constant within every run, as text: "axial
-/// load". The text is empty if there are no such settings or no runs. With `each_in_one_run`, it
-/// names only settings that differ between any two runs.
+/// load". The text is empty if there are no such settings or no runs. With `each_in_one_run`, the
+/// text names only settings that differ between any two runs.
 [[nodiscard]] std::string nested_settings(const Record& record, bool each_in_one_run = false);
 
 /// Returns the rows in the standard order of a diagnosis, independent of their order in the record:

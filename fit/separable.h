@@ -24,9 +24,9 @@ struct Means {
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(list.size()); }
 };
 
-/// Returns the tolerance of a channel [SI]. If no value is given, it is calculated for models that
-/// only approximate: it is the root of the sum of squares of the declared model error and the noise
-/// of a reading. In all other cases, it is NaN.
+/// Returns the tolerance of a channel [SI]. If no value is given, models that only approximate have
+/// a calculated tolerance: the root of the sum of squares of the declared model error and the noise
+/// of a reading. In all other cases, the result is NaN.
 [[nodiscard]] double tolerance_of(const Measured& measured, const Record& record);
 
 /// Returns means over `width` [s], each within one run and one block. A width of 0 keeps single
@@ -47,9 +47,9 @@ struct SeparableFit {
 };
 
 /// Minimises the weighted sum of squares of means over the named parameters. Linear parameters are
-/// solved by linear least squares within each step (variable projection [GolubPereyra1973]).
-/// The other parameters are the bending parameters. They use the method of Levenberg and Marquardt,
-/// on a logarithmic scale if their bounds span more than a decade.
+/// solved by linear least squares within each step (variable projection [GolubPereyra1973]). The
+/// other parameters are the bending parameters. The method of Levenberg and Marquardt finds them,
+/// on a logarithmic scale if the bounds of a parameter span more than a decade.
 ///
 /// A ridge of 1e-6 on columns of unit length prevents two lags with nearly equal time constants
 /// from growing against each other. A prior adds w (v - value)²/std² for its parameter v, where w

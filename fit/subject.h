@@ -11,7 +11,7 @@
 #include "record/record.h"
 
 /// Interface between models and the loop: calibrate(), diagnose() and add(). The loop compares a
-/// model with measurements and finds the missing effect. It handles records, channels and
+/// model with measurements and finds the missing effect. The loop handles records, channels and
 /// parameters without knowledge of their physical meaning.
 namespace raceway::fit {
 
@@ -24,7 +24,8 @@ using record::Parameter;
 struct Measured {
   const Channel* channel = nullptr;
   /// Size of a reading, relative to the rms of all readings, below which the scatter no longer
-  /// falls with the reading. It is 1 for a sensor whose scatter does not depend on the reading.
+  /// falls with the reading. The value is 1 for a sensor whose scatter does not depend on the
+  /// reading.
   double floor = 1.0;
   /// Largest relative scatter of the sensor at equal settings. Larger scatter comes from an input
   /// that was not recorded. NaN if unknown.
@@ -174,9 +175,9 @@ class Subject : public Judged {
   /// names.
   [[nodiscard]] virtual std::unique_ptr<Subject> with_candidates(
       std::span<const std::string> ids) const = 0;
-  /// Returns a copy in which candidates with a free parameter are switched off. They become
-  /// candidates again, because the record must still determine them. The result is null if there
-  /// are none. Default: null.
+  /// Returns a copy in which candidates with a free parameter are switched off. These effects
+  /// become candidates again, because the record must still determine them. The result is null if
+  /// there are none. Default: null.
   [[nodiscard]] virtual std::unique_ptr<Subject> without_free_candidates() const;
   /// Returns a copy with a shape as an additional candidate with this id, switched off. Its
   /// parameters start at the values of the shape. The result is null if the model supports no

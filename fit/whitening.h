@@ -8,8 +8,8 @@ namespace raceway::fit {
 /// Position of each reading in time, for correlated noise. Vectors follow the order of the
 /// readings.
 struct RowOrder {
-  /// Time since the previous row, in units of the median step [1]. It is infinite for the first row
-  /// and for every row that is not correlated with the previous row.
+  /// Time since the previous row, in units of the median step [1]. The value is infinite for the
+  /// first row and for every row that is not correlated with the previous row.
   std::vector<double> step;
   std::vector<bool> new_run;    ///< the row and its predecessor belong to different runs
   std::vector<bool> new_state;  ///< the row and its predecessor belong to different dwells
@@ -33,10 +33,10 @@ struct RowOrder {
 /// time, plus offsets common to the rows of a run and of a dwell. If a run offset is proportional
 /// to s, r = 1. If the offset is equal for all readings of the run, like a zero that is set before
 /// the run, r_i = u/s_i. The variance of a reading then differs from s². A reading may have a white
-/// part that is independent of its neighbours. Then c s replaces s, and s² (1 - c²) is added to its
-/// own variance. The result consists of the innovations of the Kalman filter with these states,
-/// divided by the standard deviations of the innovations. The transformation is exact and needs
-/// time and memory proportional to the number of rows.
+/// part that is independent of its neighbours. Then c s replaces s in the correlated part, and the
+/// white part has the variance s² (1 - c²). The result consists of the innovations of the Kalman
+/// filter with these states, divided by the standard deviations of the innovations. The
+/// transformation is exact and needs time and memory proportional to the number of rows.
 class Whitening {
  public:
   Whitening() = default;

@@ -36,7 +36,7 @@ struct NoteCode {
   [[nodiscard]] Note operator()(std::string text, Place place = {}) const;
 };
 
-/// A message that accompanies a result. Its text is for people and may change between versions.
+/// A message that accompanies a result. The text is for people and may change between versions.
 struct Note {
   const NoteCode* code = nullptr;
   std::string text;

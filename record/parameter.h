@@ -61,7 +61,7 @@ struct Parameter {
   bool identifiable = true;
   Prior prior{};  ///< prior; used only for models that only approximate
   /// True if the parameter stays at its start because another parameter has the same influence.
-  /// It is also true if the parameter stays at its prior because the record does not determine the
+  /// Also true if the parameter stays at its prior because the record does not determine the
   /// parameter.
   bool held = false;
   bool plausible = true;  ///< false if the value is too far outside the range seen in practice

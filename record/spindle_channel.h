@@ -28,8 +28,8 @@ inline constexpr Channel motor_power{.name = "motor_power_W",
                                      .ratio = true,
                                      .place = "W motor power"};
 
-/// Recorded moment at the nose [N m]. It is positive if it turns the shaft like a positive radial
-/// load in front of the nose.
+/// Recorded moment at the nose [N m]. A positive moment turns the shaft like a positive radial load
+/// in front of the nose.
 inline constexpr Channel nose_moment{.name = "moment_Nm",
                                      .variable = "moment",
                                      .words = "moment at the nose",

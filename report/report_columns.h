@@ -18,7 +18,7 @@ class ReportColumns {
 
   /// Adds `values` of all rows, in the unit at the end of `name`.
   void add(std::string name, std::vector<double> values);
-  /// Keeps this row if rows are omitted.
+  /// Keeps this row even if other rows are omitted.
   void keep(std::size_t row) { wanted_.push_back(row); }
   /// Keeps the rows with the highest and lowest `values` in each of 500 sections of equal length.
   void keep_extremes(const std::vector<double>& values);

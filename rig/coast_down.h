@@ -47,9 +47,9 @@ struct CoastDownTorque {
 /// is not affected by the curvature of ω(t), even for unequally spaced samples. For equal spacing,
 /// its noise equals the noise of the slope of a straight line. A window covers 1/`windows` of the
 /// run, because noise falls with the 1.5th power of its length. A window is shorter if the speed
-/// would fall by more than `largest_fall`. The remaining error comes from the third derivative: for
-/// M ~ ω^p it shifts the torque by the share p (2p - 1) s²/40 at a relative fall s, which is 0.04 %
-/// for p = 2/3 and 1 % for p = 2 at s = 0.25.
+/// would fall by more than `largest_fall`. The remaining error comes from the third derivative. For
+/// M ~ ω^p and a relative fall s of the speed, this error is the share p (2p - 1) s²/40 of the
+/// torque. At s = 0.25, the share is 0.04 % for p = 2/3 and 1 % for p = 2.
 ///
 /// The standard deviation of a row is the residual scale of the whole run (robust, Huber's proposal
 /// 2) times the gain of the slope. If neighbouring residuals are correlated (filtered signals), the

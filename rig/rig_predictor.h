@@ -12,7 +12,7 @@
 namespace raceway::rig {
 
 /// Equilibria of the bearing at the rows of a record, for the model with the values of its file.
-/// They are solved at the first request and then shared.
+/// The equilibria are solved at the first request and then shared.
 class EnteredBalances {
  public:
   EnteredBalances(const model::Model& model, const record::Record& record);

@@ -6,7 +6,7 @@ namespace raceway::correction {
 
 /// Two temperature columns have exchanged names, because a plug or a header was exchanged. For each
 /// pair of temperatures of which the model uses at least one, faults() returns the record with the
-/// two columns exchanged. It leaves out columns with jumps and pairs that drive one channel
+/// two columns exchanged. Columns with jumps are left out, and so are pairs that drive one channel
 /// together.
 struct ExchangedColumns final : EffectKind {
   static constexpr EffectCard exchanged_card{

@@ -7,7 +7,7 @@
 namespace raceway::correction {
 
 /// A motor heats up or cools down with the spindle. The effect is a lag of the motor temperature.
-/// Without a column of that temperature, it is a lag of exp(-n/n0) while the spindle turns.
+/// If that temperature is not recorded, the effect is a lag of exp(-n/n0) while the spindle turns.
 struct MotorHeat final : EffectKind {
   static constexpr record::NumberCard decay_speed{
       "decay_speed_rpm", "rpm", 2000, 300, 8000, 300, 8000, unset};
