@@ -14,8 +14,8 @@ namespace raceway::cli {
 [[nodiscard]] std::vector<double> axis(const std::string& text, const NumberRange& range,
                                        const std::string& flag);
 
-/// Flags `--speed`, `--axial-load`, `--radial-load` and `--temperature` of a command for many
-/// points.
+/// Flags `--speed`, `--axial-load`, `--radial-load` and `--temperature` of a command that computes
+/// many points.
 struct AxisFlags {
   std::string speed, axial_load, radial_load, temperature;
 

@@ -36,7 +36,7 @@ struct OutputFlags {
   /// Writes a model and prints "my.toml written". File names in the model become relative to the
   /// folder of the new file. Does nothing if no output is given.
   void put_model(const std::string& text, const std::vector<files::NamedFile>& named) const;
-  /// Writes the text and prints "my.toml written, WHAT". Prints the text if there is no file.
+  /// Writes the text and prints "my.toml written, WHAT". Prints the text if no file is given.
   void put(const std::string& text, const std::string& what = {}) const;
 };
 

@@ -9,7 +9,8 @@
 #include "correction/control_settings.h"
 #include "correction/model.h"
 
-/// Corrections as numbers for a control. Every format of `export` is written from these numbers.
+/// Describes corrections as numbers for a control. Every format of `export` is written from these
+/// numbers.
 ///
 /// All numbers are in the units of files: um (urad for an angle), C, K, W, rpm, m/min, s, N mm.
 /// Every slow part is a sum of parallel sections. Each section has a state s that follows its
@@ -48,8 +49,8 @@ struct ControlTogether {
   double farthest = unset;
 };
 
-/// Friction torque of a spindle, linear between its points, constant beyond them. The absolute
-/// value of a load is used if the load axis has no negative value.
+/// Friction torque of a spindle, interpolated linearly between its points and constant beyond them.
+/// The absolute value of a load is used if the load axis has no negative value.
 struct ControlTable {
   std::string file{};
   /// Increasing values, at least one per axis; exactly one if no input supplies a value for the
@@ -58,7 +59,7 @@ struct ControlTable {
   std::vector<double> torque_Nmm{};  ///< in the order of the axes; the speed varies fastest
 };
 
-/// Input u of a part.
+/// Input u of a part of a correction.
 struct ControlDrive {
   enum class Kind {
     rise,   ///< mean rise of temperatures from their first values, minus the rise of the reference
@@ -84,7 +85,7 @@ struct ControlDrive {
   bool window_of_drive = false;  ///< true: the window multiplies u; false: the displacement
 };
 
-/// A lag whose input is a drive.
+/// A lag whose input is a ControlDrive.
 struct ControlSection {
   std::string channel{};
   std::size_t drive = nowhere;

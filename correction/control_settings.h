@@ -46,9 +46,9 @@ struct ControlSettings {
   // Settings of inputs, by their column.
   ByColumn<ControlLimits> plausible{
       {-40.0, 150.0}, {}};  ///< `all`: for temperatures only; others: 10 times their largest value
-  /// Largest change per second; `all`: for temperatures only. 0: not checked.
+  /// Largest allowed change per second; 0: not checked. `all` applies to temperatures only.
   ByColumn<double> fastest_per_s{1.0};
-  /// Longest time without a change; `all`: for temperatures only. 0: not checked.
+  /// Longest allowed time without a change; 0: not checked. `all` applies to temperatures only.
   ByColumn<double> stuck_s{3600.0};
   /// Time constant of the filter on the inputs of instant parts.
   ByColumn<double> smoothing_s{0.0};

@@ -17,9 +17,9 @@
 #include "record/record.h"
 #include "record/series_channel.h"
 
-/// Describes the displacement of a machine over hours with data from its control. The model is a
-/// sum of lags of temperatures, power, speed and feeds, and of an instant part that follows the
-/// speed.
+/// Describes the displacement of a machine in the course of hours, with data from its control. The
+/// model is a sum of lags of temperatures, power, speed and feeds, and of an instant part that
+/// follows the speed.
 namespace raceway::correction {
 
 using record::Channel;

@@ -47,8 +47,8 @@ struct CorrectionFile {
                                           const std::string& comment);
 
 /// Returns the text of `file` with the numbers, sections, channels, effects and ranges of these
-/// models. The models are the models of the file, changed or extended. Comments and everything else
-/// stay unchanged.
+/// models. `models` are the models of `file` with changes or additions. Comments and everything
+/// else stay unchanged.
 [[nodiscard]] std::string with_corrections(const CorrectionFile& file,
                                            const std::vector<correction::Model>& models);
 

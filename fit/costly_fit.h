@@ -11,7 +11,7 @@
 /// Fits models with costly predictions (Subject::is_costly()).
 namespace raceway::fit {
 
-/// Result of a fit with the derivatives of all means with respect to its parameters.
+/// Result of a fit, with the derivatives of all means (see Means) with respect to the parameters.
 struct CostlyFit {
   SeparableFit fit{};
   Eigen::MatrixXd slope{};
@@ -29,14 +29,14 @@ struct CostlyEnd {
   bool rough = false;
 };
 
-/// Minimises the weighted sum of squares of means over the named parameters by the method of
-/// Levenberg and Marquardt. A parameter has a logarithmic scale if its bounds span more than a
-/// decade; otherwise its typical size is the scale. Derivatives are differences over 0.02 of the
-/// logarithm or 0.2 of the typical size. These steps are so large that neither the tolerance of a
-/// simulation nor its step sizes disturb the derivatives. Between two sets of differences, a
-/// rank-one update corrects the derivatives (Broyden 1965). A typical fit needs two predictions for
-/// each parameter, plus four. Several threads must not use one object at the same time, because its
-/// methods share a buffer of readings.
+/// Minimises the weighted sum of the squared residuals of means by the method of Levenberg and
+/// Marquardt, over the named parameters. A parameter has a logarithmic scale if its bounds span
+/// more than a decade; otherwise its typical size is the scale. Derivatives are differences over
+/// 0.02 of the logarithm or 0.2 of the typical size. These steps are so large that neither the
+/// tolerance of a simulation nor its step sizes disturb the derivatives. Between two sets of
+/// differences, a rank-one update corrects the derivatives (Broyden 1965). A typical fit needs two
+/// predictions for each parameter, plus four. Several threads must not use one object at the same
+/// time, because its methods share a buffer of readings.
 class CostlyProblem {
  public:
   /// The arguments are the same as for Separable.

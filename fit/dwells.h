@@ -5,7 +5,7 @@
 
 #include "record/record.h"
 
-/// Converts the rows of a logger to dwells, periods at one operating point.
+/// Converts the rows of a logger to dwells. A dwell is a period at one operating point.
 namespace raceway::fit {
 
 /// Number of rows in a dwell. Only averaged records have this column; files do not.

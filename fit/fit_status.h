@@ -12,7 +12,7 @@ enum class FitStatus {
   nothing_to_fit  ///< no free parameter changes the data
 };
 
-/// Returns the status in the words of the JSON results, for example "iteration_limit".
+/// Returns the status as the JSON results state it, for example "iteration_limit".
 [[nodiscard]] constexpr std::string_view name(FitStatus status) {
   switch (status) {
     case FitStatus::not_run:

@@ -16,8 +16,8 @@ enum class NoiseSource {
   neighbours  ///< neighbouring readings in time
 };
 
-/// Returns the source in the words of the JSON results: "none", "declared", "regression",
-/// "repeats", "neighbours".
+/// Returns the source as the JSON results state it: "none", "declared", "regression", "repeats",
+/// "neighbours".
 [[nodiscard]] std::string_view name(NoiseSource source);
 
 /// Noise of the readings of one channel.

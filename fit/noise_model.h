@@ -14,12 +14,13 @@ namespace raceway::fit {
 ///
 ///   s_i² = (relative y_i (n_i/n_max)^p)² + (absolute a_i)² + (input b_i)²
 ///
-/// The input n is the swept input, and a_i = 1. The number b_i is the change of reading i when an
-/// input changes by the width of a level. Both a and b are divided by their rms. The correlation is
-/// described in Whitening. For means over dwells, a_i comes from the scatter within the dwell, and
-/// this part of the noise is independent of other readings. Declared standard deviations replace
-/// the whole sum. The noise is estimated from the residuals of a saturated regression. The misfit
-/// of a physical model is never used, because missing physics would then appear as noise.
+/// The input n is the swept input. In general, a_i = 1. The number b_i is the change of reading i
+/// when an input changes by the width of a level. Both a and b are divided by their rms. The
+/// correlation is described in Whitening. For means over dwells, a_i comes from the scatter within
+/// the dwell, and this part of the noise is independent of other readings. Declared standard
+/// deviations replace the whole sum. The noise is estimated from the residuals of a saturated
+/// regression. The misfit of a physical model is never used, because missing physics would then
+/// appear as noise.
 struct NoiseModel {
   /// Standard deviation relative to the reading, at the largest value of the swept input [1].
   double relative = 0.0;

@@ -31,7 +31,8 @@ struct Observations {
   [[nodiscard]] Eigen::VectorXd at(std::span<const double> column) const;
   /// Returns the observations of some channels only.
   [[nodiscard]] Observations only(std::span<const std::size_t> wanted) const;
-  /// Returns the indices of the observations among the readings of a predictor.
+  /// Returns the index of each observation in the readings that a Predictor writes for a record of
+  /// `rows` rows.
   [[nodiscard]] std::vector<std::size_t> places(std::size_t rows) const;
 };
 

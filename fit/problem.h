@@ -22,7 +22,7 @@ struct Screened {
   bool one_sided = false;  ///< true if only one sign of the size is physical
   double unit_size = 1.0;  ///< typical change of the size from its neutral value
   /// Change of the readings per `unit_size` at the neutral point [SI, not whitened]; one column for
-  /// each trial value of the shapes.
+  /// each trial value of the shape parameters.
   Eigen::MatrixXd scores{};
   /// Change of the readings for the largest size seen in practice: one column, or none if this
   /// change is a multiple of the scores.

@@ -46,10 +46,11 @@ struct SeparableFit {
   double misfit = unset;
 };
 
-/// Minimises the weighted sum of squares of means over the named parameters. Linear parameters are
-/// solved by linear least squares within each step (variable projection [GolubPereyra1973]). The
-/// other parameters are the bending parameters. The method of Levenberg and Marquardt finds them,
-/// on a logarithmic scale if the bounds of a parameter span more than a decade.
+/// Minimises the weighted sum of the squared residuals of means over the named parameters. Linear
+/// parameters are solved by linear least squares within each step (variable projection
+/// [GolubPereyra1973]). The other parameters are the bending parameters. The method of Levenberg
+/// and Marquardt finds them, on a logarithmic scale if the bounds of a parameter span more than a
+/// decade.
 ///
 /// A ridge of 1e-6 on columns of unit length prevents two lags with nearly equal time constants
 /// from growing against each other. A prior adds w (v - value)²/std² for its parameter v, where w

@@ -78,7 +78,7 @@ struct Record {
 
   /// Returns a record with these rows, in this order.
   [[nodiscard]] Record picked(std::span<const std::size_t> rows) const;
-  /// Returns a record with the columns and without rows.
+  /// Returns a record with the same columns, but without rows.
   [[nodiscard]] Record without_rows() const;
 
   /// Returns the place of a row in words: "line 12" for a file, otherwise "row 3" (counted from 1).

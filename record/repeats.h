@@ -9,7 +9,7 @@ namespace raceway::record {
 /// Indices of rows that repeat one measurement.
 using RepeatGroup = std::vector<std::size_t>;
 
-/// Tolerances within which two rows belong to the same point, for all inputs.
+/// Tolerances of the inputs within which two rows belong to the same point.
 struct SamePoint {
   double relative = 1e-3;  ///< relative tolerance for inputs that are compared by ratio [1]
   /// Tolerance for other inputs [K]. The default changes the viscosity of an oil by about 0.3 %.

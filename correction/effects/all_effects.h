@@ -20,8 +20,8 @@
 
 namespace raceway::correction {
 
-/// List of the effects of the catalogue, by id. To add an effect, write a header in this folder and
-/// add its name here.
+/// List of the effects of the catalogue, sorted by id. To add an effect, write a header in this
+/// folder and add its name here.
 using AllEffects = std::tuple<AmbientDrift, CoolingSwitch, ExchangedColumns, FeedAxisHeat,
                               RecordedInput, KinematicDisplacement, LooseSensor, MotorHeat,
                               OffsetJump, SecondTimeConstant, SensorLag, SensorQuantisation,
