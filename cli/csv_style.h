@@ -25,8 +25,8 @@ struct CsvStyle {
   void check() const;
   /// Throws text::InputError if put() would fail.
   void require_writable(const std::string& path, text::IfExists if_exists) const;
-  /// Writes to stdout if `path` is "-". Otherwise writes a file and prints "run.csv written, WHAT".
-  /// Does nothing if `path` is empty.
+  /// Writes to stdout if `path` is "-". Otherwise writes a file and prints "run.csv written"
+  /// followed by `what`. Does nothing if `path` is empty.
   void put(const std::string& path, const std::string& csv, text::IfExists if_exists,
            std::string_view what) const;
 

@@ -36,7 +36,8 @@ struct OutputFlags {
   /// Writes a model and prints "my.toml written". File names in the model become relative to the
   /// folder of the new file. Does nothing if no output is given.
   void put_model(const std::string& text, const std::vector<files::NamedFile>& named) const;
-  /// Writes the text and prints "my.toml written, WHAT". Prints the text if no file is given.
+  /// Writes the text, and prints "my.toml written" followed by `what`. Prints the text if no file
+  /// is given.
   void put(const std::string& text, const std::string& what = {}) const;
 };
 
@@ -53,7 +54,7 @@ struct ResultFlags : OutputFlags {
   /// Throws text::InputError if table and document would both go to stdout, or if a file cannot be
   /// written.
   void check_results(const std::string& command) const;
-  /// Writes the table if it was requested, and prints "run.csv written, WHAT".
+  /// Writes the table if it was requested, and prints "run.csv written" followed by `what`.
   void put_table(const std::function<std::string()>& table, const std::string& what) const;
   /// Writes the page if it was requested.
   void put_page(const std::function<std::string()>& page) const { report.write(page, if_exists()); }

@@ -23,7 +23,7 @@ namespace raceway::control {
 [[nodiscard]] std::string control_linuxcnc(const ControlPlan& plan);
 
 /// Returns the lines of HAL that load the component `name` from the file `program` and connect it
-/// to the axes.
+/// to the axes. Throws InputError if the letter of an axis is unknown.
 [[nodiscard]] std::string control_hal(const ControlPlan& plan, std::string_view name,
                                       std::string_view program);
 /// Returns the lines of HAL that move the offset back to 0 before LinuxCNC ends.

@@ -28,8 +28,8 @@ class Characteristic {
 
   Characteristic(Line line) : form_(line) {}
   Characteristic(Power power) : form_(power) {}
-  /// Throws std::invalid_argument for an empty table, for different lengths, and for values of x
-  /// that do not rise.
+  /// Throws std::invalid_argument for an empty table, for different numbers of inputs and
+  /// values, and for values of x that do not rise.
   Characteristic(Table table);
 
   [[nodiscard]] double operator()(double input) const;

@@ -108,7 +108,7 @@ struct Learning {
 ///           docs/correction.md with models from three initial parts of it.
 /// Domain:   records over time. A lag is added to a channel only if the model contains the range of
 ///           its input.
-/// Accuracy: the standard deviation depends on these assumptions.
+/// Accuracy: the standard deviation depends on the sizes and times assumed above.
 ///
 /// Throws std::invalid_argument if the displacement column, all readings or an input are missing.
 [[nodiscard]] Learning learn(const Model& model, const record::Record& record,

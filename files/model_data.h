@@ -42,8 +42,9 @@ class ModelData {
   /// the key. For an unknown name, throws InputError with similar names.
   [[nodiscard]] std::size_t find(std::string_view name) const;
 
-  /// Returns the model with new values of these data, given by index. Throws InputError for invalid
-  /// values, like read_model(). Several threads may call this function at the same time.
+  /// Returns the model with new values of some data. Each change is the index of a datum and its
+  /// new value. Throws InputError for invalid values, like read_model(). Several threads may call
+  /// this function at the same time.
   [[nodiscard]] ModelFile with(std::span<const std::pair<std::size_t, double>> changes) const;
 
  private:

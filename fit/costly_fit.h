@@ -71,8 +71,8 @@ class CostlyProblem {
   [[nodiscard]] CostlyFit descend(SeparableFit best, Eigen::MatrixXd slope, bool is_fresh,
                                   const CostlyEnd& end) const;
   /// Switches the candidates on at the end of another fit, and computes the derivatives with
-  /// respect to their sizes. The result begins at the best of the points that these derivatives
-  /// need.
+  /// respect to their sizes. The result begins at the best of the points at which the
+  /// readings were predicted for these derivatives.
   [[nodiscard]] CostlyFit with_candidates(const CostlyFit& base, const Eigen::VectorXd& initial,
                                           const std::vector<std::size_t>& sizes) const;
   [[nodiscard]] bool is_far(const CostlyFit& base) const;

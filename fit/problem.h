@@ -24,8 +24,8 @@ struct Screened {
   /// Change of the readings per `unit_size` at the neutral point [SI, not whitened]; one column for
   /// each trial value of the shape parameters.
   Eigen::MatrixXd scores{};
-  /// Change of the readings for the largest size seen in practice: one column, or none if this
-  /// change is a multiple of the scores.
+  /// Change of the readings for the largest size seen in practice. The matrix has one
+  /// column, or none if this change is a multiple of the scores.
   Eigen::MatrixXd most{};
   std::string not_testable{};  ///< reason why the candidate cannot be tested; empty if it can
 

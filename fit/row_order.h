@@ -27,7 +27,7 @@ namespace raceway::fit {
 /// and blocks that may be runs.
 [[nodiscard]] RowOrder row_order(const Record& record, std::span<const std::size_t> rows);
 
-/// Returns the order of a selection of readings. Readings that are not neighbours in the original
+/// Returns the RowOrder of selected readings. Readings that are not neighbours in the original
 /// order have no correlation.
 [[nodiscard]] RowOrder order_of(const RowOrder& all, const std::vector<Eigen::Index>& some);
 

@@ -80,8 +80,8 @@ struct LawOfReport {
     const LawOfReport& law, const std::vector<std::string>& warnings,
     const std::vector<ModelOfPage>& facts = {}, const model::Findings& findings = {});
 
-/// Returns the page that contains a document. The function escapes `<` in the JSON text, because
-/// `</script>` in a text would end the data too early.
+/// Returns the page that contains a document. The function escapes `<`, `>` and `&` in the JSON
+/// text, because `</script>` in a text would end the data too early.
 [[nodiscard]] std::string report_page(const std::string& document);
 
 }  // namespace raceway::report
