@@ -11,7 +11,9 @@ using RepeatGroup = std::vector<std::size_t>;
 
 /// Tolerances of the inputs within which two rows belong to the same point.
 struct SamePoint {
-  double relative = 1e-3;  ///< relative tolerance for inputs that are compared by ratio [1]
+  /// Tolerance for inputs that are compared by ratio, relative to the largest value that the inputs
+  /// of this kind, such as loads, have in the two rows [1].
+  double relative = 1e-3;
   /// Tolerance for other inputs [K]. A change by the default changes the viscosity of an oil by
   /// about 0.3 %.
   double temperature = 0.1;

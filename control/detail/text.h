@@ -47,7 +47,7 @@ struct TableAxis {
 /// Returns the header lines of an exported file: kind of file, model and missing parts. Each line
 /// begins with `mark`.
 [[nodiscard]] std::string control_heading(const ControlPlan& plan, std::string_view mark);
-/// Read the source, a note or a warning from a header line; empty for other lines.
+/// Return the source, a note or a warning from a header line; empty for other lines.
 [[nodiscard]] std::string source_in_heading(std::string_view line, std::string_view mark);
 [[nodiscard]] std::string note_in_heading(std::string_view line, std::string_view mark);
 [[nodiscard]] std::string warning_in_heading(std::string_view line, std::string_view mark);
