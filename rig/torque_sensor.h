@@ -57,8 +57,8 @@ struct SensedTorque {
   double common;
 };
 
-/// Accuracy: rounding; standard deviations are linearised. `signal_std` [V] replaces the scatter of
-/// one reading; NaN keeps the scatter.
+/// Returns the torque of a signal [V]. Its standard deviations are linearised. `signal_std` [V]
+/// replaces the scatter of one reading; NaN keeps the scatter.
 [[nodiscard]] SensedTorque torque_of(const TorqueSensor& sensor, double signal,
                                      double signal_std = unset);
 

@@ -63,7 +63,7 @@ class NoiseSearch {
     }
   };
 
-  /// What neighbours and the readings of a run have in common.
+  /// Memory of the noise: the correlation of neighbours and the offsets of runs.
   struct Memory {
     double correlation, run_share;  ///< as in NoiseModel
     Shares shares;
@@ -162,8 +162,10 @@ class NoiseSearch {
   void set_scale();
   /// Keeps the declared standard deviations if the readings do not contradict them.
   void honour_declared(double& factor);
-  /// Finds noise shapes with a likelihood close to the best. Each part of the noise is moved to
-  /// both ends of the range that the readings allow, and memory is removed if the readings allow
+  /// Finds noise shapes with a likelihood close to the best. The relative share and the growth are
+  /// moved to both ends of the range that the readings allow. The share of the input, the
+  /// correlation and the run offsets are moved to the upper end. A shape with the other form of run
+  /// offsets is added if it is almost as likely, and a shape without memory if the readings allow
   /// it.
   void find_allowed();
   /// Tries stronger correlation and larger run offsets, as far as the readings allow.
