@@ -33,7 +33,7 @@ class RigSubject : public model::ModelSubject {
   [[nodiscard]] std::optional<fit::Formula> formula(const fit::Record& record) const override;
   [[nodiscard]] std::vector<fit::Axis> axes(const fit::Record& record) const override;
   [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;
-  /// Returns the other laws, "law:skf" and so on.
+  /// Returns the laws that can replace the law of the model, with ids such as "law:skf".
   [[nodiscard]] std::vector<fit::OtherBase> other_bases() const override;
   /// Also names the rows that two parameters of the contact law need: mu_boundary needs thin films,
   /// and limiting_traction needs high pressure.
