@@ -8,7 +8,7 @@
 namespace raceway::files {
 
 /// Reads operating conditions and measurements of a spindle over time into SI: time_s or dates,
-/// speed_rpm, the inputs that record::spindle_channel() knows, the sensors of the model and
+/// speed_rpm, the inputs of record::spindle_channel(), the sensors of the model and
 /// axial_displacement_um. Other columns are not used in calculations, and a note lists them.
 ///
 /// An empty cell of a measured column means that there is no reading. Inputs are filled between
