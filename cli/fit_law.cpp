@@ -83,7 +83,7 @@ Run setup_fit_law(CLI::App& command) {
   command
       .add_option(
           "CSV", flags->curve,
-          "CSV with speed_rpm, axial_displacement_um and, if known, std_um; - or none: stdin")
+          "CSV with speed_rpm, axial_displacement_um and, if known, std_um; - or no CSV: stdin")
       ->type_name("");
   add_number(command, "--at", flags->at, speed_range,
              "also print displacement and slope at this speed [rpm]");

@@ -106,8 +106,8 @@ Run setup_identify(CLI::App& command) {
   command.add_option("RECORD", flags->data, "record over time (CSV)")->required()->type_name("");
   command
       .add_option("--order", flags->choices.order,
-                  "number of sections of each channel, such as 2, or a range such as 1:3, from "
-                  "which the program chooses by the held-out error; default 1:3")
+                  "number of sections (lags) of each channel, such as 2, or a range such as 1:3, "
+                  "from which the program chooses by the held-out error; default 1:3")
       ->type_name("N");
   command
       .add_option("--inputs", flags->choices.inputs,

@@ -29,7 +29,9 @@ std::vector<DrivenChannel> bare_channels(const Model& model,
   for (const DrivenChannel& c : model.channels) {
     if (c.input.is_power())
       messages.push_back(record::note::rows_used(
-          fmt::format("channel {} is left out: a regression uses columns only", c.name),
+          fmt::format("channel {} is left out: a regression uses only columns of the record, but "
+                      "this channel has a calculated power",
+                      c.name),
           {.key = c.name}));
     else
       list.push_back({.name = c.name, .input = c.input});

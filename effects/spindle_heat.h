@@ -47,7 +47,7 @@ inline constexpr SpindleHeatCard<4> motor_heat{
     .id = "motor-heat",
     .title = "heat of a motor between the sets",
     .mechanism =
-        "Losses of rotor and stator heat shaft and housing between the sets, independent of the "
+        "Losses of rotor and stator heat shaft and housing between the sets, independently of the "
         "bearings.",
     .source = "constant loss moment; iron losses rise with a higher power of speed",
     .confused_with = {"drive-heat", "coolant", "lubricant-drag", "convection-factor"},
@@ -82,7 +82,7 @@ inline constexpr SpindleHeatCard<4> seal_heat{
     .title = "heat of a seal at the nose",
     .mechanism =
         "A seal lip or a touching labyrinth heats the shaft in front of the first bearing, "
-        "independent of load and preload.",
+        "independently of load and preload.",
     .source = "constant moment, as the seal moment of the SKF general catalogue (2006)",
     .confused_with = {"drive-heat", "lubricant-drag", "seal-friction", "f0"},
     .size = {.name = "heat_at_10000_rpm_W",

@@ -504,7 +504,8 @@ class CorrectionReader {
         !c.input.is_power() && !record::acts_by_amount(*c.input.columns.front())};
     notes_.push_back(record::note::assumed(
         fmt::format(
-            "channel {}: at {} = 0 the gain is 0, and the time constant is the value at this {}{}",
+            "channel {}: for {} of 0, the program uses the gain 0 and the time constant that the "
+            "law gives for this {}{}",
             c.name, c.input.is_power() ? "a power" : "an input",
             c.input.is_power() ? "power" : "input",
             c.input.is_power() ? ": the source of this law gives no value for standstill" : ""),

@@ -422,7 +422,7 @@ class SeriesOfFiles {
   [[nodiscard]] std::string clock_words() const {
     return files_.front()->clock_start()
                ? ""
-               : "; it is assumed that time_s has the same start in all files";
+               : "; the program assumes that time_s has the same start in all files";
   }
 
   /// All times count from the first row of the first file.

@@ -267,8 +267,8 @@ class ShaftReader {
     constexpr double rounding_mm = 1e-6;
     if (const auto given = s_.number("distance_mm");
         given && std::abs(*given - apart) > rounding_mm)
-      s_.fail("distance_mm", fmt::format("distance_mm = {0:.10g} mm: the distance from {2} and {3} "
-                                         "is {1:.10g} mm; correct or remove this key",
+      s_.fail("distance_mm", fmt::format("distance_mm = {0:.10g} mm: the distance calculated from "
+                                         "{2} and {3} is {1:.10g} mm; correct or remove this key",
                                          *given, apart, front_position, rear_position));
     positions_give_distance_ = true;
     d_.distance = apart * mm;

@@ -42,8 +42,10 @@ std::string nothing_missing_text(const Diagnosis& d) {
     if (hidden.size() < 3) hidden.push_back(n.id);
   return fmt::format(
       "These data show no missing effect (p = {:.2g}, alarm level 1 %).{}{}", d.p_value,
-      found.empty() ? "" : " Would have been found: " + joined(found, "and") + ".",
-      hidden.empty() ? "" : " Could not have been found: " + joined(hidden, "and") + ", ...");
+      found.empty() ? "" : " These effects would have been found: " + joined(found, "and") + ".",
+      hidden.empty()
+          ? ""
+          : " These effects could not have been found: " + joined(hidden, "and") + ", ...");
 }
 
 std::string within_tolerance_text(const Diagnosis& d) {

@@ -18,7 +18,7 @@ namespace raceway::correction {
 struct RecordedInput final : EffectKind {
   static constexpr EffectCard recorded_card{
       .id = "input",
-      .title = "a recorded column that the model does not use moves the machine",
+      .title = "a recorded quantity that the model does not use moves the machine",
       .form =
           "+ K/(1 + tau s) u, and + K u for a position; if all temperature channels have a common "
           "reference, it is subtracted from u; for a window of a position, + w K/(1 + tau s) u of "
