@@ -99,7 +99,7 @@ inline constexpr SpindleHeatCard<4> front_bearing_heat{
     .title = "heat at the front bearings that is not in their friction law",
     .mechanism =
         "Seals, grease or a load that is not in the model heat both rings of the front set. These "
-        "rings become hot first; the rear bearing is as predicted.",
+        "rings become hot first; the rear bearing runs as predicted.",
     .source = "constant moment",
     .confused_with = {"seal-heat", "f0", "lubricant-drag", "preload_N"},
     .size = {.name = "heat_at_10000_rpm_W",

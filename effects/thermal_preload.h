@@ -43,7 +43,7 @@ struct ThermalPreload : PreloadByOwnHeat {
   static constexpr std::array<std::string_view, 4> confused_with{
       "centrifugal-ring-growth", "spin-friction", "lubricant-drag", "windage"};
   static constexpr std::string_view settled_by =
-      "the torque soon after a change of speed and again when warm";
+      "the torque soon after a change of speed and again when the bearing is warm";
   static constexpr std::array parameters{Parameter{.name = "force_per_power_N_W",
                                                    .unit = "N/W",
                                                    .initial = 0.5,

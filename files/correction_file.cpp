@@ -43,8 +43,8 @@ constexpr Key correction_keys[]{
     {"measurement_std_um", between(0, 1e6, "um"), "estimated from neighbouring readings",
      "standard deviation of the noise of one reading"},
     {"initial_state", one_of("rest|free"), "rest",
-     "state of the machine at the start of the record; rest: in thermal equilibrium, free: warm, "
-     "initial states are fitted"},
+     "state of the machine at the start of the record; rest: in thermal equilibrium; free: not in "
+     "equilibrium, so the initial states are fitted"},
     {"offset_um", between(-1e6, 1e6, "um"), 0.0, "constant that is added to the prediction"},
     {"sampling_s", between(1e-6, 1e6, "s"), unset,
      "sampling interval for which numerator and denominator are valid; records with another "
@@ -160,8 +160,8 @@ constexpr Key correction_effect_keys[]{
     {"channel", a_text, unset, "name of the channel that the effect changes"},
     {"axis", a_text, unset, "axis on which the effect acts"},
     {"window", a_table, unset,
-     "{ column, points, acts_on } for the input, as in a channel; required only if the window of "
-     "the channel is different"},
+     "only for id = \"input\": { column, points, acts_on } of a position, as in a channel; the "
+     "effect acts on the input of its channel inside this window"},
 };
 constexpr Key correction_own_effect_keys[]{
     {"formula", a_text, unset, "formula of your own effect, from columns and its parameters"},
@@ -579,11 +579,12 @@ class CorrectionReader {
              fmt::format("channel = \"{}\": the model has no channel of this name", e.where));
     if (const toml::node* const node = s.find("window")) {
       if (!found->card().by_window)
-        s.fail("window", fmt::format("window: not possible with {}, only with input", *id));
+        s.fail("window",
+               fmt::format("window: not possible with id = \"{}\", only with id = \"input\"", *id));
       if (!e.columns.empty())
         s.fail("window",
-               "window: the effect uses the window of its channel; name the channel with channel "
-               "instead of input");
+               "window: an effect with a window acts on the input of a channel; give channel = "
+               "\"NAME\" instead of input");
       e.window = window(part_of(s, "correction.effect.window", *node, {window_keys}));
     }
     if (found->card().needs_input && e.columns.empty() && !e.window)

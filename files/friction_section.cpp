@@ -67,7 +67,7 @@ const Key palmgren_keys[]{
     number_of(FrictionLaw::palmgren, "y",
               "exponent of the load moment; required without the key catalogue"),
     {"f1_load", one_of(words_of_load), "P0",
-     "load in the factor f1: static equivalent load P0, or F_b, the load of the load moment"},
+     "load in the factor f1: P0 (static equivalent load), or F_b (load in the load moment)"},
 };
 const Key powers_keys[]{
     number_of(FrictionLaw::powers, "viscous_exponent",
@@ -103,8 +103,8 @@ const Key roller_law_keys[]{
     {"law", one_of(words_of_roller_law), "palmgren", "base law of friction"}};
 const Key roller_load_keys[]{
     {"f1_load", one_of(words_of_roller_load), "rollers",
-     "load in the law: the sum of the roller loads, so that a preload causes torque, or the radial "
-     "load F_r, as in the printed laws"},
+     "load in the law: rollers (sum of the roller loads, so that a preload causes torque), or F_r "
+     "(radial load, as in the printed laws)"},
 };
 const Key roller_f0 = [] {
   Key key = number_of(FrictionLaw::roller_palmgren, "f0", "factor of the viscous moment");

@@ -80,7 +80,7 @@ const Key arrangement_keys[]{
      "temperature of the inner rings; if no temperature is given, no part expands"},
     {"outer_ring_temperature_C", between(-200, 500, "C"), "mounting temperature",
      "temperature of the outer rings"},
-    {"ball_temperature_C", between(-200, 500, "C"), "mean of the two rings",
+    {"ball_temperature_C", between(-200, 500, "C"), "mean of inner and outer ring temperature",
      "temperature of the balls"},
     {"shaft_temperature_C", between(-200, 500, "C"), "inner ring temperature",
      "temperature of the shaft"},

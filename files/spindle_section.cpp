@@ -38,7 +38,7 @@ constexpr Key spindle_friction_keys[]{{"inner_heat_share", between(0, 1),
                                        "from the sliding at each ring",
                                        "share of the friction heat that enters the inner ring"}};
 constexpr Key spindle_solver_keys[]{
-    {"cells", one_of("coarse|medium|fine"), "medium", "size of the cells"},
+    {"cells", one_of("coarse|medium|fine"), "medium", "size of the mesh cells"},
     {"step_s", between(0.01, 1e5, "s"), "from the error control", "longest time step"},
 };
 const Key spindle_rig_keys[]{

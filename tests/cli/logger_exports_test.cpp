@@ -458,7 +458,7 @@ TEST(LoggerExports, ALoggerThatBeganAnewRepeatsItsHeaderAndItsUnits) {
   const Result checked = run("check " + record_model + " " + anew.file);
   EXPECT_EQ(checked.status, 0) << checked.err;
   EXPECT_THAT(checked.err,
-              HasSubstr("the header occurs once more in the file; these lines are skipped"));
+              HasSubstr("the header occurs once more in the file; the program skips these lines"));
   expect_truth(anew.file);
 }
 
