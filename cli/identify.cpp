@@ -120,7 +120,7 @@ Run setup_identify(CLI::App& command) {
       .add_option("--lags", flags->choices.lags,
                   "bank of lags for machines with many sensors: time constants in s, separated by "
                   "commas; 0 means no lag; auto chooses them from the length of the record. Ridge "
-                  "regression fits the gains. Default of --inputs: all")
+                  "regression fits the gains. With --lags, the default of --inputs is all")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("S,...")

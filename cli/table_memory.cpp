@@ -50,8 +50,9 @@ double memory() {
 std::string slabs(double all, double most) {
   const double count = std::max(2.0, std::ceil(all / most));
   if (!(count <= most_slabs)) return "even a million slabs are not enough";
-  return fmt::format("calculate the table in {0:.0f} slabs, --slab 1/{0:.0f} to {0:.0f}/{0:.0f}",
-                     count);
+  return fmt::format(
+      "calculate the table in {0:.0f} slabs with --slab 1/{0:.0f} to --slab {0:.0f}/{0:.0f}",
+      count);
 }
 
 }  // namespace

@@ -212,8 +212,8 @@ Identification regression_baseline(const Model& model, const std::vector<const C
   see(found, record);
   found.evidence = evidence_on(found, record, result.rms_held_out);
   result.model = std::move(found);
-  result.messages.push_back(
-      record::note::limits("a regression has no memory, and it extrapolates in straight lines"));
+  result.messages.push_back(record::note::limits(
+      "a regression uses only the inputs of the same row, and extrapolates linearly"));
   return result;
 }
 

@@ -48,7 +48,7 @@ struct SpindleFactor {
 inline constexpr SpindleFactorCard<4> seat_conductance{
     .factor = &SpindleCondition::outer_seat_factor,
     .id = "seat-conductance",
-    .title = "the thermal conductance of the outer seats differs from the value of their fit",
+    .title = "the thermal conductance of the outer seats differs from the value for their fit",
     .mechanism =
         "A gap, a cover or a wrong fit keeps the heat in the outer rings: the rings become hot and "
         "the preload falls, while the housing hardly changes. Without a sensor on a ring, only the "

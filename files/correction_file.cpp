@@ -124,7 +124,8 @@ constexpr Key element_gain_keys[]{
     {"slope_um_W", between(-most, most, "um/W"), unset,
      "slope of the gain against the input. The name ends in the unit of the input: slope_um_W, "
      "slope_um_N ..."},
-    {"offset_um", between(-most, most, "um"), unset, "value of the straight line at input 0"},
+    {"offset_um", between(-most, most, "um"), unset,
+     "gain at input 0, with slope_um_W or a similar key"},
     {"factor", between(-most, most, "um"), unset,
      "factor in gain = factor * x^exponent; x is the input in its unit"},
     {"exponent", between(-10, 10), unset, "exponent in gain = factor * x^exponent"},
@@ -135,7 +136,8 @@ constexpr Key element_time_keys[]{
     {"slope_min_W", between(-most, most, "min/W"), unset,
      "slope of the time constant against the input. The name ends in the unit of the input: "
      "slope_min_W, slope_min_N ..."},
-    {"offset_min", between(-most, most, "min"), unset, "value of the straight line at input 0"},
+    {"offset_min", between(-most, most, "min"), unset,
+     "time constant at input 0, with slope_min_W or a similar key"},
     {"factor", between(-most, most, "min"), unset,
      "factor in time constant = factor * x^exponent; x is the input in its unit"},
     {"exponent", between(-10, 10), unset, "exponent in time constant = factor * x^exponent"},

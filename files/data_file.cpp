@@ -250,9 +250,9 @@ class Reader {
                                          table_.source, table_.rows(), minimum),
                              {.file = table_.source, .key = std::string(record::speed.name)});
     if (fast.size() < table_.rows())
-      notes_.push_back(record::note::left_out(
-          fmt::format("{} of {} rows below minimum_speed_rpm = {:.6g} are not used",
-                      table_.rows() - fast.size(), table_.rows(), minimum)));
+      notes_.push_back(record::note::left_out(fmt::format(
+          "{} of {} rows have a speed below minimum_speed_rpm = {:.6g} and are not used",
+          table_.rows() - fast.size(), table_.rows(), minimum)));
     return record().picked(fast);
   }
 

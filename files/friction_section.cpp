@@ -26,7 +26,7 @@ const Key lubricant_keys[]{
      "temperatures by ASTM D341"},
     {"viscosity_100C_mm2_s", between(0.5, 1e5, "mm2/s"), is_required,
      "kinematic viscosity at 100 C, below the viscosity at 40 C"},
-    {"supply", one_of(words_of_supply), "contact inlets as with oil-air, grease or jet",
+    {"supply", one_of(words_of_supply), "none: contact inlets as with oil-air, grease or jet",
      "lubricant supply; excludes effects that need another supply. With bath, the law contact "
      "assumes flooded contact inlets"},
 };

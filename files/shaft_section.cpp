@@ -164,8 +164,9 @@ class ShaftReader {
       const int front = static_cast<int>(s_.number("front").value_or(set_.front));
       const int rear = static_cast<int>(s_.number("rear").value_or(set_.rear));
       if (std::minmax(front, rear) != std::minmax(set_.front, set_.rear))
-        s_.fail(key, fmt::format("front = {}, rear = {}: layout = \"{}\" has {} and {}", front,
-                                 rear, set_.name, set_.front, set_.rear));
+        s_.fail(key,
+                fmt::format("front = {}, rear = {}: layout = \"{}\" has sets of {} and {} bearings",
+                            front, rear, set_.name, set_.front, set_.rear));
       if (!value) in_.note_default(key, fmt::format("{}", named));
       return value ? value : std::optional(named);
     }

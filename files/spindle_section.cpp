@@ -43,9 +43,9 @@ constexpr Key spindle_solver_keys[]{
 };
 const Key spindle_rig_keys[]{
     {"model_floor_K", between(0, 100, "K"), usual_spindle.model_floor_temperature,
-     "model error of the temperatures; smaller residuals are tolerated"},
+     "expected error of the calculated temperatures; diagnose accepts residuals of this size"},
     {"model_floor_um", between(0, 1000, "um"), usual_spindle.model_floor_displacement / um,
-     "model error of the displacements; smaller residuals are tolerated"},
+     "expected error of the calculated displacements; diagnose accepts residuals of this size"},
 };
 
 const KeyTable tables_of_keys[]{{"bearing", spindle_bearing_keys, "spindle"},

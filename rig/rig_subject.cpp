@@ -184,8 +184,9 @@ std::string RigSubject::lacks(const std::string& id, const fit::Record& record) 
                        thick_film, film_ratio);
   if (id == "limiting_traction" && pressure < high_pressure)
     return fmt::format(
-        "rows with a contact pressure well above {:.1f} GPa, because the limiting traction changes "
-        "the torque by less than 0.1 % below; the largest pressure in this record is {:.3g} GPa",
+        "rows with a contact pressure well above {0:.1f} GPa (below {0:.1f} GPa, the limiting "
+        "traction changes the torque by less than 0.1 %); the largest pressure in this record is "
+        "{1:.3g} GPa",
         low_pressure / GPa, pressure / GPa);
   return {};
 }

@@ -407,7 +407,8 @@ void fit_base(Evidence& evidence, const Eigen::VectorXd& start) {
                                     problem.observed.measured, starts_of(start));
   if (!evidence.base.converged)
     throw std::invalid_argument(problem.record->source +
-                                ": the fit of the model's own parameters does not converge");
+                                ": the fit of the model's own parameters does not converge; free "
+                                "fewer of them, or check units of model and data");
 }
 
 /// The noise of one channel held against what the refitted model leaves of it, and against repeats.

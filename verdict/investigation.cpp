@@ -432,8 +432,9 @@ void Investigation::fill(const Set& set, const Explanation& best) {
     result_.correlation = correlation_of(best.parameters, best.fit);
     for (std::size_t k = 0; k < problem_.base.size(); ++k)
       if (best.fit.at_bound[k])
-        result_.messages.push_back(record::note::at_bound(
-            best.parameters[k].name + " ends at a bound", {.key = best.parameters[k].name}));
+        result_.messages.push_back(
+            record::note::at_bound(best.parameters[k].name + " ends at a bound of its range",
+                                   {.key = best.parameters[k].name}));
   }
   fill_verdict(set);
   fill_ranking();
