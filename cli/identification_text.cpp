@@ -84,7 +84,7 @@ void print_trust(const record::Channel& displacement, const correction::Trust& t
 
 void print_identification(const correction::Identification& found, const record::Record& record) {
   if (found.is_bank()) {
-    fmt::print("{} of {}: every input passes through the same lags\n\n",
+    fmt::print("{} of {}: all inputs pass through one bank of lags\n\n",
                found.model.displacement->name, record.source);
     print_ahead(found);
     print_bank(found);

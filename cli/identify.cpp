@@ -112,7 +112,8 @@ Run setup_identify(CLI::App& command) {
   command
       .add_option("--inputs", flags->choices.inputs,
                   "columns that may become channels, separated by commas, or all; the program adds "
-                  "a column only if the held-out error falls")
+                  "only columns that reduce the held-out error (with --lags or --baseline: all of "
+                  "these columns)")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("COLUMNS");

@@ -89,7 +89,7 @@ void require_memory_to_merge(const std::vector<std::string>& files) {
   const double most = 0.8 * memory();
   if (bytes > most)
     throw text::InputError(
-        fmt::format("raceway merge: the slabs and their table need {:.3g} GB of memory, but only "
+        fmt::format("raceway table: the slabs and their table need {:.3g} GB of memory, but only "
                     "{:.3g} GB are available",
                     bytes / GB, most / GB));
 }

@@ -245,8 +245,8 @@ class Reader {
     cells_.bad.throw_if_any();
     const double minimum = record::speed.in_unit(expected_.minimum_speed);
     if (fast.empty())
-      throw text::InputError(fmt::format("{}: all {} rows are below minimum_speed_rpm = {:.6g} of "
-                                         "[rig], so no row can be used",
+      throw text::InputError(fmt::format("{}: all {} rows have a speed below minimum_speed_rpm = "
+                                         "{:.6g} of [rig], so no row can be used",
                                          table_.source, table_.rows(), minimum),
                              {.file = table_.source, .key = std::string(record::speed.name)});
     if (fast.size() < table_.rows())

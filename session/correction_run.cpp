@@ -67,8 +67,8 @@ results::Corrected corrected_by(const correction::Model& model, const record::Re
                                 [](double v) { return !std::isfinite(v); });
   if (bad != result.predicted.end())
     messages.push_back(record::note::no_prediction(
-        fmt::format("{}: no displacement is predicted from {} on, because the power leaves the "
-                    "range of a delay element",
+        fmt::format("{}: no displacement is predicted from {} on, because the input of a delay "
+                    "element is outside its range",
                     model.displacement->name,
                     record.place(static_cast<std::size_t>(bad - result.predicted.begin())))));
   return result;

@@ -139,9 +139,10 @@ TEST(Csv, ShapesOfOtherProgramsAreRead) {
   // A header that stands again, and words behind the rows.
   const CsvTable again = parse_csv("a,b\n1,2\na,b\n3,4\nEnd of file\nMade by a logger\n", "d.csv");
   EXPECT_EQ(again.rows(), 2u);
-  EXPECT_EQ(again.notes, (std::vector<std::string>{
-                             "the header occurs once more in the file; the program skips these lines",
-                             "the program skips the text after the rows, from line 5 on"}));
+  EXPECT_EQ(again.notes,
+            (std::vector<std::string>{
+                "the header occurs once more in the file; the program skips these lines",
+                "the program skips the text after the rows, from line 5 on"}));
   EXPECT_EQ(error_of("a,b\n1,2\nstopped\n3,4\n"),
             "d.csv:3: this row has fewer cells than the header (line 1)");
   // Old line ends.
@@ -205,10 +206,11 @@ TEST(Csv, AHeaderThatStandsAgainMayHaveItsUnitsBelowIt) {
       read("t;T\ns;°C\n1;20\n2;21\nstopped\nMean;20.5\nt;T\ns;C\n3;22\nt;T\n4;23\n");
   EXPECT_EQ(table.rows(), 4u);
   EXPECT_EQ(table.number(2, 1), 22);
-  EXPECT_EQ(table.notes, (std::vector<std::string>{
-                             "line 2 is a row of units",
-                             "the header occurs 2 times more in the file; the program skips these lines",
-                             "the program skips 2 lines between the rows and the repeated header"}));
+  EXPECT_EQ(table.notes,
+            (std::vector<std::string>{
+                "line 2 is a row of units",
+                "the header occurs 2 times more in the file; the program skips these lines",
+                "the program skips 2 lines between the rows and the repeated header"}));
   EXPECT_EQ(tests::message_of([&] { (void)read("t;T\ns;C\n1;20\nt;T\ns;F\n2;70\n"); }),
             "d.csv:5: T is in \"F\" here, but in \"C\" above; use one unit in a column");
 }
