@@ -44,12 +44,12 @@ void declare_beside(CLI::App& command, session::Reading& reading) {
 void declare(CLI::App& command, session::Period& period) {
   command
       .add_option("--from", period.from,
-                  "for a record over time: use only readings from this time on, such as 22h; the "
-                  "model still uses the inputs of all rows")
+                  "for models with [correction]: use only readings from this time on, such as 22h; "
+                  "the model still uses the inputs of all rows")
       ->type_name("TIME");
   command
       .add_option("--until", period.until,
-                  "for a record over time: use only readings up to this time")
+                  "for models with [correction]: use only readings up to this time")
       ->type_name("TIME");
 }
 

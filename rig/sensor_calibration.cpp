@@ -233,7 +233,7 @@ class Calibrator {
     if (pure <= floor_) {
       result_.notes.push_back(record::note::unknown(
           "readings at the same torque are equal to the last digit: their scatter is below the "
-          "resolution of the signal, so it cannot test the curve"));
+          "resolution of the signal and cannot test the curve"));
       return;
     }
     const double misfit = std::max(0.0, fit_.square - pure);
