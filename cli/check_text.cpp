@@ -122,7 +122,8 @@ void print_check(const correction::RecordCheck& c) {
     for (const double tau : p.check.time_constants)
       lags.push_back(std::isfinite(tau) ? fmt::format("{:.4g} s", tau) : "no decay");
     fmt::print(
-        "channel {}: poles of {}, DC gain {:.4g} {} per unit ({:.4g} to {:.4g} as printed)\n",
+        "channel {}: time constants of the poles: {}; DC gain {:.4g} {} per unit ({:.4g} to {:.4g} "
+        "if the printed digits are rounded)\n",
         p.channel, fmt::join(lags, ", "), p.check.dc_gain / um, c.displacement->unit,
         p.check.dc_gain_lower / um, p.check.dc_gain_upper / um);
   }

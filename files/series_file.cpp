@@ -406,7 +406,7 @@ class SeriesOfFiles {
         result.notes.push_back(std::move(one));
       }
     result.notes.push_back(
-        record::note::read_as(fmt::format("{} are joined to one record of {} rows{}",
+        record::note::read_as(fmt::format("{} are joined into one record of {} rows{}",
                                           text::listed(names()), result.rows(), clock_words()),
                               {.file = result.source}));
     return in_common(std::move(result));

@@ -148,8 +148,9 @@ std::string Investigation::single_text() const {
                     size_text(problem_, best), best.gain, result_.needed_gain, remains_text(), next,
                     error_text(result_), shifts());
     if (named.datum.empty()) return "Consistent with " + found;
-    return fmt::format("Check {}: {}. Wrong data rather than missing physics, consistent with {}",
-                       named.datum, correction_text(problem_, best, best.members.front()), found);
+    return fmt::format(
+        "Check {}: {}. The misfit is consistent with wrong data rather than missing physics: {}",
+        named.datum, correction_text(problem_, best, best.members.front()), found);
   }
   if (result_.tolerance_limited())
     return fmt::format(
