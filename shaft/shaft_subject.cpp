@@ -196,7 +196,9 @@ std::vector<std::string> ShaftSubject::records_needed(
 }
 
 model::Expected ShaftSubject::expected() const {
-  const std::string rings = "the value of [arrangement] for all rows, or the mounted preload";
+  const std::string rings =
+      "the value of [arrangement] for all rows, or the mounting temperature if [arrangement] has "
+      "no value";
   model::Expected e;
   e.defaults = {
       {&record::speed, unset, ""},

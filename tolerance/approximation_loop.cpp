@@ -433,7 +433,7 @@ class Inquiry {
         return false;
       result_.messages.push_back(record::note::plan(
           fmt::format("{} explains the displacement better (error {}), but no mechanism is known "
-                      "for this column. Is its sensor on the part that moves?",
+                      "for this column. Is the sensor of this column on the part that moves?",
                       column->ids().front(), error(*column))));
     }
     found_ = std::move(near);
